@@ -145,12 +145,11 @@ fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
         .iter()
         .find(|n| model.requirements.iter().all(|r| r.name != **n))
     {
-        let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
         return Err(Failure::input(format_args!(
             "--requirement {}: the model has no such requirement",
             cspace_io::shown::quoted(unknown)
         ))
-        .help(format_args!("its requirements are {}", known.join(", "))));
+        .help(super::requirements_of(model)));
     }
     model.requirements.retain(|r| names.contains(&r.name));
     Ok(())

@@ -29,9 +29,34 @@ pub(crate) mod solve;
 pub(crate) mod sweep;
 pub(crate) mod view;
 
+use cspace_io::Model;
+use cspace_io::shown::quoted;
 use serde::Serialize;
 
 use crate::failure::Failure;
+
+/// What to give in place of a name that is none of a model's parameters.
+fn parameters_of(model: &Model) -> String {
+    let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    match known.is_empty() {
+        true => "the model has no parameters: add them under [parameter]".to_owned(),
+        false => format!("its parameters are {}", known.join(", ")),
+    }
+}
+
+/// The same of its requirements.
+fn requirements_of(model: &Model) -> String {
+    let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
+    match known.is_empty() {
+        true => "say what is measured in [[requirement]] tables: see docs/design.md".to_owned(),
+        false => format!("its requirements are {}", known.join(", ")),
+    }
+}
+
+/// A name that is varied and was varied before.
+fn varied_twice(name: &str) -> Failure {
+    Failure::input(format_args!("{} is varied twice", quoted(name))).help("name it once")
+}
 
 /// Indented JSON with a line break at the end.
 fn json(value: &impl Serialize) -> Result<Vec<u8>, Failure> {

@@ -62,19 +62,11 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
     let file = args.file.display();
     for (i, v) in args.vary.iter().enumerate() {
         if model.parameters.iter().all(|p| p.name != v.name) {
-            let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
             let error = format!("{file}: there is no parameter {}", quoted(&v.name));
-            return Err(Failure::input(error).help(if known.is_empty() {
-                "the model has no parameters: add them under [parameter]".to_owned()
-            } else {
-                format!("its parameters are {}", known.join(", "))
-            }));
+            return Err(Failure::input(error).help(super::parameters_of(model)));
         }
         if args.vary[..i].iter().any(|w| w.name == v.name) {
-            return Err(
-                Failure::input(format_args!("{} is varied twice", quoted(&v.name)))
-                    .help("name it once"),
-            );
+            return Err(super::varied_twice(&v.name));
         }
     }
     let goal = &args.so_that;
@@ -83,16 +75,11 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
         .iter()
         .find(|r| r.name == goal.requirement)
     else {
-        let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
         let error = format!(
             "{file}: there is no requirement {}",
             quoted(&goal.requirement)
         );
-        return Err(Failure::input(error).help(if known.is_empty() {
-            "say what is measured in [[requirement]] tables: see docs/design.md".to_owned()
-        } else {
-            format!("its requirements are {}", known.join(", "))
-        }));
+        return Err(Failure::input(error).help(super::requirements_of(model)));
     };
     let yes_or_no = requirement.quantity.is_truth();
     if yes_or_no != matches!(goal.value, Value::Truth(_)) {

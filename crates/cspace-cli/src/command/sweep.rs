@@ -322,23 +322,15 @@ fn varied(names: &[String], model: &Model, args: &SweepArgs) -> Result<Vec<Varie
     let mut all = Vec::with_capacity(names.len());
     for (i, name) in names.iter().enumerate() {
         let Some(varied) = Varied::named(name, model) else {
-            let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
             return Err(Failure::input(format_args!(
                 "{}: there is no parameter or coordinate {}",
                 args.file.display(),
                 shown::quoted(name)
             ))
-            .help(if known.is_empty() {
-                "the model has no parameters: add them under [parameter]".to_owned()
-            } else {
-                format!("its parameters are {}", known.join(", "))
-            }));
+            .help(super::parameters_of(model)));
         };
         if names[..i].contains(name) {
-            return Err(
-                Failure::input(format_args!("{} is varied twice", shown::quoted(name)))
-                    .help("name it once"),
-            );
+            return Err(super::varied_twice(name));
         }
         all.push(varied);
     }
@@ -360,7 +352,7 @@ fn measures(model: &Model, args: &SweepArgs) -> Result<Vec<String>, Failure> {
             "--measure {}: the model has no such requirement",
             shown::quoted(unknown)
         ))
-        .help(format_args!("its requirements are {}", known.join(", "))));
+        .help(super::requirements_of(model)));
     }
     Ok(if args.measure.is_empty() {
         known
