@@ -75,6 +75,9 @@ pub enum Unmeasured {
     /// No motion leads from one configuration to another.
     #[error("no motion without overlap leads there")]
     NoWay,
+    /// Whether a motion leads from one configuration to another is not known.
+    #[error("it is not known whether a motion leads there: the space is doubtful on the way")]
+    Undecided,
     /// A coordinate of a region goes on without end.
     #[error("the coordinate has no end in the free region: it goes on")]
     Endless,
@@ -274,7 +277,8 @@ fn bottleneck(space: &PairSpace, at: Coordinates, to: Coordinates) -> Result<Mea
             })
         }
         Verdict::FromBlocked(_) | Verdict::ToBlocked(_) => Err(Unmeasured::Blocked),
-        _ => Err(Unmeasured::NoWay),
+        Verdict::Unknown(_) => Err(Unmeasured::Undecided),
+        Verdict::NoPath(_) | Verdict::TooNarrow => Err(Unmeasured::NoWay),
     }
 }
 
