@@ -533,6 +533,10 @@ pub(crate) struct SweepArgs {
     /// regions, whether there is a value; located to 1e-9 of the range
     #[arg(long, conflicts_with = "rows")]
     pub(crate) changes: bool,
+    /// Keep the rows that the table OUT.csv of an interrupted sweep has, and compute those that it lacks; the model and the other
+    /// arguments must be the same
+    #[arg(long, conflicts_with = "changes")]
+    pub(crate) resume: bool,
     /// Print CSV or JSON [default: csv; json if OUT ends in .json]
     #[arg(long, value_enum)]
     pub(crate) format: Option<TableFormat>,

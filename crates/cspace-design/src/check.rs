@@ -2,8 +2,9 @@
 
 use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
 use cspace_io::Model;
-use cspace_io::model::{Requirement, Target};
+use cspace_io::model::{Requirement, Subject, Target};
 
+use crate::in_motion::{Found, Motion};
 use crate::measure::{Measured, Unmeasured, Value, measure};
 
 /// A requirement that was measured.
@@ -13,7 +14,9 @@ pub struct Checked {
     pub requirement: Requirement,
     /// What it is, or why it has no value.
     pub measured: Result<Measured, Unmeasured>,
-    /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
+    /// The indices of the two parts that it is about: of an event those that it happens to.
+    pub parts: Option<[usize; 2]>,
+    /// What touches where the quantity ends: features of the two parts, as messages call them.
     pub touching: Vec<[String; 2]>,
 }
 
@@ -59,46 +62,97 @@ pub fn check_with(model: &Model, progress: &dyn Progress) -> Result<Vec<Checked>
     Ok(model.requirements.iter().map(|r| spaces.check(r)).collect())
 }
 
-/// The configuration spaces of the pairs that requirements are about, each computed once.
-pub(crate) struct Spaces(Vec<(PairEntry, Result<PairSpace, Unmeasured>)>);
+/// What requirements are measured on, each computed once: the configuration spaces of pairs, and motions.
+pub(crate) struct Spaces {
+    pairs: Vec<(PairEntry, Result<PairSpace, Unmeasured>)>,
+    motions: Vec<(f64, Result<Motion, Unmeasured>)>,
+}
 
 impl Spaces {
     pub(crate) fn compute(model: &Model, progress: &dyn Progress) -> Result<Self, Interrupted> {
-        let mut spaces: Vec<(PairEntry, Result<PairSpace, Unmeasured>)> = Vec::new();
+        let mut found = Self {
+            pairs: Vec::new(),
+            motions: Vec::new(),
+        };
         for requirement in &model.requirements {
-            if spaces.iter().all(|s| s.0 != requirement.pair) {
-                spaces.push((requirement.pair, space(model, &requirement.pair, progress)?));
+            match requirement.subject {
+                Subject::Pair(pair, _) => {
+                    if found.pairs.iter().all(|s| s.0 != pair) {
+                        found.pairs.push((pair, space(model, &pair, progress)?));
+                    }
+                }
+                Subject::Motion(time, _) => {
+                    if found.motions.iter().all(|m| m.0 != time) {
+                        let motion = Motion::follow(&model.mechanism, time, progress)
+                            .map_err(|_| Interrupted)?;
+                        found.motions.push((time, motion));
+                    }
+                }
             }
         }
-        Ok(Self(spaces))
+        Ok(found)
     }
 
-    /// Measures a requirement of one of the pairs, and names what touches.
+    /// Measures a requirement, and names what touches.
     pub(crate) fn check(&self, requirement: &Requirement) -> Checked {
-        let measured = self.measure(requirement);
-        let touching = match (self.of(requirement), &measured) {
-            (Ok(space), Ok(measured)) => measured.touching(space),
-            _ => Vec::new(),
-        };
-        Checked {
+        let mut checked = Checked {
             requirement: requirement.clone(),
-            measured,
-            touching,
+            measured: Err(Unmeasured::Unknown),
+            parts: requirement.subject.parts(),
+            touching: Vec::new(),
+        };
+        match self.found(requirement) {
+            Ok(On::Pair(space, measured)) => {
+                checked.touching = measured.touching(space);
+                checked.measured = Ok(measured);
+            }
+            Ok(On::Motion(found)) => {
+                checked.measured = Ok(Measured::number(found.value));
+                checked.parts = found.parts.or(checked.parts);
+                checked.touching = found.features;
+            }
+            Err(error) => checked.measured = Err(error),
         }
+        checked
     }
 
-    /// Measures a requirement of one of the pairs.
+    /// Measures a requirement.
     pub(crate) fn measure(&self, requirement: &Requirement) -> Result<Measured, Unmeasured> {
-        measure(self.of(requirement)?, &requirement.quantity)
+        Ok(match self.found(requirement)? {
+            On::Pair(_, measured) => measured,
+            On::Motion(found) => Measured::number(found.value),
+        })
     }
 
-    /// The space that a requirement is about.
-    pub(crate) fn of(&self, requirement: &Requirement) -> Result<&PairSpace, Unmeasured> {
-        match self.0.iter().find(|s| s.0 == requirement.pair) {
-            Some((_, space)) => space.as_ref().map_err(Clone::clone),
-            None => Err(Unmeasured::Space("the pair has no space".to_owned())),
+    fn found(&self, requirement: &Requirement) -> Result<On<'_>, Unmeasured> {
+        match requirement.subject {
+            Subject::Pair(pair, quantity) => {
+                let known = self.pairs.iter().find(|s| s.0 == pair);
+                let space = (known.ok_or(Unmeasured::Unknown)?.1.as_ref()).map_err(Clone::clone)?;
+                Ok(On::Pair(space, measure(space, &quantity)?))
+            }
+            Subject::Motion(time, quantity) => {
+                let known = self.motions.iter().find(|m| m.0 == time);
+                let motion =
+                    (known.ok_or(Unmeasured::Unknown)?.1.as_ref()).map_err(Clone::clone)?;
+                Ok(On::Motion(motion.measure(quantity)?))
+            }
         }
     }
+
+    /// The space that a requirement is about; `None` where it is about a motion, or the space cannot be computed.
+    pub(crate) fn of(&self, requirement: &Requirement) -> Option<&PairSpace> {
+        let Subject::Pair(pair, _) = requirement.subject else {
+            return None;
+        };
+        self.pairs.iter().find(|s| s.0 == pair)?.1.as_ref().ok()
+    }
+}
+
+/// A quantity, and on what it is measured.
+enum On<'a> {
+    Pair(&'a PairSpace, Measured),
+    Motion(Found),
 }
 
 fn space(

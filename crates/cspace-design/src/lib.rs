@@ -1,4 +1,4 @@
-//! What a design must do, measured on the configuration spaces of its pairs.
+//! What a design must do, measured on the configuration spaces of its pairs and on its motion.
 //!
 //! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
 //! [`sensitivities`] adds
@@ -37,6 +37,7 @@
 
 mod changes;
 mod check;
+mod in_motion;
 mod measure;
 mod sensitivity;
 mod solve;

@@ -43,6 +43,15 @@ pub struct Stop {
 }
 
 impl Measured {
+    /// A number that no configuration of a pair decides.
+    pub(crate) const fn number(value: f64) -> Self {
+        Self {
+            value: Value::Number(value),
+            range: None,
+            stops: Vec::new(),
+        }
+    }
+
     /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
     pub fn touching(&self, space: &PairSpace) -> Vec<[String; 2]> {
         let mut all: Vec<FeaturePair> = Vec::new();
@@ -87,9 +96,26 @@ pub enum Unmeasured {
     /// The question has no answer at the configuration.
     #[error("{0}")]
     Query(QueryError),
-    /// The pair's configuration space cannot be computed.
+    /// An event does not happen.
+    #[error("this does not happen within the time: give a longer `time`, or another event")]
+    Never,
+    /// A part does not go on, so that there is no ratio by it.
+    #[error("the part `by` does not move on: there is no ratio")]
+    NoAdvance,
+    /// A motion does not come to the end of its time.
+    #[error("the motion ends at {until} s: {why}")]
+    EndsEarly {
+        /// When it ends, in seconds.
+        until: f64,
+        /// Why.
+        why: &'static str,
+    },
+    /// The pair's configuration space cannot be computed, or the motion cannot be followed.
     #[error("{0}")]
     Space(String),
+    /// The requirement is not one of the model.
+    #[error("the requirement is not one of the model")]
+    Unknown,
 }
 
 impl From<QueryError> for Unmeasured {

@@ -9,7 +9,7 @@ use cspace::{
     Part, Point, Progress, QueryError,
 };
 use cspace_io::model::{
-    Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Template,
+    Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject, Template,
 };
 use cspace_io::{Host, Model};
 
@@ -50,11 +50,7 @@ pub fn sensitivities(
         .collect();
     let all = model.requirements.iter().map(|requirement| {
         let checked = spaces.check(requirement);
-        let Ok((measured, space)) = checked
-            .measured
-            .clone()
-            .and_then(|m| Ok((m, spaces.of(requirement)?)))
-        else {
+        let Ok(measured) = checked.measured.clone() else {
             return (checked, Vec::new());
         };
         if measured.stops.is_empty() {
@@ -63,7 +59,7 @@ pub fn sensitivities(
         let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
             parameter: (*name).to_owned(),
             derivative: (slopes.as_ref().map_err(String::clone))
-                .and_then(|slopes| derivative(space, requirement, &measured, slopes)),
+                .and_then(|slopes| derivative(&spaces, requirement, &measured, slopes)),
         };
         let found = slopes.iter().map(of).collect();
         (checked, found)
@@ -74,19 +70,23 @@ pub fn sensitivities(
 /// The derivatives of a requirement's quantity, measured on a space, for smaller and for larger values of a parameter; or why there are
 /// none.
 pub(crate) fn derivative(
-    space: &PairSpace,
+    spaces: &Spaces,
     requirement: &Requirement,
     measured: &Measured,
     slopes: &Slopes,
 ) -> Result<Sides, String> {
-    let pair = requirement.pair;
+    let (Some(space), Subject::Pair(pair, quantity)) =
+        (spaces.of(requirement), requirement.subject)
+    else {
+        return Err("no contact function decides a quantity of a motion".to_owned());
+    };
     let of = slopes.requirements.get(&requirement.name);
     let varied = Varied {
         space,
         parts: [pair.fixed, pair.moving].map(|i| &slopes.parts[i]),
         of: of.copied().unwrap_or_default(),
     };
-    match varied.derivative(requirement, measured) {
+    match varied.derivative(quantity, measured) {
         Ok(Some(sides)) => Ok(sides),
         Ok(None) if measured.stops.iter().all(|s| s.features.is_empty()) => {
             Err("nothing touches, so that no contact function decides the value".to_owned())
@@ -112,10 +112,10 @@ type Sides = [f64; 2];
 impl Varied<'_> {
     fn derivative(
         &self,
-        requirement: &Requirement,
+        quantity: Quantity,
         measured: &Measured,
     ) -> Result<Option<Sides>, QueryError> {
-        match (requirement.quantity, &measured.stops[..]) {
+        match (quantity, &measured.stops[..]) {
             (Quantity::Play { of, .. }, [below, above]) => {
                 // The other coordinates are held where they are measured.
                 let mut held = self.of.at;

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cspace::Silent;
-use cspace_io::model::{Coordinate, Quantity, Requirement, Setting, Template};
+use cspace_io::model::{Coordinate, Requirement, Setting, Template};
 use cspace_io::{Host, Model, ModelError};
 use rayon::prelude::*;
 
@@ -237,7 +237,7 @@ impl<'a> Sweep<'a> {
         let mut requirement = known.ok_or("the model has no such requirement")?.clone();
         for (varied, value) in self.varied.iter().zip(values) {
             if let Varied::Coordinate(of) = varied {
-                put(&mut requirement, *of, *value);
+                requirement.subject.put(*of, *value);
             }
         }
         Ok((requirement, spaces))
@@ -278,10 +278,14 @@ impl<'a> Sweep<'a> {
                 },
                 Err(error) => Words::reason(error.to_string()),
             };
-            let Ok(space) = spaces.of(&requirement) else {
+            let Some(space) = spaces.of(&requirement) else {
+                let mut touching: Vec<String> = (checked.touching.iter())
+                    .map(|[a, b]| format!("{a} touches {b}"))
+                    .collect();
+                touching.sort_unstable();
                 return State {
                     is: [Words::exact(String::new()), value],
-                    touching: Vec::new(),
+                    touching,
                 };
             };
             let regions = space.regions();
@@ -299,19 +303,5 @@ impl<'a> Sweep<'a> {
             }
         };
         self.measures.iter().map(state).collect()
-    }
-}
-
-/// Moves the configuration at which a quantity is measured, if it has the coordinate.
-fn put(requirement: &mut Requirement, of: Coordinate, value: f64) {
-    match &mut requirement.quantity {
-        Quantity::Play { at, .. }
-        | Quantity::Clearance { at }
-        | Quantity::Angle { at, .. }
-        | Quantity::Bottleneck { at, .. }
-        | Quantity::Extreme { at, .. }
-        | Quantity::Caged { at }
-        | Quantity::Connected { at, .. }
-        | Quantity::Position { from: at, .. } => of.put(at, value),
     }
 }

@@ -7,32 +7,7 @@ use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
 use cspace_io::model::{Coordinate, Setting};
 use cspace_io::{Document, Host, Model, read_from_hosted};
 
-use common::template;
-
-fn model(text: &str, set: &[(&str, String)]) -> Model {
-    let set: Vec<Setting> = (set.iter())
-        .map(|(name, value)| Setting {
-            name: (*name).into(),
-            value: value.clone(),
-        })
-        .collect();
-    let host = Host {
-        set: &set,
-        ..Host::default()
-    };
-    match read_from_hosted(text.as_bytes(), "m.toml", &host).unwrap() {
-        Document::Model(model) => *model,
-        Document::Space(_) => panic!("it is a model"),
-    }
-}
-
-#[track_caller]
-fn number(checked: &Checked) -> f64 {
-    match checked.measured.as_ref().unwrap().value {
-        Value::Number(x) => x,
-        Value::Truth(_) => panic!("{checked:?}"),
-    }
-}
+use common::{model, number, template};
 
 #[track_caller]
 fn truth(checked: &Checked) -> bool {

@@ -196,6 +196,22 @@ impl Simulation {
         inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
     }
 
+    /// [Dynamic](Self::dynamic_with) motion if a part has a mass, otherwise [kinematic](Self::kinematic_with).
+    ///
+    /// # Errors
+    /// As theirs.
+    pub fn follow_with(
+        &self,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        if self.system.mechanism().has_masses() {
+            self.dynamic_with(settings, progress)
+        } else {
+            self.kinematic_with(settings, progress)
+        }
+    }
+
     /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.
     ///
     /// # Errors

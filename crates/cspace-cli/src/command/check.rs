@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use cspace::Coordinates;
 use cspace_design::{Checked, Sensitivity, Value as Found};
-use cspace_io::model::{Quantity, Target};
+use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject, Target};
 use cspace_io::{Document, Model};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -22,7 +22,12 @@ use crate::wording::{count, degrees, length};
 #[derive(Debug, Serialize)]
 struct Row {
     name: String,
-    pair: [String; 2],
+    /// The two parts that it is about, if it is about two.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pair: Option<[String; 2]>,
+    /// The part that it is about, if it is about one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<String>,
     measure: &'static str,
     /// In the model's unit or radians, or true or false; none where it has no value.
     value: Option<Told>,
@@ -52,7 +57,7 @@ struct Row {
     #[serde(skip)]
     by: Vec<Sensitivity>,
     #[serde(skip)]
-    is_angle: bool,
+    dimension: Dimension,
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -173,8 +178,12 @@ fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
     let measured = checked.measured.as_ref().ok();
     Row {
         name: requirement.name.clone(),
-        pair: [name(requirement.pair.fixed), name(requirement.pair.moving)],
-        measure: requirement.quantity.name(),
+        pair: checked.parts.map(|parts| parts.map(name)),
+        part: match requirement.subject {
+            Subject::Motion(_, MotionQuantity::Stroke { part, .. }) => Some(name(part)),
+            _ => None,
+        },
+        measure: requirement.subject.name(),
         value: measured.map(|m| match m.value {
             Found::Number(x) => Told::Number(x),
             Found::Truth(b) => Told::Truth(b),
@@ -190,8 +199,10 @@ fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
         met: checked.is_met(),
         margin: checked.margin(),
         range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
-        at: match requirement.quantity {
-            Quantity::Position { .. } => measured.and_then(|m| m.stops.first()).map(|s| s.at),
+        at: match requirement.subject {
+            Subject::Pair(_, Quantity::Position { .. }) => {
+                measured.and_then(|m| m.stops.first()).map(|s| s.at)
+            }
             _ => None,
         },
         touching: checked.touching.clone(),
@@ -199,7 +210,7 @@ fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
         sensitivities: by.as_ref().map(|_| derivatives(false)),
         one_sided: derivatives(true),
         by: by.unwrap_or_default(),
-        is_angle: requirement.is_angle,
+        dimension: requirement.dimension,
     }
 }
 
@@ -210,12 +221,11 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
         if i > 0 {
             text.push('\n');
         }
-        let number = |x: f64| {
-            if row.is_angle {
-                degrees(x)
-            } else {
-                format!("{}{unit}", length(x))
-            }
+        let number = |x: f64| match row.dimension {
+            Dimension::Angle => degrees(x),
+            Dimension::Time => format!("{} s", length(x)),
+            Dimension::Number | Dimension::Truth => length(x),
+            Dimension::Length => format!("{}{unit}", length(x)),
         };
         let is = match row.met {
             None => "",
@@ -253,7 +263,7 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
         let derivative = |x: f64| {
             // No zero is negative.
             let x = x + 0.0;
-            let (x, unit) = if row.is_angle {
+            let (x, unit) = if row.dimension == Dimension::Angle {
                 (x.to_degrees(), " deg")
             } else {
                 (x, "")
@@ -280,8 +290,8 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
             let name = format!("by {parameter}");
             writeln!(text, "  {name:10} {is}")?;
         }
-        let [fixed, moving] = &row.pair;
-        for [a, b] in row.touching.iter().take(MOST) {
+        let parts = row.pair.iter().cycle();
+        for ([a, b], [fixed, moving]) in row.touching.iter().take(MOST).zip(parts) {
             writeln!(text, "  {:10} {a} of {fixed}, {b} of {moving}", "touching")?;
         }
         if let Some(more) = row.touching.len().checked_sub(MOST).filter(|n| *n > 0) {

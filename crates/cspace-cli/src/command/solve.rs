@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use cspace_design::{Solved, Span, Value};
 use cspace_io::Model;
+use cspace_io::model::Dimension;
 use cspace_io::shown::{self, quoted};
 use serde::Serialize;
 use serde_json::Map;
@@ -81,7 +82,7 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
         );
         return Err(Failure::input(error).help(super::requirements_of(model)));
     };
-    let yes_or_no = requirement.quantity.is_truth();
+    let yes_or_no = requirement.dimension == Dimension::Truth;
     if yes_or_no != matches!(goal.value, Value::Truth(_)) {
         let (is, give) = if yes_or_no {
             ("yes or no", "true or false")

@@ -109,7 +109,6 @@ impl Problem<'_> {
             (Value::Number(is), Value::Number(wanted)) => is - wanted,
             _ => return Err("the requirement is of another kind than the value".to_owned()),
         };
-        let space = spaces.of(requirement).map_err(|e| e.to_string())?;
         let host = Host {
             set: &set,
             ..Host::default()
@@ -119,7 +118,7 @@ impl Problem<'_> {
             let slopes = slopes.map_err(|e| e.message().to_owned());
             // Without derivatives crossings are bracketed alone.
             slopes
-                .and_then(|s| derivative(space, requirement, &measured, &s))
+                .and_then(|s| derivative(&spaces, requirement, &measured, &s))
                 .unwrap_or([f64::NAN; 2])
         });
         Ok(At::Off(off, slopes.collect()))

@@ -41,7 +41,9 @@ pub use error::ModelError;
 pub use parameters::{Parameter, Setting};
 pub use read::{MOST_PARTS, Model, Template, from_json, from_toml, read};
 pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
-pub use requirements::{Coordinate, Quantity, Requirement, Target};
+pub use requirements::{
+    Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
+};
 pub use slips::{Slip, slips};
 pub use slopes::{PartSlopes, RequirementSlopes, Slopes};
 pub use snap::{Snapped, snap};

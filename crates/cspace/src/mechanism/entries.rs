@@ -129,6 +129,11 @@ impl Mechanism {
         self.parts.iter().position(|p| p.part.name() == name)
     }
 
+    /// Whether a part has a mass, so that its motion is dynamic.
+    pub fn has_masses(&self) -> bool {
+        (0..self.parts.len()).any(|i| self.dynamics.part(i).mass.is_some())
+    }
+
     /// Every two parts, the earlier one fixed: what a model file without pairs stands for.
     pub fn every_two(&self) -> Vec<PairEntry> {
         let n = self.parts.len();

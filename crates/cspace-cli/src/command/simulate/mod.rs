@@ -130,7 +130,7 @@ fn is_csv(path: Option<&Path>) -> bool {
 
 /// Without masses the mode is kinematic, unless another is asked for.
 fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, Failure> {
-    let has_mass = (0..model.parts.len()).any(|i| model.dynamics.part(i).mass.is_some());
+    let has_mass = model.has_masses();
     let mode = match args.mode {
         Some(Mode::Dynamic) if !has_mass => {
             note("no part has a mass, so the mode is kinematic");
