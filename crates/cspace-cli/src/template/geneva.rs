@@ -137,6 +137,10 @@ Ask it:     cspace compute FILE
             "How far the wheel turns while it is locked.",
             "name = \"play in the lock\"\nmeasure = \"play\"\nof = \"v\"",
         );
+        page.requirement(
+            "How far a turn of the driver turns the wheel.",
+            "name = \"step\"\nmeasure = \"stroke\"\npart = \"wheel\"\ntime = 2",
+        );
         page.finish()
     }
 }

@@ -256,6 +256,43 @@ fn sweeps_are_tables() {
 }
 
 #[test]
+fn sweeps_go_on_from_what_is_done() {
+    let (folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
+    let out = folder.path().join("out.csv");
+    let out = out.to_str().unwrap();
+    let run = |vary: &str| {
+        let all = ["sweep", &file, "--vary", vary, "--resume", "-o", out];
+        cspace(&all).output().unwrap()
+    };
+    assert!(run("play=0.1:0.3:5").status.success());
+    let whole = std::fs::read_to_string(out).unwrap();
+    // Rows that are there are kept as they are, whatever they say; the others are computed.
+    let lines: Vec<&str> = whole.lines().collect();
+    let known = format!("{}\n0.1,1,2,kept\n", lines[0]);
+    std::fs::write(out, &known).unwrap();
+    assert!(run("play=0.1:0.3:5").status.success());
+    let resumed = std::fs::read_to_string(out).unwrap();
+    assert_eq!(resumed, format!("{known}{}\n", lines[2..].join("\n")));
+    // Another sweep is no reason to lose it.
+    for (vary, words) in [
+        ("play=0.2:0.3:5", "line 2 has other values"),
+        ("play=0.1:0.3:9", "line 3 has other values"),
+        ("v=0:0.3:5", "columns are those of another sweep"),
+    ] {
+        let output = run(vary);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(words), "{said}");
+        assert_eq!(std::fs::read_to_string(out).unwrap(), resumed);
+    }
+    // A coordinate that no pair has is no silent column.
+    let output = cspace(&["sweep", &file, "--vary", "theta=0:1:2"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+}
+
+#[test]
 fn every_command_that_takes_a_model_sets_values() {
     let (folder, file) = model();
     let picture = folder.path().join("a.svg").to_str().unwrap().to_owned();
