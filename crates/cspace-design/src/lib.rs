@@ -46,7 +46,7 @@ mod touching;
 
 pub use changes::Change;
 pub use check::{Checked, Interrupted, check, check_with};
-pub use measure::{Measured, Stop, Unmeasured, Value, measure, reach};
+pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach};
 pub use sensitivity::{Sensitivity, sensitivities};
 pub use solve::{Goal, Relation, Solved, Span, solve};
 pub use sweep::{Row, Sweep, Varied};

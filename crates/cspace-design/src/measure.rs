@@ -179,31 +179,47 @@ fn truth(value: bool) -> Measured {
 }
 
 fn play(space: &PairSpace, of: Coordinate, at: Coordinates) -> Result<Measured, Unmeasured> {
+    let [below, above] = free_range(space, of, at)?;
+    let (Some((lo, first)), Some((hi, second))) = (below, above) else {
+        return Err(Unmeasured::Unlimited);
+    };
+    Ok(Measured {
+        value: Value::Number(hi - lo),
+        range: Some((lo, hi)),
+        stops: vec![first, second],
+    })
+}
+
+/// How far a coordinate goes down and up from a free configuration when it alone changes, and what stops it there; nothing where it
+/// goes on without end.
+///
+/// # Errors
+/// If the configuration is not free, or has no such coordinate.
+pub fn free_range(
+    space: &PairSpace,
+    of: Coordinate,
+    at: Coordinates,
+) -> Result<[Option<(f64, Stop)>; 2], Unmeasured> {
     let now = of.of(at).ok_or_else(|| wrong_class(space, at))?;
     let far = reach(space, at, of);
-    let mut ends = [0.0; 2];
-    let mut stops = Vec::new();
+    let mut ends = [None, None];
     for (end, way) in ends.iter_mut().zip([-1.0, 1.0]) {
         let rates = unit(of, way);
         let (time, features) = match space.first_contact(at, rates, far)? {
-            PairMotion::Free => return Err(Unmeasured::Unlimited),
+            PairMotion::Free => continue,
             PairMotion::Leaves { time } => (time, Vec::new()),
             PairMotion::Contact(contact) => (
                 as_drawn(space, (at, rates), &contact)?,
                 touching(space, (at, rates), &contact)?,
             ),
         };
-        *end = now + way * time;
-        stops.push(Stop {
+        let stop = Stop {
             at: moved(at, rates, time),
             features,
-        });
+        };
+        *end = Some((now + way * time, stop));
     }
-    Ok(Measured {
-        value: Value::Number(ends[1] - ends[0]),
-        range: Some((ends[0], ends[1])),
-        stops,
-    })
+    Ok(ends)
 }
 
 fn position(

@@ -190,16 +190,38 @@ impl Template {
                 .in_file(&path.display().to_string())
         })?;
         check_extension(path)?;
-        let text = read_text(path, largest(path))?;
+        Self::from_text(read_text(path, largest(path))?, path)
+    }
+
+    /// A template of a text that is in no file; `path` is what errors call it, its extension says whether it is JSON, and drawings are
+    /// beside it.
+    ///
+    /// # Errors
+    /// If the text is neither TOML nor JSON.
+    pub fn from_text(
+        text: String,
+        path: impl Into<PathBuf>,
+    ) -> core::result::Result<Self, ModelError> {
+        let path = path.into();
         let file = path.display().to_string();
-        let source = source_of(path, &text, &file)?;
+        let source = source_of(&path, &text, &file)?;
         let (tree, is_json) = (source.tree()?, source.is_json);
         Ok(Self {
             tree,
             text,
-            path: path.to_owned(),
+            path,
             is_json,
         })
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The path of the file, or what stands for one.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// The model with the values that the host sets.

@@ -90,7 +90,7 @@ impl SavedFile {
             LOWER_PAIR => LowerPair::from_data(data(text, file)?)
                 .map(|pair| PairSpace::Lower(Box::new(pair)))
                 .map_err(|e| wrong(&e.to_string(), file))?,
-            _ => PairSpace::Planar(Box::new(contact_space(text, file)?)),
+            _ => PairSpace::Planar(std::sync::Arc::new(contact_space(text, file)?)),
         };
         check_names(&space, file)?;
         check_angles(&space, file)?;
@@ -216,7 +216,7 @@ pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     let text = without_mark(text);
     head(text, file, &[CONTACT_SPACE])?;
     match SavedFile::from_json(text, file)?.space {
-        PairSpace::Planar(space) => Ok(*space),
+        PairSpace::Planar(space) => Ok(std::sync::Arc::unwrap_or_clone(space)),
         _ => Err(wrong("it is no contact space", file)),
     }
 }

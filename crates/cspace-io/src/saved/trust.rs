@@ -28,7 +28,7 @@ pub(super) fn trusted(space: PairSpace, told: Option<&str>) -> Result<PairSpace,
                 },
             };
             let computed = ContactSpace::compute(space.fixed(), space.moving(), &options)?;
-            PairSpace::Planar(Box::new(computed))
+            PairSpace::Planar(std::sync::Arc::new(computed))
         }
         PairSpace::FixedAxes(space) => {
             let (a, b) = space.axes();

@@ -1,5 +1,7 @@
 //! The configuration space of a pair of any class.
 
+use std::sync::Arc;
+
 use crate::fixed_axes::{AxesError, FixedAxesSpace};
 use crate::part::Part;
 use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress, Silent};
@@ -36,7 +38,7 @@ pub enum PairSpace {
     /// Of a pair with fixed axes.
     FixedAxes(Box<FixedAxesSpace>),
     /// Of a general pair, computed with or without symmetry.
-    Planar(Box<ContactSpace>),
+    Planar(Arc<ContactSpace>),
 }
 
 /// Why the configuration space of a pair cannot be computed.
@@ -98,7 +100,7 @@ impl PairSpace {
                 fixed: a,
                 moving: b,
             } => Self::FixedAxes(Box::new(FixedAxesSpace::compute(fixed, a, moving, b)?)),
-            Relation::Planar => Self::Planar(Box::new(ContactSpace::compute_with(
+            Relation::Planar => Self::Planar(Arc::new(ContactSpace::compute_with(
                 fixed, moving, options, progress,
             )?)),
         })

@@ -1,5 +1,7 @@
 //! Classifying many configurations.
 
+use core::ops::Deref;
+
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::parallel;
 use crate::space::ContactSpace;
@@ -39,8 +41,8 @@ const SLOTS_TOGETHER: usize = 8;
 /// millisecond or a few to prepare small and symmetric pairs, others about a third of the time that the space took, and small
 /// ones as long as that. Building uses all threads, and gives the same result with any number of them.
 #[derive(Debug, Clone)]
-pub struct Classifier<'a> {
-    space: &'a ContactSpace,
+pub struct Classifier<S> {
+    space: S,
     slab: Slab,
     grid: Grid,
     /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
@@ -69,13 +71,15 @@ impl ContactSpace {
     /// assert_eq!(at(2.0), Some(Classification::Blocked));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn classifier(&self) -> Classifier<'_> {
+    pub fn classifier(&self) -> Classifier<&Self> {
         Classifier::new(self)
     }
 }
 
-impl<'a> Classifier<'a> {
-    fn new(space: &'a ContactSpace) -> Self {
+impl<S: Deref<Target = ContactSpace>> Classifier<S> {
+    /// As [`ContactSpace::classifier`], of a space that is owned, as by an [`Arc`](std::sync::Arc).
+    pub fn new(owned: S) -> Self {
+        let space = &*owned;
         let reach = space
             .data
             .frame
@@ -96,7 +100,6 @@ impl<'a> Classifier<'a> {
         }
         cells.finish(grid.side);
         Self {
-            space,
             nearby: Nearby::new(space, &grid, &slab),
             drawn: Drawn::new(space, &grid, &slab),
             slab,
@@ -104,6 +107,7 @@ impl<'a> Classifier<'a> {
             far: far * far,
             rounding: space.data.frame.rounding(),
             cells,
+            space: owned,
         }
     }
 
@@ -119,12 +123,12 @@ impl<'a> Classifier<'a> {
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
-        if self.nearby.is_doubtful(self.space, slot, c.theta) {
+        if self.nearby.is_doubtful(&self.space, slot, c.theta) {
             return self.space.classify(c);
         }
         let center = self
             .drawn
-            .center(self.space, &self.grid, (c.theta, home, slot));
+            .center(&self.space, &self.grid, (c.theta, home, slot));
         let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
         let p = self.slab.position(p, home);
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
@@ -171,7 +175,7 @@ impl<'a> Classifier<'a> {
         slot: usize,
         patches: &[u32],
     ) -> Option<Classification> {
-        let critical = (self.nearby).is_critical(self.space, slot, home, self.slab.lo);
+        let critical = (self.nearby).is_critical(&self.space, slot, home, self.slab.lo);
         let (turn, p) = if self.slab.count == 1 {
             let turn = Rotation::by(c.theta);
             (turn, self.inner(c, turn))
@@ -204,7 +208,7 @@ impl<'a> Classifier<'a> {
         let place = (p, settled, turn);
         for direction in Direction::ALL {
             let content = |column, row| self.content(slot, column, row);
-            if let Some(free) = walk::is_free(self.space, &self.grid, place, direction, content) {
+            if let Some(free) = walk::is_free(&self.space, &self.grid, place, direction, content) {
                 return Some(if free {
                     Classification::Free
                 } else {

@@ -47,7 +47,7 @@ fn anywhere(oracle: &Oracle, rng: &mut impl Rng) -> Configuration {
 /// What is wrong with the answer at a configuration, if anything.
 fn wrong(
     space: &ContactSpace,
-    classifier: &Classifier<'_>,
+    classifier: &Classifier<&ContactSpace>,
     c: Configuration,
     overlap: Option<bool>,
 ) -> Option<String> {

@@ -72,7 +72,7 @@ fn no_sample_of_a_patch_is_nearer() {
             ..Options::default()
         };
         let space = ContactSpace::compute(&p.fixed, &p.moving, &options).unwrap();
-        let all = PairSpace::Planar(Box::new(space.clone()));
+        let all = PairSpace::Planar(std::sync::Arc::new(space.clone()));
         let size = p.fixed.size().max(p.moving.size());
         let mut rng = ChaCha8Rng::seed_from_u64(17);
         let count = space.patches().len();

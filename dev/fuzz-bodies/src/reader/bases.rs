@@ -47,7 +47,7 @@ fn saved() -> Vec<String> {
         window: Some((-0.1, 0.3)),
         ..Options::default()
     };
-    let planar = ContactSpace::compute(&fixed, &moving, &options).map(Box::new);
+    let planar = ContactSpace::compute(&fixed, &moving, &options).map(std::sync::Arc::new);
     let axes = [
         Axis::revolute(Point::new(0.0, 0.0)).within(-0.4, 0.5),
         Axis::prismatic(Vector::new(1.0, 0.5)),

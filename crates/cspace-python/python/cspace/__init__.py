@@ -1,0 +1,64 @@
+"""Exact configuration spaces of planar parts with curved boundaries.
+
+>>> import cspace as cs
+>>> box = cs.Part([[(0, 0), (10, 0), (10, 10), (0, 10)]], name="box")
+>>> coin = cs.Part.circle(1)
+>>> space = cs.compute(box, coin)
+>>> space.classify([[5, 5, 0], [-1, 5, 0], [-3, 5, 0]]).tolist()
+[1, 2, 0]
+
+Configurations are (x, y, theta) of the moving part in the fixed part's frame, or (u, v) of two parts on axes. Angles are in radians, lengths
+in the unit of the drawing.
+"""
+
+from ._errors import Error, InternalError
+from ._results import (
+    Checked,
+    Motion,
+    Nearest,
+    Patch,
+    Plan,
+    Play,
+    Region,
+    Simulation,
+    Solved,
+    Table,
+)
+from ._model import Model
+from ._part import Part
+from ._rust import VERSION as __version__
+from ._rust import set_threads
+from ._space import ContactSpace, compute
+from ._sweep import sweep
+
+FREE, BLOCKED, CONTACT = 0, 1, 2
+
+__all__ = [
+    "BLOCKED",
+    "CONTACT",
+    "Checked",
+    "ContactSpace",
+    "Error",
+    "FREE",
+    "InternalError",
+    "Model",
+    "Motion",
+    "Nearest",
+    "Part",
+    "Patch",
+    "Plan",
+    "Play",
+    "Region",
+    "Simulation",
+    "Solved",
+    "Table",
+    "compute",
+    "set_threads",
+    "simulate",
+    "sweep",
+]
+
+
+def simulate(model, time, every=None):
+    """The motion of a model's mechanism over `time` seconds: see `Model.simulate`."""
+    return model.simulate(time, every)

@@ -1,0 +1,9 @@
+"""Errors: classes of Python, so that they can be sent between processes."""
+
+
+class Error(ValueError):
+    """What was given is wrong, or has no answer; the message says what to do."""
+
+
+class InternalError(RuntimeError):
+    """A fault of the library itself, which its authors would like to know of."""

@@ -1,0 +1,136 @@
+"""Models."""
+
+import os
+
+import numpy as np
+
+from . import _rust
+from ._errors import Error
+from ._part import Part
+from ._results import Checked, Simulation, Solved, Table
+from ._space import ContactSpace
+
+
+class Model:
+    """A model of parts, with values for its parameters.
+
+    `model(pin=6.02)` is the model with another value; values are numbers, or expressions such as "18deg".
+    """
+
+    __slots__ = ("_model",)
+
+    def __init__(self, model):
+        self._model = model
+
+    @classmethod
+    def load(cls, path):
+        """The model in a file, .toml or .json."""
+        return cls(_rust.Model._load(os.fspath(path)))
+
+    @classmethod
+    def loads(cls, text, name="model.toml"):
+        """The model in a text: TOML, or JSON where `name` ends in .json; errors call it by this name."""
+        return cls(_rust.Model._loads(text, name, []))
+
+    def __call__(self, **parameters):
+        return Model(self._model(**parameters))
+
+    @property
+    def name(self):
+        """The name."""
+        return self._model.name
+
+    @property
+    def unit(self):
+        """The unit of length, if the model says one."""
+        return self._model.unit
+
+    @property
+    def parts(self):
+        """The parts by name."""
+        return {name: Part._of(part) for name, part in self._model.parts.items()}
+
+    @property
+    def parameters(self):
+        """The values of the parameters by name; angles in radians."""
+        return self._model.parameters
+
+    @property
+    def pairs(self):
+        """The pairs, as names of the fixed and of the moving part."""
+        return self._model.pairs
+
+    @property
+    def requirements(self):
+        """The names of the requirements."""
+        return self._model.requirements
+
+    def compute(self, fixed=None, moving=None, theta=None):
+        """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations, radians."""
+        return ContactSpace(self._model.compute(fixed, moving, theta))
+
+    def check(self, sensitivities=False):
+        """All requirements, measured, by name."""
+        return {found["name"]: Checked(**found) for found in self._model._check(sensitivities)}
+
+    def sweep(self, measures=None, rows=None, **values):
+        """The requirements `measures` (all without) for values of parameters or coordinates: of every combination of `values`, the last
+        changing first, or of `rows`, a dictionary of columns.
+
+        >>> model.sweep(play=np.linspace(0.05, 0.25, 5))  # doctest: +SKIP
+        """
+        if rows is not None and values:
+            raise Error("`rows` and values of single parameters are both given")
+        if rows is None:
+            columns = {name: np.atleast_1d(np.asarray(v, dtype=float)) for name, v in values.items()}
+            grid = np.meshgrid(*columns.values(), indexing="ij")
+            columns = {name: axis.ravel() for name, axis in zip(columns, grid)}
+        else:
+            columns = {name: np.asarray(v, dtype=float) for name, v in rows.items()}
+        if not columns:
+            raise Error("nothing is varied: give values of a parameter, sweep(pin=[5.9, 6.0])")
+        if len({len(c) for c in columns.values()}) > 1:
+            raise Error("the columns of `rows` have different lengths")
+        measures = self.requirements if measures is None else list(measures)
+        table = np.stack(list(columns.values()), axis=1)
+        found = self._model._sweep(list(columns), table.tolist(), measures)
+        failures = []
+        for i, row in enumerate(found):
+            for name, value in zip(measures, row):
+                if isinstance(value, str):
+                    failures.append((i, name, value))
+        for k, name in enumerate(measures):
+            column = [np.nan if isinstance(row[k], str) else row[k] for row in found]
+            columns[name] = np.array(column)
+        return Table(columns, failures)
+
+    def solve(self, requirement, relation, value, samples=65, **ranges):
+        """Values of parameters, each from lo to hi, at which a requirement is as asked for.
+
+        >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5))  # doctest: +SKIP
+        """
+        vary = [(name, float(lo), float(hi)) for name, (lo, hi) in ranges.items()]
+        if not vary:
+            raise Error("no parameter is varied: give a range, solve(..., play=(0.01, 0.5))")
+        for name, lo, hi in vary:
+            if name not in self.parameters:
+                raise Error(f"there is no parameter {name!r}: there are {', '.join(self.parameters)}")
+            if not lo < hi:
+                raise Error(f"the range of {name} is empty")
+        if requirement not in self.requirements:
+            raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
+        return Solved(**self._model._solve(vary, requirement, relation, value, samples))
+
+    def simulate(self, time, every=None):
+        """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""
+        return Simulation(**self._model._simulate(time, every))
+
+    def __repr__(self):
+        return repr(self._model)
+
+    def __reduce__(self):
+        return _restored, self._model._source()
+
+
+def _restored(text, path, values):
+    return Model(_rust.Model._loads(text, path, values))

@@ -1,0 +1,138 @@
+"""Parts."""
+
+import json
+
+from . import _rust
+from ._errors import Error
+
+
+def _plain(value):
+    """A value as JSON has it: arrays as lists."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return value
+
+
+class Part:
+    """A rigid part: closed loops of line segments and circular arcs.
+
+    `loops` are lists of vertices (x, y) or (x, y, bulge), n×2 or n×3 arrays, or entries as in a model file: `{"arc_to": [4, 0], "radius": 3}`,
+    `{"fillet": 1}`; a circle is a loop, `{"circle": 2, "at": [0, 0]}`. The bulge of an edge is tan of a quarter of the angle by which it turns, positive to
+    the left, 0 of a line. Holes are loops within others, in any direction.
+
+    >>> plate = Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}], name="plate")
+    >>> round(plate.area, 3)
+    771.726
+    """
+
+    __slots__ = ("_part",)
+
+    def __init__(self, loops, name="part"):
+        loops = _plain(loops)
+        if not isinstance(loops, list):
+            raise Error("`loops` is no list of loops")
+        if loops and isinstance(loops[0], list) and loops[0] and isinstance(loops[0][0], (int, float)):
+            raise Error("`loops` is one loop: give a list of loops, Part([loop])")
+        # Of an array of three columns with whole numbers numpy makes floats, which JSON keeps.
+        try:
+            text = json.dumps({"part": [{"name": name, "loops": loops}]}, allow_nan=False)
+        except (TypeError, ValueError) as error:
+            raise Error(f"`loops` has something that is no number: {error}") from None
+        self._part = _rust.Part._from_json(text)
+
+    @classmethod
+    def _of(cls, part):
+        self = cls.__new__(cls)
+        self._part = part
+        return self
+
+    @classmethod
+    def circle(cls, radius, center=(0.0, 0.0), name="circle"):
+        """A disc."""
+        return cls([{"circle": radius, "at": list(center)}], name=name)
+
+    @classmethod
+    def rectangle(cls, width, height, center=(0.0, 0.0), name="rectangle"):
+        """A rectangle with sides along the axes."""
+        x, y, a, b = *center, width / 2, height / 2
+        return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
+
+    @classmethod
+    def from_points(cls, points, name="part"):
+        """A polygon: one loop of points, n×2."""
+        return cls([points], name=name)
+
+    @classmethod
+    def from_shapely(cls, polygon, name="part"):
+        """A shapely Polygon or MultiPolygon, as it is: with straight sides."""
+        polygons = getattr(polygon, "geoms", [polygon])
+        rings = [ring for p in polygons for ring in (p.exterior, *p.interiors)]
+        return cls([list(ring.coords)[:-1] for ring in rings], name=name)
+
+    @property
+    def name(self):
+        """The name."""
+        return self._part.name
+
+    @property
+    def loops(self):
+        """The loops as lists of (x, y, bulge): outer ones counter-clockwise, holes clockwise."""
+        return self._part.loops
+
+    @property
+    def area(self):
+        """The area."""
+        return self._part.area
+
+    @property
+    def bounds(self):
+        """The smallest x and y and the largest: (x, y, x, y)."""
+        return self._part.bounds
+
+    def contains(self, x, y):
+        """Whether a point is in the part or on its outline."""
+        return self._part.contains(x, y)
+
+    def points(self, tolerance):
+        """The loops in points that are on them, with chords no farther than `tolerance` from their arcs."""
+        return self._part._points(tolerance)
+
+    def to_shapely(self, tolerance):
+        """A shapely geometry, whose sides are no farther than `tolerance` from the arcs."""
+        from shapely.geometry import Polygon
+
+        result = None
+        # Loops within each other are holes: what is in an even number of them is outside.
+        for loop in sorted((Polygon(points) for points in self.points(tolerance)), key=lambda p: -p.area):
+            result = loop if result is None else result.symmetric_difference(loop)
+        return result
+
+    def _repr_svg_(self):
+        x0, y0, x1, y1 = self.bounds
+        width, height = x1 - x0, y1 - y0
+        margin = 0.05 * max(width, height)
+        path = []
+        for loop in self.points(1e-3 * max(width, height)):
+            path.append("M" + "L".join(f"{x:.6g} {-y:.6g}" for x, y in loop) + "Z")
+        box = f"{x0 - margin:.6g} {-y1 - margin:.6g} {width + 2 * margin:.6g} {height + 2 * margin:.6g}"
+        return (
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">'
+            f'<path d="{"".join(path)}" fill="#cdd9e5" stroke="#24466b" fill-rule="evenodd" '
+            f'stroke-width="{0.1 * margin:.3g}"/></svg>'
+        )
+
+    def __repr__(self):
+        return repr(self._part)
+
+    def __eq__(self, other):
+        return isinstance(other, Part) and (self.name, self.loops) == (other.name, other.loops)
+
+    def __hash__(self):
+        return hash((self.name, tuple(map(tuple, self.loops))))
+
+    def __reduce__(self):
+        return Part, (self.loops, self.name)

@@ -1,0 +1,139 @@
+"""Answers as records."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Region:
+    """A free region: a free configuration in it, and whether it is caged, that is, ends everywhere."""
+
+    sample: tuple
+    caged: bool
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A contact patch: the features that touch on it, the free region that it bounds, and its orientations in radians."""
+
+    fixed: str
+    moving: str
+    region: int | None
+    orientations: tuple[float, float] | None
+
+
+@dataclass(frozen=True)
+class Nearest:
+    """The nearest configuration in contact: its patch, the configuration, and its distance as a length."""
+
+    patch: int
+    at: tuple
+    distance: float
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What becomes of a motion: "free", "contact", "leaves" (its range) or "blocked" (from the beginning).
+
+    `fraction` of the displacement is done, up to the configuration `at`; `touching` are the features of the fixed and the moving part
+    that touch there.
+    """
+
+    result: str
+    fraction: float
+    at: tuple
+    touching: list
+
+
+@dataclass(frozen=True)
+class Play:
+    """How far one coordinate goes from a configuration when it alone changes: from `lower` to `upper`, infinite where nothing stops it."""
+
+    coordinate: str
+    lower: float
+    upper: float
+    touching: tuple
+
+    @property
+    def length(self) -> float:
+        """The length of the whole range."""
+        return self.upper - self.lower
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The answer to the question for a path.
+
+    `verdict` is "path", "no-path" (proved), "too-narrow", "from-blocked", "to-blocked" or "unknown"; `path` are its configurations,
+    joined by motions of constant rates, and `clearance` the smallest distance of the parts on it. `bottleneck` is the clearance and the
+    configuration where the widest path is narrowest. `touching` are the features of the fixed and the moving part that are nearest at the
+    bottleneck, or that enclose a region which is not left.
+    """
+
+    verdict: str
+    path: np.ndarray | None = None
+    clearance: float | None = None
+    bottleneck: tuple | None = None
+    touching: list = field(default_factory=list)
+    region: int | None = None
+    depth: float | None = None
+    doubtful: list = field(default_factory=list)
+
+    def __bool__(self) -> bool:
+        return self.verdict == "path"
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A requirement that was measured: `value` is a number in the model's unit, radians or seconds, true or false, or None with a
+    `failure`. `sensitivities` are derivatives by parameters, for smaller and for larger values of each."""
+
+    name: str
+    measure: str
+    value: Any
+    limits: tuple | None
+    met: bool | None
+    margin: float | None
+    range: tuple | None
+    touching: list
+    failure: str | None
+    sensitivities: dict
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`."""
+
+    solutions: list
+    ranges: list
+    none: str | None
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """The motion of a mechanism: `coordinates[part]` and `rates[part]` at the times `t`, as arrays of n, or n×3 for a part that moves
+    freely; `events` and `contacts` as dictionaries, the `period` if the motion repeats, and a `summary` in words."""
+
+    t: np.ndarray
+    coordinates: dict
+    rates: dict
+    status: str
+    until: float
+    reason: str | None
+    events: list
+    contacts: list
+    period: float | None
+    summary: list
+
+
+class Table(dict):
+    """Columns by name, as arrays of one length; `failures` has the reason for each row and column without a value."""
+
+    def __init__(self, columns, failures):
+        super().__init__(columns)
+        self.failures = failures
+
+    def __reduce__(self):
+        return Table, (dict(self), self.failures)

@@ -1,0 +1,55 @@
+//! The classes of the Python package `cspace`, under its module `cspace._rust`.
+//!
+//! What is shown to users is in `python/cspace`: this holds what has to be fast, and what only Rust can do.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
+mod error;
+mod model;
+mod part;
+mod rows;
+mod space;
+mod work;
+
+/// The module.
+#[pyo3::pymodule]
+mod _rust {
+    #[pymodule_export]
+    use crate::model::Model;
+    #[pymodule_export]
+    use crate::part::Part;
+    #[pymodule_export]
+    use crate::space::Space;
+
+    use pyo3::prelude::*;
+
+    /// The version.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    /// The configuration space of two parts that move freely in the plane; `theta` is a window of orientations.
+    #[pyfunction]
+    #[pyo3(signature = (fixed, moving, theta=None))]
+    fn compute(
+        py: Python<'_>,
+        fixed: &Part,
+        moving: &Part,
+        theta: Option<(f64, f64)>,
+    ) -> PyResult<Space> {
+        Space::computed(
+            py,
+            crate::space::Pair {
+                fixed: fixed.part.clone(),
+                moving: moving.part.clone(),
+                relation: cspace::Relation::Planar,
+                window: theta,
+            },
+        )
+    }
+
+    /// Uses so many threads from now on; 0 for one per processor. Results do not depend on it.
+    #[pyfunction]
+    fn set_threads(threads: usize) -> PyResult<()> {
+        crate::work::set_threads(threads)
+    }
+}

@@ -1,0 +1,102 @@
+//! Parts.
+
+use core::f64::consts::TAU;
+
+use cspace::Point;
+use pyo3::prelude::*;
+
+use crate::error::{error, of_model};
+
+/// A rigid part: closed loops of line segments and circular arcs.
+#[pyclass(frozen, module = "cspace._rust", name = "Part", subclass)]
+pub(crate) struct Part {
+    pub(crate) part: cspace::Part,
+}
+
+#[pymethods]
+impl Part {
+    /// The part in a model's JSON, of which it is the only one.
+    #[staticmethod]
+    fn _from_json(text: &str) -> PyResult<Self> {
+        let model = cspace_io::model::from_json(text, "part").map_err(|e| of_model(&e))?;
+        match <[_; 1]>::try_from(model.parts) {
+            Ok([entry]) => Ok(Self { part: entry.part }),
+            Err(_) => Err(error("the model has not one part")),
+        }
+    }
+
+    /// The name.
+    #[getter]
+    fn name(&self) -> &str {
+        self.part.name()
+    }
+
+    /// The loops as lists of vertices (x, y, bulge): outer ones counter-clockwise, holes clockwise. The bulge is that of the edge to
+    /// the next vertex, tan of a quarter of the angle it turns by, positive to the left and 0 of a line.
+    #[getter]
+    fn loops(&self) -> Vec<Vec<(f64, f64, f64)>> {
+        let vertex = |v: &cspace::Vertex| (v.x, v.y, v.bulge);
+        let all = self.part.loops().iter();
+        all.map(|l| l.vertices().iter().map(vertex).collect())
+            .collect()
+    }
+
+    /// The area.
+    #[getter]
+    fn area(&self) -> f64 {
+        self.part.moments().area
+    }
+
+    /// The smallest and the largest x and y: (x, y, x, y).
+    #[getter]
+    fn bounds(&self) -> (f64, f64, f64, f64) {
+        let b = self.part.bounds();
+        (b.min.x, b.min.y, b.max.x, b.max.y)
+    }
+
+    /// Whether a point is in the part or on its outline.
+    fn contains(&self, x: f64, y: f64) -> bool {
+        self.part.contains(Point::new(x, y))
+    }
+
+    /// The outline in points no farther than `tolerance` from it: for each loop a list of (x, y).
+    fn _points(&self, tolerance: f64) -> PyResult<Vec<Vec<(f64, f64)>>> {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(error("`tolerance` is not a positive number"));
+        }
+        /// An arc has no more pieces.
+        const MOST: f64 = 1e6;
+        let of = |l: &cspace::Loop| {
+            let mut points = Vec::new();
+            for edge in l.edges() {
+                points.push((edge.start.x, edge.start.y));
+                if edge.is_line() {
+                    continue;
+                }
+                // A chord of the angle a is r (1 − cos a/2) from its arc.
+                let radius = edge.radius().abs();
+                let half = (1.0 - (tolerance / radius).min(1.0)).acos();
+                let pieces = (edge.sweep().abs() / (2.0 * half)).ceil().clamp(1.0, MOST) as u32;
+                let pieces = pieces.max((edge.sweep().abs() / (0.25 * TAU)).ceil() as u32);
+                for k in 1..pieces {
+                    let p = edge.at(f64::from(k) / f64::from(pieces));
+                    points.push((p.x, p.y));
+                }
+            }
+            points
+        };
+        Ok(self.part.loops().iter().map(of).collect())
+    }
+
+    fn __repr__(&self) -> String {
+        let b = self.part.bounds();
+        let loops = self.part.loops().len();
+        format!(
+            "Part({:?}, {loops} loop{}, {} x {})",
+            self.part.name(),
+            if loops == 1 { "" } else { "s" },
+            cspace_io::shown::number(b.max.x - b.min.x),
+            cspace_io::shown::number(b.max.y - b.min.y),
+        )
+    }
+}

@@ -1,0 +1,123 @@
+//! Configurations as rows of numbers.
+
+use cspace::{Configuration, Coordinates, PairSpace, QueryError};
+use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
+use rayon::prelude::*;
+
+use crate::error::error;
+use crate::work;
+
+/// Rows that one thread asks about in a row.
+const TOGETHER: usize = 4096;
+
+/// One configuration, or many.
+pub(crate) enum Asked<'py> {
+    One(Coordinates),
+    Many(PyReadonlyArray2<'py, f64>),
+}
+
+/// How many coordinates a configuration of a space has.
+pub(crate) fn width(space: &PairSpace) -> usize {
+    match space {
+        PairSpace::FixedAxes(_) => 2,
+        _ => 3,
+    }
+}
+
+/// The configuration in a row.
+pub(crate) fn coordinates(row: &[f64]) -> Coordinates {
+    match *row {
+        [u, v] => Coordinates::Axes { u, v },
+        [x, y, theta] => Coordinates::Planar(Configuration::new(x, y, theta)),
+        _ => Coordinates::Planar(Configuration::new(f64::NAN, f64::NAN, f64::NAN)),
+    }
+}
+
+/// The numbers of a configuration.
+pub(crate) fn numbers(at: Coordinates) -> Vec<f64> {
+    match at {
+        Coordinates::Axes { u, v } => vec![u, v],
+        Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
+    }
+}
+
+/// Three or two numbers in a list or a tuple, the quick way.
+fn listed(q: &Bound<'_, PyAny>, width: usize) -> Option<Coordinates> {
+    let mut row = [0.0; 3];
+    let row = &mut row[..width];
+    if let Ok(tuple) = q.cast::<PyTuple>() {
+        if tuple.len() != width {
+            return None;
+        }
+        for (x, item) in row.iter_mut().zip(tuple.iter_borrowed()) {
+            *x = item.extract().ok()?;
+        }
+    } else {
+        let list = q.cast::<PyList>().ok()?;
+        if list.len() != width {
+            return None;
+        }
+        for (x, item) in row.iter_mut().zip(list.iter()) {
+            *x = item.extract().ok()?;
+        }
+    }
+    Some(coordinates(row))
+}
+
+/// What a caller asks about: one configuration, or rows of them.
+pub(crate) fn asked<'py>(q: &Bound<'py, PyAny>, space: &PairSpace) -> PyResult<Asked<'py>> {
+    let width = width(space);
+    if let Some(one) = listed(q, width) {
+        return Ok(Asked::One(one));
+    }
+    let names = match width {
+        2 => "u, v",
+        _ => "x, y, theta",
+    };
+    // Anything that numpy can make an array of; a float64 array as it is.
+    let rows = (q.py().import("cspace._arrays")?).call_method1("rows", (q, width, names))?;
+    let array: PyReadonlyArray2<'py, f64> = rows.get_item(0)?.extract()?;
+    if rows.get_item(1)?.extract()? {
+        return Ok(Asked::One(coordinates(array.as_slice()?)));
+    }
+    Ok(Asked::Many(array))
+}
+
+/// One configuration, and nothing else.
+pub(crate) fn one(q: &Bound<'_, PyAny>, space: &PairSpace, name: &str) -> PyResult<Coordinates> {
+    match asked(q, space)? {
+        Asked::One(at) => Ok(at),
+        Asked::Many(_) => Err(error(format_args!(
+            "`{name}` is several configurations where one is expected"
+        ))),
+    }
+}
+
+/// The answers to all rows, in their order, on all threads if they are many.
+pub(crate) fn each<T: Send>(
+    py: Python<'_>,
+    array: &PyReadonlyArray2<'_, f64>,
+    answer: impl Fn(Coordinates) -> Result<T, QueryError> + Sync + Send,
+) -> PyResult<Vec<T>> {
+    let width = array.shape()[1];
+    let numbers = array.as_slice()?;
+    let one = |(i, row): (usize, &[f64])| answer(coordinates(row)).map_err(|e| (i, e));
+    let found: Result<Vec<T>, (usize, QueryError)> = if numbers.len() <= TOGETHER * width {
+        work::here(py, || {
+            Ok(numbers.chunks_exact(width).enumerate().map(one).collect())
+        })?
+    } else {
+        let pool = work::pool()?;
+        work::here(py, || {
+            Ok(pool.install(|| {
+                (numbers.par_chunks_exact(width).enumerate())
+                    .with_min_len(TOGETHER)
+                    .map(one)
+                    .collect()
+            }))
+        })?
+    };
+    found.map_err(|(i, e)| error(format_args!("row {i}: {e}")))
+}

@@ -1,0 +1,584 @@
+//! The configuration space of a pair.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Arc, OnceLock};
+
+use cspace::pair::PairMotion;
+use cspace::{
+    Classification, Classifier, ContactSpace, Coordinates, CurveGeometry, LinkKind, Location,
+    MotionError, Options, PairSpace, QueryError, Relation,
+};
+use cspace_design::{free_range, pair_of, texts, touching};
+use cspace_io::model::Coordinate;
+use cspace_io::write::mesh::{Mesh, MeshOptions};
+use cspace_plan::{Clearance, Planner, Verdict, Wishes};
+use numpy::{IntoPyArray, PyArray1, PyArray2};
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::error;
+use crate::part::Part;
+use crate::rows::{Asked, asked, each, numbers, one, width};
+use crate::work;
+
+/// After so many single questions a space is prepared for millions: that takes about as long as so many of them.
+const SINGLE: u32 = 100;
+
+/// Two parts, how they move, and what is computed of them.
+#[derive(Clone)]
+pub(crate) struct Pair {
+    pub(crate) fixed: cspace::Part,
+    pub(crate) moving: cspace::Part,
+    pub(crate) relation: Relation,
+    pub(crate) window: Option<(f64, f64)>,
+}
+
+/// A space, with what prepares it for many questions.
+struct Known {
+    space: Arc<PairSpace>,
+    classifier: OnceLock<Classifier<Arc<ContactSpace>>>,
+    asked: AtomicU32,
+}
+
+impl Known {
+    fn new(space: PairSpace) -> Self {
+        Self {
+            space: Arc::new(space),
+            classifier: OnceLock::new(),
+            asked: AtomicU32::new(0),
+        }
+    }
+
+    fn prepared(&self) -> Option<&Classifier<Arc<ContactSpace>>> {
+        match &*self.space {
+            PairSpace::Planar(space) => Some(
+                self.classifier
+                    .get_or_init(|| Classifier::new(Arc::clone(space))),
+            ),
+            _ => None,
+        }
+    }
+
+    fn classify(&self, at: Coordinates) -> Result<Classification, QueryError> {
+        match (self.classifier.get(), at) {
+            (Some(classifier), Coordinates::Planar(c)) => {
+                classifier.classify(c).ok_or(QueryError::Outside)
+            }
+            _ => self.space.classify(at),
+        }
+    }
+}
+
+/// The configuration space of two parts: where the moving one is free, blocked or in contact.
+#[pyclass(frozen, module = "cspace._rust", name = "ContactSpace")]
+pub(crate) struct Space {
+    pair: Pair,
+    known: OnceLock<Known>,
+}
+
+fn code(class: Classification) -> u8 {
+    match class {
+        Classification::Free => 0,
+        Classification::Blocked => 1,
+        Classification::Contact => 2,
+    }
+}
+
+fn failed(e: QueryError) -> PyErr {
+    error(e)
+}
+
+impl Space {
+    /// A space that is computed once it is asked.
+    pub(crate) fn later(pair: Pair) -> Self {
+        Self {
+            pair,
+            known: OnceLock::new(),
+        }
+    }
+
+    pub(crate) fn computed(py: Python<'_>, pair: Pair) -> PyResult<Self> {
+        let this = Self::later(pair);
+        this.known(py)?;
+        Ok(this)
+    }
+
+    fn known(&self, py: Python<'_>) -> PyResult<&Known> {
+        if let Some(known) = self.known.get() {
+            return Ok(known);
+        }
+        let pair = self.pair.clone();
+        let space = work::run(py, move |progress| {
+            let options = Options {
+                window: pair.window,
+                ..Options::default()
+            };
+            PairSpace::compute_with(&pair.fixed, &pair.moving, pair.relation, &options, progress)
+                .map_err(|e| e.to_string())
+        })?;
+        Ok(self.known.get_or_init(|| Known::new(space)))
+    }
+
+    /// Touching features by name.
+    fn texts(
+        &self,
+        py: Python<'_>,
+        pairs: Vec<cspace_design::FeaturePair>,
+    ) -> PyResult<Vec<[String; 2]>> {
+        let space = &self.known(py)?.space;
+        Ok(pairs.into_iter().map(|p| texts(space, p)).collect())
+    }
+}
+
+#[pymethods]
+impl Space {
+    /// The pair of a sent space, which computes it when it is first asked.
+    #[staticmethod]
+    #[pyo3(signature = (fixed, moving, relation, window))]
+    fn _restored(
+        fixed: &Part,
+        moving: &Part,
+        relation: &str,
+        window: Option<(f64, f64)>,
+    ) -> PyResult<Self> {
+        Ok(Self::later(Pair {
+            fixed: fixed.part.clone(),
+            moving: moving.part.clone(),
+            relation: serde_json::from_str(relation).map_err(error)?,
+            window,
+        }))
+    }
+
+    fn _relation(&self) -> PyResult<String> {
+        serde_json::to_string(&self.pair.relation).map_err(error)
+    }
+
+    #[getter]
+    fn window(&self) -> Option<(f64, f64)> {
+        self.pair.window
+    }
+
+    /// The fixed part.
+    #[getter]
+    fn fixed(&self) -> Part {
+        let part = self.pair.fixed.clone();
+        Part { part }
+    }
+
+    /// The moving part.
+    #[getter]
+    fn moving(&self) -> Part {
+        let part = self.pair.moving.clone();
+        Part { part }
+    }
+
+    /// The class of the pair: lower, fixed-axes, symmetric or general.
+    #[getter]
+    fn pair_class(&self, py: Python<'_>) -> PyResult<&'static str> {
+        Ok(self.known(py)?.space.class().name())
+    }
+
+    /// Contacts are known to this, a length.
+    #[getter]
+    fn resolution(&self, py: Python<'_>) -> PyResult<f64> {
+        Ok(self.known(py)?.space.resolution())
+    }
+
+    /// 0 where the configuration is free, 1 where the parts overlap, 2 in contact: an integer for one configuration, an array of uint8 for
+    /// rows.
+    fn classify<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let known = self.known(py)?;
+        match asked(q, &known.space)? {
+            Asked::One(at) => {
+                if known.classifier.get().is_none()
+                    && known.asked.fetch_add(1, Ordering::Relaxed) == SINGLE
+                {
+                    let pool = work::pool()?;
+                    work::here(py, || {
+                        pool.install(|| known.prepared());
+                        Ok(())
+                    })?;
+                }
+                code(known.classify(at).map_err(failed)?).into_bound_py_any(py)
+            }
+            Asked::Many(rows) => {
+                let pool = work::pool()?;
+                work::here(py, || {
+                    pool.install(|| known.prepared());
+                    Ok(())
+                })?;
+                let found = each(py, &rows, |at| known.classify(at).map(code))?;
+                Ok(found.into_pyarray(py).into_any())
+            }
+        }
+    }
+
+    /// The smallest distance of the parts: 0 in contact, nan where they overlap.
+    fn clearance<'py>(
+        &self,
+        py: Python<'py>,
+        q: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let space = &self.known(py)?.space;
+        let answer = |at| match space.clearance(at) {
+            Err(QueryError::Blocked) => Ok(f64::NAN),
+            found => found,
+        };
+        match asked(q, space)? {
+            Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+            Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
+        }
+    }
+
+    /// The number of the free region; -1 where the configuration is not free.
+    fn region<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let space = &self.known(py)?.space;
+        let answer = |at| {
+            Ok(match space.locate(at)? {
+                Location::Free(region) => region.index() as i64,
+                Location::Contact | Location::Blocked => -1,
+                Location::Outside => return Err(QueryError::Outside),
+            })
+        };
+        match asked(q, space)? {
+            Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+            Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
+        }
+    }
+
+    /// The free regions: for each a free configuration, and whether it is caged, that is, ends everywhere.
+    fn _regions(&self, py: Python<'_>) -> PyResult<Vec<(Vec<f64>, bool)>> {
+        let regions = self.known(py)?.space.regions();
+        let of = |r: cspace::PairRegion| (numbers(r.sample), !r.unbounded);
+        Ok(regions.into_iter().map(of).collect())
+    }
+
+    /// The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any.
+    #[expect(clippy::type_complexity, reason = "Python makes records of it")]
+    fn _patches(
+        &self,
+        py: Python<'_>,
+    ) -> PyResult<Vec<(String, String, Option<usize>, Option<(f64, f64)>)>> {
+        let space = &self.known(py)?.space;
+        let of = |patch: cspace::PairPatch<'_>| {
+            let (fixed, moving) = patch.features()?;
+            let [fixed, moving] = texts(space, (fixed.name, moving.name));
+            let region = patch.region()?.map(cspace::RegionId::index);
+            Ok((fixed, moving, region, patch.orientations().ok()))
+        };
+        let all: Result<Vec<_>, QueryError> = space.patches().map(of).collect();
+        all.map_err(failed)
+    }
+
+    /// Links between patches as arrays: first patch, second patch, and the smallest and largest orientation of the link (nan on fixed
+    /// axes).
+    #[expect(clippy::type_complexity, reason = "four arrays")]
+    fn links<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(
+        Bound<'py, PyArray1<i64>>,
+        Bound<'py, PyArray1<i64>>,
+        Bound<'py, PyArray1<f64>>,
+        Bound<'py, PyArray1<f64>>,
+    )> {
+        let links = self.known(py)?.space.links();
+        let ends = |kind: &LinkKind| match *kind {
+            LinkKind::Side => (f64::NAN, f64::NAN),
+            LinkKind::SideOver { lo, hi } => (lo, hi),
+            LinkKind::Vertical { theta } => (theta, theta),
+        };
+        let column =
+            |of: &dyn Fn(&cspace::PairLink) -> i64| -> Vec<i64> { links.iter().map(of).collect() };
+        let (lo, hi): (Vec<f64>, Vec<f64>) = links.iter().map(|l| ends(&l.kind)).unzip();
+        Ok((
+            column(&|l| l.first.index() as i64).into_pyarray(py),
+            column(&|l| l.second.index() as i64).into_pyarray(py),
+            lo.into_pyarray(py),
+            hi.into_pyarray(py),
+        ))
+    }
+
+    /// The patches no farther than `tolerance` from a configuration, with the distances.
+    #[pyo3(signature = (q, tolerance=None))]
+    fn contacts(
+        &self,
+        py: Python<'_>,
+        q: &Bound<'_, PyAny>,
+        tolerance: Option<f64>,
+    ) -> PyResult<Vec<(usize, f64)>> {
+        let space = &self.known(py)?.space;
+        let at = one(q, space, "q")?;
+        let tolerance = tolerance.unwrap_or_else(|| space.resolution());
+        let found = space.contacts(at, tolerance).map_err(failed)?;
+        Ok(found.into_iter().map(|(p, off)| (p.index(), off)).collect())
+    }
+
+    /// The nearest configuration in contact: its patch, the configuration, and how far it is.
+    fn _nearest(
+        &self,
+        py: Python<'_>,
+        q: &Bound<'_, PyAny>,
+    ) -> PyResult<Option<(usize, Vec<f64>, f64)>> {
+        let space = Arc::clone(&self.known(py)?.space);
+        let at = one(q, &space, "q")?;
+        let found = work::run(py, move |_| {
+            space.nearest_contact(at).map_err(|e| e.to_string())
+        })?;
+        Ok(found.map(|n| (n.patch.index(), numbers(n.at), n.distance)))
+    }
+
+    /// The features that touch, or are no farther than `within` apart: names on the fixed and the moving part, and their distance.
+    fn near_features(
+        &self,
+        py: Python<'_>,
+        q: &Bound<'_, PyAny>,
+        within: f64,
+    ) -> PyResult<Vec<(String, String, f64)>> {
+        let space = &self.known(py)?.space;
+        let at = one(q, space, "q")?;
+        let near = space.near_features(at, within).map_err(failed)?;
+        let of = |n: &cspace::pair::NearFeatures| {
+            let [fixed, moving] = texts(space, pair_of(n));
+            (fixed, moving, n.distance)
+        };
+        Ok(near.iter().map(of).collect())
+    }
+
+    /// A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
+    /// what touches there.
+    #[expect(clippy::type_complexity, reason = "Python makes a record of it")]
+    fn _move(
+        &self,
+        py: Python<'_>,
+        start: &Bound<'_, PyAny>,
+        by: &Bound<'_, PyAny>,
+    ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>)> {
+        let space = &self.known(py)?.space;
+        let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
+        if space.locate(from).map_err(failed)? == Location::Outside {
+            return Err(failed(QueryError::Outside));
+        }
+        let (result, fraction, features) = match space.first_contact(from, by, 1.0) {
+            Err(QueryError::Motion(MotionError::StartsBlocked)) => ("blocked", 0.0, Vec::new()),
+            Err(e) => return Err(failed(e)),
+            Ok(PairMotion::Free) => ("free", 1.0, Vec::new()),
+            Ok(PairMotion::Leaves { time }) => ("leaves", time, Vec::new()),
+            Ok(PairMotion::Contact(contact)) => {
+                let features = touching(space, (from, by), &contact).map_err(failed)?;
+                ("contact", contact.time, features)
+            }
+        };
+        let (a, d) = (numbers(from), numbers(by));
+        let at = a.iter().zip(&d).map(|(a, d)| a + fraction * d).collect();
+        Ok((result, fraction, at, self.texts(py, features)?))
+    }
+
+    /// For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
+    /// infinite where nothing stops it.
+    #[expect(clippy::type_complexity, reason = "Python makes records of it")]
+    fn _play(
+        &self,
+        py: Python<'_>,
+        q: &Bound<'_, PyAny>,
+    ) -> PyResult<Vec<(&'static str, [f64; 2], [Vec<[String; 2]>; 2])>> {
+        let space = Arc::clone(&self.known(py)?.space);
+        let at = one(q, &space, "q")?;
+        work::run(py, move |_| {
+            let all: &[Coordinate] = match width(&space) {
+                2 => &[Coordinate::U, Coordinate::V],
+                _ => &[Coordinate::X, Coordinate::Y, Coordinate::Theta],
+            };
+            let of = |of: &Coordinate| {
+                let ends = free_range(&space, *of, at).map_err(|e| e.to_string())?;
+                let mut found = [f64::NEG_INFINITY, f64::INFINITY];
+                let mut features = [Vec::new(), Vec::new()];
+                for ((end, names), stop) in found.iter_mut().zip(&mut features).zip(ends) {
+                    if let Some((value, stop)) = stop {
+                        *end = value;
+                        names.extend(stop.features.into_iter().map(|p| texts(&space, p)));
+                    }
+                }
+                Ok((of.name(), found, features))
+            };
+            all.iter().map(of).collect()
+        })
+    }
+
+    /// A path from `start` to `goal` through free space, or the proof that there is none, as a dictionary.
+    #[pyo3(signature = (start, goal, widest=false, clearance=None))]
+    fn _plan<'py>(
+        &self,
+        py: Python<'py>,
+        start: &Bound<'py, PyAny>,
+        goal: &Bound<'py, PyAny>,
+        widest: bool,
+        clearance: Option<f64>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let space = Arc::clone(&self.known(py)?.space);
+        let (from, to) = (one(start, &space, "start")?, one(goal, &space, "goal")?);
+        let wishes = Wishes {
+            clearance: match (widest, clearance) {
+                (true, _) => Clearance::Widest,
+                (false, Some(least)) => Clearance::AtLeast(least),
+                (false, None) => Clearance::Half,
+            },
+            ..Wishes::default()
+        };
+        let asked = Arc::clone(&space);
+        let answer = work::run(py, move |progress| {
+            let planner = Planner::new(&asked).map_err(|e| e.to_string())?;
+            (planner.plan_with(from, to, &wishes, progress)).map_err(|e| e.to_string())
+        })?;
+        let told = PyDict::new(py);
+        let names = |p: &cspace_design::FeaturePair| texts(&space, *p);
+        if let Some(b) = answer.bottleneck {
+            told.set_item("bottleneck", (b.narrow.clearance, numbers(b.narrow.at)))?;
+            told.set_item(
+                "touching",
+                b.narrow.features.iter().map(names).collect::<Vec<_>>(),
+            )?;
+        }
+        let verdict = match answer.verdict {
+            Verdict::Path(path) => {
+                let rows: Vec<Vec<f64>> = path.configurations.into_iter().map(numbers).collect();
+                told.set_item("path", matrix(py, rows)?)?;
+                told.set_item("clearance", path.narrowest.clearance)?;
+                "path"
+            }
+            Verdict::NoPath(enclosed) => {
+                told.set_item("region", enclosed.region.index())?;
+                told.set_item(
+                    "touching",
+                    enclosed.features.iter().map(names).collect::<Vec<_>>(),
+                )?;
+                "no-path"
+            }
+            Verdict::TooNarrow => "too-narrow",
+            Verdict::FromBlocked(blocked) => {
+                told.set_item("depth", blocked.depth)?;
+                "from-blocked"
+            }
+            Verdict::ToBlocked(blocked) => {
+                told.set_item("depth", blocked.depth)?;
+                "to-blocked"
+            }
+            Verdict::Unknown(doubtful) => {
+                told.set_item("doubtful", doubtful)?;
+                "unknown"
+            }
+        };
+        told.set_item("verdict", verdict)?;
+        Ok(told)
+    }
+
+    /// The boundary of free space at an orientation, as loops of (x, y, bulge).
+    fn slice(&self, py: Python<'_>, theta: f64) -> PyResult<Vec<Vec<(f64, f64, f64)>>> {
+        let space = Arc::clone(&self.known(py)?.space);
+        let PairSpace::Planar(space) = &*space else {
+            return Err(error(format_args!(
+                "a {} pair has no slices",
+                space.class()
+            )));
+        };
+        let window = space.window();
+        if !(theta.is_finite() && (window.full_turn || (window.lo..=window.hi).contains(&theta))) {
+            return Err(error(
+                "`theta` is not finite, or outside the window of orientations",
+            ));
+        }
+        let (space, pool) = (Arc::clone(space), work::pool()?);
+        let slice = work::here(py, || Ok(pool.install(|| space.slice(theta))))?;
+        let of = |l: &Vec<u32>| {
+            let curves = l.iter().map(|&c| &slice.curves[c as usize].geometry);
+            curves.flat_map(vertices).collect()
+        };
+        Ok(slice.loops.iter().map(of).collect())
+    }
+
+    /// The contact surface as triangles: vertices n×3 (x, y, theta), faces m×3, and the patch of each face.
+    #[pyo3(signature = (tolerance=1e-3))]
+    #[expect(clippy::type_complexity, reason = "three arrays")]
+    fn mesh<'py>(
+        &self,
+        py: Python<'py>,
+        tolerance: f64,
+    ) -> PyResult<(
+        Bound<'py, PyArray2<f64>>,
+        Bound<'py, PyArray2<i64>>,
+        Bound<'py, PyArray1<i64>>,
+    )> {
+        let space = Arc::clone(&self.known(py)?.space);
+        let mesh = work::run(py, move |_| {
+            let PairSpace::Planar(space) = &*space else {
+                return Err(format!(
+                    "a {} pair has no surface in x, y and theta",
+                    space.class()
+                ));
+            };
+            Mesh::new(space, &MeshOptions { tolerance }).map_err(|e| e.to_string())
+        })?;
+        let vertices = (mesh.vertices.iter()).map(|c| vec![c.x, c.y, c.theta]);
+        let faces = (mesh.triangles.iter()).map(|t| t.vertices.map(i64::from).to_vec());
+        let patches: Vec<i64> = mesh.triangles.iter().map(|t| i64::from(t.patch)).collect();
+        Ok((
+            matrix(py, vertices.collect())?,
+            matrix(py, faces.collect())?,
+            patches.into_pyarray(py),
+        ))
+    }
+
+    /// The space as the JSON that the command saves and reads.
+    fn to_json(&self, py: Python<'_>) -> PyResult<String> {
+        let space = Arc::clone(&self.known(py)?.space);
+        work::run(py, move |_| Ok(cspace_io::saved::pair_to_json(&space)))
+    }
+
+    fn __repr__(&self) -> String {
+        let (fixed, moving) = (self.pair.fixed.name(), self.pair.moving.name());
+        match self.known.get() {
+            None => format!("ContactSpace({fixed:?}, {moving:?}, not computed yet)"),
+            Some(known) => format!(
+                "ContactSpace({fixed:?}, {moving:?}, {}, {} patches, {} free regions)",
+                known.space.class(),
+                known.space.patch_count(),
+                known.space.region_count()
+            ),
+        }
+    }
+}
+
+/// Rows as an array; rows of no array have three columns.
+fn matrix<'py, T: numpy::Element>(
+    py: Python<'py>,
+    rows: Vec<Vec<T>>,
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    if rows.is_empty() {
+        let zero = PyArray2::zeros(py, [0, 3], false);
+        return Ok(zero);
+    }
+    PyArray2::from_vec2(py, &rows).map_err(error)
+}
+
+/// A curve as vertices with bulges, without its end; an arc of half a turn and more in pieces.
+fn vertices(curve: &CurveGeometry) -> Vec<(f64, f64, f64)> {
+    let start = curve.point(0.0);
+    match *curve {
+        CurveGeometry::Segment { .. } => vec![(start.x, start.y, 0.0)],
+        CurveGeometry::FlatArc { bulge, .. } => vec![(start.x, start.y, bulge)],
+        CurveGeometry::Arc { sweep, .. } => {
+            let pieces = if sweep.abs() > core::f64::consts::PI {
+                2
+            } else {
+                1
+            };
+            let bulge = (0.25 * sweep / f64::from(pieces)).tan();
+            let piece = |k: i32| {
+                let p = curve.point(f64::from(k) / f64::from(pieces));
+                (p.x, p.y, bulge)
+            };
+            (0..pieces).map(piece).collect()
+        }
+    }
+}

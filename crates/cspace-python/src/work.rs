@@ -1,0 +1,140 @@
+//! Work away from the interpreter: its lock is released, Ctrl-C is heard, and threads are those of this process.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use cspace::space::Stage;
+use cspace::{ComputeError, Progress};
+use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::error::{error, internal};
+
+/// So often it is asked whether the user has pressed Ctrl-C.
+const LISTEN: Duration = Duration::from_millis(50);
+
+/// The variable with the number of threads, which for a worker of many is 1.
+const THREADS: &str = "CSPACE_NUM_THREADS";
+
+/// The threads of one process: a process that is forked from it has none of them, and makes its own.
+struct Threads {
+    process: u32,
+    pool: Arc<ThreadPool>,
+}
+
+static POOL: Mutex<Option<Threads>> = Mutex::new(None);
+
+/// The number of threads that is asked for; 0 for one per processor.
+fn asked() -> PyResult<usize> {
+    match std::env::var(THREADS) {
+        Err(_) => Ok(0),
+        Ok(text) => text.trim().parse().map_err(|_| {
+            error(format_args!(
+                "{THREADS} is {text:?} where a number of threads is expected"
+            ))
+        }),
+    }
+}
+
+fn build(threads: usize) -> PyResult<Arc<ThreadPool>> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    Ok(Arc::new(pool.map_err(error)?))
+}
+
+/// Uses so many threads from now on; 0 for one per processor.
+pub(crate) fn set_threads(threads: usize) -> PyResult<()> {
+    let pool = build(threads)?;
+    let mut known = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    replace(&mut known, pool);
+    Ok(())
+}
+
+fn replace(known: &mut Option<Threads>, pool: Arc<ThreadPool>) {
+    let process = std::process::id();
+    let new = Threads { process, pool };
+    if let Some(old) = known.replace(new)
+        && old.process != process
+    {
+        // Its threads are the parent's: waiting for their end would never end.
+        core::mem::forget(old.pool);
+    }
+}
+
+/// The threads of this process.
+pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
+    let mut known = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(threads) = &*known
+        && threads.process == std::process::id()
+    {
+        return Ok(Arc::clone(&threads.pool));
+    }
+    let pool = build(asked()?)?;
+    replace(&mut known, Arc::clone(&pool));
+    Ok(pool)
+}
+
+/// Ends a computation at its next stage once the user wants no more of it.
+#[derive(Default)]
+struct Ended(AtomicBool);
+
+impl Progress for Ended {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        match self.0.load(Ordering::Relaxed) {
+            true => Err(ComputeError::Interrupted),
+            false => Ok(()),
+        }
+    }
+}
+
+/// Does long work on the pool. Ctrl-C raises `KeyboardInterrupt` at once; what is at work then ends at its next stage.
+pub(crate) fn run<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Progress) -> Result<T, String> + Send + 'static,
+) -> PyResult<T> {
+    let ended = Arc::new(Ended::default());
+    let (sender, receiver) = channel();
+    let watched = Arc::clone(&ended);
+    pool()?.spawn(move || {
+        let done = catch_unwind(AssertUnwindSafe(|| work(&*watched)));
+        // Nobody listens any more after Ctrl-C.
+        let _ = sender.send(done);
+    });
+    let mut receiver = receiver;
+    loop {
+        let heard;
+        (receiver, heard) = py.detach(move || {
+            let heard = receiver.recv_timeout(LISTEN);
+            (receiver, heard)
+        });
+        match heard {
+            Ok(Ok(done)) => return done.map_err(error),
+            Ok(Err(panic)) => return Err(internal(said(&*panic))),
+            Err(RecvTimeoutError::Disconnected) => return Err(internal("the work was lost")),
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(interrupt) = py.check_signals() {
+                    ended.0.store(true, Ordering::Relaxed);
+                    return Err(interrupt);
+                }
+            }
+        }
+    }
+}
+
+/// Does short work here, without the interpreter's lock.
+pub(crate) fn here<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce() -> PyResult<T> + Send,
+) -> PyResult<T> {
+    py.detach(|| catch_unwind(AssertUnwindSafe(work)))
+        .unwrap_or_else(|panic| Err(internal(said(&*panic))))
+}
+
+/// What a panic says.
+fn said(panic: &(dyn core::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+    text.unwrap_or("it says nothing").to_owned()
+}

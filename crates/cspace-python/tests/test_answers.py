@@ -1,0 +1,162 @@
+"""Answers: against closed forms, and against the command to the last bit."""
+
+import json
+import math
+import subprocess
+
+import numpy as np
+
+import cspace as cs
+
+
+def printed(*args):
+    return json.loads(subprocess.run(args, check=True, capture_output=True, text=True).stdout)
+
+
+def test_a_coin_in_a_box():
+    frame = [(-12, -12), (12, -12), (12, 12), (-12, 12)]
+    hole = [(-10, -10), (10, -10), (10, 10), (-10, 10)]
+    space = cs.compute(cs.Part([frame, hole], name="frame"), cs.Part.circle(1, name="coin"))
+    rng = np.random.default_rng(3)
+    q = rng.uniform([-16, -16, -7], [16, 16, 7], (20_000, 3))
+    inside = np.abs(q[:, :2]).max(axis=1)
+    # The distance of a point from the frame.
+    apart = np.where(
+        inside < 10,
+        10 - inside,
+        np.where(inside <= 12, 0, np.hypot(*np.maximum(np.abs(q[:, :2]) - 12, 0).T)),
+    )
+    sure = np.abs(apart - 1) > 1e-9
+    expected = np.where(apart < 1, cs.BLOCKED, cs.FREE)
+    found = space.classify(q)
+    assert found.dtype == np.uint8
+    assert (found == expected)[sure].all()
+    free = found == cs.FREE
+    clearance = space.clearance(q)
+    assert np.allclose(clearance[free], apart[free] - 1, rtol=0, atol=1e-9)
+    assert np.isnan(clearance[found == cs.BLOCKED]).all()
+    # One by one the same, also once it is prepared.
+    for i in range(300):
+        assert space.classify(tuple(q[i])) == found[i]
+        assert space.classify(q[i]) == found[i]
+    caged = [r.caged for r in space.regions]
+    assert sorted(caged) == [False, True]
+    region = space.region(q)
+    assert (region[free & (inside < 10)] == caged.index(True)).all()
+    assert (region[free & (inside > 12)] == caged.index(False)).all()
+    assert (region[~free] == -1).all()
+
+
+def test_answers_are_those_of_the_command(command, models, tmp_path):
+    path = models / "peg_hole.toml"
+    model = cs.Model.load(path)
+    space = model.compute(*model.pairs[0])
+    told = printed(command, "compute", str(path), "--format", "json")
+    told = told[0] if isinstance(told, list) else told
+    assert len(space.patches) == told["patches"]
+    rng = np.random.default_rng(5)
+    (x0, y0, x1, y1), size = space.fixed.bounds, 1.0
+    q = rng.uniform([x0 - size, y0 - size, -math.pi], [x1 + size, y1 + size, math.pi], (300, 3))
+    rows = "x,y,theta\n" + "".join(f"{x!r},{y!r},{t!r}\n" for x, y, t in q.tolist())
+    out = subprocess.run([command, "classify", str(path)], input=rows, capture_output=True, text=True, check=True)
+    names = ["free", "blocked", "contact"]
+    classes = [line.rsplit(",", 1)[1] for line in out.stdout.split()[1:]]
+    assert classes == [names[c] for c in space.classify(q)]
+    start, by = [0, 60, 0.02], [0, -80, 0]
+    told = printed(
+        command, "move", str(path), "--from=" + ",".join(map(str, start)), "--by=" + ",".join(map(str, by)), "--format", "json"
+    )
+    moved = space.move(start, by)
+    assert (moved.result, moved.fraction) == (told["result"], told["fraction"])
+    assert moved.touching == told["touching"]
+
+
+def test_requirements_are_those_of_the_command(command, peg, tmp_path):
+    file = tmp_path / "peg.toml"
+    from conftest import PEG
+
+    file.write_text(PEG)
+    told = printed(command, "check", str(file), "--sensitivities", "--format", "json", "--set", "play=0.08")
+    found = peg(play=0.08).check(sensitivities=True)
+    for row in told:
+        checked = found[row["name"]]
+        assert checked.value == row["value"] and checked.met == row["met"] and checked.margin == row["margin"]
+        assert {k: v[1] for k, v in checked.sensitivities.items()} == row["sensitivities"]
+    rows = printed(command, "sweep", str(file), "--vary", "play=0.05:0.25:5", "--format", "json", "--measure", "tilt")
+    table = peg.sweep(["tilt"], play=[r["play"] for r in rows])
+    assert table["tilt"].tolist() == [r["tilt"] for r in rows]
+    solved = printed(command, "solve", str(file), "--vary", "play=0.01:0.5", "--so-that", "tilt = 0.01", "--format", "json")
+    assert peg.solve("tilt", "=", 0.01, play=(0.01, 0.5)).solutions == solved["solutions"]
+
+
+def test_simulations_are_those_of_the_command(command, models):
+    path = models / "geneva.toml"
+    told = printed(command, "simulate", str(path), "--time", "3", "--format", "json")
+    found = cs.simulate(cs.Model.load(path), 3)
+    assert found.status == told["status"] and json.loads(json.dumps(found.events)) == told["events"]
+    for name in told["parts"]:
+        assert found.coordinates[name].tolist() == [s[name] for s in told["samples"]]
+
+
+def test_plans_and_proofs(peg):
+    space = peg.compute()
+    inside, outside = (0, -15, 0), (0, 40, 0)
+    plan = space.plan(inside, outside, widest=True)
+    assert plan and plan.verdict == "path"
+    assert plan.path.shape[1] == 3 and (space.classify(plan.path) == cs.FREE).all()
+    assert math.isclose(plan.clearance, 0.05, rel_tol=1e-5)
+    tight = peg(play=-0.1).compute()
+    assert tight.plan(inside, outside).verdict == "from-blocked"
+    ball = cs.Part([[(-5, -5), (5, -5), (5, 5), (-5, 5)], [(-3, -3), (3, -3), (3, 3), (-3, 3)]])
+    caged = cs.compute(ball, cs.Part.circle(1)).plan((0, 0, 0), (20, 0, 0))
+    assert caged.verdict == "no-path" and not caged and caged.touching
+
+
+def test_play_and_nearest(peg):
+    space = peg.compute()
+    play = space.play((0, -15, 0))
+    assert math.isclose(play["x"].length, 0.1, rel_tol=1e-9)
+    assert math.isclose(play["theta"].length, peg.check()["tilt"].value, rel_tol=1e-12)
+    assert play["y"].upper == math.inf and math.isclose(play["y"].lower, -21, rel_tol=1e-12)
+    nearest = space.nearest((0.02, -15, 0))
+    assert math.isclose(nearest.distance, 0.03, abs_tol=1e-9)
+
+
+def test_slices_meshes_and_links():
+    space = cs.compute(cs.Part.rectangle(4, 2, name="table"), cs.Part.circle(1))
+    (loop,) = space.slice(0.3)
+    # A rectangle grown by a disc: four sides, and arcs that turn once in all.
+    assert sum(b == 0 for _, _, b in loop) == 4
+    assert math.isclose(sum(4 * math.atan(b) for _, _, b in loop), 2 * math.pi, rel_tol=1e-9)
+    grown = cs.Part([loop])
+    assert math.isclose(grown.area, 8 + 2 * (4 + 2) + math.pi, rel_tol=1e-9)
+    vertices, faces = space.mesh()
+    assert vertices.shape[1] == 3 and faces.shape[1] == 3 and faces.max() < len(vertices)
+    first, second, lo, hi = space.links()
+    assert first.shape == second.shape == lo.shape == hi.shape
+    assert max(first.max(), second.max()) < len(space.patches)
+
+
+def test_parts():
+    plate = cs.Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}], name="plate")
+    assert math.isclose(plate.area, 800 - 9 * math.pi)
+    assert plate.bounds == (0, 0, 40, 20)
+    assert plate.contains(1, 1) and not plate.contains(10, 10)
+    assert cs.Part(np.array([[[0, 0], [4, 0], [4, 3]]]), name="t") == cs.Part([[(0, 0), (4, 0), (4, 3)]], name="t")
+    (points,) = cs.Part.circle(5).points(0.01)
+    radii = np.hypot(*np.array(points).T)
+    assert np.allclose(radii, 5)
+    ends = np.array(points + points[:1])
+    middles = (ends[1:] + ends[:-1]) / 2
+    assert 0 < 5 - np.hypot(*middles.T).min() <= 0.01
+    assert "<path" in plate._repr_svg_()
+
+
+def test_threads_make_no_difference(peg):
+    q = np.random.default_rng(1).uniform(-20, 20, (30_000, 3))
+    found = []
+    for threads in (1, 2, 0):
+        cs.set_threads(threads)
+        space = peg.compute()
+        found.append((space.classify(q).tobytes(), space.clearance(q[:500]).tobytes(), space.patches))
+    assert found[0] == found[1] == found[2]

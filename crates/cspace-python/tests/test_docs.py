@@ -1,0 +1,38 @@
+"""The programs in the documentation run as they stand, and print what is expected."""
+
+import re
+
+from conftest import ROOT
+
+EXPECTED = """\
+0.1000 sideways, 0.6376 degrees
+path 0.0500
+1.8 comes out
+2.0 caged
+[0.1 0.1 0.1 0.1 0.1]
+0.20000000000000
+[{'play': 0.15
+"""
+
+
+def test_the_page_runs(capsys):
+    text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+    programs = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    assert len(programs) >= 4
+    names = {}
+    for program in programs:
+        exec(compile(program, "docs/python.md", "exec"), names)
+    printed = capsys.readouterr().out
+    for line in EXPECTED.splitlines():
+        assert line[:12] in printed, printed
+
+
+def test_docstrings_run():
+    import doctest
+
+    import cspace
+    from cspace import _part, _sweep
+
+    for module in (cspace, _part, _sweep):
+        found = doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE)
+        assert found.failed == 0 and found.attempted > 0, module
