@@ -5,7 +5,7 @@ mod common;
 
 use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
 use cspace_io::model::{Coordinate, Setting};
-use cspace_io::{Document, Host, Model, read_from_hosted};
+use cspace_io::{Host, read_from_hosted};
 
 use common::{model, number, template};
 

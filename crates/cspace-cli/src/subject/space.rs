@@ -2,6 +2,8 @@
 
 use core::f64::consts::TAU;
 
+use std::sync::Arc;
+
 use cspace::fixed_axes::Role;
 use cspace::{
     AxesError, ComputeError, ContactSpace, Options, PairError, PairSpace, Relation, Slice, Symmetry,
@@ -62,13 +64,13 @@ impl Chosen<'_> {
     }
 
     /// The contact space of a planar pair.
-    pub(crate) fn contact_space(&self, what: &str) -> Result<ContactSpace, Failure> {
+    pub(crate) fn contact_space(&self, what: &str) -> Result<Arc<ContactSpace>, Failure> {
         if !self.is_planar() {
             return Err(self.no_orientation(what));
         }
         match self.space()? {
-            Space::Computed(PairSpace::Planar(space)) => Ok(*space),
-            Space::Saved(PairSpace::Planar(space)) => Ok((**space).clone()),
+            Space::Computed(PairSpace::Planar(space)) => Ok(space),
+            Space::Saved(PairSpace::Planar(space)) => Ok(Arc::clone(space)),
             _ => Err(self.no_orientation(what)),
         }
     }

@@ -44,7 +44,7 @@ pub(crate) fn axes_space(name: &str) -> FixedAxesSpace {
 fn planar_space(name: &str) -> ContactSpace {
     let model = model(name);
     match model.compute(&model.pairs[0], &Options::default()).unwrap() {
-        PairSpace::Planar(space) => *space,
+        PairSpace::Planar(space) => std::sync::Arc::unwrap_or_clone(space),
         _ => panic!("{name} has no orientations"),
     }
 }

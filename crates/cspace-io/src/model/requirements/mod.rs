@@ -111,7 +111,7 @@ fn target(table: &Table<'_>, kind: &str, dimension: Dimension) -> Result<Option<
         ("equals", "limits = [0, 0.1]")
     };
     if table.get(wrong).is_some() {
-        let message = format!("`{wrong}` is given of the measure {}", kind);
+        let message = format!("`{wrong}` is given of the measure {kind}");
         let error = ModelError::new(&table.place.key(wrong).itself(), message);
         return Err(error.with_help(format!("give {right}")));
     }
