@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstyle::AnsiColor;
@@ -84,8 +83,8 @@ impl Failure {
         }
     }
 
-    pub(crate) fn exit_code(&self) -> ExitCode {
-        ExitCode::from(self.code)
+    pub(crate) const fn code(&self) -> u8 {
+        self.code
     }
 
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.

@@ -1,7 +1,6 @@
 //! Interrupts: how a command is stopped from outside.
 
 use std::io::{IsTerminal, Write};
-use std::process::ExitCode;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -40,12 +39,11 @@ pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Ends the process as an interrupt does where nothing catches it, so that a shell stops what it does next; returns the exit code
-/// where the system knows no such end.
-pub(crate) fn end() -> ExitCode {
+/// Ends the process as an interrupt does where nothing catches it, so that a shell stops what it does next; returns where the system
+/// knows no such end.
+pub(crate) fn end() {
     let _until_the_end = output::abandon();
     system::end();
-    ExitCode::FAILURE
 }
 
 fn interrupted() {

@@ -1,92 +1,9 @@
 //! The command `cspace`.
 
-mod angle;
-mod args;
-mod command;
-mod drawing;
-mod failure;
-mod input;
-mod interrupt;
-mod output;
-mod picture;
-mod progress;
-mod subject;
-mod template;
-mod traces;
-mod wording;
-
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::Parser;
-use cspace_io::shown;
-
-use args::{Cli, Command};
-use failure::Failure;
-
 fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
-        Ok(cli) => cli,
-        Err(error) => return usage(&error),
-    };
-    finish(run(cli))
-}
-
-fn finish(result: Result<(), Failure>) -> ExitCode {
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            failure.print();
-            if interrupt::is_interrupted() {
-                return interrupt::end();
-            }
-            failure.exit_code()
-        }
-    }
-}
-
-/// Help and version are data for stdout; what is wrong with the command line goes to stderr, with code 2.
-fn usage(error: &clap::Error) -> ExitCode {
-    if !error.use_stderr() {
-        return finish(output::printed(error.print()));
-    }
-    // The message repeats arguments as they are, and a terminal obeys what is in them: it is made again of harmless ones.
-    let plain = |argument: OsString| shown::text(&argument.to_string_lossy()).into_owned();
-    let again = std::env::args_os()
-        .any(|a| a.to_string_lossy().contains(char::is_control))
-        .then(|| Cli::try_parse_from(std::env::args_os().map(plain)).err())
-        .flatten();
-    // Where nobody listens nothing can be done.
-    let _ = again.as_ref().unwrap_or(error).print();
-    ExitCode::from(2)
-}
-
-fn run(cli: Cli) -> Result<(), Failure> {
-    anstream::ColorChoice::write_global(cli.color.into());
-    failure::set_quiet(cli.quiet);
-    match cli.command {
-        Command::Info(args) => command::info::run(&args),
-        Command::Compute(args) => command::compute::run(&args),
-        Command::Slice(args) => command::slice::run(&args),
-        Command::Classify(args) => command::classify::run(&args),
-        Command::Contacts(args) => command::contacts::run(&args),
-        Command::Draw(args) => command::draw::run(&args),
-        Command::Move(args) => command::motion::run(&args),
-        Command::Plan(args) => command::plan::run(&args),
-        Command::Escape(args) => command::escape::run(&args),
-        Command::Assembly(args) => command::assembly::run(&args),
-        Command::Check(args) => command::check::run(&args),
-        Command::Clash(args) => command::clash::run(&args),
-        Command::Sweep(args) => command::sweep::run(&args),
-        Command::Solve(args) => command::solve::run(&args),
-        Command::Simulate(args) => command::simulate::run(&args),
-        Command::Play(args) => command::play::run(&args),
-        Command::View(args) => command::view::run(&args),
-        Command::Export(args) => command::export::run(&args),
-        Command::Evaluate(args) => command::evaluate::run(&args),
-        Command::Import(args) => command::import::run(&args),
-        Command::New(args) => command::new::run(&args),
-        Command::Completions(args) => command::completions::run(&args),
-        Command::Man(args) => command::man::run(&args),
-    }
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    ExitCode::from(cspace_cli::main(&arguments))
 }

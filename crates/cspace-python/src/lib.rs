@@ -47,6 +47,12 @@ mod _rust {
         )
     }
 
+    /// Runs the command with its arguments, of which the first is its name, and returns its exit code.
+    #[pyfunction]
+    fn command(py: Python<'_>, arguments: Vec<std::ffi::OsString>) -> u8 {
+        py.detach(|| cspace_cli::main(&arguments))
+    }
+
     /// Uses so many threads from now on; 0 for one per processor. Results do not depend on it.
     #[pyfunction]
     fn set_threads(threads: usize) -> PyResult<()> {

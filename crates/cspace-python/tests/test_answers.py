@@ -5,8 +5,10 @@ import math
 import subprocess
 
 import numpy as np
+import pytest
 
 import cspace as cs
+from conftest import PEG, ROOT
 
 
 def printed(*args):
@@ -73,8 +75,6 @@ def test_answers_are_those_of_the_command(command, models, tmp_path):
 
 def test_requirements_are_those_of_the_command(command, peg, tmp_path):
     file = tmp_path / "peg.toml"
-    from conftest import PEG
-
     file.write_text(PEG)
     told = printed(command, "check", str(file), "--sensitivities", "--format", "json", "--set", "play=0.08")
     found = peg(play=0.08).check(sensitivities=True)
@@ -149,7 +149,29 @@ def test_parts():
     ends = np.array(points + points[:1])
     middles = (ends[1:] + ends[:-1]) / 2
     assert 0 < 5 - np.hypot(*middles.T).min() <= 0.01
-    assert "<path" in plate._repr_svg_()
+    assert "<path" in plate._repr_svg_() and "A3 3 0" in plate._repr_svg_()
+    grown = plate.offset(1)
+    assert math.isclose(grown.area, 800 + 2 * 60 + math.pi - 4 * math.pi, rel_tol=1e-9)
+    with pytest.raises(cs.Error, match="no finite number"):
+        plate.offset(math.nan)
+
+
+def test_drawings(tmp_path):
+    drawn = cs.Part.from_dxf(ROOT / "crates/cspace-drawing/tests/drawings/slot_r2000.dxf", name="slot")
+    assert drawn.area > 0 and drawn.name == "slot"
+    file = tmp_path / "plate.svg"
+    file.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="40" height="40"><circle cx="9" cy="9" r="5"/></svg>')
+    assert math.isclose(cs.Part.from_svg(file, scale=1).area, 25 * math.pi, rel_tol=1e-9)
+    with pytest.raises(cs.Error, match="nowhere.dxf"):
+        cs.Part.from_dxf("nowhere.dxf")
+
+
+def test_shapely():
+    pytest.importorskip("shapely")
+    plate = cs.Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}])
+    shape = plate.to_shapely(1e-4)
+    assert math.isclose(shape.area, plate.area, rel_tol=1e-4)
+    assert math.isclose(cs.Part.from_shapely(shape).area, shape.area, rel_tol=1e-12)
 
 
 def test_threads_make_no_difference(peg):

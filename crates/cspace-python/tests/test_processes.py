@@ -163,3 +163,12 @@ def test_threads_are_set_by_the_environment():
     )
     assert run("1").returncode == 0
     assert "CSPACE_NUM_THREADS" in run("many").stderr
+
+
+def test_the_command_runs(command):
+    def run(*args):
+        return subprocess.run(args, capture_output=True, text=True)
+
+    for args in (["--version"], ["new", "peg"], ["compute"], ["info", "/nowhere.toml"]):
+        ours, theirs = run(sys.executable, "-m", "cspace", *args), run(command, *args)
+        assert (ours.returncode, ours.stdout, ours.stderr) == (theirs.returncode, theirs.stdout, theirs.stderr)

@@ -1,6 +1,8 @@
 """Parts."""
 
 import json
+import math
+import os
 
 from . import _rust
 from ._errors import Error
@@ -15,6 +17,32 @@ def _plain(value):
     if isinstance(value, (list, tuple)):
         return [_plain(item) for item in value]
     return value
+
+
+def _read(name, unit=None, **keys):
+    """The part of a model that has these keys."""
+    keys = {key: _plain(value) for key, value in keys.items() if value is not None}
+    model = {"part": [{"name": name, **keys}]}
+    if unit is not None:
+        model["unit"] = unit
+    try:
+        text = json.dumps(model, allow_nan=False)
+    except (TypeError, ValueError) as error:
+        raise Error(f"the part {name!r} has something that is no finite number: {error}") from None
+    return _rust.Part._from_json(text)
+
+
+def _outline(loop):
+    """A loop as the data of an SVG path, whose y points down."""
+    data = [f"M{loop[0][0]:.9g} {-loop[0][1]:.9g}"]
+    for (x, y, bulge), (x1, y1, _) in zip(loop, loop[1:] + loop[:1]):
+        if bulge == 0:
+            data.append(f"L{x1:.9g} {-y1:.9g}")
+        else:
+            radius = math.hypot(x1 - x, y1 - y) * (1 + bulge * bulge) / (4 * abs(bulge))
+            large, downward = int(abs(bulge) > 1), int(bulge < 0)
+            data.append(f"A{radius:.9g} {radius:.9g} 0 {large} {downward} {x1:.9g} {-y1:.9g}")
+    return "".join(data) + "Z"
 
 
 class Part:
@@ -37,12 +65,7 @@ class Part:
             raise Error("`loops` is no list of loops")
         if loops and isinstance(loops[0], list) and loops[0] and isinstance(loops[0][0], (int, float)):
             raise Error("`loops` is one loop: give a list of loops, Part([loop])")
-        # Of an array of three columns with whole numbers numpy makes floats, which JSON keeps.
-        try:
-            text = json.dumps({"part": [{"name": name, "loops": loops}]}, allow_nan=False)
-        except (TypeError, ValueError) as error:
-            raise Error(f"`loops` has something that is no number: {error}") from None
-        self._part = _rust.Part._from_json(text)
+        self._part = _read(name, loops=loops)
 
     @classmethod
     def _of(cls, part):
@@ -72,6 +95,24 @@ class Part:
         polygons = getattr(polygon, "geoms", [polygon])
         rings = [ring for p in polygons for ring in (p.exterior, *p.interiors)]
         return cls([list(ring.coords)[:-1] for ring in rings], name=name)
+
+    @classmethod
+    def from_dxf(cls, path, name="part", unit=None, layer=None, hatches=None, pick=None, scale=None):
+        """The outlines of a DXF drawing: of a `layer` or a list of them, with those of `hatches`, or the faces around the points `pick`.
+
+        They are converted to `unit` where the drawing says its own, and multiplied by `scale`.
+        """
+        path = os.path.abspath(path)
+        return cls._of(_read(name, unit, dxf=path, layer=layer, hatches=hatches, pick=pick, scale=scale))
+
+    @classmethod
+    def from_svg(cls, path, name="part", unit=None, id=None, pick=None, scale=None):
+        """The outlines of an SVG drawing, or of its element `id`, or the faces around the points `pick`."""
+        return cls._of(_read(name, unit, svg=os.path.abspath(path), id=id, pick=pick, scale=scale))
+
+    def offset(self, distance):
+        """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs."""
+        return Part._of(_read(self.name, loops=self.loops, offset=distance))
 
     @property
     def name(self):
@@ -115,13 +156,11 @@ class Part:
         x0, y0, x1, y1 = self.bounds
         width, height = x1 - x0, y1 - y0
         margin = 0.05 * max(width, height)
-        path = []
-        for loop in self.points(1e-3 * max(width, height)):
-            path.append("M" + "L".join(f"{x:.6g} {-y:.6g}" for x, y in loop) + "Z")
+        path = "".join(_outline(loop) for loop in self.loops)
         box = f"{x0 - margin:.6g} {-y1 - margin:.6g} {width + 2 * margin:.6g} {height + 2 * margin:.6g}"
         return (
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">'
-            f'<path d="{"".join(path)}" fill="#cdd9e5" stroke="#24466b" fill-rule="evenodd" '
+            f'<path d="{path}" fill="#cdd9e5" stroke="#24466b" fill-rule="evenodd" '
             f'stroke-width="{0.1 * margin:.3g}"/></svg>'
         )
 
