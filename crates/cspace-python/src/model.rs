@@ -169,6 +169,9 @@ impl Model {
         let entry = match (fixed, moving, &mechanism.pairs[..]) {
             (Some(fixed), Some(moving), pairs) => {
                 let (fixed, moving) = (self.part_index(fixed)?, self.part_index(moving)?);
+                if fixed == moving {
+                    return Err(error("a part is paired with itself"));
+                }
                 let listed = pairs
                     .iter()
                     .find(|p| (p.fixed, p.moving) == (fixed, moving));
@@ -256,6 +259,20 @@ impl Model {
             (measures.iter()).find(|m| self.model.requirements.iter().all(|r| r.name != **m))
         {
             return Err(error(format_args!("there is no requirement {unknown:?}")));
+        }
+        for (name, of) in names.iter().zip(&varied) {
+            let cspace_design::Varied::Coordinate(of) = *of else {
+                continue;
+            };
+            let mut asked = (self.model.requirements.iter()).filter(|r| measures.contains(&r.name));
+            if !asked.any(|r| r.subject.clone().put(of, 0.0)) {
+                return Err(error(format_args!(
+                    "nothing is measured at a configuration with the coordinate {name}"
+                )));
+            }
+        }
+        if rows.iter().flatten().any(|x| !x.is_finite()) {
+            return Err(error("a value that is varied is not finite"));
         }
         let (template, set) = (Arc::clone(&self.template), self.set.clone());
         let found = work::run(py, move |progress| {

@@ -12,6 +12,9 @@ use crate::work;
 /// Rows that one thread asks about in a row.
 const TOGETHER: usize = 4096;
 
+/// Rows after which it is asked whether the user has pressed Ctrl-C.
+const BLOCK: usize = 1 << 16;
+
 /// One configuration, or many.
 pub(crate) enum Asked<'py> {
     One(Coordinates),
@@ -95,7 +98,7 @@ pub(crate) fn one(q: &Bound<'_, PyAny>, space: &PairSpace, name: &str) -> PyResu
     }
 }
 
-/// The answers to all rows, in their order, on all threads if they are many.
+/// The answers to all rows, in their order, on all threads if they are many; Ctrl-C is heard between blocks.
 pub(crate) fn each<T: Send>(
     py: Python<'_>,
     array: &PyReadonlyArray2<'_, f64>,
@@ -103,21 +106,24 @@ pub(crate) fn each<T: Send>(
 ) -> PyResult<Vec<T>> {
     let width = array.shape()[1];
     let numbers = array.as_slice()?;
-    let one = |(i, row): (usize, &[f64])| answer(coordinates(row)).map_err(|e| (i, e));
-    let found: Result<Vec<T>, (usize, QueryError)> = if numbers.len() <= TOGETHER * width {
-        work::here(py, || {
-            Ok(numbers.chunks_exact(width).enumerate().map(one).collect())
-        })?
-    } else {
-        let pool = work::pool()?;
-        work::here(py, || {
-            Ok(pool.install(|| {
-                (numbers.par_chunks_exact(width).enumerate())
-                    .with_min_len(TOGETHER)
-                    .map(one)
-                    .collect()
-            }))
-        })?
-    };
-    found.map_err(|(i, e)| error(format_args!("row {i}: {e}")))
+    let pool = work::pool()?;
+    let mut all = Vec::with_capacity(numbers.len() / width);
+    for (first, block) in (0..).step_by(BLOCK).zip(numbers.chunks(BLOCK * width)) {
+        let one = |(i, row): (usize, &[f64])| answer(coordinates(row)).map_err(|e| (first + i, e));
+        let found: Result<Vec<T>, (usize, QueryError)> = work::here(py, || {
+            Ok(if block.len() <= TOGETHER * width {
+                block.chunks_exact(width).enumerate().map(one).collect()
+            } else {
+                pool.install(|| {
+                    (block.par_chunks_exact(width).enumerate())
+                        .with_min_len(TOGETHER)
+                        .map(one)
+                        .collect()
+                })
+            })
+        })?;
+        all.extend(found.map_err(|(i, e)| error(format_args!("row {i}: {e}")))?);
+        py.check_signals()?;
+    }
+    Ok(all)
 }

@@ -85,6 +85,16 @@ fn code(class: Classification) -> u8 {
     }
 }
 
+/// Refuses a length that is none.
+fn check(name: &str, length: f64) -> PyResult<()> {
+    if length >= 0.0 && length.is_finite() {
+        return Ok(());
+    }
+    Err(error(format_args!(
+        "`{name}` is {length} where a length of 0 or more is expected"
+    )))
+}
+
 fn failed(e: QueryError) -> PyErr {
     error(e)
 }
@@ -311,6 +321,7 @@ impl Space {
         let space = &self.known(py)?.space;
         let at = one(q, space, "q")?;
         let tolerance = tolerance.unwrap_or_else(|| space.resolution());
+        check("tolerance", tolerance)?;
         let found = space.contacts(at, tolerance).map_err(failed)?;
         Ok(found.into_iter().map(|(p, off)| (p.index(), off)).collect())
     }
@@ -338,6 +349,7 @@ impl Space {
     ) -> PyResult<Vec<(String, String, f64)>> {
         let space = &self.known(py)?.space;
         let at = one(q, space, "q")?;
+        check("within", within)?;
         let near = space.near_features(at, within).map_err(failed)?;
         let of = |n: &cspace::pair::NearFeatures| {
             let [fixed, moving] = texts(space, pair_of(n));
@@ -418,6 +430,12 @@ impl Space {
     ) -> PyResult<Bound<'py, PyDict>> {
         let space = Arc::clone(&self.known(py)?.space);
         let (from, to) = (one(start, &space, "start")?, one(goal, &space, "goal")?);
+        if let Some(clearance) = clearance {
+            check("clearance", clearance)?;
+            if widest {
+                return Err(error("`widest` and `clearance` are both given"));
+            }
+        }
         let wishes = Wishes {
             clearance: match (widest, clearance) {
                 (true, _) => Clearance::Widest,
@@ -509,6 +527,9 @@ impl Space {
         Bound<'py, PyArray2<i64>>,
         Bound<'py, PyArray1<i64>>,
     )> {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(error("`tolerance` is not a positive number"));
+        }
         let space = Arc::clone(&self.known(py)?.space);
         let mesh = work::run(py, move |_| {
             let PairSpace::Planar(space) = &*space else {

@@ -122,6 +122,16 @@ def test_play_and_nearest(peg):
     assert math.isclose(nearest.distance, 0.03, abs_tol=1e-9)
 
 
+def test_motions_from_afar():
+    space = cs.compute(cs.Part.rectangle(4, 4), cs.Part.circle(1))
+    for far in (1e2, 1e5, 1e6, 1e7, 1e9):
+        moved = space.move((far, 0.3, 0.1), (-2 * far, 0, 0))
+        assert moved.result == "contact" and math.isclose(moved.at[0], 3, abs_tol=1e-12 * far)
+        assert math.isclose(space.play((far, 0.3, 0.1))["x"].lower, 3, abs_tol=1e-12 * far)
+        assert space.move((far, 4, 0), (-2 * far, 0, 0)).result == "free"
+        assert space.move((far, 0, 0), (2 * far, 0, 1)).result == "free"
+
+
 def test_slices_meshes_and_links():
     space = cs.compute(cs.Part.rectangle(4, 2, name="table"), cs.Part.circle(1))
     (loop,) = space.slice(0.3)

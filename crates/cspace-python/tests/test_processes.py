@@ -57,8 +57,18 @@ def test_processes_work_after_the_parent_has_computed(method, peg):
     for found, want, p in zip(table["value"], expected, play):
         assert np.isnan(found) if p == 0.2 else found == want
     assert table.failures == [(2, None, "Error: this one fails")]
+    with context.Pool(2) as pool:
+        unordered = cs.sweep(Tilt(peg), map=pool.imap_unordered, play=play * 40)
+        assert np.array_equal(unordered["value"], np.tile(table["value"], 40), equal_nan=True)
+        assert np.concatenate(pool.map(peg.compute().classify, [np.zeros((3, 3))] * 2)).shape == (6,)
     here = cs.sweep(Tilt(peg), play=play)
     assert np.array_equal(here["value"], table["value"], equal_nan=True)
+
+
+def test_an_odd_answer_is_a_failure():
+    table = cs.sweep(lambda a: None if a == 2 else {"twice": 2 * a}, a=[1, 2, 3])
+    assert np.array_equal(table["twice"], [2, np.nan, 6], equal_nan=True)
+    assert [f[0] for f in table.failures] == [1]
 
 
 def test_threads_overlap_and_release_the_interpreter(peg):
@@ -149,6 +159,18 @@ def test_errors_say_what_to_do(peg):
         (lambda: peg.solve("tilt", "~", 1, play=(0, 1)), "~"),
         (lambda: peg.solve("tilt", "=", 1, play=(1, 0)), "empty"),
         (lambda: peg.simulate(-1), "the time"),
+        (lambda: space.classify(np.zeros((2, 3), complex)), "complex"),
+        (lambda: space.classify([["1", "2", "3"]]), "no array of numbers"),
+        (lambda: space.mesh(-1), "`tolerance`"),
+        (lambda: space.contacts((0, 20, 0), -1), "`tolerance`"),
+        (lambda: space.plan((0, 20, 0), (0, 30, 0), clearance=np.nan), "`clearance`"),
+        (lambda: cs.compute(None, space.moving), "give a Part"),
+        (lambda: cs.compute(space.fixed, space.moving, theta=[0]), "(lo, hi)"),
+        (lambda: cs.Part.from_points([(0, 0, 1), (1, 0, 0), (0, 1, 0)]), "n×2"),
+        (lambda: peg.sweep(play=["x"]), "no numbers"),
+        (lambda: peg.sweep("tilt", u=[1]), "coordinate u"),
+        (lambda: peg.solve("tilt", "=", "2", play=(0, 1)), "`value`"),
+        (lambda: cs.sweep(abs, rows={"x": [1], "y": [1, 2]}), "different lengths"),
     ]:
         with pytest.raises(cs.Error) as caught:
             call()

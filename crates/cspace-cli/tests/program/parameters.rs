@@ -273,6 +273,13 @@ fn sweeps_go_on_from_what_is_done() {
     assert!(run("play=0.1:0.3:5").status.success());
     let resumed = std::fs::read_to_string(out).unwrap();
     assert_eq!(resumed, format!("{known}{}\n", lines[2..].join("\n")));
+    // A line without its end is not whole; a file without lines has nothing.
+    for part in ["", &known[..known.len() - 3], lines[0]] {
+        std::fs::write(out, part).unwrap();
+        assert!(run("play=0.1:0.3:5").status.success());
+        assert_eq!(std::fs::read_to_string(out).unwrap(), whole);
+    }
+    std::fs::write(out, &resumed).unwrap();
     // Another sweep is no reason to lose it.
     for (vary, words) in [
         ("play=0.2:0.3:5", "line 2 has other values"),

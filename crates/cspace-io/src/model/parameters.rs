@@ -21,12 +21,14 @@ use crate::shown::quoted;
 const MOST: usize = 10_000;
 
 /// Keys whose texts are names, or wrong where true or false belongs, and never numbers.
-const TEXTS: [&str; 24] = [
+const TEXTS: [&str; 26] = [
     "$schema",
+    "by",
     "direction",
     "dxf",
     "end",
     "equals",
+    "event",
     "fixed",
     "hatches",
     "id",

@@ -8,7 +8,11 @@ from ._errors import Error
 def rows(q, width, names):
     """The configurations in `q` as n×width float64, and whether they are one that is not in a list."""
     try:
-        array = np.asarray(q, dtype=np.float64)
+        array = np.asarray(q)
+        # Whole and real numbers, and lists of Python's.
+        if array.dtype.kind not in "buifO" or np.ma.is_masked(q):
+            raise TypeError(f"it holds {array.dtype}" if not np.ma.is_masked(q) else "some of them are masked")
+        array = array.astype(np.float64, copy=False)
     except (TypeError, ValueError) as error:
         raise Error(f"`q` is no array of numbers: {error}") from None
     single = array.ndim == 1
@@ -21,3 +25,22 @@ def rows(q, width, names):
     if single:
         array = array.reshape(1, width)
     return array, single
+
+
+def window(theta):
+    """A window of orientations: two numbers, or None."""
+    if theta is None:
+        return None
+    try:
+        lo, hi = (float(x) for x in theta)
+    except (TypeError, ValueError):
+        raise Error(f"`theta` is {theta!r}: give two orientations (lo, hi) in radians") from None
+    return lo, hi
+
+
+def column(name, values):
+    """Numbers that a parameter or coordinate takes."""
+    try:
+        return np.atleast_1d(np.asarray(values, dtype=np.float64))
+    except (TypeError, ValueError) as error:
+        raise Error(f"the values of {name} are no numbers: {error}") from None

@@ -5,6 +5,7 @@ import os
 import numpy as np
 
 from . import _rust
+from ._arrays import column, window
 from ._errors import Error
 from ._part import Part
 from ._results import Checked, Simulation, Solved, Table
@@ -25,7 +26,7 @@ class Model:
     @classmethod
     def load(cls, path):
         """The model in a file, .toml or .json."""
-        return cls(_rust.Model._load(os.fspath(path)))
+        return cls(_rust.Model._load(os.path.abspath(path)))
 
     @classmethod
     def loads(cls, text, name="model.toml"):
@@ -67,7 +68,7 @@ class Model:
 
     def compute(self, fixed=None, moving=None, theta=None):
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations, radians."""
-        return ContactSpace(self._model.compute(fixed, moving, theta))
+        return ContactSpace(self._model.compute(fixed, moving, window(theta)))
 
     def check(self, sensitivities=False):
         """All requirements, measured, by name."""
@@ -82,15 +83,17 @@ class Model:
         if rows is not None and values:
             raise Error("`rows` and values of single parameters are both given")
         if rows is None:
-            columns = {name: np.atleast_1d(np.asarray(v, dtype=float)) for name, v in values.items()}
+            columns = {name: column(name, v) for name, v in values.items()}
             grid = np.meshgrid(*columns.values(), indexing="ij")
             columns = {name: axis.ravel() for name, axis in zip(columns, grid)}
         else:
-            columns = {name: np.asarray(v, dtype=float) for name, v in rows.items()}
+            columns = {name: column(name, v) for name, v in rows.items()}
         if not columns:
             raise Error("nothing is varied: give values of a parameter, sweep(pin=[5.9, 6.0])")
         if len({len(c) for c in columns.values()}) > 1:
             raise Error("the columns of `rows` have different lengths")
+        if isinstance(measures, str):
+            measures = [measures]
         measures = self.requirements if measures is None else list(measures)
         table = np.stack(list(columns.values()), axis=1)
         found = self._model._sweep(list(columns), table.tolist(), measures)
@@ -109,7 +112,12 @@ class Model:
 
         >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5))  # doctest: +SKIP
         """
-        vary = [(name, float(lo), float(hi)) for name, (lo, hi) in ranges.items()]
+        try:
+            vary = [(name, float(lo), float(hi)) for name, (lo, hi) in ranges.items()]
+        except (TypeError, ValueError):
+            raise Error("a range is not two numbers (lo, hi)") from None
+        if not isinstance(value, (bool, int, float)) or value != value:
+            raise Error(f"`value` is {value!r} where a number, true or false is expected")
         if not vary:
             raise Error("no parameter is varied: give a range, solve(..., play=(0.01, 0.5))")
         for name, lo, hi in vary:

@@ -81,20 +81,28 @@ class Part:
     @classmethod
     def rectangle(cls, width, height, center=(0.0, 0.0), name="rectangle"):
         """A rectangle with sides along the axes."""
-        x, y, a, b = *center, width / 2, height / 2
+        try:
+            x, y, a, b = *center, width / 2, height / 2
+        except TypeError:
+            raise Error("the width, the height or the center is no number") from None
         return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
 
     @classmethod
     def from_points(cls, points, name="part"):
         """A polygon: one loop of points, n×2."""
+        points = _plain(points)
+        if any(len(point) != 2 for point in points):
+            raise Error("`points` are not n×2: with bulges, give Part([loop])")
         return cls([points], name=name)
 
     @classmethod
     def from_shapely(cls, polygon, name="part"):
         """A shapely Polygon or MultiPolygon, as it is: with straight sides."""
         polygons = getattr(polygon, "geoms", [polygon])
+        if not all(hasattr(p, "exterior") for p in polygons):
+            raise Error(f"`polygon` is {polygon!r}: give a Polygon or a MultiPolygon")
         rings = [ring for p in polygons for ring in (p.exterior, *p.interiors)]
-        return cls([list(ring.coords)[:-1] for ring in rings], name=name)
+        return cls([[point[:2] for point in list(ring.coords)[:-1]] for ring in rings], name=name)
 
     @classmethod
     def from_dxf(cls, path, name="part", unit=None, layer=None, hatches=None, pick=None, scale=None):

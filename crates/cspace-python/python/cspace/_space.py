@@ -1,6 +1,8 @@
 """Configuration spaces."""
 
 from . import _rust
+from ._arrays import window
+from ._errors import Error
 from ._part import Part
 from ._results import Motion, Nearest, Patch, Plan, Play, Region
 
@@ -12,14 +14,23 @@ class ContactSpace:
     list, tuple or array, or an array n×3 or n×2 of many. One gives a number, many give an array.
     """
 
-    __slots__ = ("_space", "classify", "clearance", "region")
+    __slots__ = ("_space",)
 
     def __init__(self, space):
         self._space = space
-        # Bound once, since they are called most.
-        self.classify = space.classify
-        self.clearance = space.clearance
-        self.region = space.region
+
+    def classify(self, q):
+        """0 (`cspace.FREE`) where the configuration is free, 1 (`BLOCKED`) where the parts overlap, 2 (`CONTACT`) in contact: an integer for
+        one, an array of uint8 for many."""
+        return self._space.classify(q)
+
+    def clearance(self, q):
+        """The smallest distance of the parts, a length: 0 in contact, nan where they overlap."""
+        return self._space.clearance(q)
+
+    def region(self, q):
+        """The number of the free region, as in `regions`; -1 where the configuration is not free."""
+        return self._space.region(q)
 
     @property
     def fixed(self):
@@ -117,11 +128,14 @@ class ContactSpace:
         return _restored, (self.fixed, self.moving, self._space._relation(), self.window, _rust.VERSION)
 
 
-def _restored(fixed, moving, relation, window, _version):
+def _restored(fixed, moving, relation, theta, _version):
     """A space that was sent: its parts, of which it is computed when it is first asked."""
-    return ContactSpace(_rust.ContactSpace._restored(fixed._part, moving._part, relation, window))
+    return ContactSpace(_rust.ContactSpace._restored(fixed._part, moving._part, relation, theta))
 
 
 def compute(fixed, moving, theta=None):
     """The configuration space of two parts that move freely in the plane; `theta` is a window of orientations (lo, hi), radians."""
-    return ContactSpace(_rust.compute(fixed._part, moving._part, theta))
+    for name, part in (("fixed", fixed), ("moving", moving)):
+        if not isinstance(part, Part):
+            raise Error(f"`{name}` is {part!r}: give a Part")
+    return ContactSpace(_rust.compute(fixed._part, moving._part, window(theta)))

@@ -20,29 +20,36 @@ def _function(sent):
     return pickle.loads(sent)
 
 
+def _numbers(answer):
+    """What a function returns, as numbers by name."""
+    record = answer if isinstance(answer, dict) else {"value": answer}
+    return {str(key): float(value) for key, value in record.items()}
+
+
 def _answers(function, names, rows):
-    """The answers of a function to some rows: what it returns, or an error's text."""
+    """The answers of a function to some rows: numbers by name, or an error's text."""
     answers = []
     for row in rows:
         try:
-            answers.append((True, function(**dict(zip(names, row)))))
+            answers.append(_numbers(function(**dict(zip(names, row)))))
         except Exception as error:  # noqa: BLE001  A failure is a record.
-            answers.append((False, f"{type(error).__name__}: {error}"))
+            answers.append(f"{type(error).__name__}: {error}")
     return answers
 
 
 def _block(task):
-    """The answers in a worker."""
-    sent, names, rows = task
-    # One thread a worker: workers are as many as processors.
-    os.environ.setdefault("CSPACE_NUM_THREADS", "1")
-    return _answers(_function(sent), names, rows)
+    """The number of a block and its answers, in a worker."""
+    number, process, sent, names, rows = task
+    if os.getpid() != process:
+        # One thread a worker: workers are as many as processors.
+        os.environ.setdefault("CSPACE_NUM_THREADS", "1")
+    return number, _answers(_function(sent), names, rows)
 
 
 def sweep(function, map=None, rows=None, **values):
     """`function(**row)` for every combination of `values`, the last changing first, or for `rows`, a dictionary of columns.
 
-    `map` is any map(function, iterable) in order: that of an executor of processes, of Dask (`client.get_executor().map`), of Ray
+    `map` is any map(function, iterable): that of an executor of processes, of Dask (`client.get_executor().map`), of Ray
     (`ray.util.multiprocessing.Pool().map`); the built-in one without. The function is sent once with each block of rows, and kept by the
     workers. What it returns is a number, or a dictionary of numbers; what it raises is told in `failures`.
 
@@ -56,20 +63,26 @@ def sweep(function, map=None, rows=None, **values):
         table = list(itertools.product(*(np.atleast_1d(v).tolist() for v in values.values())))
     else:
         names = list(rows)
-        table = list(zip(*(np.asarray(v).tolist() for v in rows.values()), strict=True))
+        lists = [np.atleast_1d(v).tolist() for v in rows.values()]
+        if len({len(column) for column in lists}) > 1:
+            raise Error("the columns of `rows` have different lengths")
+        table = list(zip(*lists))
     if not names:
         raise Error("nothing is varied: give values of an argument")
     if map is None:
         answers = _answers(function, names, table)
     else:
-        sent = pickle.dumps(function)
-        blocks = (table[i : i + _TOGETHER] for i in range(0, len(table), _TOGETHER))
-        tasks = [(sent, names, block) for block in blocks]
-        answers = [answer for block in map(_block, tasks) for answer in block]
+        sent, process = pickle.dumps(function), os.getpid()
+        blocks = range(0, len(table), _TOGETHER)
+        tasks = [(i, process, sent, names, table[i : i + _TOGETHER]) for i in blocks]
+        # Maps that do not keep the order are put in order.
+        found = sorted(map(_block, tasks), key=lambda block: block[0])
+        answers = [answer for _, block in found for answer in block]
     columns = {name: np.array([row[k] for row in table]) for k, name in enumerate(names)}
-    failures = [(i, None, why) for i, (good, why) in enumerate(answers) if not good]
-    records = [answer if isinstance(answer, dict) else {"value": answer} if good else {} for good, answer in answers]
-    keys = dict.fromkeys(key for record in records for key in record)
-    for key in keys:
-        columns[key] = np.array([float(record.get(key, np.nan)) for record in records])
+    failures = [(i, None, answer) for i, answer in enumerate(answers) if isinstance(answer, str)]
+    records = [{} if isinstance(answer, str) else answer for answer in answers]
+    for key in dict.fromkeys(key for record in records for key in record):
+        if key in names:
+            raise Error(f"the function returns {key!r}, which is also an argument")
+        columns[key] = np.array([record.get(key, np.nan) for record in records])
     return Table(columns, failures)

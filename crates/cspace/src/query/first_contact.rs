@@ -65,6 +65,30 @@ pub enum MotionError {
     TurnsTooFar,
 }
 
+/// When a motion comes near to where contact is possible.
+enum Approach {
+    /// It begins there, or not far from it.
+    Near,
+    /// At this time.
+    At(f64),
+    /// It does not.
+    Never,
+}
+
+impl MotionOutcome {
+    /// The outcome of a motion that begins so much earlier.
+    fn later_by(self, time: f64) -> Self {
+        match self {
+            Self::Free => Self::Free,
+            Self::Contact(contact) => Self::Contact(FirstContact {
+                time: contact.time + time,
+                ..contact
+            }),
+            Self::LeavesWindow { time: t } => Self::LeavesWindow { time: t + time },
+        }
+    }
+}
+
 impl ContactSpace {
     /// The first contact of the moving part when it moves from `from` at constant rates (dx/dt, dy/dt, dθ/dt), angles in
     /// radians, for times from 0 to `duration`.
@@ -123,6 +147,17 @@ impl ContactSpace {
             Some(time) if time < duration => (time, true),
             _ => (duration, false),
         };
+        match self.approach(from, Vector::new(dx, dy)) {
+            Approach::Near => {}
+            Approach::At(time) if time < end => {
+                let outcome = self.first_contact(path.outer_at(time), rates, duration - time)?;
+                return Ok(outcome.later_by(time));
+            }
+            Approach::At(_) | Approach::Never if leaves => {
+                return Ok(MotionOutcome::LeavesWindow { time: end });
+            }
+            Approach::At(_) | Approach::Never => return Ok(MotionOutcome::Free),
+        }
         let found = Search::new(self, path, starts_in_contact).first(end);
         if found.is_none() && path.turns_too_far(end) {
             return Err(MotionError::TurnsTooFar);
@@ -143,6 +178,28 @@ impl ContactSpace {
             None if leaves => MotionOutcome::LeavesWindow { time: end },
             None => MotionOutcome::Free,
         })
+    }
+
+    /// When a motion that begins far from all contact comes near to it. Contact functions along a motion are polynomials about its
+    /// beginning, whose rounding, at a thousand sizes from there, is larger than a contact.
+    fn approach(&self, from: Configuration, rates: Vector) -> Approach {
+        /// Beginnings nearer than this, in distances beyond which all is free, are near enough.
+        const NEAR: f64 = 64.0;
+        let frame = &self.data.frame;
+        let reach = frame.outer_length(2.0 * frame.reach(&self.data.fixed, &self.data.moving))
+            + 2.0 * frame.moving_center.to_vector().length();
+        let away = from.position() - frame.fixed_center;
+        if away.length() <= NEAR * reach {
+            return Approach::Near;
+        }
+        let speed = rates.length();
+        // The distance of the line of the motion, and what is left of the way to its nearest point.
+        let (past, along) = (away.cross(rates) / speed, -away.dot(rates) / speed);
+        let half = 4.0 * reach * reach - past * past;
+        if !(half >= 0.0 && along > 0.0) {
+            return Approach::Never;
+        }
+        Approach::At((along - half.sqrt()) / speed)
     }
 
     /// Whether a motion that starts in contact goes into blocked space there, though no contact tells: where all contacts of a
@@ -202,6 +259,15 @@ impl ContactSpace {
         let end = path
             .time_in_window(self.window())
             .map_or(duration, |t| t.min(duration));
+        match self.approach(from, Vector::new(dx, dy)) {
+            Approach::Near => {}
+            Approach::At(time) if time < end => {
+                let found = self.crossings(path.outer_at(time), rates, duration - time)?;
+                let later = |(t, patch, enters)| (t + time, patch, enters);
+                return Ok(found.into_iter().map(later).collect());
+            }
+            Approach::At(_) | Approach::Never => return Ok(Vec::new()),
+        }
         if path.turns_too_far(end) {
             return Err(MotionError::TurnsTooFar);
         }

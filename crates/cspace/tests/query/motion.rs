@@ -349,3 +349,38 @@ fn agrees_with_the_classifier() {
     }
     assert!(contacts > 100, "{contacts}");
 }
+
+/// Motions that begin far away meet what they meet: the rounding of far beginnings hides no contact.
+#[test]
+fn motions_from_afar() {
+    let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0).unwrap();
+    let coin = Part::circle("coin", (0.0, 0.0), 1.0).unwrap();
+    let space = ContactSpace::compute(&table, &coin, &Options::default()).unwrap();
+    for far in [1e2, 1e5, 1e6, 1e7, 1e9, 1e12] {
+        for k in 0..50 {
+            let y = -1.9 + 3.8 * f64::from(k) / 49.0;
+            let from = Configuration::new(far, y, 0.1 * f64::from(k));
+            let found = space
+                .first_contact(from, [-2.0 * far, 0.0, 1.0], 1.0)
+                .unwrap();
+            let contact = found.contact().unwrap();
+            assert!(
+                (contact.configuration.x - 3.0).abs() < 1e-9 + 1e-14 * far,
+                "{far} {y}: {contact:?}"
+            );
+            let all = space.crossings(from, [-2.0 * far, 0.0, 1.0], 1.0).unwrap();
+            let ends = [all[0], all[all.len() - 1]].map(|c| far * (1.0 - 2.0 * c.0));
+            assert!(
+                (ends[0] - 3.0).abs() < 1e-9 + 1e-14 * far
+                    && (ends[1] + 3.0).abs() < 1e-9 + 1e-14 * far
+            );
+            let beside = Configuration::new(far, 3.01, 0.0);
+            let passes = space
+                .first_contact(beside, [-2.0 * far, 0.0, 1.0], 1.0)
+                .unwrap();
+            assert_eq!(passes.contact(), None);
+            let away = space.first_contact(from, [far, 0.0, 1.0], 1.0).unwrap();
+            assert_eq!(away.contact(), None);
+        }
+    }
+}

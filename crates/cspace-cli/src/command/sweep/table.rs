@@ -165,26 +165,42 @@ pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Ke
     if !path.exists() {
         return Ok(Kept::default());
     }
-    let mut reader = csv::ReaderBuilder::new()
-        .from_path(path)
-        .map_err(|e| wrong(e.to_string()))?;
+    let help = "leave --resume out to compute all rows";
+    let mut bytes = input::bytes(path, LARGEST, help)?;
+    // What is after the last end of a line is not whole: it is computed again.
+    bytes.truncate(
+        bytes
+            .iter()
+            .rposition(|b| *b == b'\n')
+            .map_or(0, |last| last + 1),
+    );
+    let mut kept = Kept::default();
+    if bytes.is_empty() {
+        return Ok(kept);
+    }
+    let mut reader = csv::Reader::from_reader(&bytes[..]);
     let header = reader.headers().map_err(|e| wrong(e.to_string()))?;
     if !header.iter().eq(columns(table, measures)) {
         return Err(wrong("its columns are those of another sweep".to_owned()));
     }
-    let mut kept = Kept::default();
     for record in reader.records() {
-        // The end of a line that is not whole: it is computed again.
-        let Ok(record) = record else { break };
+        let record = record.map_err(|e| wrong(e.to_string()))?;
         let line = record.position().map_or(0, csv::Position::line);
-        let Some(values) = table.rows.get(kept.0.len()) else {
+        let Some(values) = table.rows.get(kept.count()) else {
             return Err(wrong(format!("line {line} is more than the sweep has")));
         };
-        let is_same = |(x, text): (&f64, &str)| text.parse().is_ok_and(|y: f64| y == *x);
-        if !values.iter().zip(record.iter()).all(is_same) {
+        let number = |text: &str| text.parse::<f64>().ok();
+        if !(values.iter().zip(record.iter())).all(|(x, text)| number(text) == Some(*x)) {
             return Err(wrong(format!(
                 "line {line} has other values than the sweep"
             )));
+        }
+        let mut measured = record.iter().skip(values.len()).take(measures.len());
+        let is_value = |text: &str| {
+            text.is_empty() || number(text).is_some() || matches!(text, "true" | "false")
+        };
+        if !measured.all(is_value) {
+            return Err(wrong(format!("line {line} has something that is no value")));
         }
         kept.0.push(record);
     }
