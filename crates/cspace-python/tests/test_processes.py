@@ -148,7 +148,7 @@ def test_errors_say_what_to_do(peg):
         (lambda: cs.Part([[(0, 0), (1, 1)]]), "loop 0"),
         (lambda: cs.Part([(0, 0), (1, 0), (0, 1)]), "one loop"),
         (lambda: cs.Part([[(0, 0), (1, 0), ("x", 1)]]), "vertex 2"),
-        (lambda: cs.Part([[(0, 0), (1, 0), (float("nan"), 1)]]), "no number"),
+        (lambda: cs.Part([[(0, 0), (1, 0), (float("nan"), 1)]]), "no finite number"),
         (lambda: cs.Model.load("/nowhere/model.toml"), "/nowhere/model.toml"),
         (lambda: cs.Model.loads("[[part]]\nnmae = 'a'\n"), "did you mean `name`?"),
         (lambda: peg(pgg=1), "did you mean `peg`?"),

@@ -103,8 +103,7 @@ class Model:
                 if isinstance(value, str):
                     failures.append((i, name, value))
         for k, name in enumerate(measures):
-            column = [np.nan if isinstance(row[k], str) else row[k] for row in found]
-            columns[name] = np.array(column)
+            columns[name] = np.array([np.nan if isinstance(row[k], str) else row[k] for row in found])
         return Table(columns, failures)
 
     def solve(self, requirement, relation, value, samples=65, **ranges):
