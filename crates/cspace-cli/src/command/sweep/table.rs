@@ -165,8 +165,12 @@ pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Ke
     if !path.exists() {
         return Ok(Kept::default());
     }
-    let help = "leave --resume out to compute all rows";
-    let mut bytes = input::bytes(path, LARGEST, help)?;
+    // It is written again in the end, so that it is no input that has to be kept.
+    let unreadable = |e: std::io::Error| wrong(format!("it cannot be read: {e}"));
+    if std::fs::metadata(path).map_err(unreadable)?.len() > LARGEST {
+        return Err(wrong(format!("it has more than {LARGEST} bytes")));
+    }
+    let mut bytes = std::fs::read(path).map_err(unreadable)?;
     // What is after the last end of a line is not whole: it is computed again.
     bytes.truncate(
         bytes
