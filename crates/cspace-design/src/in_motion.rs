@@ -1,9 +1,9 @@
 //! What is measured of the motion of the whole mechanism.
 
-use cspace::{ComputeError, Mechanism, MechanismError, PairError, Progress};
+use cspace::{ComputeError, Mechanism, Progress};
 use cspace_io::model::{Happening, MotionQuantity};
 use cspace_motion::{
-    Event, EventKind, Record, Report, Settings, SimulateError, Simulation, Status, Trajectory, What,
+    Event, EventKind, Record, Report, Settings, Simulation, Status, Trajectory, What,
 };
 
 use crate::measure::Unmeasured;
@@ -58,13 +58,7 @@ impl Motion {
                     report,
                 }))
             }
-            Err(
-                SimulateError::Interrupted
-                | SimulateError::Mechanism(MechanismError::Pair {
-                    error: PairError::Compute(ComputeError::Interrupted),
-                    ..
-                }),
-            ) => Err(ComputeError::Interrupted),
+            Err(error) if error.is_interrupted() => Err(ComputeError::Interrupted),
             Err(error) => Ok(Err(Unmeasured::Space(error.to_string()))),
         }
     }

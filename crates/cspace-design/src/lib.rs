@@ -37,6 +37,7 @@
 
 mod changes;
 mod check;
+mod displace;
 mod in_motion;
 mod measure;
 mod sensitivity;
@@ -46,6 +47,7 @@ mod touching;
 
 pub use changes::Change;
 pub use check::{Checked, Interrupted, check, check_with};
+pub use displace::{Displaced, Outcome, displace};
 pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach};
 pub use sensitivity::{Sensitivity, sensitivities};
 pub use solve::{Goal, Relation, Solved, Span, solve};

@@ -354,7 +354,7 @@ fn extreme(
 }
 
 /// The configuration of a motion at a time.
-fn moved(from: Coordinates, rates: Coordinates, time: f64) -> Coordinates {
+pub(crate) fn moved(from: Coordinates, rates: Coordinates, time: f64) -> Coordinates {
     match (from, rates) {
         (Coordinates::Planar(c), Coordinates::Planar(d)) => Coordinates::Planar(
             Configuration::new(c.x + time * d.x, c.y + time * d.y, c.theta + time * d.theta),

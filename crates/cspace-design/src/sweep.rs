@@ -36,6 +36,16 @@ impl Varied {
             .find(|c| c.name() == name)
             .map(Self::Coordinate)
     }
+
+    /// Whether a model, and what some of its requirements measure, can depend on it: of a coordinate, one of them is measured at a
+    /// configuration that has it.
+    pub fn is_of(&self, measures: &[String], model: &Model) -> bool {
+        let Self::Coordinate(of) = *self else {
+            return true;
+        };
+        let mut measured = (model.requirements.iter()).filter(|r| measures.contains(&r.name));
+        measured.any(|r| r.subject.clone().put(of, 0.0))
+    }
 }
 
 /// One row: what every measure is, or why it has no value, in the order of the measures.

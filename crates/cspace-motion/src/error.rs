@@ -1,6 +1,6 @@
 //! Why a mechanism cannot be set in motion.
 
-use cspace::{MechanismError, QueryError};
+use cspace::{ComputeError, MechanismError, PairError, QueryError};
 
 /// Why there is no motion to tell of.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -123,4 +123,18 @@ pub enum SimulateError {
         /// Why.
         error: QueryError,
     },
+}
+
+impl SimulateError {
+    /// Whether it is that the progress ended the computation, of a space or of the motion.
+    pub const fn is_interrupted(&self) -> bool {
+        matches!(
+            self,
+            Self::Interrupted
+                | Self::Mechanism(MechanismError::Pair {
+                    error: PairError::Compute(ComputeError::Interrupted),
+                    ..
+                })
+        )
+    }
 }

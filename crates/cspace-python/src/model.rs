@@ -261,11 +261,7 @@ impl Model {
             return Err(error(format_args!("there is no requirement {unknown:?}")));
         }
         for (name, of) in names.iter().zip(&varied) {
-            let cspace_design::Varied::Coordinate(of) = *of else {
-                continue;
-            };
-            let mut asked = (self.model.requirements.iter()).filter(|r| measures.contains(&r.name));
-            if !asked.any(|r| r.subject.clone().put(of, 0.0)) {
+            if !of.is_of(&measures, &self.model) {
                 return Err(error(format_args!(
                     "nothing is measured at a configuration with the coordinate {name}"
                 )));

@@ -1,18 +1,18 @@
 //! The configuration space of a pair.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use cspace::pair::PairMotion;
 use cspace::{
-    Classification, Classifier, ContactSpace, Coordinates, CurveGeometry, LinkKind, Location,
-    MotionError, Options, PairSpace, QueryError, Relation,
+    Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
+    QueryError, Relation, Vertex,
 };
-use cspace_design::{free_range, pair_of, texts, touching};
+use cspace_design::{displace, free_range, pair_of, texts};
+use cspace_drawing::Drawn;
 use cspace_io::model::Coordinate;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::{Clearance, Planner, Verdict, Wishes};
-use numpy::{IntoPyArray, PyArray1, PyArray2};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,8 +22,8 @@ use crate::part::Part;
 use crate::rows::{Asked, asked, each, numbers, one, width};
 use crate::work;
 
-/// After so many single questions a space is prepared for millions: that takes about as long as so many of them.
-const SINGLE: u32 = 100;
+/// After so many questions a space is prepared for millions: that takes about as long as so many of them.
+const SINGLE: u64 = 100;
 
 /// Two parts, how they move, and what is computed of them.
 #[derive(Clone)]
@@ -38,7 +38,7 @@ pub(crate) struct Pair {
 struct Known {
     space: Arc<PairSpace>,
     classifier: OnceLock<Classifier<Arc<ContactSpace>>>,
-    asked: AtomicU32,
+    asked: AtomicU64,
 }
 
 impl Known {
@@ -46,17 +46,13 @@ impl Known {
         Self {
             space: Arc::new(space),
             classifier: OnceLock::new(),
-            asked: AtomicU32::new(0),
+            asked: AtomicU64::new(0),
         }
     }
 
-    fn prepared(&self) -> Option<&Classifier<Arc<ContactSpace>>> {
-        match &*self.space {
-            PairSpace::Planar(space) => Some(
-                self.classifier
-                    .get_or_init(|| Classifier::new(Arc::clone(space))),
-            ),
-            _ => None,
+    fn prepare(&self) {
+        if let PairSpace::Planar(space) = &*self.space {
+            (self.classifier).get_or_init(|| Classifier::new(Arc::clone(space)));
         }
     }
 
@@ -130,14 +126,18 @@ impl Space {
         Ok(self.known.get_or_init(|| Known::new(space)))
     }
 
-    /// Touching features by name.
-    fn texts(
-        &self,
-        py: Python<'_>,
-        pairs: Vec<cspace_design::FeaturePair>,
-    ) -> PyResult<Vec<[String; 2]>> {
-        let space = &self.known(py)?.space;
-        Ok(pairs.into_iter().map(|p| texts(space, p)).collect())
+    /// The space, prepared for millions of questions once so many have been asked; these many follow.
+    fn ready(&self, py: Python<'_>, questions: usize) -> PyResult<&Known> {
+        let known = self.known(py)?;
+        let before = known.asked.fetch_add(questions as u64, Ordering::Relaxed);
+        if before <= SINGLE && before.saturating_add(questions as u64) > SINGLE {
+            let pool = work::pool()?;
+            work::here(py, || {
+                pool.install(|| known.prepare());
+                Ok(())
+            })?;
+        }
+        Ok(known)
     }
 }
 
@@ -198,26 +198,13 @@ impl Space {
     /// 0 where the configuration is free, 1 where the parts overlap, 2 in contact: an integer for one configuration, an array of uint8 for
     /// rows.
     fn classify<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
-        let known = self.known(py)?;
-        match asked(q, &known.space)? {
+        match asked(q, &self.known(py)?.space)? {
             Asked::One(at) => {
-                if known.classifier.get().is_none()
-                    && known.asked.fetch_add(1, Ordering::Relaxed) == SINGLE
-                {
-                    let pool = work::pool()?;
-                    work::here(py, || {
-                        pool.install(|| known.prepared());
-                        Ok(())
-                    })?;
-                }
+                let known = self.ready(py, 1)?;
                 code(known.classify(at).map_err(failed)?).into_bound_py_any(py)
             }
             Asked::Many(rows) => {
-                let pool = work::pool()?;
-                work::here(py, || {
-                    pool.install(|| known.prepared());
-                    Ok(())
-                })?;
+                let known = self.ready(py, rows.shape()[0])?;
                 let found = each(py, &rows, |at| known.classify(at).map(code))?;
                 Ok(found.into_pyarray(py).into_any())
             }
@@ -369,22 +356,14 @@ impl Space {
     ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>)> {
         let space = &self.known(py)?.space;
         let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
-        if space.locate(from).map_err(failed)? == Location::Outside {
-            return Err(failed(QueryError::Outside));
-        }
-        let (result, fraction, features) = match space.first_contact(from, by, 1.0) {
-            Err(QueryError::Motion(MotionError::StartsBlocked)) => ("blocked", 0.0, Vec::new()),
-            Err(e) => return Err(failed(e)),
-            Ok(PairMotion::Free) => ("free", 1.0, Vec::new()),
-            Ok(PairMotion::Leaves { time }) => ("leaves", time, Vec::new()),
-            Ok(PairMotion::Contact(contact)) => {
-                let features = touching(space, (from, by), &contact).map_err(failed)?;
-                ("contact", contact.time, features)
-            }
-        };
-        let (a, d) = (numbers(from), numbers(by));
-        let at = a.iter().zip(&d).map(|(a, d)| a + fraction * d).collect();
-        Ok((result, fraction, at, self.texts(py, features)?))
+        let done = displace(space, from, by).map_err(failed)?;
+        let touching = done.features.into_iter().map(|p| texts(space, p));
+        Ok((
+            done.outcome.name(),
+            done.fraction,
+            numbers(done.at),
+            touching.collect(),
+        ))
     }
 
     /// For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
@@ -508,11 +487,9 @@ impl Space {
         }
         let (space, pool) = (Arc::clone(space), work::pool()?);
         let slice = work::here(py, || Ok(pool.install(|| space.slice(theta))))?;
-        let of = |l: &Vec<u32>| {
-            let curves = l.iter().map(|&c| &slice.curves[c as usize].geometry);
-            curves.flat_map(vertices).collect()
-        };
-        Ok(slice.loops.iter().map(of).collect())
+        let vertex = |v: Vertex| (v.x, v.y, v.bulge);
+        let loops = Drawn::slice("", &slice).loops.into_iter();
+        Ok(loops.map(|l| l.into_iter().map(vertex).collect()).collect())
     }
 
     /// The contact surface as triangles: vertices n×3 (x, y, theta), faces m×3, and the patch of each face.
@@ -580,26 +557,4 @@ fn matrix<'py, T: numpy::Element>(
         return Ok(zero);
     }
     PyArray2::from_vec2(py, &rows).map_err(error)
-}
-
-/// A curve as vertices with bulges, without its end; an arc of half a turn and more in pieces.
-fn vertices(curve: &CurveGeometry) -> Vec<(f64, f64, f64)> {
-    let start = curve.point(0.0);
-    match *curve {
-        CurveGeometry::Segment { .. } => vec![(start.x, start.y, 0.0)],
-        CurveGeometry::FlatArc { bulge, .. } => vec![(start.x, start.y, bulge)],
-        CurveGeometry::Arc { sweep, .. } => {
-            let pieces = if sweep.abs() > core::f64::consts::PI {
-                2
-            } else {
-                1
-            };
-            let bulge = (0.25 * sweep / f64::from(pieces)).tan();
-            let piece = |k: i32| {
-                let p = curve.point(f64::from(k) / f64::from(pieces));
-                (p.x, p.y, bulge)
-            };
-            (0..pieces).map(piece).collect()
-        }
-    }
 }

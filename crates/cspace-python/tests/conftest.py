@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 
 import pytest
 
@@ -9,31 +10,8 @@ import cspace as cs
 
 ROOT = pathlib.Path(__file__).parents[3]
 
-PEG = """
-name = "peg in its slot"
-[parameter]
-peg = 10
-play = 0.1
-high = 18
-[[part]]
-name = "slot"
-loops = [[{ mirror = "y", path = [[0, -35], [30, -35], [30, 0], ["(peg + play)/2", 0], ["(peg + play)/2", -30]] }]]
-[[part]]
-name = "peg"
-loops = [[["-peg/2", "-high/2"], ["peg/2", "-high/2"], ["peg/2", "high/2"], ["-peg/2", "high/2"]]]
-[[requirement]]
-name = "tilt"
-measure = "play"
-of = "theta"
-at = { y = -15 }
-limits = ["0deg", "0.7deg"]
-[[requirement]]
-name = "comes out"
-measure = "connected"
-at = { y = -15 }
-to = [0, 50, 0]
-equals = true
-"""
+# The model that the documentation of requirements begins with.
+PEG = re.search(r"```toml peg.toml\n(.*?)```", (ROOT / "docs/design.md").read_text(encoding="utf-8"), re.DOTALL)[1]
 
 
 @pytest.fixture

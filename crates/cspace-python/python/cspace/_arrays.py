@@ -1,5 +1,7 @@
 """Configurations as arrays."""
 
+import itertools
+
 import numpy as np
 
 from ._errors import Error
@@ -44,3 +46,17 @@ def column(name, values):
         return np.atleast_1d(np.asarray(values, dtype=np.float64))
     except (TypeError, ValueError) as error:
         raise Error(f"the values of {name} are no numbers: {error}") from None
+
+
+def table(rows, values):
+    """Names and rows of what is varied: every combination of `values`, the last changing first, or the columns of `rows`."""
+    if rows is not None and values:
+        raise Error("`rows` and single values are both given")
+    columns = {name: np.atleast_1d(v).tolist() for name, v in (values if rows is None else rows).items()}
+    if not columns:
+        raise Error("nothing is varied: give values, such as play=[0.1, 0.2]")
+    if rows is None:
+        return list(columns), list(itertools.product(*columns.values()))
+    if len({len(column) for column in columns.values()}) > 1:
+        raise Error("the columns of `rows` have different lengths")
+    return list(columns), list(zip(*columns.values()))

@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from . import _rust
-from ._arrays import column, window
+from ._arrays import column, table, window
 from ._errors import Error
 from ._part import Part
 from ._results import Checked, Simulation, Solved, Table
@@ -80,23 +80,13 @@ class Model:
 
         >>> model.sweep(play=np.linspace(0.05, 0.25, 5))  # doctest: +SKIP
         """
-        if rows is not None and values:
-            raise Error("`rows` and values of single parameters are both given")
-        if rows is None:
-            columns = {name: column(name, v) for name, v in values.items()}
-            grid = np.meshgrid(*columns.values(), indexing="ij")
-            columns = {name: axis.ravel() for name, axis in zip(columns, grid)}
-        else:
-            columns = {name: column(name, v) for name, v in rows.items()}
-        if not columns:
-            raise Error("nothing is varied: give values of a parameter, sweep(pin=[5.9, 6.0])")
-        if len({len(c) for c in columns.values()}) > 1:
-            raise Error("the columns of `rows` have different lengths")
+        names, varied = table(rows, values)
+        numbers = np.array([column(name, v) for name, v in zip(names, zip(*varied))])
         if isinstance(measures, str):
             measures = [measures]
         measures = self.requirements if measures is None else list(measures)
-        table = np.stack(list(columns.values()), axis=1)
-        found = self._model._sweep(list(columns), table.tolist(), measures)
+        found = self._model._sweep(names, numbers.T.tolist(), measures)
+        columns = dict(zip(names, numbers))
         failures = []
         for i, row in enumerate(found):
             for name, value in zip(measures, row):

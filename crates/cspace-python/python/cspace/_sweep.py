@@ -1,12 +1,12 @@
 """Any function over many values, here or on a cluster."""
 
-import itertools
 import os
 import pickle
 from functools import lru_cache
 
 import numpy as np
 
+from ._arrays import table as _table
 from ._errors import Error
 from ._results import Table
 
@@ -56,19 +56,7 @@ def sweep(function, map=None, rows=None, **values):
     >>> sweep(lambda a, b: a * b, a=[1, 2], b=[3, 4])["value"].tolist()
     [3.0, 4.0, 6.0, 8.0]
     """
-    if rows is not None and values:
-        raise Error("`rows` and values of single arguments are both given")
-    if rows is None:
-        names = list(values)
-        table = list(itertools.product(*(np.atleast_1d(v).tolist() for v in values.values())))
-    else:
-        names = list(rows)
-        lists = [np.atleast_1d(v).tolist() for v in rows.values()]
-        if len({len(column) for column in lists}) > 1:
-            raise Error("the columns of `rows` have different lengths")
-        table = list(zip(*lists))
-    if not names:
-        raise Error("nothing is varied: give values of an argument")
+    names, table = _table(rows, values)
     if map is None:
         answers = _answers(function, names, table)
     else:

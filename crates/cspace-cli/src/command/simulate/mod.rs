@@ -11,7 +11,7 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
-use cspace::{ComputeError, Mechanism, MechanismError, PairError};
+use cspace::Mechanism;
 use cspace_io::shown;
 use cspace_motion::{Report, Settings, SimulateError, Simulation};
 
@@ -170,11 +170,7 @@ fn check_names(path: &Path, model: &Mechanism) -> Result<(), Failure> {
 /// What the model cannot be asked is bad input; what could not be computed is not.
 fn failure(path: &Path, error: SimulateError) -> Failure {
     match error {
-        SimulateError::Interrupted
-        | SimulateError::Mechanism(MechanismError::Pair {
-            error: PairError::Compute(ComputeError::Interrupted),
-            ..
-        }) => Failure::work("interrupted"),
+        error if error.is_interrupted() => Failure::work("interrupted"),
         SimulateError::Mechanism(_) | SimulateError::Query { .. } => {
             Failure::work(format_args!("{}: {error}", path.display()))
         }

@@ -42,11 +42,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         .help("give the requirement another name"));
     }
     for (name, of) in table.names.iter().zip(&varied) {
-        let Varied::Coordinate(of) = *of else {
-            continue;
-        };
-        let mut measured = (model.requirements.iter()).filter(|r| measures.contains(&r.name));
-        if !measured.any(|r| r.subject.clone().put(of, 0.0)) {
+        if !of.is_of(&measures, &model) {
             return Err(Failure::input(format_args!(
                 "{}: nothing is measured at a configuration with the coordinate {name}",
                 args.file.display()

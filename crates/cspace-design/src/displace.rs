@@ -1,0 +1,76 @@
+//! What becomes of a displacement.
+
+use cspace::pair::PairMotion;
+use cspace::{Coordinates, Location, MotionError, PairSpace, QueryError};
+
+use crate::measure::moved;
+use crate::touching::{FeaturePair, touching};
+
+/// How a displacement ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Nothing touches all the way.
+    Free,
+    /// It meets a first contact.
+    Contact,
+    /// The parts overlap where it begins.
+    Blocked,
+    /// It leaves the window of orientations or the range of a motion.
+    Leaves,
+}
+
+impl Outcome {
+    /// In one word: `free`, `contact`, `blocked` or `leaves`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::Contact => "contact",
+            Self::Blocked => "blocked",
+            Self::Leaves => "leaves",
+        }
+    }
+}
+
+/// A displacement, as far as it goes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Displaced {
+    /// How it ends.
+    pub outcome: Outcome,
+    /// How much of it is done, from 0 to 1.
+    pub fraction: f64,
+    /// Where it ends.
+    pub at: Coordinates,
+    /// What touches there.
+    pub features: Vec<FeaturePair>,
+}
+
+/// Moves from a configuration by a displacement, all coordinates at constant rates, up to the first contact.
+///
+/// # Errors
+/// If the configuration is outside the space or in the coordinates of another class, or numbers are not finite.
+pub fn displace(
+    space: &PairSpace,
+    from: Coordinates,
+    by: Coordinates,
+) -> Result<Displaced, QueryError> {
+    if space.locate(from)? == Location::Outside {
+        return Err(QueryError::Outside);
+    }
+    // The displacement is the rate, and the motion lasts for 1.
+    let (outcome, fraction, features) = match space.first_contact(from, by, 1.0) {
+        Err(QueryError::Motion(MotionError::StartsBlocked)) => (Outcome::Blocked, 0.0, Vec::new()),
+        Err(error) => return Err(error),
+        Ok(PairMotion::Free) => (Outcome::Free, 1.0, Vec::new()),
+        Ok(PairMotion::Leaves { time }) => (Outcome::Leaves, time, Vec::new()),
+        Ok(PairMotion::Contact(contact)) => {
+            let features = touching(space, (from, by), &contact)?;
+            (Outcome::Contact, contact.time, features)
+        }
+    };
+    Ok(Displaced {
+        outcome,
+        fraction,
+        at: moved(from, by, fraction),
+        features,
+    })
+}
