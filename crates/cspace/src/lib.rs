@@ -61,6 +61,7 @@
 //! | the patches, what is next to what, the free regions | [`PairSpace::patches`], [`links`](PairSpace::links), [`regions`](PairSpace::regions), [`bands`](PairSpace::bands) |
 //! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
 //! | all contacts at one orientation | [`Slice`] |
+//! | where a part can be placed beside others or in a frame, exact fits among it | [`NoFit`] |
 //! | millions of configurations | [`Classifier`] |
 //!
 //! # Pairs of all classes
@@ -120,7 +121,7 @@ pub use contact::{
 
 pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
-pub use general::Slicer;
+pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Dual, Real, SecondOrder};

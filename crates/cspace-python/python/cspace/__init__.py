@@ -24,6 +24,7 @@ from ._results import (
     Solved,
     Table,
 )
+from ._loops import Loops
 from ._model import Model
 from ._part import Part
 from ._rust import VERSION as __version__
@@ -41,6 +42,7 @@ __all__ = [
     "Error",
     "FREE",
     "InternalError",
+    "Loops",
     "Model",
     "Motion",
     "Nearest",
@@ -52,6 +54,7 @@ __all__ = [
     "Simulation",
     "Solved",
     "Table",
+    "__version__",
     "compute",
     "set_threads",
     "simulate",
@@ -59,6 +62,6 @@ __all__ = [
 ]
 
 
-def simulate(model, time, every=None):
+def simulate(model: Model, time: float, every: float | None = None) -> Simulation:
     """The motion of a model's mechanism over `time` seconds: see `Model.simulate`."""
     return model.simulate(time, every)

@@ -5,7 +5,7 @@ import sys
 from ._rust import command
 
 
-def main():
+def main() -> None:
     """Runs the command with the arguments of the process, and ends it with the command's exit code."""
     sys.stdout.flush()
     sys.exit(command(["cspace", *sys.argv[1:]]))

@@ -1,13 +1,16 @@
 """Configurations as arrays."""
 
 import itertools
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import Error
 
 
-def rows(q, width, names):
+def rows(q: Any, width: int, names: str) -> tuple[NDArray[np.float64], bool]:
     """The configurations in `q` as n×width float64, and whether they are one that is not in a list."""
     try:
         array = np.asarray(q)
@@ -29,7 +32,7 @@ def rows(q, width, names):
     return array, single
 
 
-def window(theta):
+def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
     """A window of orientations: two numbers, or None."""
     if theta is None:
         return None
@@ -40,7 +43,18 @@ def window(theta):
     return lo, hi
 
 
-def column(name, values):
+def position(name: str, place: Any) -> tuple[float, float]:
+    """A position: two finite numbers."""
+    try:
+        x, y = (float(number) for number in place)
+    except (TypeError, ValueError):
+        raise Error(f"`{name}` is {place!r}: give a position (x, y)") from None
+    if not np.isfinite([x, y]).all():
+        raise Error(f"`{name}` is {place!r}, which is not finite")
+    return x, y
+
+
+def column(name: str, values: Any) -> NDArray[np.float64]:
     """Numbers that a parameter or coordinate takes."""
     try:
         return np.atleast_1d(np.asarray(values, dtype=np.float64))
@@ -48,7 +62,7 @@ def column(name, values):
         raise Error(f"the values of {name} are no numbers: {error}") from None
 
 
-def table(rows, values):
+def table(rows: Mapping[str, Any] | None, values: Mapping[str, Any]) -> tuple[list[str], list[tuple[Any, ...]]]:
     """Names and rows of what is varied: every combination of `values`, the last changing first, or the columns of `rows`."""
     if rows is not None and values:
         raise Error("`rows` and single values are both given")

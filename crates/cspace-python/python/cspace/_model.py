@@ -1,6 +1,8 @@
 """Models."""
 
 import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -20,61 +22,65 @@ class Model:
 
     __slots__ = ("_model",)
 
-    def __init__(self, model):
+    def __init__(self, model: _rust.Model) -> None:
         self._model = model
 
     @classmethod
-    def load(cls, path):
+    def load(cls, path: str | os.PathLike[str]) -> "Model":
         """The model in a file, .toml or .json."""
         return cls(_rust.Model._load(os.path.abspath(path)))
 
     @classmethod
-    def loads(cls, text, name="model.toml"):
+    def loads(cls, text: str, name: str = "model.toml") -> "Model":
         """The model in a text: TOML, or JSON where `name` ends in .json; errors call it by this name."""
         return cls(_rust.Model._loads(text, name, []))
 
-    def __call__(self, **parameters):
+    def __call__(self, **parameters: float | str) -> "Model":
         return Model(self._model(**parameters))
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The name."""
         return self._model.name
 
     @property
-    def unit(self):
+    def unit(self) -> str | None:
         """The unit of length, if the model says one."""
         return self._model.unit
 
     @property
-    def parts(self):
+    def parts(self) -> dict[str, Part]:
         """The parts by name."""
         return {name: Part._of(part) for name, part in self._model.parts.items()}
 
     @property
-    def parameters(self):
+    def parameters(self) -> dict[str, float]:
         """The values of the parameters by name; angles in radians."""
         return self._model.parameters
 
     @property
-    def pairs(self):
+    def pairs(self) -> list[tuple[str, str]]:
         """The pairs, as names of the fixed and of the moving part."""
         return self._model.pairs
 
     @property
-    def requirements(self):
+    def requirements(self) -> list[str]:
         """The names of the requirements."""
         return self._model.requirements
 
-    def compute(self, fixed=None, moving=None, theta=None):
+    def compute(
+        self, fixed: str | None = None, moving: str | None = None, theta: Sequence[float] | None = None
+    ) -> ContactSpace:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations, radians."""
         return ContactSpace(self._model.compute(fixed, moving, window(theta)))
 
-    def check(self, sensitivities=False):
+    def check(self, sensitivities: bool = False) -> dict[str, Checked]:
         """All requirements, measured, by name."""
         return {found["name"]: Checked(**found) for found in self._model._check(sensitivities)}
 
-    def sweep(self, measures=None, rows=None, **values):
+    def sweep(
+        self, measures: str | Iterable[str] | None = None, rows: Mapping[str, Any] | None = None, **values: Any
+    ) -> Table:
         """The requirements `measures` (all without) for values of parameters or coordinates: of every combination of `values`, the last
         changing first, or of `rows`, a dictionary of columns.
 
@@ -96,7 +102,9 @@ class Model:
             columns[name] = np.array([np.nan if isinstance(row[k], str) else row[k] for row in found])
         return Table(columns, failures)
 
-    def solve(self, requirement, relation, value, samples=65, **ranges):
+    def solve(
+        self, requirement: str, relation: str, value: float | bool, samples: int = 65, **ranges: Sequence[float]
+    ) -> Solved:
         """Values of parameters, each from lo to hi, at which a requirement is as asked for.
 
         >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5))  # doctest: +SKIP
@@ -118,16 +126,16 @@ class Model:
             raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
         return Solved(**self._model._solve(vary, requirement, relation, value, samples))
 
-    def simulate(self, time, every=None):
+    def simulate(self, time: float, every: float | None = None) -> Simulation:
         """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""
         return Simulation(**self._model._simulate(time, every))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return repr(self._model)
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return _restored, self._model._source()
 
 
-def _restored(text, path, values):
+def _restored(text: str, path: str, values: list[tuple[str, str]]) -> Model:
     return Model(_rust.Model._loads(text, path, values))

@@ -1,14 +1,22 @@
 """Parts."""
 
 import json
-import math
 import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
 
 from . import _rust
 from ._errors import Error
+from ._loops import Loops, outline
+from ._optional import optional
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 
-def _plain(value):
+def _plain(value: Any) -> Any:
     """A value as JSON has it: arrays as lists."""
     if hasattr(value, "tolist"):
         return value.tolist()
@@ -19,10 +27,10 @@ def _plain(value):
     return value
 
 
-def _read(name, unit=None, **keys):
+def _read(name: str, unit: str | None = None, **keys: Any) -> _rust.Part:
     """The part of a model that has these keys."""
     keys = {key: _plain(value) for key, value in keys.items() if value is not None}
-    model = {"part": [{"name": name, **keys}]}
+    model: dict[str, Any] = {"part": [{"name": name, **keys}]}
     if unit is not None:
         model["unit"] = unit
     try:
@@ -30,19 +38,6 @@ def _read(name, unit=None, **keys):
     except (TypeError, ValueError) as error:
         raise Error(f"the part {name!r} has something that is no finite number: {error}") from None
     return _rust.Part._from_json(text)
-
-
-def _outline(loop):
-    """A loop as the data of an SVG path, whose y points down."""
-    data = [f"M{loop[0][0]:.9g} {-loop[0][1]:.9g}"]
-    for (x, y, bulge), (x1, y1, _) in zip(loop, loop[1:] + loop[:1]):
-        if bulge == 0:
-            data.append(f"L{x1:.9g} {-y1:.9g}")
-        else:
-            radius = math.hypot(x1 - x, y1 - y) * (1 + bulge * bulge) / (4 * abs(bulge))
-            large, downward = int(abs(bulge) > 1), int(bulge < 0)
-            data.append(f"A{radius:.9g} {radius:.9g} 0 {large} {downward} {x1:.9g} {-y1:.9g}")
-    return "".join(data) + "Z"
 
 
 class Part:
@@ -59,7 +54,7 @@ class Part:
 
     __slots__ = ("_part",)
 
-    def __init__(self, loops, name="part"):
+    def __init__(self, loops: Any, name: str = "part") -> None:
         loops = _plain(loops)
         if not isinstance(loops, list):
             raise Error("`loops` is no list of loops")
@@ -68,18 +63,20 @@ class Part:
         self._part = _read(name, loops=loops)
 
     @classmethod
-    def _of(cls, part):
+    def _of(cls, part: _rust.Part) -> "Part":
         self = cls.__new__(cls)
         self._part = part
         return self
 
     @classmethod
-    def circle(cls, radius, center=(0.0, 0.0), name="circle"):
+    def circle(cls, radius: float, center: Sequence[float] = (0.0, 0.0), name: str = "circle") -> "Part":
         """A disc."""
         return cls([{"circle": radius, "at": list(center)}], name=name)
 
     @classmethod
-    def rectangle(cls, width, height, center=(0.0, 0.0), name="rectangle"):
+    def rectangle(
+        cls, width: float, height: float, center: Sequence[float] = (0.0, 0.0), name: str = "rectangle"
+    ) -> "Part":
         """A rectangle with sides along the axes."""
         try:
             x, y, a, b = *center, width / 2, height / 2
@@ -88,15 +85,15 @@ class Part:
         return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
 
     @classmethod
-    def from_points(cls, points, name="part"):
+    def from_points(cls, points: ArrayLike, name: str = "part") -> "Part":
         """A polygon: one loop of points, n×2."""
-        points = _plain(points)
-        if any(len(point) != 2 for point in points):
+        plain = _plain(points)
+        if any(len(point) != 2 for point in plain):
             raise Error("`points` are not n×2: with bulges, give Part([loop])")
-        return cls([points], name=name)
+        return cls([plain], name=name)
 
     @classmethod
-    def from_shapely(cls, polygon, name="part"):
+    def from_shapely(cls, polygon: Any, name: str = "part") -> "Part":
         """A shapely Polygon or MultiPolygon, as it is: with straight sides."""
         polygons = getattr(polygon, "geoms", [polygon])
         if not all(hasattr(p, "exterior") for p in polygons):
@@ -105,7 +102,16 @@ class Part:
         return cls([[point[:2] for point in list(ring.coords)[:-1]] for ring in rings], name=name)
 
     @classmethod
-    def from_dxf(cls, path, name="part", unit=None, layer=None, hatches=None, pick=None, scale=None):
+    def from_dxf(
+        cls,
+        path: str | os.PathLike[str],
+        name: str = "part",
+        unit: str | None = None,
+        layer: str | Sequence[str] | None = None,
+        hatches: Any = None,
+        pick: Any = None,
+        scale: float | None = None,
+    ) -> "Part":
         """The outlines of a DXF drawing: of a `layer` or a list of them, with those of `hatches`, or the faces around the points `pick`.
 
         They are converted to `unit` where the drawing says its own, and multiplied by `scale`.
@@ -114,72 +120,82 @@ class Part:
         return cls._of(_read(name, unit, dxf=path, layer=layer, hatches=hatches, pick=pick, scale=scale))
 
     @classmethod
-    def from_svg(cls, path, name="part", unit=None, id=None, pick=None, scale=None):
+    def from_svg(
+        cls,
+        path: str | os.PathLike[str],
+        name: str = "part",
+        unit: str | None = None,
+        id: str | None = None,
+        pick: Any = None,
+        scale: float | None = None,
+    ) -> "Part":
         """The outlines of an SVG drawing, or of its element `id`, or the faces around the points `pick`."""
         return cls._of(_read(name, unit, svg=os.path.abspath(path), id=id, pick=pick, scale=scale))
 
-    def offset(self, distance):
+    def offset(self, distance: float) -> "Part":
         """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs."""
         return Part._of(_read(self.name, loops=self.loops, offset=distance))
 
     @property
-    def name(self):
+    def name(self) -> str:
         """The name."""
         return self._part.name
 
     @property
-    def loops(self):
-        """The loops as lists of (x, y, bulge): outer ones counter-clockwise, holes clockwise."""
+    def loops(self) -> list[list[tuple[float, float, float]]]:
+        """The loops as lists of (x, y, bulge), in the directions in which they were given."""
         return self._part.loops
 
     @property
-    def area(self):
+    def outline(self) -> Loops:
+        """The loops with the material on the left: outer ones counter-clockwise, holes clockwise."""
+        return outline(Loops(self.loops))
+
+    @property
+    def area(self) -> float:
         """The area."""
         return self._part.area
 
     @property
-    def bounds(self):
+    def bounds(self) -> tuple[float, float, float, float]:
         """The smallest x and y and the largest: (x, y, x, y)."""
         return self._part.bounds
 
-    def contains(self, x, y):
+    def contains(self, x: float, y: float) -> bool:
         """Whether a point is in the part or on its outline."""
         return self._part.contains(x, y)
 
-    def points(self, tolerance):
+    def points(self, tolerance: float) -> list[list[tuple[float, float]]]:
         """The loops in points that are on them, with chords no farther than `tolerance` from their arcs."""
         return self._part._points(tolerance)
 
-    def to_shapely(self, tolerance):
+    def to_shapely(self, tolerance: float) -> Any:
         """A shapely geometry, whose sides are no farther than `tolerance` from the arcs."""
-        from shapely.geometry import Polygon
-
+        polygon = optional("shapely.geometry").Polygon
         result = None
         # Loops within each other are holes: what is in an even number of them is outside.
-        for loop in sorted((Polygon(points) for points in self.points(tolerance)), key=lambda p: -p.area):
+        for loop in sorted((polygon(points) for points in self.points(tolerance)), key=lambda p: -p.area):
             result = loop if result is None else result.symmetric_difference(loop)
         return result
 
-    def _repr_svg_(self):
-        x0, y0, x1, y1 = self.bounds
-        width, height = x1 - x0, y1 - y0
-        margin = 0.05 * max(width, height)
-        path = "".join(_outline(loop) for loop in self.loops)
-        box = f"{x0 - margin:.6g} {-y1 - margin:.6g} {width + 2 * margin:.6g} {height + 2 * margin:.6g}"
-        return (
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{box}" width="300">'
-            f'<path d="{path}" fill="#cdd9e5" stroke="#24466b" fill-rule="evenodd" '
-            f'stroke-width="{0.1 * margin:.3g}"/></svg>'
-        )
+    def plot(self, ax: "Axes | None" = None, **style: Any) -> "Axes":
+        """Draws the part with matplotlib, arcs as arcs, on axes `ax` or on the current ones, which are returned.
 
-    def __repr__(self):
+        `style` is that of a patch of matplotlib, such as facecolor, edgecolor or alpha.
+        """
+        return self.outline.plot(ax, **style)
+
+    def _repr_svg_(self) -> str:
+        return self.outline._repr_svg_()
+
+    def __repr__(self) -> str:
         return repr(self._part)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Part) and (self.name, self.loops) == (other.name, other.loops)
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash((self.name, tuple(map(tuple, self.loops))))
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return Part, (self.loops, self.name)

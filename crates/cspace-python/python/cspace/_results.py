@@ -4,13 +4,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
 class Region:
     """A free region: a free configuration in it, and whether it is caged, that is, ends everywhere."""
 
-    sample: tuple
+    sample: tuple[float, ...]
     caged: bool
 
 
@@ -29,7 +30,7 @@ class Nearest:
     """The nearest configuration in contact: its patch, the configuration, and its distance as a length."""
 
     patch: int
-    at: tuple
+    at: tuple[float, ...]
     distance: float
 
 
@@ -43,8 +44,8 @@ class Motion:
 
     result: str
     fraction: float
-    at: tuple
-    touching: list
+    at: tuple[float, ...]
+    touching: list[Any]
 
 
 @dataclass(frozen=True)
@@ -54,7 +55,7 @@ class Play:
     coordinate: str
     lower: float
     upper: float
-    touching: tuple
+    touching: tuple[Any, ...]
 
     @property
     def length(self) -> float:
@@ -73,13 +74,13 @@ class Plan:
     """
 
     verdict: str
-    path: np.ndarray | None = None
+    path: NDArray[np.float64] | None = None
     clearance: float | None = None
-    bottleneck: tuple | None = None
-    touching: list = field(default_factory=list)
+    bottleneck: tuple[Any, ...] | None = None
+    touching: list[Any] = field(default_factory=list)
     region: int | None = None
     depth: float | None = None
-    doubtful: list = field(default_factory=list)
+    doubtful: list[Any] = field(default_factory=list)
 
     def __bool__(self) -> bool:
         return self.verdict == "path"
@@ -93,21 +94,21 @@ class Checked:
     name: str
     measure: str
     value: Any
-    limits: tuple | None
+    limits: tuple[float, float] | None
     met: bool | None
     margin: float | None
-    range: tuple | None
-    touching: list
+    range: tuple[Any, ...] | None
+    touching: list[Any]
     failure: str | None
-    sensitivities: dict
+    sensitivities: dict[str, Any]
 
 
 @dataclass(frozen=True)
 class Solved:
     """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`."""
 
-    solutions: list
-    ranges: list
+    solutions: list[Any]
+    ranges: list[Any]
     none: str | None
 
 
@@ -116,24 +117,24 @@ class Simulation:
     """The motion of a mechanism: `coordinates[part]` and `rates[part]` at the times `t`, as arrays of n, or n×3 for a part that moves
     freely; `events` and `contacts` as dictionaries, the `period` if the motion repeats, and a `summary` in words."""
 
-    t: np.ndarray
-    coordinates: dict
-    rates: dict
+    t: NDArray[np.float64]
+    coordinates: dict[str, Any]
+    rates: dict[str, Any]
     status: str
     until: float
     reason: str | None
-    events: list
-    contacts: list
+    events: list[Any]
+    contacts: list[Any]
     period: float | None
-    summary: list
+    summary: list[Any]
 
 
-class Table(dict):
+class Table(dict[str, Any]):
     """Columns by name, as arrays of one length; `failures` has the reason for each row and column without a value."""
 
-    def __init__(self, columns, failures):
+    def __init__(self, columns: dict[str, Any], failures: list[Any]) -> None:
         super().__init__(columns)
         self.failures = failures
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return Table, (dict(self), self.failures)

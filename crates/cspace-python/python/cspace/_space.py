@@ -1,10 +1,27 @@
 """Configuration spaces."""
 
+import dataclasses
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from . import _rust
-from ._arrays import window
+from ._arrays import position, window
 from ._errors import Error
+from ._loops import Loops
+from ._optional import optional
 from ._part import Part
 from ._results import Motion, Nearest, Patch, Plan, Play, Region
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+# The side of a slice on which the parts overlap.
+_BLOCKED = "#ebe5df"
+_MOVING = "#f3d9a8"
 
 
 class ContactSpace:
@@ -16,124 +33,167 @@ class ContactSpace:
 
     __slots__ = ("_space",)
 
-    def __init__(self, space):
+    def __init__(self, space: _rust.ContactSpace) -> None:
         self._space = space
 
-    def classify(self, q):
+    def classify(self, q: ArrayLike) -> Any:
         """0 (`cspace.FREE`) where the configuration is free, 1 (`BLOCKED`) where the parts overlap, 2 (`CONTACT`) in contact: an integer for
         one, an array of uint8 for many."""
         return self._space.classify(q)
 
-    def clearance(self, q):
+    def clearance(self, q: ArrayLike) -> Any:
         """The smallest distance of the parts, a length: 0 in contact, nan where they overlap."""
         return self._space.clearance(q)
 
-    def region(self, q):
+    def region(self, q: ArrayLike) -> Any:
         """The number of the free region, as in `regions`; -1 where the configuration is not free."""
         return self._space.region(q)
 
     @property
-    def fixed(self):
+    def fixed(self) -> Part:
         """The fixed part."""
         return Part._of(self._space.fixed)
 
     @property
-    def moving(self):
+    def moving(self) -> Part:
         """The moving part."""
         return Part._of(self._space.moving)
 
     @property
-    def window(self):
+    def window(self) -> tuple[float, float] | None:
         """The orientations for which it is computed, radians; None for a full turn."""
         return self._space.window
 
     @property
-    def pair_class(self):
+    def pair_class(self) -> str:
         """The class of the pair: "lower", "fixed-axes", "symmetric" or "general"."""
         return self._space.pair_class
 
     @property
-    def resolution(self):
+    def resolution(self) -> float:
         """Contacts are known to this, a length."""
         return self._space.resolution
 
     @property
-    def regions(self):
+    def regions(self) -> list[Region]:
         """The free regions, by their numbers."""
         return [Region(tuple(sample), caged) for sample, caged in self._space._regions()]
 
     @property
-    def patches(self):
+    def patches(self) -> list[Patch]:
         """The contact patches, by their numbers."""
         return [Patch(*patch) for patch in self._space._patches()]
 
-    def links(self):
+    def links(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
         """Links between patches as four arrays: first patch, second patch, and the smallest and largest orientation at which they meet;
         nan on fixed axes."""
         return self._space.links()
 
-    def contacts(self, q, tolerance=None):
+    def contacts(self, q: ArrayLike, tolerance: float | None = None) -> list[tuple[int, float]]:
         """The patches no farther than `tolerance` from one configuration, with the distances; within the resolution without."""
         return self._space.contacts(q, tolerance)
 
-    def nearest(self, q):
+    def nearest(self, q: ArrayLike) -> Nearest | None:
         """The nearest configuration in contact, or None where there is no contact at all."""
         found = self._space._nearest(q)
-        return found and Nearest(found[0], tuple(found[1]), found[2])
+        return None if found is None else Nearest(found[0], tuple(found[1]), found[2])
 
-    def near_features(self, q, within):
+    def near_features(self, q: ArrayLike, within: float) -> list[tuple[str, str, float]]:
         """The pairs of features no farther than `within` apart at one configuration: their names on the fixed and the moving part, and
         their distance, negative where they overlap."""
         return self._space.near_features(q, within)
 
-    def move(self, start, by):
+    def move(self, start: ArrayLike, by: ArrayLike) -> Motion:
         """A motion of constant rates from `start` by the displacement `by`, up to its first contact."""
         result, fraction, at, touching = self._space._move(start, by)
         return Motion(result, fraction, tuple(at), touching)
 
-    def play(self, q):
+    def play(self, q: ArrayLike) -> dict[str, Play]:
         """For each coordinate how far it goes when it alone changes, as a dictionary of `Play`."""
         return {
             name: Play(name, lower, upper, tuple(touching))
             for name, (lower, upper), touching in self._space._play(q)
         }
 
-    def plan(self, start, goal, widest=False, clearance=None):
+    def plan(
+        self, start: ArrayLike, goal: ArrayLike, widest: bool = False, clearance: float | None = None
+    ) -> Plan:
         """A path from `start` to `goal` through free space, or the proof that there is none.
 
         With `widest` no other path has more clearance; with `clearance` it has at least so much.
         """
         return Plan(**self._space._plan(start, goal, widest, clearance))
 
-    def slice(self, theta):
-        """The boundary of free space at an orientation, as loops of (x, y, bulge)."""
-        return self._space.slice(theta)
+    def slice(self, theta: float) -> Loops:
+        """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""
+        return Loops(self._space.slice(theta))
 
-    def mesh(self, tolerance=1e-3):
+    def plot(self, theta: float = 0.0, at: Sequence[float] | None = None, ax: "Axes | None" = None) -> "Axes":
+        """Draws the slice at an orientation with matplotlib, on axes `ax` or on the current ones, which are returned.
+
+        The free side is left as it is, the blocked side is filled. With `at`, a position (x, y), the two parts are drawn there.
+        """
+        if self.pair_class == "fixed-axes":
+            raise Error(
+                "two parts on axes have no slices in x and y: their space in u and v is written as a picture by the command, "
+                "`space.save(\"space.json\")` and then `cspace slice space.json -o space.svg`"
+            )
+        ax = self.slice(theta).plot(ax, facecolor=_BLOCKED, zorder=1)
+        if at is not None:
+            x, y = position("at", at)
+            self.fixed.plot(ax, alpha=0.8, zorder=2)
+            self.moving.outline.moved(x, y, theta).plot(ax, facecolor=_MOVING, alpha=0.8, zorder=2)
+            ax.plot([x], [y], color="black", marker="+", zorder=3)
+        return ax
+
+    def mesh(self, tolerance: float = 1e-3) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """The contact surface as triangles: vertices n×3 (x, y, theta) on the surface, and faces m×3. `tolerance` is a share of the pair's
         size."""
         vertices, faces, _ = self._space.mesh(tolerance)
         return vertices, faces
 
-    def save(self, path):
+    def to_trimesh(self, tolerance: float = 1e-3) -> Any:
+        """The contact surface as a trimesh.Trimesh in x, y and theta, with the vertices and faces of `mesh`.
+
+        Its `face_attributes["patch"]` are the numbers of the patches that the faces are of.
+        """
+        trimesh = optional("trimesh")
+        vertices, faces, patches = self._space.mesh(tolerance)
+        return trimesh.Trimesh(vertices, faces, face_attributes={"patch": patches}, process=False)
+
+    def to_networkx(self) -> Any:
+        """The patches and their links as a networkx.MultiDiGraph.
+
+        Nodes are the numbers of the patches, with the fields of `Patch`. Edges go from the first patch of a link to the second, with the
+        orientations `lo` and `hi` of the link.
+        """
+        graph = optional("networkx").MultiDiGraph()
+        graph.add_nodes_from((i, dataclasses.asdict(patch)) for i, patch in enumerate(self.patches))
+        links = (column.tolist() for column in self.links())
+        graph.add_edges_from((first, second, {"lo": lo, "hi": hi}) for first, second, lo, hi in zip(*links))
+        return graph
+
+    def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the space as JSON, which the command reads in place of a model."""
         text = self._space.to_json()
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return repr(self._space)
 
-    def __reduce__(self):
+    def __reduce__(self) -> Any:
         return _restored, (self.fixed, self.moving, self._space._relation(), self.window, _rust.VERSION)
 
 
-def _restored(fixed, moving, relation, theta, _version):
+def _restored(
+    fixed: Part, moving: Part, relation: str, theta: tuple[float, float] | None, _version: str
+) -> ContactSpace:
     """A space that was sent: its parts, of which it is computed when it is first asked."""
     return ContactSpace(_rust.ContactSpace._restored(fixed._part, moving._part, relation, theta))
 
 
-def compute(fixed, moving, theta=None):
+def compute(fixed: Part, moving: Part, theta: Sequence[float] | None = None) -> ContactSpace:
     """The configuration space of two parts that move freely in the plane; `theta` is a window of orientations (lo, hi), radians."""
     for name, part in (("fixed", fixed), ("moving", moving)):
         if not isinstance(part, Part):

@@ -2,7 +2,9 @@
 
 import os
 import pickle
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -15,20 +17,23 @@ _TOGETHER = 64
 
 
 @lru_cache(maxsize=4)
-def _function(sent):
+def _function(sent: bytes) -> Callable[..., Any]:
     """The function that was sent, read once in each worker."""
-    return pickle.loads(sent)
+    function: Callable[..., Any] = pickle.loads(sent)
+    return function
 
 
-def _numbers(answer):
+def _numbers(answer: Any) -> dict[str, float]:
     """What a function returns, as numbers by name."""
     record = answer if isinstance(answer, dict) else {"value": answer}
     return {str(key): float(value) for key, value in record.items()}
 
 
-def _answers(function, names, rows):
+def _answers(
+    function: Callable[..., Any], names: list[str], rows: list[tuple[Any, ...]]
+) -> list[dict[str, float] | str]:
     """The answers of a function to some rows: numbers by name, or an error's text."""
-    answers = []
+    answers: list[dict[str, float] | str] = []
     for row in rows:
         try:
             answers.append(_numbers(function(**dict(zip(names, row)))))
@@ -37,7 +42,7 @@ def _answers(function, names, rows):
     return answers
 
 
-def _block(task):
+def _block(task: Any) -> tuple[int, list[dict[str, float] | str]]:
     """The number of a block and its answers, in a worker."""
     number, process, sent, names, rows = task
     if os.getpid() != process:
@@ -46,7 +51,12 @@ def _block(task):
     return number, _answers(_function(sent), names, rows)
 
 
-def sweep(function, map=None, rows=None, **values):
+def sweep(
+    function: Callable[..., Any],
+    map: Callable[..., Iterable[Any]] | None = None,
+    rows: Mapping[str, Any] | None = None,
+    **values: Any,
+) -> Table:
     """`function(**row)` for every combination of `values`, the last changing first, or for `rows`, a dictionary of columns.
 
     `map` is any map(function, iterable): that of an executor of processes, of Dask (`client.get_executor().map`), of Ray

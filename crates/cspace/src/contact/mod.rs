@@ -71,7 +71,7 @@ pub use function::ContactFunction;
 pub(crate) use locus::{Locus, SheetKind};
 pub(crate) use orientation::Orientation;
 pub(crate) use overlap::{Body, overlap};
-pub(crate) use pair::{Bodies, Exact, Geometry, Placed, Precision, growths};
+pub(crate) use pair::{Bodies, Exact, Fit, Geometry, Placed, Precision, growths};
 pub use placement::Placement;
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};

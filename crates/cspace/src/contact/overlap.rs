@@ -23,7 +23,14 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    pub(crate) fn new(outline: &Outline, part: &Part, center: Point, scale: f64) -> Self {
+    /// Of a pair whose moving part is smaller than drawn by `room` (length).
+    pub(crate) fn new(
+        outline: &Outline,
+        part: &Part,
+        center: Point,
+        scale: f64,
+        room: f64,
+    ) -> Self {
         let curves: Vec<Curve> = outline
             .features
             .iter()
@@ -34,12 +41,13 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself.
+        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself; where there is room,
+        // inside of what is left by it.
         let samples = (part.loops().iter())
             .filter_map(|l| l.edges().next())
             .flat_map(|e| {
                 let (on, outward) = (place(e.at(0.5)), e.direction_at(0.5).right());
-                [on + outward * MOVING_GROWTH, on + outward * -WITHIN]
+                [MOVING_GROWTH, -WITHIN].map(|out| on + outward * (out - room))
             })
             .collect();
         Self {
@@ -104,7 +112,7 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use crate::contact::Bodies;
+    use crate::contact::{Bodies, Fit};
     use crate::feature::tolerance::GROWTH;
     use crate::geometry::Configuration;
     use crate::part::{Part, Vertex};
@@ -117,7 +125,11 @@ mod tests {
 
     fn overlap(fixed: &[Vec<Vertex>], moving: &[Vec<Vertex>], x: f64, theta: f64) -> bool {
         let part = |name, loops: &[Vec<Vertex>]| Part::new(name, loops.to_vec()).unwrap();
-        let bodies = Bodies::new(&part("fixed", fixed), &part("moving", moving));
+        let bodies = Bodies::new(
+            &part("fixed", fixed),
+            &part("moving", moving),
+            Fit::Overlaps,
+        );
         bodies.overlap(Configuration::new(x, 0.0, theta))
     }
 

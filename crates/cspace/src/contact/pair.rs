@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, ROOM};
 use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
@@ -68,6 +68,15 @@ impl Precision for Dd {
     }
 }
 
+/// How the outlines of a pair are changed, so that nothing about it is left to chance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fit {
+    /// Both parts are grown: what fits exactly overlaps.
+    Overlaps,
+    /// The moving part is smaller by [`ROOM`]: what fits exactly has play.
+    HasPlay,
+}
+
 /// A part as it is to be computed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<'a> {
@@ -104,7 +113,18 @@ impl Geometry {
         window: Option<(f64, f64)>,
         most: usize,
     ) -> Self {
-        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
+        Self::of_fit(fixed, moving, Fit::Overlaps, window, most)
+    }
+
+    /// As above, with a meaning for what fits exactly.
+    pub(crate) fn of_fit(
+        fixed: &Part,
+        moving: &Part,
+        fit: Fit,
+        window: Option<(f64, f64)>,
+        most: usize,
+    ) -> Self {
+        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving), fit);
         let period = Period::none(&outlines.fixed, &outlines.moving);
         let span = match window {
             Some((lo, hi)) => Span {
@@ -130,7 +150,7 @@ impl Geometry {
                 .collect()
         };
         let (of_fixed, of_moving) = (lengths(fixed), lengths(moving));
-        let outlines = Outlines::new(fixed, moving);
+        let outlines = Outlines::new(fixed, moving, Fit::Overlaps);
         let period = Period::new(
             steps,
             (&outlines.fixed, fixed.images.map(|i| (i, &of_fixed[..]))),
@@ -199,8 +219,8 @@ pub(crate) struct Bodies {
 
 impl Bodies {
     /// Prepares a pair as drawn.
-    pub(crate) fn new(fixed: &Part, moving: &Part) -> Self {
-        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving));
+    pub(crate) fn new(fixed: &Part, moving: &Part, fit: Fit) -> Self {
+        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving), fit);
         Self {
             frame: outlines.frame,
             fixed: outlines.fixed_body,
@@ -233,17 +253,26 @@ struct Outlines {
 
 /// By how much the sides of two parts are grown, at most, in the pair's frame.
 pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
-    Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving)).growths
+    Outlines::new(
+        Placed::as_drawn(fixed),
+        Placed::as_drawn(moving),
+        Fit::Overlaps,
+    )
+    .growths
 }
 
 impl Outlines {
-    fn new(fixed: Placed<'_>, moving: Placed<'_>) -> Self {
+    fn new(fixed: Placed<'_>, moving: Placed<'_>, fit: Fit) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
         let growths = if [fixed, moving].iter().all(|p| p.part.loops().len() == 1) {
             Growths::alike()
         } else {
             let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
             Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH))
+        };
+        let (growths, room) = match fit {
+            Fit::Overlaps => (growths, 0.0),
+            Fit::HasPlay => ((growths.0, growths.1.less(ROOM)), ROOM),
         };
         let outline = |p: Placed<'_>, growths: &Growths, seed: u64, size: f64| {
             let perturbation = Perturbation {
@@ -266,8 +295,8 @@ impl Outlines {
             },
             fixed_fold: fixed.fold,
             moving_fold: moving.fold,
-            fixed_body: Body::new(&a, fixed.part, fixed.center, scale),
-            moving_body: Body::new(&b, moving.part, moving.center, scale),
+            fixed_body: Body::new(&a, fixed.part, fixed.center, scale, room),
+            moving_body: Body::new(&b, moving.part, moving.center, scale, room),
             fixed: a,
             moving: b,
         }

@@ -110,7 +110,7 @@ impl Sheet {
     /// Its locus by the outlines in double-double.
     ///
     /// A flat arc goes through the point at which it has the normal that it is written by in doubles.
-    pub(super) fn exact(&self, fixed: &Outline, moving: &Outline) -> Locus<Dd> {
+    pub(crate) fn exact(&self, fixed: &Outline, moving: &Outline) -> Locus<Dd> {
         let (a, b) = (
             &fixed.exact_features[self.fixed as usize],
             &moving.exact_features[self.moving as usize],

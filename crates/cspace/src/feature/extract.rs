@@ -124,7 +124,10 @@ impl Outline {
                 }
                 Corner::Concave { turn } => {
                     self.feature_count += 1;
-                    let further = OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0);
+                    // Where edges move into the material they part, and meet again further on.
+                    let parted = (-growth).max(0.0) * (0.5 * turn.abs()).tan();
+                    let further =
+                        OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0) + parted;
                     // Not beyond the middle of the other edge, under which it runs.
                     let under = |other: &FramedEdge| further.min(0.5 * other.edge.length());
                     ends[i] = self.carry_on(before, grown(n1), n1, growth, under(after));

@@ -91,7 +91,7 @@ impl FramedEdge {
     /// The normal with which this edge ends at a grown corner.
     pub(super) fn normal_at(&self, apex: Point<Dd>, normal: Vector<Dd>, growth: f64) -> Vector<Dd> {
         match self.arc {
-            Some((center, radius)) if growth > 0.0 => {
+            Some((center, radius)) if growth != 0.0 => {
                 let v = (apex - center).unit();
                 if radius.is_negative() { -v } else { v }
             }

@@ -56,6 +56,14 @@ impl Growths {
         )
     }
 
+    /// Every loop grown by less.
+    pub(crate) fn less(self, by: f64) -> Self {
+        Self {
+            least: self.least - by,
+            ..self
+        }
+    }
+
     /// By how much a loop is grown.
     pub(crate) fn of(&self, loop_index: u32) -> f64 {
         let level = self.levels.get(loop_index as usize).copied();

@@ -186,7 +186,7 @@ pub(super) fn mitre(
         let step = step * (Dd::ONE / det);
         // The edges may go on into each other all but smoothly.
         let far = step.length().to_f64();
-        if far.is_nan() || far >= growth {
+        if far.is_nan() || far >= growth.abs() {
             break;
         }
         apex += step;

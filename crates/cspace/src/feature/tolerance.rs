@@ -20,6 +20,12 @@ pub(crate) const GROWTH: f64 = 1.0 / (1u64 << 40) as f64;
 /// the lesser growth by far, and no simple part of the other.
 pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 
+/// By how much the moving part is made smaller, in place of growth, where exact fits are sought (length, about 9.3e-10).
+///
+/// Parts that fit exactly then have a play of twice as much, four times [`LEAST_CLEARANCE`], and so have parts that overlap by a little
+/// less than that. A pair of discs inside the parts is smaller by more, so that it still overlaps for certain.
+pub(crate) const ROOM: f64 = 1.0 / (1u64 << 30) as f64;
+
 /// By how much more a loop is grown that is one level above another (length, about 2.3e-13): twice [`SAME_CARRIER`], so that
 /// contacts of both are told apart.
 ///

@@ -88,7 +88,7 @@ pub(super) fn set_up(
     let drawn = |part: &Part, center: Point, fixed| {
         let growth = if fixed { GROWTH } else { MOVING_GROWTH };
         let outline = Outline::new(part, center, frame.scale, growth);
-        let body = Body::new(&outline, part, center, frame.scale);
+        let body = Body::new(&outline, part, center, frame.scale, 0.0);
         (outline, body)
     };
     let shifts = displacement.shifts();

@@ -25,8 +25,11 @@ pub(crate) mod compute;
 pub(crate) mod events;
 pub(crate) mod limits;
 pub(crate) mod links;
+mod no_fit;
 pub(crate) mod plan;
+mod redrawn;
 mod slicer;
 pub(crate) mod verdict;
 
+pub use no_fit::{NoFit, NoFitError};
 pub use slicer::Slicer;

@@ -2,7 +2,8 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::contact::{ContactFunction, Geometry};
+use crate::contact::{ContactFunction, Fit, Geometry};
+use crate::feature::PairFrame;
 use crate::feature::tolerance::SAME_CARRIER;
 use crate::geometry::{Point, Rotation, wrap};
 use crate::part::Part;
@@ -48,8 +49,13 @@ pub struct Slicer {
 impl Slicer {
     /// Prepares a pair.
     pub fn new(fixed: &Part, moving: &Part) -> Self {
+        Self::of_fit(fixed, moving, Fit::Overlaps)
+    }
+
+    /// As above, with a meaning for what fits exactly.
+    pub(super) fn of_fit(fixed: &Part, moving: &Part, fit: Fit) -> Self {
         let window = (FIRST - ABOUT, FIRST + TAU + ABOUT);
-        let geometry = Geometry::new(fixed, moving, Some(window), usize::MAX);
+        let geometry = Geometry::of_fit(fixed, moving, fit, Some(window), usize::MAX);
         let mut slots = vec![Vec::new(); SLOTS];
         for (i, sheet) in (0u32..).zip(&geometry.contacts.sheets) {
             for slot in &mut slots[slot(sheet.lo - ABOUT)..=slot(sheet.hi + ABOUT)] {
@@ -63,17 +69,36 @@ impl Slicer {
         }
     }
 
+    /// The frame of the pair.
+    pub(super) fn frame(&self) -> &PairFrame {
+        &self.geometry.frame
+    }
+
     /// The slice at an orientation in radians, as [`Slice::compute`] gives it.
     ///
     /// An orientation that is not finite has an empty slice.
     pub fn slice(&self, theta: f64) -> Slice {
+        self.sliced(theta).0
+    }
+
+    /// The slice, and what it was read off: `None` if it is empty because the orientation is not finite or there are too many contacts.
+    pub(super) fn sliced(&self, theta: f64) -> (Slice, Option<Sliced>) {
         let at = turned(theta);
         if at.is_nan() {
-            return Slice::from_curves(theta, Vec::new(), false, &self.geometry.frame);
+            let empty = Slice::from_curves(theta, Vec::new(), false, &self.geometry.frame);
+            return (empty, None);
         }
         let geometry = (self.geometry).within((at - ABOUT, at + ABOUT), &self.slots[slot(at)]);
-        slice_of(&geometry, &self.cores, at, theta)
+        slice_of(geometry, &self.cores, at, theta)
     }
+}
+
+/// What a slice was read off, with the patch of each of its curves.
+pub(super) struct Sliced {
+    pub(super) geometry: Geometry,
+    /// The orientation, which differs from that of the slice by whole turns.
+    pub(super) at: f64,
+    pub(super) patches: Vec<Patch>,
 }
 
 impl Slice {
@@ -99,12 +124,13 @@ impl Slice {
         if at.is_nan() {
             return Self::from_curves(theta, Vec::new(), false, &geometry.frame);
         }
-        slice_of(&geometry, &Cores::single(&geometry), at, theta)
+        let cores = Cores::single(&geometry);
+        slice_of(geometry, &cores, at, theta).0
     }
 }
 
 /// The slice in the middle of what a geometry was made for, as positions at an orientation that differs from it by whole turns.
-fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
+fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, Option<Sliced>) {
     // What ends within the narrowest band of the window's beginning has ended there, and what begins has begun.
     let window = Window {
         lo: at,
@@ -112,7 +138,7 @@ fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
         full_turn: false,
     };
     let stages = Stages {
-        geometry,
+        geometry: &geometry,
         cores,
         names: &Names::default(),
         window,
@@ -121,14 +147,20 @@ fn slice_of(geometry: &Geometry, cores: &Cores, at: f64, theta: f64) -> Slice {
     };
     let linked = stages.run(&mut StageSeconds::default(), &mut Clock::new());
     let Ok(Some((linked, _))) = linked else {
-        return Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
+        let empty = Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
+        return (empty, None);
     };
     let mut slice = linked.slice(at, theta, &geometry.frame);
-    slice.doubtful |= lies_on_another(&slice, &linked.patches, geometry, at);
-    for curve in &mut slice.curves {
-        curve.patch = None;
-    }
-    slice
+    let patches = linked.patches;
+    slice.doubtful |= lies_on_another(&slice, &patches, &geometry, at);
+    let of_curve = |c: &mut SliceCurve| c.patch.take().map(|i| patches[i as usize]);
+    let patches = slice.curves.iter_mut().filter_map(of_curve).collect();
+    let sliced = Sliced {
+        geometry,
+        at,
+        patches,
+    };
+    (slice, Some(sliced))
 }
 
 /// Whether an arc of a slice lies on another contact, circle on circle: what is in front of the other is not known.

@@ -1,5 +1,7 @@
 //! Parts and their loops.
 
+use crate::geometry::Configuration;
+
 use super::check::{check_extent, check_numbers};
 use super::corner::check_corners;
 use super::nearness::check_vertices;
@@ -110,6 +112,58 @@ impl Part {
             names: Vec::new(),
             bounds,
         })
+    }
+
+    /// Several parts, each moved by a configuration, as one: they may touch, which nothing checks.
+    pub(crate) fn assembled(name: &str, placed: &[(&Self, Configuration)]) -> Self {
+        let moved = |(part, at): &(&Self, Configuration)| {
+            let vertex = |v: &Vertex| {
+                let p = at.fixed_from_moving(v.point());
+                Vertex::new(p.x, p.y, v.bulge)
+            };
+            let moved = |l: &Loop| Loop {
+                vertices: l.vertices.iter().map(vertex).collect(),
+                reversed: l.reversed,
+            };
+            part.loops.iter().map(moved).collect::<Vec<_>>()
+        };
+        let loops: Vec<Loop> = placed.iter().flat_map(moved).collect();
+        let edges = loops.iter().flat_map(Loop::edges);
+        Self {
+            name: name.to_owned(),
+            bounds: edges.fold(Bounds::EMPTY, |all, e| all.union(e.bounds())),
+            loops,
+            names: Vec::new(),
+        }
+    }
+
+    /// What is around the part, up to a rectangle that is so far from it.
+    pub(crate) fn framing(&self, far: f64) -> Self {
+        let (lo, hi) = (self.bounds.min, self.bounds.max);
+        let around = Loop {
+            vertices: vec![
+                Vertex::line(lo.x - far, lo.y - far),
+                Vertex::line(hi.x + far, lo.y - far),
+                Vertex::line(hi.x + far, hi.y + far),
+                Vertex::line(lo.x - far, hi.y + far),
+            ],
+            reversed: false,
+        };
+        let out = |l: &Loop| Loop {
+            vertices: l.vertices.clone(),
+            reversed: !l.reversed,
+        };
+        let bounds = around
+            .edges()
+            .fold(Bounds::EMPTY, |all, e| all.union(e.bounds()));
+        Self {
+            name: self.name.clone(),
+            loops: core::iter::once(around)
+                .chain(self.loops.iter().map(out))
+                .collect(),
+            names: Vec::new(),
+            bounds,
+        }
     }
 
     /// The part's name.

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::boxes::Places;
-use crate::contact::{Bodies, growths};
+use crate::contact::{Bodies, Fit, growths};
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::geometry::Configuration;
 use crate::part::Part;
@@ -170,7 +170,7 @@ impl ContactSpace {
     /// without patches.
     pub(crate) fn overlaps(&self, c: Configuration) -> bool {
         self.bodies
-            .get_or_init(|| Bodies::new(&self.data.fixed, &self.data.moving))
+            .get_or_init(|| Bodies::new(&self.data.fixed, &self.data.moving, Fit::Overlaps))
             .overlap(c)
     }
 

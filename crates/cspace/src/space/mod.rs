@@ -25,7 +25,7 @@ pub use graph::ContactSpace;
 pub(crate) use options::WINDOW_SLACK;
 pub use options::{ComputeError, LONGEST_WINDOW, Options, Progress, Silent, Stage, Window};
 pub use patch::{Boundary, BoundaryCurve, BoundaryKind, Patch, PatchRef};
-pub(crate) use slice::{PASSED_ENDS, Surface, sweep};
+pub(crate) use slice::{PASSED_ENDS, Surface, on_cycle, sweep};
 pub use stats::{Decisions, StageSeconds, Statistics};
 pub use symmetry::{PairSymmetry, Symmetry};
 pub(crate) use walk::Walk;

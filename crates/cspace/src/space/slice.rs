@@ -2,9 +2,9 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::contact::ContactFunction;
+use crate::contact::Cycle;
 use crate::feature::PairFrame;
-use crate::geometry::{Point, Rotation};
+use crate::geometry::{Point, Rotation, Vector};
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
 use super::data::SideLink;
@@ -145,46 +145,50 @@ impl<'a> Surface<'a> {
         asked: Turned,
     ) -> (CurveGeometry, (Point, Point)) {
         let moved = asked.turn * self.frame.moving_center.to_vector();
-        let outer =
-            |p: Point| self.frame.fixed_center + (p.to_vector() * (1.0 / self.frame.scale) - moved);
-        let [start, end] =
-            [&patch.left, &patch.right].map(|b| patch.inner_at_turned(b, at.theta, at.turn));
-        let ends = (outer(start), outer(end));
-        match patch.function {
-            ContactFunction::Circle { center, radius } => {
-                let c = center.at(at.turn);
-                let sweep = sweep(start - c, end - c, radius);
-                let arc = CurveGeometry::Arc {
-                    center: outer(c),
-                    radius: self.frame.outer_length(radius.abs()),
-                    start_angle: (start - c).angle(),
-                    sweep,
-                };
-                let on_circle = |p: Point, s: f64| {
-                    let arm = p - c;
-                    let p = c + arm * (radius.abs() / arm.length());
-                    if p.is_finite() {
-                        outer(p)
-                    } else {
-                        arc.point(s)
-                    }
-                };
-                // An arc that has just ended is one point.
-                let end = if sweep == 0.0 { start } else { end };
-                (arc, (on_circle(start, 0.0), on_circle(end, 1.0)))
-            }
-            ContactFunction::FlatCircle { .. } => {
-                let cycle = patch.function.cycle(at.turn);
-                let bulge = cycle.bulge(cycle.place(start), cycle.place(end));
-                let (start, end) = ends;
-                (CurveGeometry::FlatArc { start, end, bulge }, ends)
-            }
-            _ => {
-                let (start, end) = ends;
-                (CurveGeometry::Segment { start, end }, ends)
-            }
-        }
+        let ends = [&patch.left, &patch.right].map(|b| patch.inner_at_turned(b, at.theta, at.turn));
+        on_cycle(&patch.function.cycle(at.turn), ends, self.frame, moved)
     }
+}
+
+/// The piece of a cycle of the pair's frame between two points of it as the user sees it, and where it begins and ends; `moved` is the
+/// moving part's centre, turned.
+pub(crate) fn on_cycle(
+    cycle: &Cycle,
+    [start, end]: [Point; 2],
+    frame: &PairFrame,
+    moved: Vector,
+) -> (CurveGeometry, (Point, Point)) {
+    let outer = |p: Point| frame.fixed_center + (p.to_vector() * (1.0 / frame.scale) - moved);
+    let ends = (outer(start), outer(end));
+    if cycle.is_line() {
+        let (start, end) = ends;
+        return (CurveGeometry::Segment { start, end }, ends);
+    }
+    if cycle.is_large() {
+        let bulge = cycle.bulge(cycle.place(start), cycle.place(end));
+        let (start, end) = ends;
+        return (CurveGeometry::FlatArc { start, end, bulge }, ends);
+    }
+    let (c, radius) = (cycle.through, cycle.radius());
+    let sweep = sweep(start - c, end - c, radius);
+    let arc = CurveGeometry::Arc {
+        center: outer(c),
+        radius: frame.outer_length(radius.abs()),
+        start_angle: (start - c).angle(),
+        sweep,
+    };
+    let on_circle = |p: Point, s: f64| {
+        let arm = p - c;
+        let p = c + arm * (radius.abs() / arm.length());
+        if p.is_finite() {
+            outer(p)
+        } else {
+            arc.point(s)
+        }
+    };
+    // An arc that has just ended is one point.
+    let end = if sweep == 0.0 { start } else { end };
+    (arc, (on_circle(start, 0.0), on_circle(end, 1.0)))
 }
 
 /// An orientation and its rotation.
@@ -208,7 +212,7 @@ impl Turned {
 pub(crate) const PASSED_ENDS: f64 = 1e-5;
 
 /// The angle travelled from one direction to another, counter-clockwise if the radius is positive.
-pub(crate) fn sweep(from: crate::Vector, to: crate::Vector, radius: f64) -> f64 {
+pub(crate) fn sweep(from: Vector, to: Vector, radius: f64) -> f64 {
     let turned = from.cross(to).atan2(from.dot(to)) * radius.signum();
     let sweep = if turned < -PASSED_ENDS {
         turned + TAU

@@ -1,0 +1,185 @@
+"""The compiled module. Written by stubs.py."""
+
+from typing import Any
+
+
+class ContactSpace:
+    """The configuration space of two parts: where the moving one is free, blocked or in contact."""
+
+    def _move(self, start: Any, by: Any) -> Any:
+        """A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
+        what touches there."""
+
+    def _nearest(self, q: Any) -> Any:
+        """The nearest configuration in contact: its patch, the configuration, and how far it is."""
+
+    def _patches(self) -> Any:
+        """The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any."""
+
+    def _plan(self, start: Any, goal: Any, widest: Any = False, clearance: Any = None) -> Any:
+        """A path from `start` to `goal` through free space, or the proof that there is none, as a dictionary."""
+
+    def _play(self, q: Any) -> Any:
+        """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
+        infinite where nothing stops it."""
+
+    def _regions(self) -> Any:
+        """The free regions: for each a free configuration, and whether it is caged, that is, ends everywhere."""
+
+    def _relation(self) -> Any: ...
+
+    @staticmethod
+    def _restored(fixed: Any, moving: Any, relation: Any, window: Any) -> Any:
+        """The pair of a sent space, which computes it when it is first asked."""
+
+    def classify(self, q: Any) -> Any:
+        """0 where the configuration is free, 1 where the parts overlap, 2 in contact: an integer for one configuration, an array of uint8 for
+        rows."""
+
+    def clearance(self, q: Any) -> Any:
+        """The smallest distance of the parts: 0 in contact, nan where they overlap."""
+
+    def contacts(self, q: Any, tolerance: Any = None) -> Any:
+        """The patches no farther than `tolerance` from a configuration, with the distances."""
+
+    @property
+    def fixed(self) -> Any:
+        """The fixed part."""
+
+    def links(self) -> Any:
+        """Links between patches as arrays: first patch, second patch, and the smallest and largest orientation of the link (nan on fixed
+        axes)."""
+
+    def mesh(self, tolerance: Any = 0.001) -> Any:
+        """The contact surface as triangles: vertices n×3 (x, y, theta), faces m×3, and the patch of each face."""
+
+    @property
+    def moving(self) -> Any:
+        """The moving part."""
+
+    def near_features(self, q: Any, within: Any) -> Any:
+        """The features that touch, or are no farther than `within` apart: names on the fixed and the moving part, and their distance."""
+
+    @property
+    def pair_class(self) -> Any:
+        """The class of the pair: lower, fixed-axes, symmetric or general."""
+
+    def region(self, q: Any) -> Any:
+        """The number of the free region; -1 where the configuration is not free."""
+
+    @property
+    def resolution(self) -> Any:
+        """Contacts are known to this, a length."""
+
+    def slice(self, theta: Any) -> Any:
+        """The boundary of free space at an orientation, as loops of (x, y, bulge)."""
+
+    def to_json(self) -> Any:
+        """The space as the JSON that the command saves and reads."""
+
+    @property
+    def window(self) -> Any: ...
+
+
+class Model:
+    """A model of parts, with values for its parameters."""
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        """Call self as a function."""
+
+    def _check(self, sensitivities: Any = False) -> Any:
+        """All requirements, measured, as dictionaries."""
+
+    @staticmethod
+    def _load(path: Any) -> Any:
+        """The model in a file: .toml or .json."""
+
+    @staticmethod
+    def _loads(text: Any, path: Any, set: Any) -> Any:
+        """The model in a text, TOML unless the extension of `path` is .json."""
+
+    def _simulate(self, time: Any, every: Any = None) -> Any:
+        """The motion of the mechanism: times, coordinates and rates as arrays, and what happens, as a dictionary."""
+
+    def _solve(self, vary: Any, requirement: Any, relation: Any, value: Any, samples: Any) -> Any:
+        """Values of parameters, each from `lo` to `hi`, at which a requirement is `=`, `<=` or `>=` a value."""
+
+    def _source(self) -> Any:
+        """What the model is read from: the text, the path, and the values that are set."""
+
+    def _sweep(self, names: Any, rows: Any, measures: Any) -> Any:
+        """The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a
+        value, or text with the reason why there is none."""
+
+    def compute(self, fixed: Any = None, moving: Any = None, theta: Any = None) -> Any:
+        """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations."""
+
+    @property
+    def name(self) -> Any:
+        """The name."""
+
+    @property
+    def pairs(self) -> Any:
+        """The pairs: names of the fixed and of the moving part."""
+
+    @property
+    def parameters(self) -> Any:
+        """The values of the parameters by name; angles in radians."""
+
+    @property
+    def parts(self) -> Any:
+        """The parts by name."""
+
+    @property
+    def requirements(self) -> Any:
+        """The names of the requirements."""
+
+    @property
+    def unit(self) -> Any:
+        """The unit of length, if the model says one."""
+
+
+class Part:
+    """A rigid part: closed loops of line segments and circular arcs."""
+
+    @staticmethod
+    def _from_json(text: Any) -> Any:
+        """The part in a model's JSON, of which it is the only one."""
+
+    def _points(self, tolerance: Any) -> Any:
+        """The outline in points no farther than `tolerance` from it: for each loop a list of (x, y)."""
+
+    @property
+    def area(self) -> Any:
+        """The area."""
+
+    @property
+    def bounds(self) -> Any:
+        """The smallest and the largest x and y: (x, y, x, y)."""
+
+    def contains(self, x: Any, y: Any) -> Any:
+        """Whether a point is in the part or on its outline."""
+
+    @property
+    def loops(self) -> Any:
+        """The loops as lists of vertices (x, y, bulge): outer ones counter-clockwise, holes clockwise. The bulge is that of the edge to
+        the next vertex, tan of a quarter of the angle it turns by, positive to the left and 0 of a line."""
+
+    @property
+    def name(self) -> Any:
+        """The name."""
+
+
+VERSION: str
+
+
+def command(arguments: Any) -> Any:
+    """Runs the command with its arguments, of which the first is its name, and returns its exit code."""
+
+
+def compute(fixed: Any, moving: Any, theta: Any = None) -> Any:
+    """The configuration space of two parts that move freely in the plane; `theta` is a window of orientations."""
+
+
+def set_threads(threads: Any) -> Any:
+    """Uses so many threads from now on; 0 for one per processor. Results do not depend on it."""

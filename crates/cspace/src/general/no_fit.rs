@@ -1,0 +1,151 @@
+//! Where a part can be placed at one orientation: beside others without overlap, or within a frame.
+
+use crate::contact::{Bodies, Fit};
+use crate::geometry::Configuration;
+use crate::part::{Bounds, Part};
+use crate::slice::{CurveGeometry, Slice};
+
+use super::redrawn::AsDrawn;
+use super::slicer::Slicer;
+
+/// The positions of a part at which it overlaps nothing, exact fits among them, at any orientation: what is called the no-fit polygon
+/// of two parts, with arcs, and the inner-fit polygon of a frame and a part.
+///
+/// Where a [`ContactSpace`](crate::ContactSpace) and its [slices](crate::ContactSpace::slice) take what fits exactly for blocked, here it
+/// is free: a disc in a frame of its own diameter has one position, a peg in a slot of its own width has a segment. Slices are in the
+/// form of those: loops with blocked space on the left; a loop that is one point is a segment from there to there, and one that is a
+/// segment or arc goes there and back. Curves are those of the parts as drawn, to rounding. Parts that overlap by less than
+/// 9·10⁻¹⁰ of their size, about, are taken to fit.
+///
+/// ```
+/// use cspace::{NoFit, Part, Point};
+/// let coin = Part::circle("coin", (0.0, 0.0), 200.0)?;
+/// let tray = Part::rectangle("tray", (0.0, 0.0), 400.0, 600.0)?;
+/// // In a tray of its own width a coin moves along a segment, and beside it around it.
+/// let inside = NoFit::within(&tray, &coin).at(0.3);
+/// assert_eq!(inside.loops.len(), 1);
+/// assert!((inside.curves[0].geometry.length() - 200.0).abs() < 1e-9);
+/// let beside = NoFit::new(&tray, &coin).at(0.3);
+/// let (_, nearest) = beside.nearest(Point::new(10.0, 0.0)).ok_or("there is none")?;
+/// assert!((nearest.x - 400.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct NoFit {
+    slicer: Slicer,
+    drawn: AsDrawn,
+    /// Whether what is outside is left out.
+    within: bool,
+}
+
+/// Why placed parts have no positions beside them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoFitError {
+    /// No part is placed.
+    #[error("no part is placed")]
+    Nothing,
+    /// Two of the placed parts overlap.
+    #[error("the placed parts {first} and {second} overlap, counted from 0")]
+    Overlap {
+        /// The first of them.
+        first: usize,
+        /// The second.
+        second: usize,
+    },
+}
+
+impl NoFit {
+    /// Positions of a part beside another.
+    pub fn new(fixed: &Part, moving: &Part) -> Self {
+        Self::of(fixed, moving, false)
+    }
+
+    /// Positions of a part beside several others, each placed by a configuration: they may touch.
+    ///
+    /// # Errors
+    /// If two of them overlap, or there are none.
+    pub fn beside(placed: &[(&Part, Configuration)], moving: &Part) -> Result<Self, NoFitError> {
+        if placed.is_empty() {
+            return Err(NoFitError::Nothing);
+        }
+        let boxes: Vec<Bounds> = (placed.iter())
+            .map(|p| Part::assembled("", &[*p]).bounds())
+            .collect();
+        for (second, (part, at)) in placed.iter().enumerate() {
+            for (first, (other, other_at)) in placed[..second].iter().enumerate() {
+                let apart = boxes[first].is_apart(boxes[second], 0.0);
+                if !apart
+                    && Bodies::new(other, part, Fit::HasPlay)
+                        .overlap(other_at.inverse().compose(*at))
+                {
+                    return Err(NoFitError::Overlap { first, second });
+                }
+            }
+        }
+        Ok(Self::of(&Part::assembled("placed", placed), moving, false))
+    }
+
+    /// Positions of a part within another, whose holes it stays out of, too.
+    pub fn within(container: &Part, moving: &Part) -> Self {
+        // So wide that the part is not on both sides of it.
+        let frame = container.framing(2.0 * moving.size());
+        Self::of(&frame, moving, true)
+    }
+
+    fn of(fixed: &Part, moving: &Part, within: bool) -> Self {
+        let slicer = Slicer::of_fit(fixed, moving, Fit::HasPlay);
+        Self {
+            drawn: AsDrawn::new(fixed, moving, slicer.frame()),
+            slicer,
+            within,
+        }
+    }
+
+    /// The positions at an orientation in radians; an orientation that is not finite has none.
+    pub fn at(&self, theta: f64) -> Slice {
+        let (slice, sliced) = self.slicer.sliced(theta);
+        let Some(sliced) = sliced else {
+            return slice;
+        };
+        let slice = self.drawn.redrawn(&slice, &sliced);
+        if self.within {
+            return inside(&slice);
+        }
+        slice
+    }
+}
+
+/// A slice without its outermost loop.
+fn inside(slice: &Slice) -> Slice {
+    let around = |indices: &Vec<u32>| {
+        let curves = indices.iter().map(|&i| slice.curves[i as usize].geometry);
+        curves.fold(Bounds::EMPTY, |all, c: CurveGeometry| all.union(c.bounds()))
+    };
+    let size = |l: &Vec<u32>| around(l).diagonal();
+    let outermost = (slice.loops.iter().enumerate())
+        .max_by(|a, b| size(a.1).total_cmp(&size(b.1)))
+        .map(|(i, _)| i);
+    let mut kept = Slice {
+        curves: Vec::new(),
+        loops: Vec::new(),
+        ..*slice
+    };
+    for (i, indices) in slice.loops.iter().enumerate() {
+        if Some(i) == outermost {
+            continue;
+        }
+        let (first, count) = (kept.curves.len() as u32, indices.len() as u32);
+        for (k, &c) in (0..).zip(indices) {
+            let mut curve = slice.curves[c as usize];
+            curve.next = first + (k + 1) % count;
+            kept.curves.push(curve);
+        }
+        kept.loops.push((first..first + count).collect());
+    }
+    kept
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;
