@@ -280,6 +280,10 @@ pub(crate) struct SliceArgs {
     /// has none
     #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
+    /// What fits exactly is free: a loop may be one point, or go along a segment or arc and back; curves are those of the parts as
+    /// drawn, and what goes on along one line or circle is one of them
+    #[arg(long)]
+    pub(crate) exact: bool,
     /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
     #[arg(long, value_name = "X,Y", value_parser = position, allow_hyphen_values = true)]
     pub(crate) at: Option<(f64, f64)>,

@@ -6,7 +6,11 @@
 
 mod error;
 mod model;
+mod nest;
 mod part;
+mod picture;
+mod planning;
+mod questions;
 mod rows;
 mod space;
 mod work;
@@ -20,6 +24,17 @@ mod _rust {
     use crate::part::Part;
     #[pymodule_export]
     use crate::space::Space;
+
+    #[pymodule_export]
+    use crate::nest::{_beside, _separation, _within};
+    #[pymodule_export]
+    use crate::picture::_svg;
+    #[pymodule_export]
+    use crate::planning::{_assembly, _escape};
+    #[pymodule_export]
+    use crate::questions::{
+        _bands, _connected, _crossings, _ends, _evaluate, _measures, _projected,
+    };
 
     use pyo3::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cspace::PairEntry;
+use cspace::{Mechanism, PairEntry};
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Target, Template};
@@ -39,7 +39,11 @@ impl Model {
         })
     }
 
-    fn part_index(&self, name: &str) -> PyResult<usize> {
+    pub(crate) fn mechanism(&self) -> &Mechanism {
+        &self.model.mechanism
+    }
+
+    pub(crate) fn part_index(&self, name: &str) -> PyResult<usize> {
         let mechanism = &self.model.mechanism;
         mechanism.part_index(name).ok_or_else(|| {
             let names: Vec<&str> = mechanism.parts.iter().map(|p| p.part.name()).collect();

@@ -126,6 +126,11 @@ impl Space {
         Ok(self.known.get_or_init(|| Known::new(space)))
     }
 
+    /// The space itself.
+    pub(crate) fn shared(&self, py: Python<'_>) -> PyResult<Arc<PairSpace>> {
+        Ok(Arc::clone(&self.known(py)?.space))
+    }
+
     /// The space, prepared for millions of questions once so many have been asked; these many follow.
     fn ready(&self, py: Python<'_>, questions: usize) -> PyResult<&Known> {
         let known = self.known(py)?;
@@ -548,7 +553,7 @@ impl Space {
 }
 
 /// Rows as an array; rows of no array have three columns.
-fn matrix<'py, T: numpy::Element>(
+pub(crate) fn matrix<'py, T: numpy::Element>(
     py: Python<'py>,
     rows: Vec<Vec<T>>,
 ) -> PyResult<Bound<'py, PyArray2<T>>> {

@@ -39,8 +39,8 @@ def test_docstrings_run():
     import doctest
 
     import cspace
-    from cspace import _part, _sweep
+    from cspace import _loops, _part, _sweep
 
-    for module in (cspace, _part, _sweep):
+    for module in (cspace, _loops, _part, _sweep):
         found = doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE)
         assert found.failed == 0 and found.attempted > 0, module

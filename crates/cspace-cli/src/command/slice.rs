@@ -50,7 +50,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     if let Some(format) = format {
         return picture(args, &pair, theta, format);
     }
-    let slice = pair.slice(theta)?;
+    let slice = pair.slice(theta, args.exact)?;
     let bytes = match common.result.format() {
         Format::Json => super::json(&slice)?,
         Format::Text => {
@@ -78,7 +78,7 @@ fn outline(args: &SliceArgs) -> Result<(), Failure> {
             .help("give --theta T, in radians or such as 18deg"));
     };
     let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
-    let drawn = Drawn::slice(&name, &pair.slice(theta)?);
+    let drawn = Drawn::slice(&name, &pair.slice(theta, args.exact)?);
     let output = args.common.result.output.as_deref();
     write_outlines(output, &[drawn], pair.unit_label(), args.dxf)
 }
@@ -97,10 +97,15 @@ fn picture(
     let (x, y) = args.at.unwrap_or_else(|| beside(&space, theta));
     let at = Coordinates::Planar(Configuration::new(x, y, theta));
     let parts = at_configuration(pair, at);
+    let slice = if args.exact {
+        pair.slice(theta, true)?
+    } else {
+        space.slice(theta)
+    };
     let scene = slices(
         &SlicesPicture {
             space: &space,
-            slices: &[space.slice(theta)],
+            slices: &[slice],
             parts: Some((parts, Point::new(x, y))),
         },
         &options,
@@ -136,6 +141,12 @@ fn plane(
         } else {
             "use --general with the model, which computes it in x, y and theta"
         }));
+    }
+    if args.exact {
+        return Err(
+            Failure::input("--exact: the plane of two motions has no slices")
+                .help("leave --exact out, or use --general with the model"),
+        );
     }
     if args.at.is_some() {
         return Err(

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use cspace::fixed_axes::Role;
 use cspace::{
-    AxesError, ComputeError, ContactSpace, Options, PairError, PairSpace, Relation, Slice, Symmetry,
+    AxesError, ComputeError, ContactSpace, NoFit, Options, PairError, PairSpace, Relation, Slice,
+    Symmetry,
 };
 use cspace_io::shown;
 
@@ -15,9 +16,14 @@ use crate::failure::Failure;
 use crate::progress::Bar;
 
 impl Chosen<'_> {
-    /// The slice of a planar pair at one orientation; of a model that slice alone is computed.
-    pub(crate) fn slice(&self, theta: f64) -> Result<Slice, Failure> {
+    /// The slice of a planar pair at one orientation; of a model that slice alone is computed. If `exact`, what fits exactly is free.
+    pub(crate) fn slice(&self, theta: f64, exact: bool) -> Result<Slice, Failure> {
         self.check_orientation(theta)?;
+        if exact {
+            ContactSpace::check_size(self.fixed(), self.moving())
+                .map_err(|e| self.failure(&e.into()))?;
+            return Ok(NoFit::new(self.fixed(), self.moving()).at(theta));
+        }
         Ok(match self.subject {
             Subject::Saved(file) => match &file.space {
                 PairSpace::Planar(space) => space.slice(theta),

@@ -13,33 +13,44 @@ in the unit of the drawing.
 
 from ._errors import Error, InternalError
 from ._results import (
+    Assembly,
     Checked,
+    Contact,
+    Crossing,
+    Escape,
     Motion,
     Nearest,
+    Pass,
     Patch,
     Plan,
     Play,
     Region,
     Simulation,
     Solved,
+    Step,
     Table,
 )
 from ._loops import Loops
 from ._model import Model
+from ._nest import inner_fit, least_separation, nfp
 from ._part import Part
 from ._rust import VERSION as __version__
 from ._rust import set_threads
 from ._space import ContactSpace, compute
-from ._sweep import sweep
+from ._sweep import monte_carlo, normal, sweep, triangular, uniform
 
 FREE, BLOCKED, CONTACT = 0, 1, 2
 
 __all__ = [
+    "Assembly",
     "BLOCKED",
     "CONTACT",
     "Checked",
+    "Contact",
     "ContactSpace",
+    "Crossing",
     "Error",
+    "Escape",
     "FREE",
     "InternalError",
     "Loops",
@@ -47,18 +58,27 @@ __all__ = [
     "Motion",
     "Nearest",
     "Part",
+    "Pass",
     "Patch",
     "Plan",
     "Play",
     "Region",
     "Simulation",
     "Solved",
+    "Step",
     "Table",
     "__version__",
     "compute",
+    "inner_fit",
+    "least_separation",
+    "monte_carlo",
+    "nfp",
+    "normal",
     "set_threads",
     "simulate",
     "sweep",
+    "triangular",
+    "uniform",
 ]
 
 

@@ -23,6 +23,9 @@ class Loops(list[list[tuple[float, float, float]]]):
     Loops(2 loops, 3 vertices)
     """
 
+    #: Whether curves may be missing, or not there: of a slice or a no-fit region.
+    doubtful: bool = False
+
     def __init__(self, loops: Any = ()) -> None:
         super().__init__(_vertices(i, loop) for i, loop in enumerate(loops))
 

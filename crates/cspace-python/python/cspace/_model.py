@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from . import _rust
-from ._arrays import column, table, window
+from ._arrays import column, position, table, window
 from ._errors import Error
 from ._part import Part
-from ._results import Checked, Simulation, Solved, Table
+from ._results import Assembly, Checked, Escape, Pass, Simulation, Solved, Step, Table
 from ._space import ContactSpace
 
 
@@ -125,6 +125,33 @@ class Model:
         if requirement not in self.requirements:
             raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
         return Solved(**self._model._solve(vary, requirement, relation, value, samples))
+
+    def escape(
+        self,
+        start: Any,
+        goal: Any = None,
+        fixed: str | None = None,
+        moving: str | None = None,
+        gravity: Sequence[float] | None = None,
+    ) -> Escape:
+        """The least energy with which the moving part of a pair leaves the place `start`, against gravity, loads and springs of the model:
+        for good, or to `goal`. `gravity` (x, y) is in place of the model's; the only pair needs no names."""
+        if fixed is None or moving is None:
+            if len(self.pairs) != 1:
+                raise Error("it is not said which pair is meant: give `fixed` and `moving`")
+            fixed, moving = self.pairs[0]
+        if gravity is not None:
+            gravity = position("gravity", gravity)
+        space = self.compute(fixed, moving)
+        found = _rust._escape(self._model, (fixed, moving), space._space, start, goal, gravity)
+        passes = [Pass(tuple(at), energy, touching) for at, energy, touching in found.pop("passes", [])]
+        return Escape(passes=passes, **found)
+
+    def assembly(self, gap: float | None = None) -> Assembly:
+        """Whether the parts of the model come apart, group by group, and in which order. Parts that touch as drawn are moved apart by
+        `gap`."""
+        found = _rust._assembly(self._model, gap)
+        return Assembly(steps=[Step(*step) for step in found.pop("steps")], **found)
 
     def simulate(self, time: float, every: float | None = None) -> Simulation:
         """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""

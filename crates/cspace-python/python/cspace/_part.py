@@ -71,7 +71,7 @@ class Part:
     @classmethod
     def circle(cls, radius: float, center: Sequence[float] = (0.0, 0.0), name: str = "circle") -> "Part":
         """A disc."""
-        return cls([{"circle": radius, "at": list(center)}], name=name)
+        return cls([{"circle": radius, "at": center}], name=name)
 
     @classmethod
     def rectangle(
@@ -80,15 +80,15 @@ class Part:
         """A rectangle with sides along the axes."""
         try:
             x, y, a, b = *center, width / 2, height / 2
-        except TypeError:
-            raise Error("the width, the height or the center is no number") from None
+        except (TypeError, ValueError):
+            raise Error("the width or the height is no number, or the center is not (x, y)") from None
         return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
 
     @classmethod
     def from_points(cls, points: ArrayLike, name: str = "part") -> "Part":
         """A polygon: one loop of points, n×2."""
         plain = _plain(points)
-        if any(len(point) != 2 for point in plain):
+        if not isinstance(plain, list) or any(not isinstance(point, list) or len(point) != 2 for point in plain):
             raise Error("`points` are not n×2: with bulges, give Part([loop])")
         return cls([plain], name=name)
 

@@ -35,6 +35,81 @@ class Nearest:
 
 
 @dataclass(frozen=True)
+class Contact:
+    """The contact function of a patch: `value`, the distance of the two features along their common normal, a length, 0 in contact; its
+    `gradient` and `hessian` by the coordinates; and where they touch in the fixed part's frame, `at`, with the outward unit `normal` of
+    the fixed part. Of n configurations they are arrays: n, n×3, n×3×3, n×2 and n×2 (of parts on axes n×2 and n×2×2)."""
+
+    value: Any
+    gradient: NDArray[np.float64]
+    hessian: NDArray[np.float64]
+    at: NDArray[np.float64]
+    normal: NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A contact that a motion comes through: its patch, the fraction of the displacement, the configuration, and whether the motion goes
+    into blocked space there."""
+
+    patch: int
+    fraction: float
+    at: tuple[float, ...]
+    enters: bool
+
+
+@dataclass(frozen=True)
+class Pass:
+    """Where a way is highest: the configuration, its energy, and the features that touch."""
+
+    at: tuple[float, ...]
+    energy: float
+    touching: list[Any]
+
+
+@dataclass(frozen=True)
+class Escape:
+    """How a part leaves a place against gravity, loads and springs.
+
+    `verdict` is "escapes", "cage" (proved: no energy lets it out), "from-blocked" or "to-blocked". `energy` is what it takes; no way takes
+    less than `least`, and the `path` takes `most`. `passes` are the highest places on it. `touching` are the features that hold it in a
+    cage. With `unit_mass` energies are those of a mass of 1, since the model has none."""
+
+    verdict: str
+    unit_mass: bool
+    energy: float | None = None
+    least: float | None = None
+    most: float | None = None
+    path: NDArray[np.float64] | None = None
+    passes: list[Pass] = field(default_factory=list)
+    touching: list[Any] = field(default_factory=list)
+    region: int | None = None
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of taking a mechanism apart: the parts that move together, those that stay, the path, and its smallest clearance."""
+
+    moving: list[str]
+    staying: list[str]
+    path: NDArray[np.float64]
+    clearance: float
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """Whether and how a mechanism comes apart: `verdict` is "apart", "locked" (proved for straight removals of groups of parts) or
+    "unknown". Parts that touch as drawn are `gap` apart. `locked` are the parts that stay together, and `why` names what moves, what stays
+    and what touches."""
+
+    verdict: str
+    gap: float
+    steps: list[Step]
+    locked: list[str]
+    why: list[Any]
+
+
+@dataclass(frozen=True)
 class Motion:
     """What becomes of a motion: "free", "contact", "leaves" (its range) or "blocked" (from the beginning).
 

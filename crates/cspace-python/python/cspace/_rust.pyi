@@ -173,6 +173,59 @@ class Part:
 VERSION: str
 
 
+def _assembly(model: Any, gap: Any = None) -> Any:
+    """The order in which a mechanism comes apart, as a dictionary."""
+
+
+def _bands(space: Any) -> Any:
+    """The bands: the orientations between which nothing but lengths changes."""
+
+
+def _beside(placed: Any, moving: Any, thetas: Any) -> Any:
+    """Beside parts, each placed by a configuration, for every orientation."""
+
+
+def _connected(space: Any, start: Any, goal: Any) -> Any:
+    """Whether two configurations are free and in one region; `goal` is one configuration."""
+
+
+def _crossings(space: Any, start: Any, by: Any) -> Any:
+    """The contacts that a motion of constant rates from `start` by `by` comes through: for each its patch, the fraction of the displacement,
+    the configuration, and whether it goes into blocked space there."""
+
+
+def _ends(space: Any, patch: Any, thetas: Any) -> Any:
+    """Where a patch begins and ends at orientations: two arrays n×2 of positions, nan where it does not exist."""
+
+
+def _escape(model: Any, pair: Any, space: Any, start: Any, goal: Any = None, gravity: Any = None) -> Any:
+    """The least energy with which the moving part leaves a place, as a dictionary; `gravity` in place of the model's."""
+
+
+def _evaluate(space: Any, patch: Any, q: Any) -> Any:
+    """The contact function of a patch at configurations: value, gradient and Hessian by the coordinates."""
+
+
+def _measures(space: Any) -> Any:
+    """How many features the parts have, below which clearance there is none, and how near to a contact is in contact."""
+
+
+def _projected(space: Any, q: Any, length_per_radian: Any, patch: Any = None) -> Any:
+    """The nearest configuration of a patch, or of any, where a radian counts as a length: its patch, the configuration and the distance."""
+
+
+def _separation(fixed: Any, moving: Any, at: Any) -> Any:
+    """The shortest translation that separates two parts."""
+
+
+def _svg(space: Any, theta: Any) -> Any:
+    """A slice at an orientation, or the plane of two motions, as SVG."""
+
+
+def _within(container: Any, moving: Any, thetas: Any) -> Any:
+    """Within a part, for every orientation."""
+
+
 def command(arguments: Any) -> Any:
     """Runs the command with its arguments, of which the first is its name, and returns its exit code."""
 

@@ -1,7 +1,9 @@
 """Configuration spaces."""
 
 import dataclasses
+import html
 import os
+import tempfile
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +16,7 @@ from ._errors import Error
 from ._loops import Loops
 from ._optional import optional
 from ._part import Part
-from ._results import Motion, Nearest, Patch, Plan, Play, Region
+from ._results import Contact, Crossing, Motion, Nearest, Patch, Plan, Play, Region
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -75,6 +77,26 @@ class ContactSpace:
         return self._space.resolution
 
     @property
+    def least_clearance(self) -> float:
+        """Clearances below this count as none, a length."""
+        return _rust._measures(self._space)[1]
+
+    @property
+    def contact_distance(self) -> float:
+        """Configurations nearer to contact than this are in contact for `classify`, a length."""
+        return _rust._measures(self._space)[2]
+
+    @property
+    def features(self) -> tuple[int, int]:
+        """How many lines, arcs and vertices the fixed and the moving part have."""
+        return _rust._measures(self._space)[0]
+
+    @property
+    def bands(self) -> list[tuple[float, float]]:
+        """The intervals between critical orientations, radians: within one nothing but lengths changes."""
+        return _rust._bands(self._space)
+
+    @property
     def regions(self) -> list[Region]:
         """The free regions, by their numbers."""
         return [Region(tuple(sample), caged) for sample, caged in self._space._regions()]
@@ -89,6 +111,23 @@ class ContactSpace:
         nan on fixed axes."""
         return self._space.links()
 
+    def contact(self, patch: int, q: ArrayLike) -> Contact:
+        """The contact function of a patch at one configuration or at many, with derivatives and the place where its features touch."""
+        return Contact(**_rust._evaluate(self._space, patch, q))
+
+    def ends(self, patch: int, theta: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The boundary curves of a patch: the positions (x, y) at which it begins and ends at orientations, as two arrays n×2; nan where
+        it does not exist. Blocked space is on the left of the way from the one to the other."""
+        try:
+            thetas = np.ascontiguousarray(np.atleast_1d(np.asarray(theta, dtype=np.float64)).ravel())
+        except (TypeError, ValueError) as error:
+            raise Error(f"`theta` is no array of numbers: {error}") from None
+        return _rust._ends(self._space, patch, thetas)
+
+    def connected(self, start: ArrayLike, goal: ArrayLike) -> Any:
+        """Whether configurations are free and in one region with the configuration `goal`: true or false for one, an array for many."""
+        return _rust._connected(self._space, start, goal)
+
     def contacts(self, q: ArrayLike, tolerance: float | None = None) -> list[tuple[int, float]]:
         """The patches no farther than `tolerance` from one configuration, with the distances; within the resolution without."""
         return self._space.contacts(q, tolerance)
@@ -96,6 +135,12 @@ class ContactSpace:
     def nearest(self, q: ArrayLike) -> Nearest | None:
         """The nearest configuration in contact, or None where there is no contact at all."""
         found = self._space._nearest(q)
+        return None if found is None else Nearest(found[0], tuple(found[1]), found[2])
+
+    def project(self, q: ArrayLike, length_per_radian: float, patch: int | None = None) -> Nearest | None:
+        """The configuration in contact that is nearest to one configuration, where a radian counts as `length_per_radian`: of a patch, or
+        of any."""
+        found = _rust._projected(self._space, q, length_per_radian, patch)
         return None if found is None else Nearest(found[0], tuple(found[1]), found[2])
 
     def near_features(self, q: ArrayLike, within: float) -> list[tuple[str, str, float]]:
@@ -107,6 +152,11 @@ class ContactSpace:
         """A motion of constant rates from `start` by the displacement `by`, up to its first contact."""
         result, fraction, at, touching = self._space._move(start, by)
         return Motion(result, fraction, tuple(at), touching)
+
+    def crossings(self, start: ArrayLike, by: ArrayLike) -> list[Crossing]:
+        """Every contact that a motion of constant rates from `start` by the displacement `by` comes through, also where the parts
+        overlap."""
+        return [Crossing(patch, t, tuple(at), enters) for patch, t, at, enters in _rust._crossings(self._space, start, by)]
 
     def play(self, q: ArrayLike) -> dict[str, Play]:
         """For each coordinate how far it goes when it alone changes, as a dictionary of `Play`."""
@@ -145,6 +195,27 @@ class ContactSpace:
             self.moving.outline.moved(x, y, theta).plot(ax, facecolor=_MOVING, alpha=0.8, zorder=2)
             ax.plot([x], [y], color="black", marker="+", zorder=3)
         return ax
+
+    def svg(self, theta: float = 0.0) -> str:
+        """The slice at an orientation as SVG, as the command draws it; of two parts on axes the plane of their motions."""
+        return _rust._svg(self._space, theta)
+
+    def _repr_svg_(self) -> str | None:
+        if self.pair_class == "lower":
+            return None
+        return self.svg(0.0 if self.window is None else sum(self.window) / 2)
+
+    def view(self, height: int = 640) -> Any:
+        """The page of the command for this space, which needs no server, as a frame in a Jupyter notebook."""
+        display = optional("IPython.display", "ipython")
+        with tempfile.TemporaryDirectory() as folder:
+            space, page = os.path.join(folder, "space.json"), os.path.join(folder, "space.html")
+            self.save(space)
+            if _rust.command(["cspace", "export", space, "-o", page]) != 0:
+                raise Error("the page could not be written")
+            with open(page, encoding="utf-8") as file:
+                text = html.escape(file.read(), quote=True)
+        return display.HTML(f'<iframe srcdoc="{text}" width="100%" height="{height}" style="border:0"></iframe>')
 
     def mesh(self, tolerance: float = 1e-3) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """The contact surface as triangles: vertices n×3 (x, y, theta) on the surface, and faces m×3. `tolerance` is a share of the pair's

@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::feature::tolerance::{GROWTH, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, ROOM};
+use crate::feature::tolerance::{
+    GROWTH, MOVED_IN_ROOM, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, ROOM,
+};
 use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
@@ -33,6 +35,8 @@ pub(crate) struct Geometry {
     pub(crate) moving_fold: u32,
     /// By how much the sides of the fixed and of the moving part are grown, at most (length).
     pub(crate) growths: (f64, f64),
+    /// By how much the moving part is smaller than drawn (length).
+    pub(crate) room: f64,
     fixed_body: Arc<Body>,
     moving_body: Arc<Body>,
     /// The loci of sheets in double-double, each made when it is first asked for.
@@ -247,6 +251,7 @@ struct Outlines {
     fixed_fold: u32,
     moving_fold: u32,
     growths: (f64, f64),
+    room: f64,
     fixed_body: Body,
     moving_body: Body,
 }
@@ -270,9 +275,9 @@ impl Outlines {
             let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
             Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH))
         };
-        let (growths, room) = match fit {
-            Fit::Overlaps => (growths, 0.0),
-            Fit::HasPlay => ((growths.0, growths.1.less(ROOM)), ROOM),
+        let (growths, room, moved) = match fit {
+            Fit::Overlaps => (growths, 0.0, MOVING_PERTURBATION),
+            Fit::HasPlay => ((growths.0, growths.1.less(ROOM)), ROOM, MOVED_IN_ROOM),
         };
         let outline = |p: Placed<'_>, growths: &Growths, seed: u64, size: f64| {
             let perturbation = Perturbation {
@@ -285,9 +290,10 @@ impl Outlines {
             Outline::grown_by(p.part, p.center, scale, growth, Some(&perturbation))
         };
         let a = outline(fixed, &growths.0, 1, PERTURBATION);
-        let b = outline(moving, &growths.1, 2, MOVING_PERTURBATION);
+        let b = outline(moving, &growths.1, 2, moved);
         Self {
             growths: (growths.0.greatest(), growths.1.greatest()),
+            room,
             frame: PairFrame {
                 fixed_center: fixed.drawn_center,
                 moving_center: moving.drawn_center,
@@ -305,7 +311,10 @@ impl Outlines {
     fn sheets(self, span: Span, period: Period, most: usize) -> Geometry {
         let contacts = Contacts::new(&self.fixed, &self.moving, span, period, most);
         let scale = self.frame.scale;
-        let disc = |body: &Body| inscribed_disc(body.part(), body.center(), scale);
+        let disc = |body: &Body| {
+            let (center, radius) = inscribed_disc(body.part(), body.center(), scale)?;
+            (radius > self.room).then_some((center, radius - self.room))
+        };
         Geometry {
             exact: (contacts.sheets.iter()).map(|_| OnceLock::new()).collect(),
             frame: self.frame,
@@ -317,6 +326,7 @@ impl Outlines {
             fixed_fold: self.fixed_fold,
             moving_fold: self.moving_fold,
             growths: self.growths,
+            room: self.room,
             fixed_body: Arc::new(self.fixed_body),
             moving_body: Arc::new(self.moving_body),
         }

@@ -1,7 +1,7 @@
 //! Where a part can be placed at one orientation: beside others without overlap, or within a frame.
 
 use crate::contact::{Bodies, Fit};
-use crate::geometry::Configuration;
+use crate::geometry::{Configuration, Vector};
 use crate::part::{Bounds, Part};
 use crate::slice::{CurveGeometry, Slice};
 
@@ -14,8 +14,9 @@ use super::slicer::Slicer;
 /// Where a [`ContactSpace`](crate::ContactSpace) and its [slices](crate::ContactSpace::slice) take what fits exactly for blocked, here it
 /// is free: a disc in a frame of its own diameter has one position, a peg in a slot of its own width has a segment. Slices are in the
 /// form of those: loops with blocked space on the left; a loop that is one point is a segment from there to there, and one that is a
-/// segment or arc goes there and back. Curves are those of the parts as drawn, to rounding. Parts that overlap by less than
-/// 9·10⁻¹⁰ of their size, about, are taken to fit.
+/// segment or arc goes there and back. Curves are those of the parts as drawn, to rounding, but for ends of curves that are tangent to the
+/// next. Parts that overlap by less than 9·10⁻¹⁰ of the pair's size are taken to fit. Of parts that fit exactly in many places at once, such
+/// as a plate on several pins of the size of its holes, the position may be missed.
 ///
 /// ```
 /// use cspace::{NoFit, Part, Point};
@@ -113,6 +114,28 @@ impl NoFit {
             return inside(&slice);
         }
         slice
+    }
+
+    /// The shortest translation to a position without overlap, zero if the configuration is one; `None` if there is no such position.
+    ///
+    /// Of two parts that overlap its length is their penetration at this orientation.
+    ///
+    /// ```
+    /// use cspace::{Configuration, NoFit, Part};
+    /// let square = Part::rectangle("square", (0.0, 0.0), 2.0, 2.0)?;
+    /// let apart = NoFit::new(&square, &square);
+    /// let by = apart.least_separation(Configuration::new(1.5, 0.2, 0.0)).ok_or("there is none")?;
+    /// assert!((by.x - 0.5).abs() < 1e-12 && by.y.abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn least_separation(&self, at: Configuration) -> Option<Vector> {
+        let (slice, p) = (self.at(at.theta), at.position());
+        // Without curves all positions beside a part are free, and none within a frame.
+        let is_free = slice.is_free(p) && !(self.within && slice.curves.is_empty());
+        if is_free {
+            return Some(Vector::ZERO);
+        }
+        slice.nearest(p).map(|(_, q)| q - p)
     }
 }
 

@@ -9,10 +9,10 @@
 //!               └─┘
 //! ```
 
-use core::f64::consts::PI;
+use core::f64::consts::FRAC_PI_2;
 
 use crate::contact::{Cycle, Exact, Orientation, Sheet};
-use crate::feature::tolerance::{NARROWEST_BAND, ROOM, SAME_CARRIER};
+use crate::feature::tolerance::{ROOM, SAME_CARRIER};
 use crate::feature::{FeatureName, Outline, PairFrame};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::Part;
@@ -31,7 +31,7 @@ const TANGENT: f64 = 1e-7;
 
 /// A place drawn again is nearer than this to what it was (length in the pair's frame): a play of [`ROOM`] moves the end of a curve
 /// that is tangent to the next by its square root.
-const FARTHEST: f64 = 1e-4;
+const FARTHEST: f64 = 1e-3;
 
 /// Outlines of a pair as they are drawn.
 #[derive(Debug)]
@@ -46,6 +46,8 @@ struct Piece {
     moving: FeatureName,
     /// As it was computed.
     rough: CurveGeometry,
+    /// Whether that is longer than its sheet's curve: its ends have just passed each other, so that it seems to be all around a circle.
+    passed: bool,
     cycle: Cycle<Exact>,
     /// Where it starts and ends if a feature ends there.
     ends: [Option<Point<Exact>>; 2],
@@ -114,10 +116,10 @@ impl AsDrawn {
             c.position(middle).abs() / c.half
         };
         let sheet = (geometry.contacts.sheets.iter())
-            .filter(|s| s.lo - NARROWEST_BAND <= at && at <= s.hi + NARROWEST_BAND)
             .filter(|s| s.function() == patch.function)
             .filter(|s| name(s) == Some((curve.fixed, curve.moving)))
             .min_by(|s, t| off(s).total_cmp(&off(t)))?;
+        let whole = sheet.curve(at, turn).half;
         let locus = sheet.exact(&self.fixed, &self.moving);
         let turn = Orientation::by(Exact::from(at)).turn;
         let [start, end] = locus.ends(turn);
@@ -126,6 +128,7 @@ impl AsDrawn {
             fixed: curve.fixed,
             moving: curve.moving,
             rough: curve.geometry,
+            passed: curve.geometry.length() * geometry.frame.scale > 2.0 * whole + ONE_PLACE,
             cycle: locus.cycle(turn),
             ends: [end_of(&patch.left, start), end_of(&patch.right, end)],
         })
@@ -143,51 +146,44 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<
         let end = before.ends[1]
             .or(after.ends[0])
             .map(|p| p.map(Exact::to_f64));
-        let p = end.or_else(|| {
-            let cycle = before.rounded();
-            if goes_on(&cycle, &after.rounded()) {
-                let outward = cycle.slope(rough).unit();
-                return Some(rough + outward * -cycle.distance(rough));
-            }
-            let p = crossing(&before.cycle, &after.cycle, rough)?;
-            Some(p.map(Exact::to_f64))
-        })?;
+        let p = end.or_else(|| crossing(before, after, rough))?;
         (p.distance(rough) <= FARTHEST).then_some(p)
     };
-    let places: Option<Vec<Point>> = (0..n).map(place).collect();
-    let places = places?;
-    // All around a circle that is more than a point.
-    let is_round = |piece: &Piece| {
-        matches!(piece.rough, CurveGeometry::Arc { sweep, .. } if sweep.abs() > PI)
-            && piece.cycle.size.to_f64() > ONE_PLACE
-    };
-    let is_long = |i: usize| places[(i + n - 1) % n].distance(places[i]) > ONE_PLACE;
-    let stays = |&i: &usize| is_long(i) || is_round(&pieces[i]);
-    let kept: Vec<usize> = (0..n).filter(stays).collect();
-    let curve = |piece: &Piece, geometry| SliceCurve {
-        fixed: piece.fixed,
-        moving: piece.moving,
-        geometry,
-        patch: None,
-        next: 0,
-    };
-    let Some(last) = kept.last() else {
-        let (_, (at, _)) = on_cycle(&pieces[0].line(), [places[0]; 2], frame, moved);
-        let point = CurveGeometry::Segment { start: at, end: at };
-        return Some(vec![curve(&pieces[0], point)]);
-    };
-    let mut start = places[*last];
+    // Each piece with where it ends; it starts where the one before it ends.
+    let ends: Option<Vec<Point>> = (0..n).map(place).collect();
+    let mut kept: Vec<(&Piece, Point)> = pieces.iter().zip(ends?).collect();
+    loop {
+        let n = kept.len();
+        let start = |i: usize| kept[(i + n - 1) % n].1;
+        let Some(i) = (0..n).find(|&i| kept[i].0.is_only_play(start(i), kept[i].1)) else {
+            break;
+        };
+        let (first, last) = (start(i), kept[i].1);
+        if n == 1 {
+            let line = Cycle::line(Point::ORIGIN, Vector::new(1.0, 0.0));
+            let (geometry, _) = on_cycle(&line, [last; 2], frame, moved);
+            return Some(vec![kept[0].0.curve(geometry)]);
+        }
+        // What was before and after it meets there.
+        let (before, after) = (kept[(i + n - 1) % n].0, kept[(i + 1) % n].0);
+        let within = ONE_PLACE.max(2.0 * first.distance(last));
+        let met = crossing(before, after, first).filter(|p| p.distance(first) <= within);
+        kept[(i + n - 1) % n].1 = met.unwrap_or(first);
+        kept.remove(i);
+    }
+    let mut start = kept.last()?.1;
     let mut drawn: Vec<(Cycle, SliceCurve)> = Vec::with_capacity(kept.len());
-    for &i in &kept {
-        let cycle = pieces[i].rounded();
-        let (geometry, _) = on_cycle(&cycle, [start, places[i]], frame, moved);
-        start = places[i];
-        match drawn.last_mut() {
-            Some((before, c)) if goes_on(before, &cycle) => match joined(&c.geometry, &geometry) {
-                Some(both) => c.geometry = both,
-                None => drawn.push((cycle, curve(&pieces[i], geometry))),
-            },
-            _ => drawn.push((cycle, curve(&pieces[i], geometry))),
+    for (piece, end) in kept {
+        let cycle = piece.rounded();
+        let (geometry, _) = on_cycle(&cycle, [start, end], frame, moved);
+        start = end;
+        if let Some((before, curve)) = drawn.last_mut()
+            && goes_on(before, &cycle)
+            && let Some(both) = joined(&curve.geometry, &geometry)
+        {
+            curve.geometry = both;
+        } else {
+            drawn.push((cycle, piece.curve(geometry)));
         }
     }
     // The last may go on in the first.
@@ -202,6 +198,24 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<
 }
 
 impl Piece {
+    /// Whether it is there only because of the play: it is one place, or leads back.
+    fn is_only_play(&self, start: Point, end: Point) -> bool {
+        let (cycle, off) = (self.rounded(), start.distance(end));
+        let travel = if cycle.is_centred() {
+            let (from, to) = (start - cycle.through, end - cycle.through);
+            from.cross(to).atan2(from.dot(to)) * cycle.weight
+        } else {
+            cycle.place(end).x - cycle.place(start).x
+        };
+        // Where it is most of a circle, travel the short way back tells nothing.
+        let is_round =
+            matches!(self.rough, CurveGeometry::Arc { sweep, .. } if sweep.abs() > FRAC_PI_2);
+        if is_round && !self.passed && cycle.size > ONE_PLACE {
+            return false;
+        }
+        off <= ONE_PLACE || (travel < 0.0 && (self.passed || off <= FARTHEST))
+    }
+
     fn rounded(&self) -> Cycle {
         Cycle {
             through: self.cycle.through.map(Exact::to_f64),
@@ -211,26 +225,37 @@ impl Piece {
         }
     }
 
-    /// Some line: what a point is drawn on.
-    fn line(&self) -> Cycle {
-        Cycle::line(Point::ORIGIN, Vector::new(1.0, 0.0))
+    fn curve(&self, geometry: CurveGeometry) -> SliceCurve {
+        SliceCurve {
+            fixed: self.fixed,
+            moving: self.moving,
+            geometry,
+            patch: None,
+            next: 0,
+        }
     }
 }
 
-/// Where two cycles cross, of two crossings the one nearer to a place; where they are tangent, or were, the nearest place to that.
-fn crossing(before: &Cycle<Exact>, after: &Cycle<Exact>, near: Point) -> Option<Point<Exact>> {
+/// Where one piece goes over into another: of two crossings the one nearer to a place, on one line or circle that place, and where they
+/// are tangent, or were, the place nearest to both.
+fn crossing(before: &Piece, after: &Piece, near: Point) -> Option<Point> {
+    let one = before.rounded();
+    if goes_on(&one, &after.rounded()) {
+        return Some(near + one.slope(near).unit() * -one.distance(near));
+    }
+    let (before, after) = (&before.cycle, &after.cycle);
     // A circle that is a point.
-    let point = |c: &Cycle<Exact>| (c.is_centred() && c.size.to_f64() < ROOM).then_some(c.through);
-    if let Some(p) = point(before).or_else(|| point(after)) {
-        return Some(p);
+    let point = |c: &Cycle<Exact>| c.is_centred() && c.size.to_f64() < ROOM;
+    if let Some(c) = [before, after].into_iter().find(|c| point(c)) {
+        return Some(c.through.map(Exact::to_f64));
     }
     let both = [0, 1].map(|root| before.at(before.root(after, root, false)));
     let [p, q] = both.map(|p| p.map(Exact::to_f64));
     match (p.is_finite(), q.is_finite()) {
-        (true, true) if p.distance(q) <= TANGENT => Some(both[0].midpoint(both[1])),
-        (true, true) if q.distance(near) < p.distance(near) => Some(both[1]),
-        (true, _) => Some(both[0]),
-        (false, true) => Some(both[1]),
+        (true, true) if p.distance(q) <= TANGENT => Some(p.midpoint(q)),
+        (true, true) if q.distance(near) < p.distance(near) => Some(q),
+        (true, _) => Some(p),
+        (false, true) => Some(q),
         (false, false) => None,
     }
 }

@@ -37,12 +37,15 @@ impl Cores {
         let turns = (contacts.span.hi - contacts.span.lo) / TAU;
         let in_turn = contacts.sheets.len() as f64 / turns;
         let most = 1 + (in_turn / SHEETS_PER_DISC) as usize;
-        let all = |part: &Part, center: Point, disc: Option<(Point, f64)>, fold: u32| {
+        type Discs = Vec<(Point, f64)>;
+        let all = |part: &Part, center: Point, disc: Option<(Point, f64)>, fold: u32| -> Discs {
             // Of small pairs one disc of each part is all that is kept.
             if most == 1 && disc.is_some() {
                 return disc.into_iter().collect();
             }
-            inscribed_discs(part, center, geometry.frame.scale, disc, fold, plenty)
+            let discs = inscribed_discs(part, center, geometry.frame.scale, disc, fold, plenty);
+            let less = |(c, r): (Point, f64)| (c, r - geometry.room);
+            discs.into_iter().map(less).filter(|d| d.1 > 0.0).collect()
         };
         let fixed = all(
             geometry.fixed_part(),

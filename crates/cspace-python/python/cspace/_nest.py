@@ -1,0 +1,106 @@
+"""Where a part can be placed at given orientations: beside others, or within one, exact fits among the positions."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _rust
+from ._errors import Error
+from ._loops import Loops
+from ._part import Part
+
+
+def _part(name: str, part: Any) -> Part:
+    if not isinstance(part, Part):
+        raise Error(f"`{name}` is {part!r}: give a Part")
+    return part
+
+
+def _configuration(name: str, at: Any) -> tuple[float, float, float]:
+    try:
+        x, y, theta = (float(number) for number in at)
+    except (TypeError, ValueError):
+        raise Error(f"`{name}` is {at!r}: give a configuration (x, y, theta)") from None
+    if not np.isfinite([x, y, theta]).all():
+        raise Error(f"`{name}` is {at!r}, which is not finite")
+    return x, y, theta
+
+
+def _placed(fixed: Any) -> list[tuple[Any, tuple[float, float, float]]]:
+    """Parts with their configurations: one where it is drawn, or a list of pairs."""
+    if isinstance(fixed, Part):
+        return [(fixed._part, (0.0, 0.0, 0.0))]
+    try:
+        pairs = [(part, at) for part, at in fixed]
+    except (TypeError, ValueError):
+        raise Error("`fixed` is neither a Part nor a list of placed parts [(part, (x, y, theta)), ...]") from None
+    return [(_part("fixed", part)._part, _configuration("fixed", at)) for part, at in pairs]
+
+
+def _orientations(theta: ArrayLike) -> tuple[list[float], bool]:
+    try:
+        thetas = np.asarray(theta, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise Error(f"`theta` is no number: {error}") from None
+    if thetas.ndim > 1:
+        raise Error("`theta` is an array of more than one dimension")
+    return np.atleast_1d(thetas).tolist(), thetas.ndim == 0
+
+
+def _spaced(moving: Part, spacing: float) -> Part:
+    if not (isinstance(spacing, (int, float)) and 0 <= spacing < float("inf")):
+        raise Error(f"`spacing` is {spacing!r} where a length of 0 or more is expected")
+    return moving.offset(spacing) if spacing else moving
+
+
+def _answers(found: list[tuple[Any, bool]], single: bool) -> Any:
+    answers = []
+    for loops, doubtful in found:
+        answers.append(Loops(loops))
+        answers[-1].doubtful = doubtful
+    return answers[0] if single else answers
+
+
+def nfp(
+    fixed: Part | Sequence[tuple[Part, Sequence[float]]], moving: Part, theta: ArrayLike = 0.0, spacing: float = 0.0
+) -> Any:
+    """The no-fit region: the boundary of the positions (x, y) at which `moving`, turned by `theta`, overlaps `fixed`.
+
+    `fixed` is a part, or a list of placed parts [(part, (x, y, theta)), ...], which may touch each other. Beside the boundary, with the
+    blocked side on its left, all is exact: what fits exactly has a loop of one vertex, or one that goes along a line or arc and back. With
+    `spacing` the parts stay so far apart. One orientation gives `Loops`, an array of them a list. `loops.doubtful` says whether curves may
+    be missing.
+
+    >>> square = Part.rectangle(2, 2, name="square")
+    >>> nfp(square, square)
+    Loops(1 loop, 4 vertices)
+    >>> nfp(square, square).area
+    16.0
+    """
+    thetas, single = _orientations(theta)
+    grown = _spaced(_part("moving", moving), spacing)
+    return _answers(_rust._beside(_placed(fixed), grown._part, thetas), single)
+
+
+def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: float = 0.0) -> Any:
+    """The inner-fit region: the boundary of the positions (x, y) at which `part`, turned by `theta`, lies within `container` and outside
+    of its holes; without loops it fits nowhere.
+
+    Loops run around free positions clockwise, so that what is blocked is on their left; a part that fits exactly has a loop of one
+    vertex. `theta`, `spacing` and what is returned are as of `nfp`.
+
+    >>> inner_fit(Part.circle(200), Part.circle(200))
+    Loops(1 loop, 1 vertex)
+    """
+    thetas, single = _orientations(theta)
+    grown = _spaced(_part("part", part), spacing)
+    return _answers(_rust._within(_part("container", container)._part, grown._part, thetas), single)
+
+
+def least_separation(a: Part, b: Part, configuration: Sequence[float]) -> tuple[float, float]:
+    """The shortest translation (dx, dy) of `b` from a configuration (x, y, theta) to a position beside `a` without overlap; zero where
+    they do not overlap."""
+    at = _configuration("configuration", configuration)
+    return _rust._separation(_part("a", a)._part, _part("b", b)._part, at)

@@ -1,0 +1,202 @@
+//! Questions to patches and their contact functions, on arrays.
+
+use cspace::{Band, Metric, PairSpace, PatchId, QueryError};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1};
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::error;
+use crate::rows::{Asked, asked, each, numbers, one, width};
+use crate::space::{Space, matrix};
+use crate::work;
+
+fn failed(e: QueryError) -> PyErr {
+    error(e)
+}
+
+/// The patch of a number.
+fn patch_id(space: &PairSpace, patch: i64) -> PyResult<PatchId> {
+    let count = space.patch_count();
+    let id = u32::try_from(patch).ok().map(PatchId);
+    id.filter(|id| id.index() < count).ok_or_else(|| {
+        error(format_args!(
+            "there is no patch {patch}: they are numbered from 0, and there are {count}"
+        ))
+    })
+}
+
+/// The contact function of a patch at configurations: value, gradient and Hessian by the coordinates.
+#[pyfunction]
+pub(crate) fn _evaluate<'py>(
+    py: Python<'py>,
+    space: &Space,
+    patch: i64,
+    q: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let space = space.shared(py)?;
+    let contact = space.patch(patch_id(&space, patch)?).map_err(failed)?;
+    let contact = contact.contact().map_err(failed)?;
+    let n = width(&space);
+    let told = PyDict::new(py);
+    match asked(q, &space)? {
+        Asked::One(at) => {
+            let c = contact.evaluate(at).map_err(failed)?;
+            let rows: Vec<Vec<f64>> = c.hessian[..n].iter().map(|r| r[..n].to_vec()).collect();
+            told.set_item("value", c.value)?;
+            told.set_item("gradient", c.gradient[..n].to_vec().into_pyarray(py))?;
+            told.set_item("hessian", matrix(py, rows)?)?;
+            let t = contact.touching(at).map_err(failed)?;
+            told.set_item("at", vec![t.on_fixed.x, t.on_fixed.y].into_pyarray(py))?;
+            told.set_item("normal", vec![t.normal.x, t.normal.y].into_pyarray(py))?;
+        }
+        Asked::Many(rows) => {
+            let all = each(py, &rows, |at| {
+                Ok((contact.evaluate(at)?, contact.touching(at)?))
+            })?;
+            let values: Vec<f64> = all.iter().map(|c| c.0.value).collect();
+            let flat = |of: &dyn Fn(usize) -> Vec<f64>| -> Vec<f64> {
+                (0..all.len()).flat_map(of).collect()
+            };
+            let gradients = flat(&|i| all[i].0.gradient[..n].to_vec());
+            let hessians = flat(&|i| {
+                let rows = all[i].0.hessian[..n].iter();
+                rows.flat_map(|r| r[..n].to_vec()).collect()
+            });
+            let places = flat(&|i| vec![all[i].1.on_fixed.x, all[i].1.on_fixed.y]);
+            let normals = flat(&|i| vec![all[i].1.normal.x, all[i].1.normal.y]);
+            told.set_item("value", values.into_pyarray(py))?;
+            for (key, flat, shape) in [
+                ("gradient", gradients, vec![all.len(), n]),
+                ("hessian", hessians, vec![all.len(), n, n]),
+                ("at", places, vec![all.len(), 2]),
+                ("normal", normals, vec![all.len(), 2]),
+            ] {
+                told.set_item(
+                    key,
+                    flat.into_pyarray(py).call_method1("reshape", (shape,))?,
+                )?;
+            }
+        }
+    }
+    Ok(told)
+}
+
+/// Where a patch begins and ends at orientations: two arrays n×2 of positions, nan where it does not exist.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "two arrays")]
+pub(crate) fn _ends<'py>(
+    py: Python<'py>,
+    space: &Space,
+    patch: i64,
+    thetas: PyReadonlyArray1<'py, f64>,
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
+    let space = space.shared(py)?;
+    let patch = space.patch(patch_id(&space, patch)?).map_err(failed)?;
+    patch.orientations().map_err(failed)?;
+    let thetas = thetas.as_slice()?;
+    let mut ends = [Vec::new(), Vec::new()];
+    for &theta in thetas {
+        let found = match patch.ends_at(theta) {
+            Ok(both) => both.map(|(at, _)| numbers(at)[..2].to_vec()),
+            Err(QueryError::Outside) => [vec![f64::NAN; 2], vec![f64::NAN; 2]],
+            Err(e) => return Err(failed(e)),
+        };
+        for (all, end) in ends.iter_mut().zip(found) {
+            all.push(end);
+        }
+    }
+    let [starts, ends] = ends.map(|rows| {
+        let flat: Vec<f64> = rows.into_iter().flatten().collect();
+        flat.into_pyarray(py)
+    });
+    let shaped = |flat: Bound<'py, PyArray1<f64>>| -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let shaped = flat.call_method1("reshape", (thetas.len(), 2))?;
+        Ok(shaped.cast_into()?)
+    };
+    Ok((shaped(starts)?, shaped(ends)?))
+}
+
+/// The bands: the orientations between which nothing but lengths changes.
+#[pyfunction]
+pub(crate) fn _bands(py: Python<'_>, space: &Space) -> PyResult<Vec<(f64, f64)>> {
+    let bands = space.shared(py)?.bands().map_err(failed)?;
+    Ok(bands.into_iter().map(|Band { lo, hi }| (lo, hi)).collect())
+}
+
+/// How many features the parts have, below which clearance there is none, and how near to a contact is in contact.
+#[pyfunction]
+pub(crate) fn _measures(py: Python<'_>, space: &Space) -> PyResult<((u32, u32), f64, f64)> {
+    let space = space.shared(py)?;
+    let features = space.features();
+    Ok((
+        (features.fixed, features.moving),
+        space.least_clearance(),
+        space.contact_distance(),
+    ))
+}
+
+/// Whether two configurations are free and in one region; `goal` is one configuration.
+#[pyfunction]
+pub(crate) fn _connected<'py>(
+    py: Python<'py>,
+    space: &Space,
+    start: &Bound<'py, PyAny>,
+    goal: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let space = space.shared(py)?;
+    let goal = one(goal, &space, "goal")?;
+    let answer = |at| space.connected(at, goal);
+    match asked(start, &space)? {
+        Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+        Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
+    }
+}
+
+/// The nearest configuration of a patch, or of any, where a radian counts as a length: its patch, the configuration and the distance.
+#[pyfunction]
+#[pyo3(signature = (space, q, length_per_radian, patch=None))]
+pub(crate) fn _projected(
+    py: Python<'_>,
+    space: &Space,
+    q: &Bound<'_, PyAny>,
+    length_per_radian: f64,
+    patch: Option<i64>,
+) -> PyResult<Option<(usize, Vec<f64>, f64)>> {
+    let space = space.shared(py)?;
+    let at = one(q, &space, "q")?;
+    let onto = patch.map(|p| patch_id(&space, p)).transpose()?;
+    let metric = Metric { length_per_radian };
+    let found = work::run(py, move |_| {
+        match onto {
+            Some(onto) => space.project(at, onto, metric).map(|p| Some((onto, p))),
+            None => space.nearest_patch(at, metric),
+        }
+        .map_err(|e| e.to_string())
+    })?;
+    Ok(found.map(|(patch, p)| (patch.index(), numbers(p.at), p.distance)))
+}
+
+/// The contacts that a motion of constant rates from `start` by `by` comes through: for each its patch, the fraction of the displacement,
+/// the configuration, and whether it goes into blocked space there.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "Python makes records of it")]
+pub(crate) fn _crossings(
+    py: Python<'_>,
+    space: &Space,
+    start: &Bound<'_, PyAny>,
+    by: &Bound<'_, PyAny>,
+) -> PyResult<Vec<(usize, f64, Vec<f64>, bool)>> {
+    let space = space.shared(py)?;
+    let (from, by) = (one(start, &space, "start")?, one(by, &space, "by")?);
+    let found = work::run(py, move |_| {
+        space.crossings(from, by, 1.0).map_err(|e| e.to_string())
+    })?;
+    let at = |t: f64| -> Vec<f64> {
+        let (from, by) = (numbers(from), numbers(by));
+        from.iter().zip(by).map(|(a, b)| a + t * b).collect()
+    };
+    Ok((found.into_iter())
+        .map(|c| (c.patch.index(), c.time, at(c.time), c.enters))
+        .collect())
+}
