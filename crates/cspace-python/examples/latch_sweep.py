@@ -5,14 +5,13 @@
     python latch_sweep.py --rows 1000 --map dask        # pip install distributed
     python latch_sweep.py --rows 1000 --map ray         # pip install ray
 
-It prints the yield, the time a row takes, and how many bytes are sent for one.
+It prints how many hold, the time that a row takes, and how many bytes are sent for one.
 """
 
-import argparse
-import concurrent.futures
 import pickle
 import time
 
+import maps
 import numpy as np
 
 import cspace as cs
@@ -50,38 +49,17 @@ class Held:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--rows", type=int, default=200)
-    parser.add_argument("--map", choices=["here", "processes", "dask", "ray"], default="here")
-    parser.add_argument("--workers", type=int, default=None)
-    args = parser.parse_args()
-    rng = np.random.default_rng(1)
-    rows = {"head": rng.normal(10, 0.1, args.rows), "mouth": rng.normal(9.1, 0.1, args.rows)}
-    map, close = None, lambda: None
-    if args.map == "here":
-        cs.set_threads(1)
-    elif args.map == "processes":
-        executor = concurrent.futures.ProcessPoolExecutor(args.workers)
-        map, close = executor.map, executor.shutdown
-    elif args.map == "dask":
-        from distributed import Client
-
-        client = Client(n_workers=args.workers, threads_per_worker=1)
-        map, close = client.get_executor().map, client.close
-    else:
-        from ray.util.multiprocessing import Pool
-
-        pool = Pool(args.workers)
-        map, close = pool.map, pool.close
-    if map is not None:
+    args = maps.arguments(__doc__, 200)
+    values = {"head": cs.normal(10, 0.1), "mouth": cs.normal(9.1, 0.1)}
+    held = Held()
+    with maps.chosen(args.map, args.workers) as map:
         # Workers start with the first rows.
-        cs.sweep(Held(), map=map, rows={name: column[:128] for name, column in rows.items()})
-    begin = time.perf_counter()
-    table = cs.sweep(Held(), map=map, rows=rows)
-    seconds = time.perf_counter() - begin
-    close()
+        cs.monte_carlo(held, 128, map=map, **values)
+        begin = time.perf_counter()
+        table = cs.monte_carlo(held, args.rows, seed=1, map=map, **values)
+        seconds = time.perf_counter() - begin
     print(f"held: {np.nanmean(table['value']):.4f}, failures: {len(table.failures)}")
-    print(f"{1e3 * seconds / args.rows:.3f} ms a row, function of {len(pickle.dumps(Held()))} bytes a block of 64 rows")
+    print(f"{1e3 * seconds / args.rows:.3f} ms a row, function of {len(pickle.dumps(held))} bytes a block of 64 rows")
 
 
 if __name__ == "__main__":

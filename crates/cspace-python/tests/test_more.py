@@ -63,7 +63,7 @@ def test_what_a_space_tells():
     near = space.project((-3, 5, 0), 1.0)
     assert near.at[:2] == pytest.approx((-1, 5)) and near.distance == pytest.approx(2)
     assert space.project((-3, 5, 0), 1.0, near.patch).distance == pytest.approx(2)
-    through = space.crossings((-5, 5, 0), (20, 0, 0))
+    through = space.crossings((-5, 5, 0.3), (20, 0, 0))
     assert [(c.enters, round(c.at[0], 9)) for c in through] == [(True, -1), (False, 11)]
 
 

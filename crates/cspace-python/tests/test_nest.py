@@ -103,3 +103,23 @@ def test_answers_are_sent():
     fits = cs.nfp(SQUARE, L)
     again = pickle.loads(pickle.dumps(fits))
     assert again == fits and type(again) is cs.Loops
+
+
+def test_positions_are_told_apart():
+    rng = np.random.default_rng(4)
+    disc, theta = cs.Part.circle(0.7), 0.4
+    beside, within = cs.nfp(L, disc, theta), cs.inner_fit(cs.Part.circle(3), L, theta)
+    space = cs.compute(L, disc)
+    for x, y in rng.uniform(-3, 5, (500, 2)):
+        assert beside.blocks(x, y) == (space.classify((x, y, theta)) == cs.BLOCKED)
+        if space.classify((x, y, theta)) == cs.FREE:
+            assert beside.distance(x, y) == pytest.approx(space.clearance((x, y, theta)), abs=1e-9)
+        corners = [(x + p * math.cos(theta) - q * math.sin(theta), y + p * math.sin(theta) + q * math.cos(theta)) for p, q, _ in L.loops[0]]
+        assert within.blocks(x, y) == any(math.hypot(*corner) > 3 for corner in corners)
+    # Far from an edge that is hardly bent, and beside a whole circle.
+    flat = cs.Loops([[(0, 0, 1e-7), (1, 0, 0), (0.5, -1, 0)]])
+    assert flat.distance(0.5, 1) == pytest.approx(1 + 0.5e-7, abs=1e-12)
+    circle = cs.nfp(disc, disc)
+    assert circle.distance(0, 0) == pytest.approx(1.4) and circle.distance(0.4, 0) == pytest.approx(1.0)
+    nothing = cs.inner_fit(disc, L)
+    assert nothing.blocks(0, 0) and nothing.distance(0, 0) == math.inf

@@ -66,6 +66,28 @@ def seen(start: complex, end: complex, bulge: float, eye: complex) -> float:
     return angle
 
 
+def distance(start: complex, end: complex, bulge: float, eye: complex) -> float:
+    """The distance of a point from an edge."""
+    ends = min(abs(start - eye), abs(end - eye))
+    chord = end - start
+    if chord == 0:
+        return ends
+    if bulge == 0:
+        share = ((eye - start) * chord.conjugate()).real / abs(chord) ** 2
+        return abs(eye - start - share * chord) if 0 < share < 1 else ends
+    # The centre is beside the middle of the chord; the foot of the point is on the arc where it is seen from there between the ends.
+    center = (start + end) / 2 + 1j * chord * (1 - bulge * bulge) / (4 * bulge)
+    arm = eye - center
+    if arm == 0:
+        return radius(start, end, bulge)
+    along = cmath.phase(arm / (start - center)) * math.copysign(1, bulge)
+    if along % (2 * math.pi) > abs(turn(bulge)):
+        return ends
+    # |arm|² − r², without their difference: of a flat arc both are large.
+    power = ((eye - start) * (eye - start).conjugate() + 2 * (eye - start) * (start - center).conjugate()).real
+    return abs(power) / (abs(arm) + radius(start, end, bulge))
+
+
 def chords(start: complex, end: complex, bulge: float, tolerance: float) -> Iterator[complex]:
     """Points of an edge from its start, without its end, whose chords are no farther than `tolerance` from it."""
     pieces = 1

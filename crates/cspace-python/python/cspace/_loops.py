@@ -26,6 +26,9 @@ class Loops(list[list[tuple[float, float, float]]]):
     #: Whether curves may be missing, or not there: of a slice or a no-fit region.
     doubtful: bool = False
 
+    #: Whether what is outside of all loops is blocked: of an inner-fit region.
+    outside_blocked: bool = False
+
     def __init__(self, loops: Any = ()) -> None:
         super().__init__(_vertices(i, loop) for i, loop in enumerate(loops))
 
@@ -37,6 +40,18 @@ class Loops(list[list[tuple[float, float, float]]]):
         """How often the loops go around a point that is on none of them, counter-clockwise."""
         eye = complex(x, y)
         return round(math.fsum(_arcs.seen(*edge, eye) for edge in self._edges()) / (2 * math.pi))
+
+    def distance(self, x: float, y: float) -> float:
+        """The distance of a point from the nearest edge; infinite without loops."""
+        eye = complex(x, y)
+        return min((_arcs.distance(*edge, eye) for edge in self._edges()), default=math.inf)
+
+    def blocks(self, x: float, y: float, tolerance: float = 0.0) -> bool:
+        """Whether a position is on the blocked side, farther than `tolerance` from the boundary."""
+        if self.distance(x, y) <= tolerance:
+            return False
+        around = self.winding(x, y)
+        return around >= 0 if self.outside_blocked else around > 0
 
     @property
     def area(self) -> float:

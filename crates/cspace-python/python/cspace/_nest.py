@@ -55,11 +55,12 @@ def _spaced(moving: Part, spacing: float) -> Part:
     return moving.offset(spacing) if spacing else moving
 
 
-def _answers(found: list[tuple[Any, bool]], single: bool) -> Any:
+def _answers(found: list[tuple[Any, bool]], single: bool, within: bool) -> Any:
     answers = []
-    for loops, doubtful in found:
-        answers.append(Loops(loops))
-        answers[-1].doubtful = doubtful
+    for vertices, doubtful in found:
+        loops = Loops(vertices)
+        loops.doubtful, loops.outside_blocked = doubtful, within
+        answers.append(loops)
     return answers[0] if single else answers
 
 
@@ -81,7 +82,7 @@ def nfp(
     """
     thetas, single = _orientations(theta)
     grown = _spaced(_part("moving", moving), spacing)
-    return _answers(_rust._beside(_placed(fixed), grown._part, thetas), single)
+    return _answers(_rust._beside(_placed(fixed), grown._part, thetas), single, False)
 
 
 def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: float = 0.0) -> Any:
@@ -96,7 +97,7 @@ def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: floa
     """
     thetas, single = _orientations(theta)
     grown = _spaced(_part("part", part), spacing)
-    return _answers(_rust._within(_part("container", container)._part, grown._part, thetas), single)
+    return _answers(_rust._within(_part("container", container)._part, grown._part, thetas), single, True)
 
 
 def least_separation(a: Part, b: Part, configuration: Sequence[float]) -> tuple[float, float]:
