@@ -195,6 +195,54 @@ fn slice_names_features_and_draws() {
     assert!(std::fs::read_to_string(out).unwrap().starts_with("<svg"));
 }
 
+/// A disc in a slot of its own width slides along a line: that is free if exact fits are asked for, in every form of the answer.
+#[test]
+fn slices_have_exact_fits() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
+    let file = path("slot.toml");
+    let text = r#"
+[[part]]
+name = "plate"
+loops = [[[-9, -9], [9, -9], [9, 9], [-9, 9]], [[-4, -2], [4, -2], [4, 2], [-4, 2]]]
+[[part]]
+name = "disc"
+loops = [{ circle = 2, at = [0, 0] }]
+"#;
+    std::fs::write(&file, text).unwrap();
+    let at = ["slice", &file, "--theta", "0.3"];
+    assert!(printed(&at).contains("1 loop, "));
+    let exact = [&at[..], &["--exact"]].concat();
+    let text = printed(&exact);
+    assert!(text.contains("2 loops, "), "{text}");
+    let slice = json(&[&exact[..], &["--format", "json"]].concat());
+    let slit = slice["loops"].as_array().unwrap().iter();
+    let slit = slit.map(|l| l.as_array().unwrap()).find(|l| l.len() == 2);
+    let mut ends: Vec<f64> = (slit.unwrap().iter())
+        .map(|i| {
+            let start =
+                &slice["curves"][i.as_u64().unwrap() as usize]["geometry"]["segment"]["start"];
+            assert!(start["y"].as_f64().unwrap().abs() < 1e-12);
+            start["x"].as_f64().unwrap()
+        })
+        .collect();
+    ends.sort_by(f64::total_cmp);
+    assert!(
+        (ends[0] + 2.0).abs() < 1e-12 && (ends[1] - 2.0).abs() < 1e-12,
+        "{ends:?}"
+    );
+    for out in [path("slice.svg"), path("slice.dxf"), path("slice.png")] {
+        printed(&[&exact[..], &["-o", &out]].concat());
+        assert!(std::fs::metadata(out).unwrap().len() > 500);
+    }
+    // A saved space has its parts; two motions have a plane and no slices.
+    let saved = path("space.json");
+    printed(&["export", &file, "-o", &saved]);
+    assert!(printed(&["slice", &saved, "--theta", "0.3", "--exact"]).contains("2 loops, "));
+    let plane = cspace(&["slice", &model("cam_tappet"), "--exact"]);
+    fails(plane, 2, &["--exact", "--general"]);
+}
+
 /// Where the patches of a space are in doubt, a slice of them says so; that of the model itself need not be.
 #[test]
 fn slices_say_that_they_are_doubtful() {
