@@ -26,7 +26,7 @@ pub(crate) const MOVING_GROWTH: f64 = 0.236_067_977_499_789_7 * GROWTH;
 /// less than that. A pair of discs inside the parts is smaller by more, so that it still overlaps for certain.
 pub(crate) const ROOM: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// By how much vertices of the moving part are moved where it is smaller by [`ROOM`] (length, about 1.2e-10): what fits exactly in
+/// By how much vertices of the moving part are moved where it is smaller by [`ROOM`] (length, about 5.8e-11): what fits exactly in
 /// several places has the same play in each, and its contacts would be tangent to each other.
 pub(crate) const MOVED_IN_ROOM: f64 = ROOM / 16.0;
 
