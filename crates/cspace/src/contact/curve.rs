@@ -2,7 +2,7 @@
 
 use crate::feature::tolerance::{JOINT, WIDEST_ARC};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::number::Ordered;
+use crate::number::{Dd, Ordered};
 use crate::part::Bounds;
 
 use super::cycle::Cycle;
@@ -113,6 +113,30 @@ impl<T: Ordered> Curve<T> {
     #[inline]
     pub(crate) fn normal(&self, p: Point<T>) -> Vector<T> {
         self.cycle.normal_at(p)
+    }
+}
+
+impl Curve<Dd> {
+    /// The same in doubles.
+    pub(crate) fn rounded(&self) -> Curve {
+        let Cycle {
+            through,
+            normal,
+            weight,
+            size,
+        } = self.cycle;
+        Curve {
+            start: self.start.map(Dd::to_f64),
+            end: self.end.map(Dd::to_f64),
+            cycle: Cycle {
+                through: through.map(Dd::to_f64),
+                normal: normal.map(Dd::to_f64),
+                weight: weight.to_f64(),
+                size: size.to_f64(),
+            },
+            middle: self.middle.map(Dd::to_f64),
+            half: self.half,
+        }
     }
 }
 

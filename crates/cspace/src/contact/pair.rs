@@ -174,6 +174,19 @@ impl Geometry {
         self.contacts.sheets[sheet as usize].curve_on(T::locus(self, sheet), at)
     }
 
+    /// The same in doubles, with the rotation in doubles.
+    ///
+    /// Ends that turn about a far centre are lost in the rounding of their orientations in doubles, which is as much longer as that is
+    /// farther: where a flat arc is involved, the curve is found in double-double and rounded, so that places that are told from its
+    /// middle are where they are.
+    pub(crate) fn rounded_curve(&self, sheet: u32, theta: Dd, turn: Rotation) -> Curve {
+        let of = &self.contacts.sheets[sheet as usize];
+        if of.is_flat() {
+            return self.curve(sheet, &Orientation::by(theta)).rounded();
+        }
+        of.curve(theta.to_f64(), turn)
+    }
+
     /// The same pair from one orientation to another, given numbers of sheets among which are all that exist there.
     pub(crate) fn within(&self, (lo, hi): (f64, f64), sheets: &[u32]) -> Self {
         let full = false;

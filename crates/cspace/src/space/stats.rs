@@ -37,7 +37,7 @@ pub struct Statistics {
 pub struct Decisions {
     /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
     pub passings: u64,
-    /// Of these, handed on because the polynomial cannot be told from zero: decided by enclosures of places.
+    /// Of these, handed on because the polynomial cannot be told from zero: decided by the order of places before and after.
     pub passings_by_places: u64,
     /// Orientations at which something may change.
     pub orientations: u64,

@@ -10,7 +10,7 @@ use core::cell::LazyCell;
 use core::ops::Deref;
 use std::collections::BTreeMap;
 
-use crate::contact::{Exact, Geometry, Orientation, Seam};
+use crate::contact::{Curve, Exact, Geometry, Orientation, Seam};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
 use crate::geometry::{Point, Vector};
 use crate::parallel;
@@ -90,6 +90,12 @@ impl Levels<'_> {
 
     fn counts(&self, cell: u32) -> bool {
         self.free.is_none_or(|free| free[cell as usize])
+    }
+
+    /// The curve of a sheet at a cluster.
+    fn curve(&self, sheet: u32, at: u32) -> Curve {
+        let (theta, turn) = (self.clusters.exact_at(at), self.clusters.turn(at));
+        self.geometry.rounded_curve(sheet, theta, turn)
     }
 
     fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
@@ -175,7 +181,7 @@ impl Levels<'_> {
         if ending.is_empty() || beginning.is_empty() || none_matters {
             return;
         }
-        let (theta, turn) = (self.clusters.at(at), self.clusters.turn(at));
+        let turn = self.clusters.turn(at);
         let first = &self.geometry.contacts.sheets[group[0].sheet as usize];
         let track = Track::of(first, turn);
         self.pieces(ending, at, Side::Below, &track, below);
@@ -233,9 +239,9 @@ impl Levels<'_> {
         }
         out.extend(stretches.iter().flatten().map(|s| {
             // Along the lower cell's own curve, from its middle.
-            let sheet = &self.geometry.contacts.sheets[self.sheet_of(s.lower) as usize];
+            let curve = self.curve(self.sheet_of(s.lower), at);
             let middle = track.point(0.5 * (s.from + s.to));
-            let place = sheet.curve(theta, turn).position(middle);
+            let place = curve.position(middle);
             let half = 0.5 * (s.to - s.from);
             VerticalContact {
                 lower: s.lower,
@@ -271,7 +277,7 @@ impl Levels<'_> {
     ) {
         let index = self.sheet_of(cells[0]);
         let sheet = &self.geometry.contacts.sheets[index as usize];
-        let curve = sheet.curve(self.clusters.at(at), self.clusters.turn(at));
+        let curve = self.curve(index, at);
         let mut extents = self.extents(index, at);
         for &cell in cells {
             let e = extents.of(&self.cells.cells[cell as usize], side);

@@ -5,8 +5,9 @@
 //! At each root the places of the two branches tell whether it is they that pass each other.
 
 use crate::contact::{Cycle, Exact, Geometry, Sheet};
+use crate::feature::tolerance::LONGEST;
 use crate::geometry::{Rotation, Vector};
-use crate::number::{Ball, Dual, Event, Real, TrigPolynomial};
+use crate::number::{Dual, Event, Real, TrigPolynomial};
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Moment;
@@ -22,53 +23,72 @@ const NARROWEST: f64 = 1e-8;
 /// In intervals narrower than this (radians) doubles are not asked.
 const NARROW: f64 = 1e-6;
 
-/// As [`NARROWEST`] where places are enclosed (radians): their order before and after decides the rest.
-const NARROWEST_PLACES: f64 = 1e-13;
-
 /// As [`NARROWEST`] in double-double.
 const NARROWEST_EXACT: f64 = 1e-18;
 
-/// How many pieces are looked at where three carriers always share a point, before places count as told apart as far
-/// as they can be.
-const PLACE_BUDGET: u32 = 2000;
-
 /// A function without roots or divisions that vanishes where the three sheets meet.
 ///
-/// With a circle of centre c and radius r among them, and p = c + v: |v| = r, and each of the others is linear in
-/// v, a·v = e with its gradient a at c and e = −(F(c) + λ r²/2): a circle by the radical line of the two. So
-/// v (a₁ × a₂) = e₁ right(a₂) − e₂ right(a₁), and |e₁ a₂ − e₂ a₁|² = r² (a₁ × a₂)². For three lines n·p = d it is the
-/// determinant of the three.
+/// The most curved of the three, its level F = n·v + λ (v² − c) / 2 at p = P + v, makes lines of the others: with μ the ratio of
+/// the weights, F′ − μ F is linear in v, so that a·v = e with a = ∇F′(P) − μ n and e = −(F′(P) + λ′ c / 2). Two circles so make
+/// their radical line. With d = a₁ × a₂ and w = d v, which is right(a₂) e₁ − right(a₁) e₂, d² F = d n·w + λ (w² − c d²) / 2. For three
+/// lines n·p = e it is the determinant of the three.
 ///
-/// It is a trigonometric polynomial of degree four at most. Returned with the size of its terms. Not for large circles: about their
-/// centres it would be all rounding.
+/// A large circle is written by a point near the parts, and in the frame of its normal no term has a higher degree than about a
+/// centre: it is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
 pub(crate) fn concurrency<T: Real>(mut three: [Cycle<T>; 3]) -> (T, f64) {
-    if let Some(circle) = three.iter().position(Cycle::is_centred) {
-        three.swap(0, circle);
-    }
+    // What is written by its centre may be as small as a point.
+    let bend = |c: &Cycle<T>| {
+        if c.is_centred() {
+            f64::INFINITY
+        } else {
+            c.weight.value().abs()
+        }
+    };
+    let most = [1, 2].into_iter().fold(0, |most, i| {
+        if bend(&three[i]) > bend(&three[most]) {
+            i
+        } else {
+            most
+        }
+    });
+    three.swap(0, most);
     let size = |v: Vector<T>| v.x.value().hypot(v.y.value());
-    if !three[0].is_centred() {
+    // Terms of a length near the parts are as those of size one; what turns with a long arm is far at other orientations.
+    let far = |length: f64| (length / LONGEST).max(1.0);
+    let base = &three[0];
+    if base.is_line() {
         let line = |c: &Cycle<T>| (c.normal, c.normal.dot(c.through.to_vector()));
         let [(l, d), (m, e), (n, g)] = [line(&three[0]), line(&three[1]), line(&three[2])];
-        return (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), 8.0);
+        let farthest = three.iter().map(|c| far(size(c.through.to_vector())));
+        let terms = 8.0 * farthest.fold(1.0, f64::max);
+        return (d * m.cross(n) + e * n.cross(l) + g * l.cross(m), terms);
     }
-    let (center, radius) = (three[0].through, three[0].size);
-    let r = radius.value();
-    let linear = |other: &Cycle<T>| {
-        let a = other.slope(center);
-        let e = -(other.level(center) + T::constant(0.5) * other.weight * radius * radius);
-        let terms = if other.is_line() {
-            1.0
-        } else {
-            size(a).powi(2) + other.size.value().powi(2) + r * r
-        };
-        (a, e, terms)
+    let (point, half) = (base.through, T::constant(0.5));
+    let radius = if base.is_centred() {
+        base.size
+    } else {
+        T::constant(0.0)
     };
-    let ((a, e, p), (b, g, q)) = (linear(&three[1]), linear(&three[2]));
-    let v = b * e - a * g;
-    let d = radius * a.cross(b);
-    let (a, b) = (size(a), size(b));
-    let terms = (b * p + a * q).powi(2) + (r * a * b).powi(2);
-    (v.length_squared() - d * d, terms)
+    let linear = |other: &Cycle<T>| {
+        let (ratio, to) = (other.weight / base.weight, point - other.through);
+        let a = (other.normal - base.normal * ratio) + to * other.weight;
+        let e = -(other.level(point) + half * other.weight * radius * radius);
+        let (weight, length) = (other.weight.value().abs(), size(to));
+        let steep = size(other.normal) + ratio.value().abs() * size(base.normal) + weight * length;
+        let own = other.size.value();
+        let squares = length.powi(2) + own.powi(2) + radius.value().powi(2);
+        let along = size(other.normal) * far(length);
+        (a, e, steep, along + weight * squares)
+    };
+    let ((a, e, s, p), (b, g, t, q)) = (linear(&three[1]), linear(&three[2]));
+    let w = (b * e - a * g).right();
+    let d = a.cross(b);
+    let arm = radius * d;
+    let value = base.normal.dot(w) * d + half * base.weight * (w.length_squared() - arm * arm);
+    let (long, wide) = (t * p + s * q, s * t);
+    let terms = size(base.normal) * long * wide
+        + 0.5 * base.weight.value().abs() * (long.powi(2) + (radius.value() * wide).powi(2));
+    (value, terms)
 }
 
 /// Two branches on one sheet.
@@ -154,30 +174,8 @@ impl Passing<'_> {
         }
     }
 
-    /// The difference of the places of the two branches; on a circle the sine of the angle between them.
-    fn difference<T: Real>(&self, turn: Rotation<T>) -> T {
-        let sheets = &self.geometry.contacts.sheets;
-        let f = &sheets[self.sheet as usize];
-        let cycle = f.cycle(turn);
-        let place = |b: &Branch| {
-            let g = &sheets[b.other(self.sheet) as usize];
-            let (swapped, root) = (b.second == self.sheet, b.root);
-            if let Some((o, _)) = f.close_to(g) {
-                let about = |s: &Sheet| s.locus.about(&o).function().cycle(turn);
-                return about(f).root(&about(g), root, swapped);
-            }
-            cycle.root(&g.cycle(turn), root, swapped)
-        };
-        let (p, q) = (place(self.x), place(self.y));
-        if f.is_circle() {
-            p.cross(q) * T::constant(1.0 / f.locus.radius.abs())
-        } else {
-            p.x - q.x
-        }
-    }
-
     /// Finds every orientation at which the two branches pass each other, and tells in how many parts of the interval the
-    /// polynomial told nothing. There is none with large arcs, which touch at no more orientations than they turn.
+    /// polynomial told nothing. `f` is it in doubles; `None` where these are not asked.
     pub(crate) fn isolate(
         &self,
         f: Option<&TrigPolynomial>,
@@ -222,8 +220,7 @@ impl Passing<'_> {
                     }
                 }
             }
-            Some(_) => unclear.push((lo, hi)),
-            None => vague.push((lo, hi)),
+            _ => unclear.push((lo, hi)),
         }
         if !unclear.is_empty() {
             let exact = self.polynomial();
@@ -243,30 +240,9 @@ impl Passing<'_> {
         }
         let count = vague.len() as u64;
         for (a, b) in vague {
-            if f.is_some() {
-                self.change_of_order(a, b, None)
-                    .into_iter()
-                    .for_each(&mut *found);
-                continue;
-            }
-            let mut budget = PLACE_BUDGET;
-            let mut take = |e: Event| {
-                let around = (
-                    Exact::from(e.theta) - 2.0 * e.error,
-                    Exact::from(e.theta) + 2.0 * e.error,
-                );
-                found(
-                    self.change_of_order(around.0, around.1, None)
-                        .unwrap_or(e.into()),
-                );
-            };
-            self.isolate_places(
-                a.to_f64(),
-                b.to_f64(),
-                NARROWEST_PLACES,
-                &mut budget,
-                &mut take,
-            );
+            self.change_of_order(a, b, None)
+                .into_iter()
+                .for_each(&mut *found);
         }
         count
     }
@@ -342,7 +318,8 @@ impl Passing<'_> {
         Some(Moment { theta, error })
     }
 
-    /// What vanishes where the three carriers meet; `None` with a large arc, about whose centre nothing can be reckoned.
+    /// What vanishes where the three carriers meet; `None` with a large arc: what turns with its radius leaves doubles few digits, and
+    /// places on it are not known in them.
     pub(crate) fn rough_polynomial(&self) -> Option<TrigPolynomial> {
         let sheets = &self.geometry.contacts.sheets;
         let three = self.sheets().map(|s| &sheets[s as usize]);
@@ -365,62 +342,27 @@ impl Passing<'_> {
         ]
     }
 
-    /// The same where the three carriers have a point in common at every orientation, so that the polynomial tells
-    /// nothing: by enclosures of the difference of the places themselves, in intervals down to a width.
-    fn isolate_places(
-        &self,
-        lo: f64,
-        hi: f64,
-        narrowest: f64,
-        budget: &mut u32,
-        found: &mut impl FnMut(Event),
-    ) {
-        *budget = budget.saturating_sub(1);
-        /// Places no further apart are one (length).
-        const SAME_PLACE: f64 = 1e-11;
-        let theta = Dual::<1, _>::variable(Ball::between(lo, hi), 0);
-        let d = self.difference(Rotation::by(theta));
-        if d.value.sign() != 0 {
-            return;
-        }
-        let mid = 0.5 * (lo + hi);
-        let at_mid = self.difference(Rotation::by(Ball::constant(mid)));
-        let reach = (d.slope[0].mid.abs() + d.slope[0].radius) * 0.5 * (hi - lo);
-        if Ball::new(at_mid.mid, at_mid.radius + reach).sign() != 0 {
-            return;
-        }
-        let (at_lo, at_hi) = (self.gap(lo).value, self.gap(hi).value);
-        if d.slope[0].sign() != 0 {
-            if at_lo * at_hi <= 0.0 {
-                found(self.meeting(lo, hi, at_lo));
-            }
-        } else if *budget == 0 || hi - lo < narrowest || at_mid.mid.abs() + reach < SAME_PLACE {
-            if at_lo.abs() > SAME_PLACE && at_hi.abs() > SAME_PLACE && at_lo * at_hi < 0.0 {
-                found(self.meeting(lo, hi, at_lo));
-            }
-        } else {
-            self.isolate_places(lo, mid, narrowest, budget, found);
-            self.isolate_places(mid, hi, narrowest, budget, found);
-        }
-    }
-
-    /// Where the places of the two branches agree in an interval in which their difference changes sign.
-    fn meeting(&self, mut lo: f64, mut hi: f64, at_lo: f64) -> Event {
-        while hi - lo > 4.0 * f64::EPSILON * (1.0 + lo.abs()) {
-            let mid = 0.5 * (lo + hi);
-            if (self.gap(mid).value > 0.0) == (at_lo > 0.0) {
-                lo = mid;
-            } else {
-                hi = mid;
-            }
-        }
-        let theta = 0.5 * (lo + hi);
-        event(theta, 0.0, self.gap(theta).slope[0])
-    }
-
-    /// The difference of the places of the two branches, with its derivatives.
+    /// The difference of the places of the two branches; on a circle the sine of the angle between them.
     fn gap(&self, theta: f64) -> Dual<1> {
-        self.difference(Rotation::by(Dual::variable(theta, 0)))
+        let turn = Rotation::by(Dual::variable(theta, 0));
+        let sheets = &self.geometry.contacts.sheets;
+        let f = &sheets[self.sheet as usize];
+        let cycle = f.cycle(turn);
+        let place = |b: &Branch| {
+            let g = &sheets[b.other(self.sheet) as usize];
+            let (swapped, root) = (b.second == self.sheet, b.root);
+            if let Some((o, _)) = f.close_to(g) {
+                let about = |s: &Sheet| s.locus.about(&o).function().cycle(turn);
+                return about(f).root(&about(g), root, swapped);
+            }
+            cycle.root(&g.cycle(turn), root, swapped)
+        };
+        let (p, q) = (place(self.x), place(self.y));
+        if f.is_circle() {
+            p.cross(q) * Dual::constant(1.0 / f.locus.radius.abs())
+        } else {
+            p.x - q.x
+        }
     }
 
     /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart
@@ -491,3 +433,7 @@ fn event(theta: f64, off: f64, slope: f64) -> Event {
         error: error + 4.0 * f64::EPSILON,
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests;

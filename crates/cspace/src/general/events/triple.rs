@@ -125,8 +125,8 @@ struct Search<'a> {
     clusters: &'a Clusters,
     sheet: u32,
     gaps: Gaps,
-    /// What vanishes where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
-    /// within that if a large arc is involved, about whose centre nothing can be reckoned.
+    /// What vanishes in doubles where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
+    /// within that if a large arc is involved, of which doubles tell nothing.
     concurrencies: HashMap<(u32, u32), Option<Option<Option<TrigPolynomial>>>>,
     found: Triples,
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::contact::{Geometry, Seam, Sheet};
+use crate::contact::{Curve, Geometry, Seam, Sheet};
 
 use crate::general::cells::cell::{Cell, END};
 use crate::general::events::branch::Branch;
@@ -103,6 +103,12 @@ const NONE: u32 = u32::MAX;
 impl<'a> Linker<'a> {
     pub(crate) fn sheet(&self, cell: u32) -> &'a Sheet {
         &self.geometry.contacts.sheets[self.cells[cell as usize].sheet as usize]
+    }
+
+    /// The curve of a cell's sheet at a cluster.
+    pub(crate) fn curve(&self, cell: u32, at: u32) -> Curve {
+        let (theta, turn) = (self.clusters.exact_at(at), self.clusters.turn(at));
+        (self.geometry).rounded_curve(self.cells[cell as usize].sheet, theta, turn)
     }
 
     /// Whether a cell ends where the slab does, and goes on at its beginning.

@@ -156,7 +156,6 @@ impl Links<'_> {
             slabs: 0,
         };
         let theta = self.linker.clusters.at(v.at);
-        let sheet = self.linker.sheet(v.lower);
         // Within one chain nothing happens, so that most contacts need no curve.
         let mut curve = None;
         // A little more than there are: rounding is not to lose one.
@@ -176,8 +175,7 @@ impl Links<'_> {
             if below == above && (chain.closed || chain.last != v.lower) {
                 continue;
             }
-            let curve =
-                curve.get_or_insert_with(|| sheet.curve(theta, self.linker.clusters.turn(v.at)));
+            let curve = curve.get_or_insert_with(|| self.linker.curve(v.lower, v.at));
             links.push(VerticalLink {
                 lower: below,
                 upper: above,
