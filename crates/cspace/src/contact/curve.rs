@@ -119,21 +119,10 @@ impl<T: Ordered> Curve<T> {
 impl Curve<Dd> {
     /// The same in doubles.
     pub(crate) fn rounded(&self) -> Curve {
-        let Cycle {
-            through,
-            normal,
-            weight,
-            size,
-        } = self.cycle;
         Curve {
             start: self.start.map(Dd::to_f64),
             end: self.end.map(Dd::to_f64),
-            cycle: Cycle {
-                through: through.map(Dd::to_f64),
-                normal: normal.map(Dd::to_f64),
-                weight: weight.to_f64(),
-                size: size.to_f64(),
-            },
+            cycle: self.cycle.rounded(),
             middle: self.middle.map(Dd::to_f64),
             half: self.half,
         }

@@ -22,7 +22,7 @@
 
 use crate::feature::{Feature, Outline, Shape};
 use crate::geometry::{Point, Rotation, Vector};
-use crate::number::Real;
+use crate::number::{Dd, Real};
 
 /// An oriented circle or line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -169,6 +169,18 @@ impl<T: Real> Cycle<T> {
             through: turn * self.through + by,
             normal: turn * self.normal,
             ..*self
+        }
+    }
+}
+
+impl Cycle<Dd> {
+    /// The same in doubles.
+    pub(crate) fn rounded(&self) -> Cycle {
+        Cycle {
+            through: self.through.map(Dd::to_f64),
+            normal: self.normal.map(Dd::to_f64),
+            weight: self.weight.to_f64(),
+            size: self.size.to_f64(),
         }
     }
 }

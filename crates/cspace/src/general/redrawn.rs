@@ -174,7 +174,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<
     let mut start = kept.last()?.1;
     let mut drawn: Vec<(Cycle, SliceCurve)> = Vec::with_capacity(kept.len());
     for (piece, end) in kept {
-        let cycle = piece.rounded();
+        let cycle = piece.cycle.rounded();
         let (geometry, _) = on_cycle(&cycle, [start, end], frame, moved);
         start = end;
         if let Some((before, curve)) = drawn.last_mut()
@@ -200,7 +200,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<
 impl Piece {
     /// Whether it is there only because of the play: it is one place, or leads back.
     fn is_only_play(&self, start: Point, end: Point) -> bool {
-        let (cycle, off) = (self.rounded(), start.distance(end));
+        let (cycle, off) = (self.cycle.rounded(), start.distance(end));
         let travel = if cycle.is_centred() {
             let (from, to) = (start - cycle.through, end - cycle.through);
             from.cross(to).atan2(from.dot(to)) * cycle.weight
@@ -214,15 +214,6 @@ impl Piece {
             return false;
         }
         off <= ONE_PLACE || (travel < 0.0 && (self.passed || off <= FARTHEST))
-    }
-
-    fn rounded(&self) -> Cycle {
-        Cycle {
-            through: self.cycle.through.map(Exact::to_f64),
-            normal: self.cycle.normal.map(Exact::to_f64),
-            weight: self.cycle.weight.to_f64(),
-            size: self.cycle.size.to_f64(),
-        }
     }
 
     fn curve(&self, geometry: CurveGeometry) -> SliceCurve {
@@ -239,8 +230,8 @@ impl Piece {
 /// Where one piece goes over into another: of two crossings the one nearer to a place, on one line or circle that place, and where they
 /// are tangent, or were, the place nearest to both.
 fn crossing(before: &Piece, after: &Piece, near: Point) -> Option<Point> {
-    let one = before.rounded();
-    if goes_on(&one, &after.rounded()) {
+    let one = before.cycle.rounded();
+    if goes_on(&one, &after.cycle.rounded()) {
         return Some(near + one.slope(near).unit() * -one.distance(near));
     }
     let (before, after) = (&before.cycle, &after.cycle);
