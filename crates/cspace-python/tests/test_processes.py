@@ -176,7 +176,7 @@ def test_errors_say_what_to_do(peg):
         (lambda: cs.Part.from_points([(0, 0, 1), (1, 0, 0), (0, 1, 0)]), "n×2"),
         (lambda: cs.Part.from_points([1, 2]), "n×2"),
         (lambda: cs.Part.rectangle(1, 2, center=(1, 2, 3)), "(x, y)"),
-        (lambda: cs.Part.circle(1, center=5), "at"),
+        (lambda: cs.Part.circle(1, center=5), "center"),
         (lambda: peg.sweep(play=["x"]), "no numbers"),
         (lambda: peg.sweep("tilt", u=[1]), "coordinate u"),
         (lambda: peg.solve("tilt", "=", "2", play=(0, 1)), "`value`"),

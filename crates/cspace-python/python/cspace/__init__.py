@@ -34,8 +34,8 @@ from ._loops import Loops
 from ._model import Model
 from ._nest import inner_fit, least_separation, nfp
 from ._part import Part
+from . import _rust
 from ._rust import VERSION as __version__
-from ._rust import set_threads
 from ._space import ContactSpace, compute
 from ._sweep import monte_carlo, normal, sweep, triangular, uniform
 
@@ -80,6 +80,13 @@ __all__ = [
     "triangular",
     "uniform",
 ]
+
+
+def set_threads(threads: int) -> None:
+    """Uses so many threads from now on, at most 1024; 0 for one per processor. Results do not depend on it."""
+    if not (isinstance(threads, int) and 0 <= threads <= 1024):
+        raise Error(f"`threads` is {threads!r} where a whole number from 0 to 1024 is expected")
+    _rust.set_threads(threads)
 
 
 def simulate(model: Model, time: float, every: float | None = None) -> Simulation:

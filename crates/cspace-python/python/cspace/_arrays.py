@@ -43,6 +43,18 @@ def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
     return lo, hi
 
 
+def number(name: str, value: Any, least: float = -np.inf) -> float:
+    """A finite number, at least `least`."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise Error(f"`{name}` is {value!r} where a number is expected") from None
+    if not np.isfinite(found) or found < least:
+        wanted = "a finite number" if least == -np.inf else f"a finite number of {least:g} or more"
+        raise Error(f"`{name}` is {value!r} where {wanted} is expected")
+    return found
+
+
 def position(name: str, place: Any) -> tuple[float, float]:
     """A position: two finite numbers."""
     try:

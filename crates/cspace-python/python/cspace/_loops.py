@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from . import _arcs, _draw
+from ._arrays import number
 from ._errors import Error
 
 if TYPE_CHECKING:
@@ -43,12 +44,12 @@ class Loops(list[list[tuple[float, float, float]]]):
 
     def distance(self, x: float, y: float) -> float:
         """The distance of a point from the nearest edge; infinite without loops."""
-        eye = complex(x, y)
+        eye = complex(number("x", x), number("y", y))
         return min((_arcs.distance(*edge, eye) for edge in self._edges()), default=math.inf)
 
     def blocks(self, x: float, y: float, tolerance: float = 0.0) -> bool:
         """Whether a position is on the blocked side, farther than `tolerance` from the boundary."""
-        if self.distance(x, y) <= tolerance:
+        if self.distance(x, y) <= number("tolerance", tolerance, 0.0):
             return False
         around = self.winding(x, y)
         return around >= 0 if self.outside_blocked else around > 0
@@ -81,7 +82,7 @@ class Loops(list[list[tuple[float, float, float]]]):
 
     def points(self, tolerance: float) -> list[list[tuple[float, float]]]:
         """The loops in points that are on them, with chords no farther than `tolerance` from their arcs."""
-        if not 0 < tolerance < math.inf:
+        if not 0 < number("tolerance", tolerance) < math.inf:
             raise Error(f"`tolerance` is {tolerance!r}: give a positive length")
         return [
             [(p.real, p.imag) for edge in _edges(loop) for p in _arcs.chords(*edge, tolerance)] for loop in self
@@ -89,9 +90,11 @@ class Loops(list[list[tuple[float, float, float]]]):
 
     def moved(self, x: float, y: float, theta: float = 0.0) -> "Loops":
         """The loops turned about the origin by `theta`, and then moved by x and y: those of a part in a configuration."""
-        turned, by = cmath.rect(1, theta), complex(x, y)
+        turned, by = cmath.rect(1, number("theta", theta)), complex(number("x", x), number("y", y))
         places = [[(by + turned * complex(*v[:2]), v[2]) for v in loop] for loop in self]
-        return Loops([(p.real, p.imag, bulge) for p, bulge in loop] for loop in places)
+        moved = Loops([(p.real, p.imag, bulge) for p, bulge in loop] for loop in places)
+        moved.doubtful, moved.outside_blocked = self.doubtful, self.outside_blocked
+        return moved
 
     def plot(self, ax: "Axes | None" = None, **style: Any) -> "Axes":
         """Draws the loops with matplotlib, arcs as arcs, on axes `ax` or on the current ones, which are returned.

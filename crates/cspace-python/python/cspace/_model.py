@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from . import _rust
-from ._arrays import column, position, table, window
+from ._arrays import column, number, position, table, window
 from ._errors import Error
 from ._part import Part
 from ._results import Assembly, Checked, Escape, Pass, Simulation, Solved, Step, Table
@@ -150,12 +150,12 @@ class Model:
     def assembly(self, gap: float | None = None) -> Assembly:
         """Whether the parts of the model come apart, group by group, and in which order. Parts that touch as drawn are moved apart by
         `gap`."""
-        found = _rust._assembly(self._model, gap)
+        found = _rust._assembly(self._model, None if gap is None else number("gap", gap))
         return Assembly(steps=[Step(*step) for step in found.pop("steps")], **found)
 
     def simulate(self, time: float, every: float | None = None) -> Simulation:
         """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""
-        return Simulation(**self._model._simulate(time, every))
+        return Simulation(**self._model._simulate(number("time", time), None if every is None else number("every", every)))
 
     def __repr__(self) -> str:
         return repr(self._model)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _rust
+from ._arrays import number
 from ._errors import Error
 from ._loops import Loops
 from ._part import Part
@@ -50,8 +51,9 @@ def _orientations(theta: ArrayLike) -> tuple[list[float], bool]:
 
 
 def _spaced(moving: Part, spacing: float) -> Part:
-    if not (isinstance(spacing, (int, float)) and 0 <= spacing < float("inf")):
-        raise Error(f"`spacing` is {spacing!r} where a length of 0 or more is expected")
+    spacing = number("spacing", spacing, 0.0)
+    if spacing > 1e6 * max(abs(side) for side in moving.bounds):
+        raise Error(f"`spacing` is {spacing!r}, which is a million times the part")
     return moving.offset(spacing) if spacing else moving
 
 

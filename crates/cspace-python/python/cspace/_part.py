@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from . import _rust
+from ._arrays import number, position
 from ._errors import Error
 from ._loops import Loops, outline
 from ._optional import optional
@@ -38,6 +39,16 @@ def _read(name: str, unit: str | None = None, **keys: Any) -> _rust.Part:
     except (TypeError, ValueError) as error:
         raise Error(f"the part {name!r} has something that is no finite number: {error}") from None
     return _rust.Part._from_json(text)
+
+
+def _distance(distance: Any) -> float:
+    """A distance by which an outline moves."""
+    # Squares of larger ones are no numbers.
+    most = 1e150
+    found = number("distance", distance)
+    if abs(found) > most:
+        raise Error(f"`distance` is {distance!r}, which is too large")
+    return found
 
 
 class Part:
@@ -71,17 +82,14 @@ class Part:
     @classmethod
     def circle(cls, radius: float, center: Sequence[float] = (0.0, 0.0), name: str = "circle") -> "Part":
         """A disc."""
-        return cls([{"circle": radius, "at": center}], name=name)
+        return cls([{"circle": number("radius", radius), "at": position("center", center)}], name=name)
 
     @classmethod
     def rectangle(
         cls, width: float, height: float, center: Sequence[float] = (0.0, 0.0), name: str = "rectangle"
     ) -> "Part":
         """A rectangle with sides along the axes."""
-        try:
-            x, y, a, b = *center, width / 2, height / 2
-        except (TypeError, ValueError):
-            raise Error("the width or the height is no number, or the center is not (x, y)") from None
+        (x, y), a, b = position("center", center), number("width", width, 0.0) / 2, number("height", height, 0.0) / 2
         return cls([[(x - a, y - b), (x + a, y - b), (x + a, y + b), (x - a, y + b)]], name=name)
 
     @classmethod
@@ -134,7 +142,7 @@ class Part:
 
     def offset(self, distance: float) -> "Part":
         """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs."""
-        return Part._of(_read(self.name, loops=self.loops, offset=distance))
+        return Part._of(_read(self.name, loops=self.loops, offset=_distance(distance)))
 
     @property
     def name(self) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _rust
-from ._arrays import position, window
+from ._arrays import number, position, window
 from ._errors import Error
 from ._loops import Loops
 from ._optional import optional
@@ -113,7 +113,7 @@ class ContactSpace:
 
     def contact(self, patch: int, q: ArrayLike) -> Contact:
         """The contact function of a patch at one configuration or at many, with derivatives and the place where its features touch."""
-        return Contact(**_rust._evaluate(self._space, patch, q))
+        return Contact(**_rust._evaluate(self._space, _patch(patch), q))
 
     def ends(self, patch: int, theta: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """The boundary curves of a patch: the positions (x, y) at which it begins and ends at orientations, as two arrays n×2; nan where
@@ -122,7 +122,7 @@ class ContactSpace:
             thetas = np.ascontiguousarray(np.atleast_1d(np.asarray(theta, dtype=np.float64)).ravel())
         except (TypeError, ValueError) as error:
             raise Error(f"`theta` is no array of numbers: {error}") from None
-        return _rust._ends(self._space, patch, thetas)
+        return _rust._ends(self._space, _patch(patch), thetas)
 
     def connected(self, start: ArrayLike, goal: ArrayLike) -> Any:
         """Whether configurations are free and in one region with the configuration `goal`: true or false for one, an array for many."""
@@ -130,7 +130,7 @@ class ContactSpace:
 
     def contacts(self, q: ArrayLike, tolerance: float | None = None) -> list[tuple[int, float]]:
         """The patches no farther than `tolerance` from one configuration, with the distances; within the resolution without."""
-        return self._space.contacts(q, tolerance)
+        return self._space.contacts(q, None if tolerance is None else number("tolerance", tolerance, 0.0))
 
     def nearest(self, q: ArrayLike) -> Nearest | None:
         """The nearest configuration in contact, or None where there is no contact at all."""
@@ -140,13 +140,16 @@ class ContactSpace:
     def project(self, q: ArrayLike, length_per_radian: float, patch: int | None = None) -> Nearest | None:
         """The configuration in contact that is nearest to one configuration, where a radian counts as `length_per_radian`: of a patch, or
         of any."""
-        found = _rust._projected(self._space, q, length_per_radian, patch)
+        if not number("length_per_radian", length_per_radian) > 0:
+            raise Error(f"`length_per_radian` is {length_per_radian!r} where a positive length is expected")
+        onto = None if patch is None else _patch(patch)
+        found = _rust._projected(self._space, q, float(length_per_radian), onto)
         return None if found is None else Nearest(found[0], tuple(found[1]), found[2])
 
     def near_features(self, q: ArrayLike, within: float) -> list[tuple[str, str, float]]:
         """The pairs of features no farther than `within` apart at one configuration: their names on the fixed and the moving part, and
         their distance, negative where they overlap."""
-        return self._space.near_features(q, within)
+        return self._space.near_features(q, number("within", within, 0.0))
 
     def move(self, start: ArrayLike, by: ArrayLike) -> Motion:
         """A motion of constant rates from `start` by the displacement `by`, up to its first contact."""
@@ -172,11 +175,12 @@ class ContactSpace:
 
         With `widest` no other path has more clearance; with `clearance` it has at least so much.
         """
-        return Plan(**self._space._plan(start, goal, widest, clearance))
+        least = None if clearance is None else number("clearance", clearance, 0.0)
+        return Plan(**self._space._plan(start, goal, bool(widest), least))
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""
-        return Loops(self._space.slice(theta))
+        return Loops(self._space.slice(number("theta", theta)))
 
     def plot(self, theta: float = 0.0, at: Sequence[float] | None = None, ax: "Axes | None" = None) -> "Axes":
         """Draws the slice at an orientation with matplotlib, on axes `ax` or on the current ones, which are returned.
@@ -198,7 +202,7 @@ class ContactSpace:
 
     def svg(self, theta: float = 0.0) -> str:
         """The slice at an orientation as SVG, as the command draws it; of two parts on axes the plane of their motions."""
-        return _rust._svg(self._space, theta)
+        return _rust._svg(self._space, number("theta", theta))
 
     def _repr_svg_(self) -> str | None:
         if self.pair_class == "lower":
@@ -220,7 +224,7 @@ class ContactSpace:
     def mesh(self, tolerance: float = 1e-3) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """The contact surface as triangles: vertices n×3 (x, y, theta) on the surface, and faces m×3. `tolerance` is a share of the pair's
         size."""
-        vertices, faces, _ = self._space.mesh(tolerance)
+        vertices, faces, _ = self._space.mesh(number("tolerance", tolerance))
         return vertices, faces
 
     def to_trimesh(self, tolerance: float = 1e-3) -> Any:
@@ -229,7 +233,7 @@ class ContactSpace:
         Its `face_attributes["patch"]` are the numbers of the patches that the faces are of.
         """
         trimesh = optional("trimesh")
-        vertices, faces, patches = self._space.mesh(tolerance)
+        vertices, faces, patches = self._space.mesh(number("tolerance", tolerance))
         return trimesh.Trimesh(vertices, faces, face_attributes={"patch": patches}, process=False)
 
     def to_networkx(self) -> Any:
@@ -255,6 +259,13 @@ class ContactSpace:
 
     def __reduce__(self) -> Any:
         return _restored, (self.fixed, self.moving, self._space._relation(), self.window, _rust.VERSION)
+
+
+def _patch(number: Any) -> int:
+    """The number of a patch."""
+    if isinstance(number, (bool, float)) or not hasattr(number, "__index__"):
+        raise Error(f"`patch` is {number!r} where the number of a patch is expected")
+    return min(max(number.__index__(), -1), 2**62)
 
 
 def _restored(

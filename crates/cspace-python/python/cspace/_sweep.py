@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._arrays import number
 from ._arrays import table as _table
 from ._errors import Error
 from ._results import Table
@@ -69,6 +70,8 @@ def sweep(
     >>> sweep(lambda a, b: a * b, a=[1, 2], b=[3, 4])["value"].tolist()
     [3.0, 4.0, 6.0, 8.0]
     """
+    if not callable(function):
+        raise Error(f"`function` is {function!r}, which cannot be called")
     names, table = _table(rows, values)
     if map is None:
         answers = _answers(function, names, table)
@@ -86,6 +89,8 @@ def sweep(
         if key in names:
             raise Error(f"the function returns {key!r}, which is also an argument")
         columns[key] = np.array([record.get(key, np.nan) for record in records])
+    if len(failures) == len(records) and "value" not in columns:
+        columns["value"] = np.full(len(records), np.nan)
     return Table(columns, failures)
 
 
@@ -101,32 +106,26 @@ class Distribution:
         return np.asarray(getattr(rng, self.kind)(*self.parameters, size=count))
 
 
-def _distribution(kind: str, *parameters: Any) -> Distribution:
-    try:
-        numbers = tuple(float(number) for number in parameters)
-    except (TypeError, ValueError):
-        raise Error(f"{kind}{parameters!r} has something that is no number") from None
-    if not np.isfinite(numbers).all():
-        raise Error(f"{kind}{numbers!r} has something that is not finite")
-    return Distribution(kind, numbers)
+def _distribution(kind: str, *parameters: float) -> Distribution:
+    return Distribution(kind, parameters)
 
 
 def normal(mean: float, sigma: float) -> Distribution:
     """A normal distribution with the standard deviation `sigma`."""
-    if not sigma >= 0:
-        raise Error(f"`sigma` is {sigma!r} where a number of 0 or more is expected")
-    return _distribution("normal", mean, sigma)
+    return _distribution("normal", number("mean", mean), number("sigma", sigma, 0.0))
 
 
 def uniform(lo: float, hi: float) -> Distribution:
     """All numbers from `lo` to `hi` alike."""
+    lo, hi = number("lo", lo), number("hi", hi)
     if not lo <= hi:
-        raise Error(f"the range from {lo!r} to {hi!r} is empty")
+        raise Error(f"`lo` is {lo!r} and `hi` is {hi!r}: the range is empty")
     return _distribution("uniform", lo, hi)
 
 
 def triangular(lo: float, mode: float, hi: float) -> Distribution:
     """Numbers from `lo` to `hi`, most often near `mode`."""
+    lo, mode, hi = number("lo", lo), number("mode", mode), number("hi", hi)
     if not (lo <= mode <= hi and lo < hi):
         raise Error(f"{lo!r}, {mode!r} and {hi!r} are not in ascending order")
     return _distribution("triangular", lo, mode, hi)
@@ -150,15 +149,23 @@ def monte_carlo(
     >>> round(float(table["value"].mean()), 1)
     3.0
     """
-    if not (isinstance(samples, int) and samples > 0):
+    if not (hasattr(samples, "__index__") and samples.__index__() > 0):
         raise Error(f"`samples` is {samples!r} where a number of rows is expected")
+    if not (hasattr(seed, "__index__") and seed.__index__() >= 0):
+        raise Error(f"`seed` is {seed!r} where a whole number of 0 or more is expected")
+    if not callable(function):
+        raise Error(f"`function` is {function!r}, which cannot be called")
     rows: dict[str, Any] = {}
     for name, value in values.items():
         if isinstance(value, Distribution):
             # Of its own: the name is part of the seed.
             rows[name] = value.draw(np.random.default_rng([seed, *name.encode()]), samples)
         else:
-            rows[name] = np.full(samples, value)
-    if "seed" in inspect.signature(function).parameters and "seed" not in rows:
+            rows[name] = np.full(samples, number(name, value))
+    try:
+        takes_seed = "seed" in inspect.signature(function).parameters
+    except (TypeError, ValueError):
+        takes_seed = False
+    if takes_seed and "seed" not in rows:
         rows["seed"] = np.random.default_rng([seed]).integers(0, 2**63, samples)
     return sweep(function, map=map, rows=rows)
