@@ -67,7 +67,7 @@ fn what_vanishes_where_three_meet_is_a_polynomial() {
         let n_then = if turns { at * normal } else { normal };
         if radius != 0.0 && radius.abs() < 100.0 {
             let r = Exact::from(radius);
-            u = u + -(n_then * r);
+            u += -(n_then * r);
             return Cycle::round(u + turn * w, r);
         }
         // Written by another point of it than the one at which they meet.
