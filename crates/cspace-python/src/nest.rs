@@ -10,10 +10,10 @@ use crate::part::Part;
 use crate::work;
 
 /// Loops of (x, y, bulge).
-type Loops = Vec<Vec<(f64, f64, f64)>>;
+pub(crate) type Loops = Vec<Vec<(f64, f64, f64)>>;
 
 /// The boundary of free space, and whether it is in doubt.
-fn loops(slice: &Slice) -> (Loops, bool) {
+pub(crate) fn loops(slice: &Slice) -> (Loops, bool) {
     let vertex = |v: Vertex| (v.x, v.y, v.bulge);
     let of_loop = |l: Vec<Vertex>| l.into_iter().map(vertex).collect();
     let loops = Drawn::slice("", slice).loops.into_iter().map(of_loop);

@@ -4,7 +4,6 @@ use cspace::PairSpace;
 use cspace_draw::{PictureOptions, SlicesPicture, plane, slices, svg};
 use pyo3::prelude::*;
 
-use crate::error::error;
 use crate::space::Space;
 use crate::work;
 
@@ -12,11 +11,6 @@ use crate::work;
 #[pyfunction]
 pub(crate) fn _svg(py: Python<'_>, space: &Space, theta: f64) -> PyResult<String> {
     let space = space.shared(py)?;
-    if !theta.is_finite() {
-        return Err(error(format_args!(
-            "`theta` is {theta}: give an orientation in radians"
-        )));
-    }
     work::run(py, move |_| {
         let title = format!(
             "{} (fixed), {} (moving)",

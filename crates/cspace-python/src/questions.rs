@@ -11,10 +11,6 @@ use crate::rows::{Asked, asked, each, numbers, one, width};
 use crate::space::{Space, matrix};
 use crate::work;
 
-fn failed(e: QueryError) -> PyErr {
-    error(e)
-}
-
 /// The patch of a number.
 fn patch_id(space: &PairSpace, patch: i64) -> PyResult<PatchId> {
     let count = space.patch_count();
@@ -35,18 +31,18 @@ pub(crate) fn _evaluate<'py>(
     q: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let space = space.shared(py)?;
-    let contact = space.patch(patch_id(&space, patch)?).map_err(failed)?;
-    let contact = contact.contact().map_err(failed)?;
+    let contact = space.patch(patch_id(&space, patch)?).map_err(error)?;
+    let contact = contact.contact().map_err(error)?;
     let n = width(&space);
     let told = PyDict::new(py);
     match asked(q, &space)? {
         Asked::One(at) => {
-            let c = contact.evaluate(at).map_err(failed)?;
+            let c = contact.evaluate(at).map_err(error)?;
             let rows: Vec<Vec<f64>> = c.hessian[..n].iter().map(|r| r[..n].to_vec()).collect();
             told.set_item("value", c.value)?;
             told.set_item("gradient", c.gradient[..n].to_vec().into_pyarray(py))?;
             told.set_item("hessian", matrix(py, rows)?)?;
-            let t = contact.touching(at).map_err(failed)?;
+            let t = contact.touching(at).map_err(error)?;
             told.set_item("at", vec![t.on_fixed.x, t.on_fixed.y].into_pyarray(py))?;
             told.set_item("normal", vec![t.normal.x, t.normal.y].into_pyarray(py))?;
         }
@@ -92,15 +88,15 @@ pub(crate) fn _ends<'py>(
     thetas: PyReadonlyArray1<'py, f64>,
 ) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>)> {
     let space = space.shared(py)?;
-    let patch = space.patch(patch_id(&space, patch)?).map_err(failed)?;
-    patch.orientations().map_err(failed)?;
+    let patch = space.patch(patch_id(&space, patch)?).map_err(error)?;
+    patch.orientations().map_err(error)?;
     let thetas = thetas.as_slice()?;
     let mut ends = [Vec::new(), Vec::new()];
     for &theta in thetas {
         let found = match patch.ends_at(theta) {
             Ok(both) => both.map(|(at, _)| numbers(at)[..2].to_vec()),
             Err(QueryError::Outside) => [vec![f64::NAN; 2], vec![f64::NAN; 2]],
-            Err(e) => return Err(failed(e)),
+            Err(e) => return Err(error(e)),
         };
         for (all, end) in ends.iter_mut().zip(found) {
             all.push(end);
@@ -120,7 +116,7 @@ pub(crate) fn _ends<'py>(
 /// The bands: the orientations between which nothing but lengths changes.
 #[pyfunction]
 pub(crate) fn _bands(py: Python<'_>, space: &Space) -> PyResult<Vec<(f64, f64)>> {
-    let bands = space.shared(py)?.bands().map_err(failed)?;
+    let bands = space.shared(py)?.bands().map_err(error)?;
     Ok(bands.into_iter().map(|Band { lo, hi }| (lo, hi)).collect())
 }
 
@@ -148,7 +144,7 @@ pub(crate) fn _connected<'py>(
     let goal = one(goal, &space, "goal")?;
     let answer = |at| space.connected(at, goal);
     match asked(start, &space)? {
-        Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+        Asked::One(at) => answer(at).map_err(error)?.into_bound_py_any(py),
         Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
     }
 }

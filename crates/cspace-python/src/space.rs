@@ -5,10 +5,9 @@ use std::sync::{Arc, OnceLock};
 
 use cspace::{
     Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
-    QueryError, Relation, Vertex,
+    QueryError, Relation,
 };
 use cspace_design::{displace, free_range, pair_of, texts};
-use cspace_drawing::Drawn;
 use cspace_io::model::Coordinate;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::{Clearance, Planner, Verdict, Wishes};
@@ -18,6 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::error;
+use crate::nest::{Loops, loops};
 use crate::part::Part;
 use crate::rows::{Asked, asked, each, numbers, one, width};
 use crate::work;
@@ -89,10 +89,6 @@ fn check(name: &str, length: f64) -> PyResult<()> {
     Err(error(format_args!(
         "`{name}` is {length} where a length of 0 or more is expected"
     )))
-}
-
-fn failed(e: QueryError) -> PyErr {
-    error(e)
 }
 
 impl Space {
@@ -206,7 +202,7 @@ impl Space {
         match asked(q, &self.known(py)?.space)? {
             Asked::One(at) => {
                 let known = self.ready(py, 1)?;
-                code(known.classify(at).map_err(failed)?).into_bound_py_any(py)
+                code(known.classify(at).map_err(error)?).into_bound_py_any(py)
             }
             Asked::Many(rows) => {
                 let known = self.ready(py, rows.shape()[0])?;
@@ -228,7 +224,7 @@ impl Space {
             found => found,
         };
         match asked(q, space)? {
-            Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+            Asked::One(at) => answer(at).map_err(error)?.into_bound_py_any(py),
             Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
         }
     }
@@ -244,7 +240,7 @@ impl Space {
             })
         };
         match asked(q, space)? {
-            Asked::One(at) => answer(at).map_err(failed)?.into_bound_py_any(py),
+            Asked::One(at) => answer(at).map_err(error)?.into_bound_py_any(py),
             Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
         }
     }
@@ -270,7 +266,7 @@ impl Space {
             Ok((fixed, moving, region, patch.orientations().ok()))
         };
         let all: Result<Vec<_>, QueryError> = space.patches().map(of).collect();
-        all.map_err(failed)
+        all.map_err(error)
     }
 
     /// Links between patches as arrays: first patch, second patch, and the smallest and largest orientation of the link (nan on fixed
@@ -314,7 +310,7 @@ impl Space {
         let at = one(q, space, "q")?;
         let tolerance = tolerance.unwrap_or_else(|| space.resolution());
         check("tolerance", tolerance)?;
-        let found = space.contacts(at, tolerance).map_err(failed)?;
+        let found = space.contacts(at, tolerance).map_err(error)?;
         Ok(found.into_iter().map(|(p, off)| (p.index(), off)).collect())
     }
 
@@ -342,7 +338,7 @@ impl Space {
         let space = &self.known(py)?.space;
         let at = one(q, space, "q")?;
         check("within", within)?;
-        let near = space.near_features(at, within).map_err(failed)?;
+        let near = space.near_features(at, within).map_err(error)?;
         let of = |n: &cspace::pair::NearFeatures| {
             let [fixed, moving] = texts(space, pair_of(n));
             (fixed, moving, n.distance)
@@ -361,7 +357,7 @@ impl Space {
     ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>)> {
         let space = &self.known(py)?.space;
         let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
-        let done = displace(space, from, by).map_err(failed)?;
+        let done = displace(space, from, by).map_err(error)?;
         let touching = done.features.into_iter().map(|p| texts(space, p));
         Ok((
             done.outcome.name(),
@@ -475,8 +471,8 @@ impl Space {
         Ok(told)
     }
 
-    /// The boundary of free space at an orientation, as loops of (x, y, bulge).
-    fn slice(&self, py: Python<'_>, theta: f64) -> PyResult<Vec<Vec<(f64, f64, f64)>>> {
+    /// The boundary of free space at an orientation, as loops of (x, y, bulge), and whether it is in doubt.
+    fn slice(&self, py: Python<'_>, theta: f64) -> PyResult<(Loops, bool)> {
         let space = Arc::clone(&self.known(py)?.space);
         let PairSpace::Planar(space) = &*space else {
             return Err(error(format_args!(
@@ -491,10 +487,7 @@ impl Space {
             ));
         }
         let (space, pool) = (Arc::clone(space), work::pool()?);
-        let slice = work::here(py, || Ok(pool.install(|| space.slice(theta))))?;
-        let vertex = |v: Vertex| (v.x, v.y, v.bulge);
-        let loops = Drawn::slice("", &slice).loops.into_iter();
-        Ok(loops.map(|l| l.into_iter().map(vertex).collect()).collect())
+        work::here(py, || Ok(pool.install(|| loops(&space.slice(theta)))))
     }
 
     /// The contact surface as triangles: vertices n×3 (x, y, theta), faces m×3, and the patch of each face.

@@ -113,3 +113,9 @@ def test_samples_are_the_same_everywhere():
     for wrong in (lambda: cs.normal(0, -1), lambda: cs.uniform(1, 0), lambda: cs.triangular(0, 3, 2)):
         with pytest.raises(cs.Error):
             wrong()
+
+
+def test_slices_say_that_they_are_doubtful():
+    model = cs.Model.load(ROOT / "tests/regression/half_disc_in_a_socket_of_its_radius.toml")
+    space = model.compute(*list(model.parts)[:2])
+    assert space.slice(1).doubtful and not space.slice(2).doubtful

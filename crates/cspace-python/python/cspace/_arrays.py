@@ -57,13 +57,26 @@ def number(name: str, value: Any, least: float = -np.inf) -> float:
 
 def position(name: str, place: Any) -> tuple[float, float]:
     """A position: two finite numbers."""
-    try:
-        x, y = (float(number) for number in place)
-    except (TypeError, ValueError):
-        raise Error(f"`{name}` is {place!r}: give a position (x, y)") from None
-    if not np.isfinite([x, y]).all():
-        raise Error(f"`{name}` is {place!r}, which is not finite")
+    x, y = _coordinates(name, place, "a position (x, y)", 2)
     return x, y
+
+
+def configuration(name: str, at: Any) -> tuple[float, float, float]:
+    """A configuration in the plane: three finite numbers."""
+    x, y, theta = _coordinates(name, at, "a configuration (x, y, theta)", 3)
+    return x, y, theta
+
+
+def _coordinates(name: str, given: Any, form: str, count: int) -> list[float]:
+    try:
+        found = [float(coordinate) for coordinate in given]
+    except (TypeError, ValueError):
+        found = []
+    if len(found) != count:
+        raise Error(f"`{name}` is {given!r}: give {form}")
+    if not np.isfinite(found).all():
+        raise Error(f"`{name}` is {given!r}, which is not finite")
+    return found
 
 
 def column(name: str, values: Any) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _rust
+from . import _arrays, _rust
 from ._arrays import number
 from ._errors import Error
 from ._loops import Loops
@@ -19,16 +19,6 @@ def _part(name: str, part: Any) -> Part:
     return part
 
 
-def _configuration(name: str, at: Any) -> tuple[float, float, float]:
-    try:
-        x, y, theta = (float(number) for number in at)
-    except (TypeError, ValueError):
-        raise Error(f"`{name}` is {at!r}: give a configuration (x, y, theta)") from None
-    if not np.isfinite([x, y, theta]).all():
-        raise Error(f"`{name}` is {at!r}, which is not finite")
-    return x, y, theta
-
-
 def _placed(fixed: Any) -> list[tuple[Any, tuple[float, float, float]]]:
     """Parts with their configurations: one where it is drawn, or a list of pairs."""
     if isinstance(fixed, Part):
@@ -37,7 +27,7 @@ def _placed(fixed: Any) -> list[tuple[Any, tuple[float, float, float]]]:
         pairs = [(part, at) for part, at in fixed]
     except (TypeError, ValueError):
         raise Error("`fixed` is neither a Part nor a list of placed parts [(part, (x, y, theta)), ...]") from None
-    return [(_part("fixed", part)._part, _configuration("fixed", at)) for part, at in pairs]
+    return [(_part("fixed", part)._part, _arrays.configuration("fixed", at)) for part, at in pairs]
 
 
 def _orientations(theta: ArrayLike) -> tuple[list[float], bool]:
@@ -105,5 +95,5 @@ def inner_fit(container: Part, part: Part, theta: ArrayLike = 0.0, spacing: floa
 def least_separation(a: Part, b: Part, configuration: Sequence[float]) -> tuple[float, float]:
     """The shortest translation (dx, dy) of `b` from a configuration (x, y, theta) to a position beside `a` without overlap; zero where
     they do not overlap."""
-    at = _configuration("configuration", configuration)
+    at = _arrays.configuration("configuration", configuration)
     return _rust._separation(_part("a", a)._part, _part("b", b)._part, at)

@@ -72,7 +72,7 @@ class ContactSpace:
         """Contacts are known to this, a length."""
 
     def slice(self, theta: Any) -> Any:
-        """The boundary of free space at an orientation, as loops of (x, y, bulge)."""
+        """The boundary of free space at an orientation, as loops of (x, y, bulge), and whether it is in doubt."""
 
     def to_json(self) -> Any:
         """The space as the JSON that the command saves and reads."""

@@ -180,7 +180,10 @@ class ContactSpace:
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""
-        return Loops(self._space.slice(number("theta", theta)))
+        vertices, doubtful = self._space.slice(number("theta", theta))
+        loops = Loops(vertices)
+        loops.doubtful = doubtful
+        return loops
 
     def plot(self, theta: float = 0.0, at: Sequence[float] | None = None, ax: "Axes | None" = None) -> "Axes":
         """Draws the slice at an orientation with matplotlib, on axes `ax` or on the current ones, which are returned.
@@ -261,11 +264,11 @@ class ContactSpace:
         return _restored, (self.fixed, self.moving, self._space._relation(), self.window, _rust.VERSION)
 
 
-def _patch(number: Any) -> int:
+def _patch(given: Any) -> int:
     """The number of a patch."""
-    if isinstance(number, (bool, float)) or not hasattr(number, "__index__"):
-        raise Error(f"`patch` is {number!r} where the number of a patch is expected")
-    return min(max(number.__index__(), -1), 2**62)
+    if isinstance(given, bool) or not hasattr(given, "__index__"):
+        raise Error(f"`patch` is {given!r} where the number of a patch is expected")
+    return min(max(given.__index__(), -1), 2**62)
 
 
 def _restored(

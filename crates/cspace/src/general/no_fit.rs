@@ -3,7 +3,7 @@
 use crate::contact::{Bodies, Fit};
 use crate::geometry::{Configuration, Vector};
 use crate::part::{Bounds, Part};
-use crate::slice::{CurveGeometry, Slice};
+use crate::slice::Slice;
 
 use super::redrawn::AsDrawn;
 use super::slicer::Slicer;
@@ -141,32 +141,17 @@ impl NoFit {
 
 /// A slice without its outermost loop.
 fn inside(slice: &Slice) -> Slice {
-    let around = |indices: &Vec<u32>| {
-        let curves = indices.iter().map(|&i| slice.curves[i as usize].geometry);
-        curves.fold(Bounds::EMPTY, |all, c: CurveGeometry| all.union(c.bounds()))
+    let size = |indices: &[u32]| {
+        let curves = slice.along(indices).map(|c| c.geometry.bounds());
+        curves.fold(Bounds::EMPTY, Bounds::union).diagonal()
     };
-    let size = |l: &Vec<u32>| around(l).diagonal();
-    let outermost = (slice.loops.iter().enumerate())
-        .max_by(|a, b| size(a.1).total_cmp(&size(b.1)))
-        .map(|(i, _)| i);
-    let mut kept = Slice {
-        curves: Vec::new(),
-        loops: Vec::new(),
-        ..*slice
-    };
-    for (i, indices) in slice.loops.iter().enumerate() {
-        if Some(i) == outermost {
-            continue;
-        }
-        let (first, count) = (kept.curves.len() as u32, indices.len() as u32);
-        for (k, &c) in (0..).zip(indices) {
-            let mut curve = slice.curves[c as usize];
-            curve.next = first + (k + 1) % count;
-            kept.curves.push(curve);
-        }
-        kept.loops.push((first..first + count).collect());
+    let mut loops: Vec<&Vec<u32>> = slice.loops.iter().collect();
+    let outermost = (0..loops.len()).max_by(|&a, &b| size(loops[a]).total_cmp(&size(loops[b])));
+    if let Some(outermost) = outermost {
+        loops.remove(outermost);
     }
-    kept
+    let loops = loops.into_iter().map(|l| slice.along(l).collect());
+    Slice::of_loops(slice.theta, loops.collect(), slice.doubtful)
 }
 
 #[cfg(test)]

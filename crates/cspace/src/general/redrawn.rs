@@ -14,7 +14,7 @@ use core::f64::consts::FRAC_PI_2;
 use crate::contact::{Cycle, Exact, Orientation, Sheet};
 use crate::feature::tolerance::{ROOM, SAME_CARRIER};
 use crate::feature::{FeatureName, Outline, PairFrame};
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::Part;
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 use crate::space::{Boundary, on_cycle};
@@ -65,36 +65,20 @@ impl AsDrawn {
     /// The slice drawn again.
     pub(super) fn redrawn(&self, slice: &Slice, sliced: &Sliced) -> Slice {
         let frame = &sliced.geometry.frame;
-        let moved = Rotation::by(slice.theta) * frame.moving_center.to_vector();
-        let (mut curves, mut doubtful) = (Vec::new(), slice.doubtful);
-        let mut loops = Vec::new();
-        for indices in &slice.loops {
-            let pieces: Option<Vec<Piece>> = (indices.iter())
-                .map(|&i| self.piece(slice, sliced, i as usize))
-                .collect();
-            let drawn = pieces.and_then(|p| outlined(p, frame, moved));
-            let drawn = drawn.unwrap_or_else(|| {
+        let mut doubtful = slice.doubtful;
+        let mut drawn = |indices: &Vec<u32>| {
+            let pieces = indices
+                .iter()
+                .map(|&i| self.piece(slice, sliced, i as usize));
+            let pieces: Option<Vec<Piece>> = pieces.collect();
+            let drawn = pieces.and_then(|p| outlined(p, frame, slice.theta));
+            drawn.unwrap_or_else(|| {
                 doubtful = true;
-                indices.iter().map(|&i| slice.curves[i as usize]).collect()
-            });
-            let first = curves.len() as u32;
-            let count = drawn.len() as u32;
-            curves.extend(
-                (0..)
-                    .zip(drawn)
-                    .map(|(k, c): (u32, SliceCurve)| SliceCurve {
-                        next: first + (k + 1) % count,
-                        ..c
-                    }),
-            );
-            loops.push((first..first + count).collect());
-        }
-        Slice {
-            theta: slice.theta,
-            curves,
-            loops,
-            doubtful,
-        }
+                slice.along(indices).collect()
+            })
+        };
+        let loops = slice.loops.iter().map(&mut drawn).collect();
+        Slice::of_loops(slice.theta, loops, doubtful)
     }
 
     /// A curve by its sheet and the outlines as drawn; `None` if features as drawn are others than those that were computed.
@@ -102,9 +86,7 @@ impl AsDrawn {
         let (geometry, at) = (&sliced.geometry, sliced.at);
         let (curve, patch) = (&slice.curves[index], sliced.patches.get(index)?);
         let turn = Rotation::by(at);
-        let middle = curve.geometry.point(0.5) - geometry.frame.fixed_center;
-        let moved = Rotation::by(slice.theta) * geometry.frame.moving_center.to_vector();
-        let middle = Point::ORIGIN + (middle + moved) * geometry.frame.scale;
+        let middle = inner(&geometry.frame, curve.geometry.point(0.5), slice.theta);
         let name = |sheet: &Sheet| {
             let fixed = self.fixed.features.get(sheet.fixed as usize)?.name;
             let moving = self.moving.features.get(sheet.moving as usize)?.name;
@@ -135,14 +117,19 @@ impl AsDrawn {
     }
 }
 
+/// A position at an orientation, in the pair's frame.
+fn inner(frame: &PairFrame, p: Point, theta: f64) -> Point {
+    frame.inner_from_outer(Configuration::new(p.x, p.y, theta))
+}
+
 /// The loop of some pieces: without those that are there only because of the play, and what goes on in one line or circle is one
 /// curve. `None` if a place is far from where it was.
-fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<SliceCurve>> {
+fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<SliceCurve>> {
     let n = pieces.len();
-    let inner = |p: Point| Point::ORIGIN + (p - frame.fixed_center + moved) * frame.scale;
+    let moved = Rotation::by(theta) * frame.moving_center.to_vector();
     let place = |i: usize| {
         let (before, after) = (&pieces[i], &pieces[(i + 1) % n]);
-        let rough = inner(before.rough.point(1.0));
+        let rough = inner(frame, before.rough.point(1.0), theta);
         let end = before.ends[1]
             .or(after.ends[0])
             .map(|p| p.map(Exact::to_f64));
@@ -160,9 +147,9 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, moved: Vector) -> Option<Vec<
         };
         let (first, last) = (start(i), kept[i].1);
         if n == 1 {
-            let line = Cycle::line(Point::ORIGIN, Vector::new(1.0, 0.0));
-            let (geometry, _) = on_cycle(&line, [last; 2], frame, moved);
-            return Some(vec![kept[0].0.curve(geometry)]);
+            let at = frame.outer_from_inner(last, theta).position();
+            let point = CurveGeometry::Segment { start: at, end: at };
+            return Some(vec![kept[0].0.curve(point)]);
         }
         // What was before and after it meets there.
         let (before, after) = (kept[(i + n - 1) % n].0, kept[(i + 1) % n].0);

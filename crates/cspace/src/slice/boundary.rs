@@ -84,6 +84,30 @@ impl Slice {
             .min_by(|a, b| (a.1.distance(position)).total_cmp(&b.1.distance(position)))
     }
 
+    /// Of loops, each of its curves in order of travel; which follows which is set here.
+    pub(crate) fn of_loops(theta: f64, loops: Vec<Vec<SliceCurve>>, doubtful: bool) -> Self {
+        let mut slice = Self {
+            theta,
+            curves: Vec::new(),
+            loops: Vec::new(),
+            doubtful,
+        };
+        for drawn in loops {
+            let first = slice.curves.len() as u32;
+            let end = first + drawn.len() as u32;
+            for (next, curve) in (first + 1..end).chain([first]).zip(drawn) {
+                slice.curves.push(SliceCurve { next, ..curve });
+            }
+            slice.loops.push((first..end).collect());
+        }
+        slice
+    }
+
+    /// The curves of a loop, in order of travel.
+    pub(crate) fn along<'a>(&'a self, indices: &'a [u32]) -> impl Iterator<Item = SliceCurve> + 'a {
+        indices.iter().map(|&i| self.curves[i as usize])
+    }
+
     /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
     pub(crate) fn from_curves(
         theta: f64,
