@@ -194,6 +194,10 @@ fn a_part_that_falls_apart_is_an_error_that_says_where() {
         offset(&plate, f64::NAN, false),
         Err(OffsetError::NoNumber(_))
     ));
+    for by in [1e300, -1e300] {
+        let error = offset(&plate, by, false);
+        assert!(matches!(error, Err(OffsetError::TooFar(_))), "{error:?}");
+    }
 }
 
 /// A wheel of teeth with rounded tips and roots, there and back.

@@ -20,7 +20,7 @@ use crate::shown;
 use chain::{Ring, rings};
 use cut::{cut, outermost};
 use raw::{Raw, around, raw};
-use tolerance::{NEAR, SLACK};
+use tolerance::{LARGEST, NEAR, SLACK};
 
 /// A part at a distance from another.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +58,8 @@ impl Offset {
 pub enum OffsetError {
     /// The distance is no finite number.
     NoNumber(f64),
+    /// The distance is beyond the largest coordinate of a part.
+    TooFar(f64),
     /// Nothing of the part is as thick.
     Nothing,
     /// The outline falls apart.
@@ -78,6 +80,7 @@ impl OffsetError {
     pub fn help(&self) -> &'static str {
         match self {
             Self::NoNumber(_) => "give a length, such as 0.1, or below 0 to make the part smaller",
+            Self::TooFar(_) => "give a distance of the order of the part's size",
             Self::Nothing => "give a distance nearer to 0",
             Self::Apart { .. } => {
                 "give a distance nearer to 0, make the part thicker there, or take the pieces with --split (in a model: split = true)"
@@ -91,6 +94,7 @@ impl fmt::Display for OffsetError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoNumber(x) => write!(f, "the offset is {x:?}"),
+            Self::TooFar(x) => write!(f, "the offset is {x:?}, more than {LARGEST:?}"),
             Self::Nothing => f.write_str("nothing of the part is left: it is nowhere so thick"),
             Self::Apart { what, at, edges } => {
                 write!(f, "the outline falls apart: {what}")?;
@@ -135,6 +139,9 @@ pub fn offset(part: &Part, by: f64, split: bool) -> Result<Offset, OffsetError> 
         return Err(OffsetError::NoNumber(by));
     }
     let distance = by.abs();
+    if distance > LARGEST {
+        return Err(OffsetError::TooFar(by));
+    }
     let size = part.size() + 2.0 * distance;
     let near = NEAR * size;
     if distance <= near {

@@ -11,3 +11,6 @@ pub(super) const SLACK: f64 = 1e-12;
 /// Edges whose directions differ by less at a vertex, in radians, have no corner there: offset by all of the size, the ends that
 /// the corner would have between them are one place.
 pub(super) const SMOOTH: f64 = 1e-10;
+
+/// Largest distance (a length): that of a part's coordinates, whose squares are finite.
+pub(super) const LARGEST: f64 = 1e150;
