@@ -43,6 +43,7 @@ mod measure;
 mod sensitivity;
 mod solve;
 mod sweep;
+mod tolerance;
 mod touching;
 
 pub use changes::Change;
@@ -52,4 +53,8 @@ pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach}
 pub use sensitivity::{Sensitivity, sensitivities};
 pub use solve::{Goal, Relation, Solved, Span, solve};
 pub use sweep::{Row, Sweep, Varied};
+pub use tolerance::{
+    ChangeKind, Contribution, Extreme, LARGEST_FACTOR, Linear, Margin, MonteCarlo, Structural,
+    ToleranceOptions, Tolerances, Variation, Variations, Zone, tolerances,
+};
 pub use touching::{FeaturePair, pair_of, texts, touching};

@@ -118,7 +118,7 @@ impl Varied<'_> {
         match (quantity, &measured.stops[..]) {
             (Quantity::Play { of, .. }, [below, above]) => {
                 // The other coordinates are held where they are measured.
-                let mut held = self.of.at;
+                let (mut held, _) = self.moved();
                 held[of.index()] = 0.0;
                 let mut ends = [None; 2];
                 for ((end, stop), way) in ends.iter_mut().zip([below, above]).zip([-1.0, 1.0]) {
@@ -127,7 +127,7 @@ impl Varied<'_> {
                         _ => self.parts[1].range,
                     };
                     *end = if stop.features.is_empty() {
-                        Some([range[usize::from(way > 0.0)]; 2])
+                        Some([range.unwrap_or_default()[usize::from(way > 0.0)]; 2])
                     } else {
                         let rates = numbers(unit(of, way));
                         self.first(stop, rates, way, |f, gradient| {
@@ -145,7 +145,8 @@ impl Varied<'_> {
                 let k = of.index();
                 let gone = [0, 1, 2].map(|i| at[i] - from[i]);
                 let time = dot(gone, along) / dot(along, along);
-                let moved = [0, 1, 2].map(|i| self.of.at[i] + time * self.of.along[i]);
+                let (of_at, of_along) = self.moved();
+                let moved = [0, 1, 2].map(|i| of_at[i] + time * of_along[i]);
                 self.first(stop, along, along[k], |f, gradient| {
                     let later = sum(&[-f, -dot(gradient, moved)]) / dot(gradient, along);
                     sum(&[moved[k], later * along[k]])
@@ -153,11 +154,20 @@ impl Varied<'_> {
             }
             (Quantity::Clearance { .. }, [stop]) => {
                 self.first(stop, [0.0; 3], 1.0, |f, gradient| {
-                    sum(&[f, dot(gradient, self.of.at)])
+                    sum(&[f, dot(gradient, self.moved().0)])
                 })
             }
             _ => Ok(None),
         }
+    }
+
+    /// The derivatives of the configuration at which the quantity is measured, and of the displacement of its motion.
+    fn moved(&self) -> ([f64; 3], [f64; 3]) {
+        let RequirementSlopes { at, along } = self.of;
+        (
+            at.map(Option::unwrap_or_default),
+            along.map(Option::unwrap_or_default),
+        )
     }
 
     /// The derivatives of what is the first of several contacts to be reached, where `sign` is that of its change along the way: by each
@@ -290,7 +300,8 @@ impl Varied<'_> {
                     v.by_bulge * bulge,
                 ]);
             }
-            terms.extend([axis[0] * part.axis[0], axis[1] * part.axis[1]]);
+            let by_axis = part.axis.unwrap_or_default();
+            terms.extend([axis[0] * by_axis[0], axis[1] * by_axis[1]]);
         }
         Ok(sum(&terms))
     }

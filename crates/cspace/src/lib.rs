@@ -124,11 +124,12 @@ pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
-pub use number::{Dual, Real, SecondOrder};
+pub use number::{Affine, Ball, Dual, Enclosure, Real, SecondOrder};
 pub use pair::{
-    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,
-    PairSpace, PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    ByDrawing, ByVertex, Coordinates, DrawingNumber, DrawnContact, DrawnPair, Encounter,
+    Encounters, FeatureContact, FeatureId, Leg, LinkId, LinkKind, Location, LowerPair, Metric,
+    NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
+    Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome, overlap_as_drawn,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,

@@ -114,6 +114,9 @@ fn function(name: &str) -> Option<Function> {
     Function::ALL.iter().find(|f| f.0 == name).map(|f| f.1)
 }
 
+/// Powers of enclosures up to this exponent are products.
+const MOST_FACTORS: f64 = 16.0;
+
 /// A step of the evaluation: operands are on a stack.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Step {
@@ -240,6 +243,14 @@ impl Expression {
 /// aᵇ, with (∂/∂a, ∂/∂b) = (b aᵇ⁻¹, aᵇ ln a).
 fn power<T: Real>(a: T, b: T) -> T {
     let (x, y) = (a.value(), b.value());
+    if a.spread() > 0.0
+        && b.spread() == 0.0
+        && (1.0..=MOST_FACTORS).contains(&y)
+        && y.fract() == 0.0
+    {
+        // Of an enclosure, factor by factor.
+        return (1..y as u32).fold(a, |product, _| product * a);
+    }
     let value = x.powf(y);
     let finite = |slope: f64| if slope.is_finite() { slope } else { 0.0 };
     let by_exponent = if x > 0.0 { finite(value * x.ln()) } else { 0.0 };
@@ -268,20 +279,23 @@ fn call<T: Real>(function: Function, arguments: &[T], at: usize) -> Result<T> {
         Function::Asin | Function::Acos if v.abs() > 1.0 => {
             return undefined("arc sine or cosine", "between -1 and 1");
         }
-        Function::Asin => x.function(v.asin(), 1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
-        Function::Acos => x.function(v.acos(), -1.0 / ((1.0 - v) * (1.0 + v)).sqrt()),
-        Function::Atan => x.function(v.atan(), 1.0 / (1.0 + v * v)),
-        Function::Atan2 => {
-            let (y, x) = (x, arguments[1]);
-            let square = y.value().powi(2) + x.value().powi(2);
-            let angle = y.value().atan2(x.value());
-            y.function(angle, x.value() / square) + x.function(0.0, -y.value() / square)
-        }
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
+        Function::Atan => x.atan(),
+        Function::Atan2 => x.atan2(arguments[1]),
         Function::Hypot => x.hypot(arguments[1]),
         Function::Abs => x.abs(),
         Function::Min | Function::Max => {
             let is_better = |a: &T, b: &T| (a.value() < b.value()) == (function == Function::Min);
-            let better = |best: T, a: &T| if is_better(a, &best) { *a } else { best };
+            let better = |best: T, a: &T| {
+                let better = if is_better(a, &best) { *a } else { best };
+                let apart = (a.value() - best.value()).abs();
+                if apart < a.spread() + best.spread() {
+                    better.unknown()
+                } else {
+                    better
+                }
+            };
             arguments[1..].iter().fold(x, better)
         }
     })

@@ -31,6 +31,7 @@ mod suggest;
 mod table;
 mod to_json;
 mod to_toml;
+mod tolerance;
 mod toml_dynamics;
 mod toml_values;
 
@@ -49,3 +50,4 @@ pub use slopes::{PartSlopes, RequirementSlopes, Slopes};
 pub use snap::{Snapped, snap};
 pub use to_json::to_json;
 pub use to_toml::to_toml;
+pub use tolerance::{Distribution, Position};

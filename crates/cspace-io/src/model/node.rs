@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;
 
-use cspace::Dual;
+use cspace::{Ball, Dual};
 
 use crate::shown::{self, quoted};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -19,7 +19,7 @@ pub(super) enum Node {
     Integer(i64),
     Number(f64),
     /// A number that depends on the parameter by which the model is differentiated.
-    Varied(Box<Dual<1>>),
+    Varied(Box<Dual<1, Ball>>),
     Text(Box<str>),
     Date,
     List(Box<[Node]>),
@@ -35,7 +35,7 @@ impl Node {
             Self::Null => "null".into(),
             Self::Bool(b) => format!("`{b}`"),
             Self::Integer(i) => format!("the number {i}"),
-            Self::Varied(x) => format!("the number {}", shown::number(x.value)),
+            Self::Varied(x) => format!("the number {}", shown::number(x.value.mid)),
             Self::Number(x) => format!("the number {}", shown::number(*x)),
             Self::Text(t) => format!("the text {}", quoted(t)),
             Self::Date => "a date".into(),

@@ -6,14 +6,15 @@
 
 use std::collections::HashMap;
 
-use cspace::{Dual, Mechanism, Real};
+use cspace::{Ball, Dual, Mechanism, Real};
 
 use super::error::ModelError;
 use super::expression::{Expression, Wrong, is_name, is_taken};
 use super::node::Node;
 use super::place::{Place, Step};
 use super::suggest::nearest;
-use super::table::{Result, Table, angle_of, number};
+use super::table::{Result, Table, number};
+use super::tolerance::{Distribution, Position, Tolerance};
 use crate::angle::parse_angle;
 use crate::shown::quoted;
 
@@ -72,8 +73,25 @@ pub struct Parameter {
     pub is_set: bool,
     /// How far below and above the value it may be, if the model says so.
     pub deviations: Option<(f64, f64)>,
+    /// How likely it is where within its tolerance, if the model says so.
+    pub distribution: Option<Distribution>,
+    /// The zone of the point of which it is a coordinate, if it has one.
+    pub position: Option<Position>,
     /// The entries of the model in which numbers depend on it, such as `part "pin"`, and keys of the model itself.
     pub used_by: Vec<String>,
+}
+
+impl Parameter {
+    /// Its value, off by a deviation: what it follows from stays.
+    pub fn deviated(&self, by: f64) -> Setting {
+        match &self.expression {
+            Some(expression) => Setting {
+                name: self.name.clone(),
+                value: format!("({expression}) + ({by:?})"),
+            },
+            None => Setting::number(&self.name, self.value + by),
+        }
+    }
 }
 
 /// A value for a parameter in place of the file's: its name, and a number or an expression.
@@ -92,6 +110,29 @@ impl Setting {
             name: name.into(),
             value: format!("{value:?}"),
         }
+    }
+}
+
+/// The parameter by which a model is differentiated, and the ranges over which it is enclosed.
+pub(super) struct Variation<'a> {
+    pub(super) parameter: &'a str,
+    /// Names of parameters, with how far the value of each may be off, from and to; others have their values.
+    pub(super) ranges: &'a [(String, f64, f64)],
+}
+
+impl Variation<'_> {
+    fn range(&self, name: &str) -> Option<Ball> {
+        let known = self.ranges.iter().find(|r| r.0 == name)?;
+        Some(Ball::between(known.1, known.2))
+    }
+
+    /// A parameter by its name and value, and whether it varies.
+    fn of(&self, name: &str, value: f64) -> (Dual<1, Ball>, bool) {
+        let range = self.range(name);
+        let is_varied = self.parameter == name;
+        let value = Ball::constant(value) + range.unwrap_or(Ball::constant(0.0));
+        let slope = [Ball::constant(f64::from(is_varied))];
+        (Dual { value, slope }, is_varied || range.is_some())
     }
 }
 
@@ -159,9 +200,11 @@ impl Entry {
 pub(super) struct Parameters {
     all: Vec<Parameter>,
     numbers: HashMap<String, u32>,
-    /// The values, with their derivatives by the parameter that is varied.
-    values: Vec<Dual<1>>,
-    is_varied: bool,
+    values: Vec<f64>,
+    /// Enclosures of the values over the ranges of a variation, with their derivatives by the parameter that is varied; none without one.
+    varied: Vec<Dual<1, Ball>>,
+    /// Whether each depends on one that is varied or has a range.
+    moves: Vec<bool>,
     /// For each parameter those that its value depends on directly.
     needs: Vec<Vec<u32>>,
     /// For each parameter the entries of the model that name it.
@@ -194,46 +237,17 @@ impl<'a> Given<'a> {
     }
 }
 
-/// How far a parameter may be below and above its value.
-fn deviations(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
-    let of = |key: &str| {
-        let Some(node) = table.get(key) else {
-            return Ok(None);
-        };
-        match angle_of(node).filter(|x| x.is_finite() && *x >= 0.0) {
-            Some(value) => Ok(Some(value)),
-            None => {
-                let help = "give how far the parameter may be from its value: 0.02, or \"0.5deg\"";
-                Err(table.wrong(key, node, "a number that is not negative", help))
-            }
-        }
-    };
-    let both = of("tol")?;
-    let (above, below) = (of("plus")?, of("minus")?);
-    let one_sided = above.is_some() || below.is_some();
-    match both {
-        Some(_) if one_sided => Err(table
-            .error("tol", "`tol` is given beside `plus` or `minus`")
-            .with_help("keep `tol`, or `plus` and `minus`")),
-        Some(tol) => Ok(Some((tol, tol))),
-        None => Ok(one_sided.then(|| (below.unwrap_or(0.0), above.unwrap_or(0.0)))),
-    }
-}
-
 impl Parameters {
-    /// The parameters in the value of the key `parameter`, with the values that are set instead of the file's; everything is
-    /// differentiated by the parameter that is varied.
+    /// The parameters in the value of the key `parameter`, with the values that are set instead of the file's; with a variation,
+    /// everything is also enclosed over its ranges and differentiated by its parameter.
     pub(super) fn read(
         node: Option<&Node>,
         place: &Place,
         set: &[Setting],
-        varied: Option<&str>,
+        variation: Option<&Variation<'_>>,
     ) -> Result<Self> {
         const HELP: &str = "give parameters as [parameter] with lines such as pin = 6.0";
-        let mut this = Self {
-            is_varied: varied.is_some(),
-            ..Self::default()
-        };
+        let mut this = Self::default();
         let Some(node) = node else {
             return match set.first() {
                 None => Ok(this),
@@ -291,24 +305,25 @@ impl Parameters {
             return Err(ModelError::new(place, message).with_help(help));
         }
         let mut expressions = Vec::with_capacity(entries.len());
-        for (name, node) in entries.iter() {
+        let mut tolerances = Vec::new();
+        for (i, (name, node)) in entries.iter().enumerate() {
             let place = place
                 .key(name)
                 .called(format!("parameter {}", quoted(name)));
             let setting = set.iter().rev().find(|s| s.name == *name);
-            let (place, given, deviations) = match node {
+            let (place, given, tolerance) = match node {
                 Node::Table(_) => {
                     let help = "give it as { value = 6.0, tol = 0.02 }";
-                    let keys = ["value", "tol", "plus", "minus"];
-                    let table = Table::new(node, place.clone(), &keys, help)?;
+                    let table = Table::new(node, place.clone(), &Tolerance::KEYS, help)?;
                     let value = table
                         .get("value")
                         .ok_or_else(|| table.missing("value", "value = 6.0"))?;
                     let place = place.key("value");
+                    let tolerance = Tolerance::read(&table)?;
                     (
                         place.clone(),
                         Given::new(&place, value)?,
-                        deviations(&table)?,
+                        Some((table, tolerance)),
                     )
                 }
                 _ => (place.clone(), Given::new(&place, node)?, None),
@@ -319,7 +334,9 @@ impl Parameters {
                 value: f64::NAN,
                 expression: None,
                 is_set: setting.is_some(),
-                deviations,
+                deviations: None,
+                distribution: None,
+                position: None,
                 used_by: Vec::new(),
             };
             let expression = match given {
@@ -337,30 +354,70 @@ impl Parameters {
                     Some(parsed)
                 }
             };
-            let is_varied = varied == Some(name.as_str());
-            this.values.push(if is_varied {
-                Dual::variable(parameter.value, 0)
-            } else {
-                Dual::constant(parameter.value)
-            });
+            this.values.push(parameter.value);
+            if let Some(variation) = variation {
+                let (value, moves) = variation.of(name, parameter.value);
+                this.varied.push(value);
+                this.moves.push(moves);
+            }
             this.needs
                 .push(expression.iter().flat_map(Expression::names).collect());
             this.uses.push(Vec::new());
             this.all.push(parameter);
             expressions.push((place, given, setting, expression));
+            tolerances.extend(tolerance.map(|(table, t)| (i, table, t)));
         }
         for i in this.order(|i| &expressions[i as usize].0)? {
             let (place, given, setting, expression) = &expressions[i as usize];
             if let (Some(expression), Given::Text(text)) = (expression, given) {
-                let value = (expression.evaluate(&this.values))
-                    .map_err(|w| in_given(place, text, &w, *setting))?;
-                let own = this.values[i as usize].slope[0];
-                let slope = [own + value.slope[0]];
-                this.values[i as usize] = Dual { slope, ..value };
-                this.all[i as usize].value = value.value;
+                let wrong = |w| in_given(place, text, &w, *setting);
+                let value = expression.evaluate(&this.values).map_err(wrong)?;
+                this.values[i as usize] = value;
+                let parameter = &mut this.all[i as usize];
+                parameter.value = value;
+                if let Some(variation) = variation {
+                    let moves = expression.names().any(|n| this.moves[n as usize]);
+                    this.moves[i as usize] |= moves;
+                    // What it follows from, and its own deviation.
+                    let (own, _) = variation.of(&parameter.name, 0.0);
+                    let from = if moves {
+                        expression.evaluate(&this.varied).map_err(wrong)?
+                    } else {
+                        Dual::constant(value)
+                    };
+                    this.varied[i as usize] = from + own;
+                }
             }
         }
+        for (i, table, tolerance) in tolerances {
+            this.tolerate(i, &table, tolerance)?;
+        }
         Ok(this)
+    }
+
+    /// Gives a parameter its tolerance.
+    fn tolerate(&mut self, i: usize, table: &Table<'_>, tolerance: Tolerance) -> Result<()> {
+        let parameter = &self.all[i];
+        let deviations = tolerance.deviations(table, parameter.value, parameter.is_set)?;
+        if let Some(Position { with, .. }) = &tolerance.position {
+            let help = "name the parameter that is the other coordinate, which has no tolerance of its own";
+            let error = |message: &str| Err(table.error("with", message).with_help(help));
+            match self.numbers.get(with) {
+                None => return error("there is no such parameter"),
+                Some(&other) if other as usize == i => return error("it is the parameter itself"),
+                Some(&other) => {
+                    let other = &self.all[other as usize];
+                    if other.deviations.is_some() || other.position.is_some() {
+                        return error("the parameter has a tolerance of its own");
+                    }
+                }
+            }
+        }
+        let parameter = &mut self.all[i];
+        parameter.deviations = deviations;
+        parameter.distribution = tolerance.distribution;
+        parameter.position = tolerance.position;
+        Ok(())
     }
 
     fn parse(&self, text: &str) -> core::result::Result<Expression, Wrong> {
@@ -417,6 +474,20 @@ impl Parameters {
         Err(ModelError::new(place(at), message).with_help("give one of them a number"))
     }
 
+    /// The enclosure of an expression's value, of one that depends on what varies.
+    fn varied_value(&self, expression: &Expression, value: f64) -> Option<Dual<1, Ball>> {
+        if self.varied.is_empty() || !expression.names().any(|n| self.moves[n as usize]) {
+            return None;
+        }
+        // Where it cannot be evaluated, as at a division by what may be 0, nothing is known.
+        let unknown = || Dual::<1, Ball>::constant(value).unknown();
+        Some(
+            expression
+                .evaluate(&self.varied)
+                .unwrap_or_else(|_| unknown()),
+        )
+    }
+
     /// Replaces every expression in a tree by its value. Returns those that have none.
     pub(super) fn replace(&mut self, tree: &mut Node) -> Vec<Failure> {
         let mut failures = Vec::new();
@@ -440,10 +511,9 @@ impl Parameters {
                                 uses.push(entry);
                             }
                         }
-                        *node = if !self.is_varied || value.slope == [0.0] {
-                            as_node(value.value)
-                        } else {
-                            Node::Varied(Box::new(value))
+                        *node = match self.varied_value(&expression, value) {
+                            Some(varied) => Node::Varied(Box::new(varied)),
+                            None => as_node(value),
                         };
                     }
                     Err(wrong) => failures.push(Failure {

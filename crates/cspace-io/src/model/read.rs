@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use cspace::Mechanism;
+use cspace::{Ball, Dual, Mechanism};
 
 use super::drawings::{Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column};
 use super::node::Node;
-use super::parameters::{Entry, Parameter, Parameters, Setting as Value};
+use super::parameters::{Entry, Parameter, Parameters, Variation};
 use super::parts::read_parts;
 use super::place::Place;
 use super::relations::{read_joints, read_pairs};
@@ -270,7 +270,52 @@ impl Template {
         model: &Model,
         parameter: &str,
     ) -> core::result::Result<Slopes, ModelError> {
-        slopes_in(self.tree.clone(), host.set, parameter, &model.mechanism)
+        let variation = Variation {
+            parameter,
+            ranges: &[],
+        };
+        let tree = self.varied(host, &variation)?;
+        slopes(&tree, &model.mechanism)
+    }
+
+    /// Enclosures of the numbers of a model of this template, and of their derivatives by one of its parameters, where
+    /// parameters are off their values by what is in `ranges` (the name, from and to). A formula that encloses nothing, as
+    /// the angle of an arc that varies, gives all reals; arcs and fillets are on the sides on which they are in the model.
+    ///
+    /// ```
+    /// use cspace_io::Host;
+    /// use cspace_io::model::Template;
+    /// let text = "[parameter]\nd = 3\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n";
+    /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
+    /// let model = template.model(&Host::default())?;
+    /// let d = [("d".to_owned(), -0.1, 0.2)];
+    /// let enclosed = template.enclosures(&Host::default(), &model, "d", &d)?;
+    /// let [lo, hi] = enclosed.parts[0].loops[0][0][0].value.ends();
+    /// assert!(lo <= -1.6 && -1.45 <= hi && hi - lo < 0.151);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the numbers have no derivatives, as where the parameter decides how often something is repeated.
+    pub fn enclosures(
+        &self,
+        host: &Host<'_>,
+        model: &Model,
+        parameter: &str,
+        ranges: &[(String, f64, f64)],
+    ) -> core::result::Result<Slopes<Dual<1, Ball>>, ModelError> {
+        let tree = self.varied(host, &Variation { parameter, ranges })?;
+        slopes(&tree, &model.mechanism)
+    }
+
+    /// The tree with the numbers that depend on what varies.
+    fn varied(&self, host: &Host<'_>, variation: &Variation<'_>) -> Result<Node> {
+        let mut tree = self.tree.clone();
+        let given = taken(&mut tree);
+        let place = Place::default().key("parameter");
+        let mut parameters = Parameters::read(given.as_ref(), &place, host.set, Some(variation))?;
+        parameters.replace(&mut tree);
+        Ok(tree)
     }
 }
 
@@ -407,20 +452,6 @@ fn not_empty(text: &str) -> Result<()> {
             .with_help("describe each part in a [[part]] table with its name and loops"));
     }
     Ok(())
-}
-
-/// The derivatives by a parameter, with the values that are set.
-fn slopes_in(
-    mut tree: Node,
-    set: &[Value],
-    parameter: &str,
-    mechanism: &Mechanism,
-) -> Result<Slopes> {
-    let given = taken(&mut tree);
-    let place = Place::default().key("parameter");
-    let mut parameters = Parameters::read(given.as_ref(), &place, set, Some(parameter))?;
-    parameters.replace(&mut tree);
-    slopes(&tree, mechanism)
 }
 
 /// The parameters in a tree, taken out of it.

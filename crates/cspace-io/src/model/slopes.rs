@@ -2,46 +2,64 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{Dual, Mechanism, Vertex};
+use cspace::{Ball, Dual, Mechanism, Real, Vertex};
 
 use super::error::ModelError;
 use super::loops::read_loops;
 use super::node::Node;
 use super::place::Place;
 use super::requirements::Coordinate;
-use super::table::Result;
+use super::table::{Result, number};
 
-/// Derivatives of a model's numbers by one of its parameters.
+/// Derivatives of a model's numbers by one of its parameters; or, of another type, enclosures of the numbers with theirs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Slopes {
+pub struct Slopes<T = f64> {
     /// Of each part, in the order of the model.
-    pub parts: Vec<PartSlopes>,
+    pub parts: Vec<PartSlopes<T>>,
     /// Of each requirement, by its name.
-    pub requirements: BTreeMap<String, RequirementSlopes>,
+    pub requirements: BTreeMap<String, RequirementSlopes<T>>,
 }
 
 /// Derivatives of the numbers of a part.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct PartSlopes {
-    /// Of every vertex of every loop: x, y and bulge. Empty of a part that does not depend on the parameter.
-    pub loops: Vec<Vec<[f64; 3]>>,
-    /// Of the centre or the direction of its axis, as it is given.
-    pub axis: [f64; 2],
-    /// Of the range of its motion.
-    pub range: [f64; 2],
+pub struct PartSlopes<T = f64> {
+    /// Of every vertex of every loop: x, y and bulge. Empty of a part whose outline does not depend on anything that varies.
+    pub loops: Vec<Vec<[T; 3]>>,
+    /// Of the centre or the direction of its axis, as it is given; `None` if it does not depend on anything that varies.
+    pub axis: Option<[T; 2]>,
+    /// Likewise of the range of its motion.
+    pub range: Option<[T; 2]>,
 }
 
-/// Derivatives of the configurations of a requirement: by x, y and θ, or by u and v.
+/// Derivatives of the configurations of a requirement: by x, y and θ, or by u and v. `None` of those that do not depend on anything that
+/// varies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct RequirementSlopes {
+pub struct RequirementSlopes<T = f64> {
     /// Of the configuration at which it is measured.
-    pub at: [f64; 3],
+    pub at: [Option<T>; 3],
     /// Of the displacement of a motion.
-    pub along: [f64; 3],
+    pub along: [Option<T>; 3],
+}
+
+/// What is wanted of a number that varies.
+pub(super) trait Slope: Copy {
+    fn of(number: Dual<1, Ball>) -> Self;
+}
+
+impl Slope for f64 {
+    fn of(number: Dual<1, Ball>) -> Self {
+        number.slope[0].mid
+    }
+}
+
+impl Slope for Dual<1, Ball> {
+    fn of(number: Self) -> Self {
+        number
+    }
 }
 
 /// The derivatives in a tree of which the numbers have them.
-pub(super) fn slopes(tree: &Node, mechanism: &Mechanism) -> Result<Slopes> {
+pub(super) fn slopes<T: Slope>(tree: &Node, mechanism: &Mechanism) -> Result<Slopes<T>> {
     let items = |key: &str| match entry(tree, key) {
         Some(Node::List(items)) => &items[..],
         _ => &[],
@@ -68,7 +86,7 @@ fn entry<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
     }
 }
 
-/// Whether anything in a value depends on the parameter.
+/// Whether anything in a value depends on what varies.
 fn depends(node: &Node) -> bool {
     match node {
         Node::Varied(_) => true,
@@ -78,15 +96,14 @@ fn depends(node: &Node) -> bool {
     }
 }
 
-fn slope(node: &Node) -> f64 {
+fn varied(node: &Node) -> Option<Dual<1, Ball>> {
     match node {
-        Node::Varied(x) => x.slope[0],
-        _ => 0.0,
+        Node::Varied(x) => Some(**x),
+        _ => None,
     }
 }
 
-fn part(place: &Place, node: &Node) -> Result<PartSlopes> {
-    let mut slopes = PartSlopes::default();
+fn part<T: Slope>(place: &Place, node: &Node) -> Result<PartSlopes<T>> {
     // Of what is offset or drawn elsewhere, only that it depends is known.
     for key in ["offset", "scale", "trace", "join"] {
         if entry(node, key).is_some_and(depends) {
@@ -95,6 +112,11 @@ fn part(place: &Place, node: &Node) -> Result<PartSlopes> {
                 .with_help("vary the parameter with `sweep` to see what it does"));
         }
     }
+    let mut slopes = PartSlopes {
+        loops: Vec::new(),
+        axis: None,
+        range: None,
+    };
     if let Some(loops @ Node::List(items)) = entry(node, "loops")
         && depends(loops)
     {
@@ -105,8 +127,8 @@ fn part(place: &Place, node: &Node) -> Result<PartSlopes> {
         }
         let loops = place.key("loops");
         for (i, node) in items.iter().enumerate() {
-            for drawn in read_loops::<Dual<1>>(&loops, i, node)? {
-                let of = |v: &Vertex<Dual<1>>| [v.x, v.y, v.bulge].map(|x| x.slope[0]);
+            for drawn in read_loops::<Dual<1, Ball>>(&loops, i, node)? {
+                let of = |v: &Vertex<Dual<1, Ball>>| [v.x, v.y, v.bulge].map(T::of);
                 slopes.loops.push(drawn.vertices.iter().map(of).collect());
             }
         }
@@ -115,20 +137,28 @@ fn part(place: &Place, node: &Node) -> Result<PartSlopes> {
         return Ok(slopes);
     };
     let pair = |key: &str| match entry(motion, key) {
-        Some(Node::List(items)) if items.len() == 2 => Some([&items[0], &items[1]]),
+        Some(list @ Node::List(items)) if items.len() == 2 && depends(list) => {
+            let of = |node: &Node| {
+                let number = number(node).unwrap_or(f64::NAN);
+                T::of(varied(node).unwrap_or(Dual::constant(number)))
+            };
+            Some([&items[0], &items[1]].map(of))
+        }
         _ => None,
     };
-    let axis = pair("center").or_else(|| pair("direction"));
-    slopes.axis = axis.map_or([0.0; 2], |axis| axis.map(slope));
-    slopes.range = pair("range").map_or([0.0; 2], |range| range.map(slope));
+    slopes.axis = pair("center").or_else(|| pair("direction"));
+    slopes.range = pair("range");
     Ok(slopes)
 }
 
-fn requirement(node: &Node) -> Option<(String, RequirementSlopes)> {
+fn requirement<T: Slope>(node: &Node) -> Option<(String, RequirementSlopes<T>)> {
     let Some(Node::Text(name)) = entry(node, "name") else {
         return None;
     };
-    let mut slopes = RequirementSlopes::default();
+    let mut slopes = RequirementSlopes {
+        at: [None; 3],
+        along: [None; 3],
+    };
     let numbers = [
         Coordinate::X,
         Coordinate::Y,
@@ -139,13 +169,13 @@ fn requirement(node: &Node) -> Option<(String, RequirementSlopes)> {
     if let Some(at) = entry(node, "at") {
         for of in numbers {
             if let Some(value) = entry(at, of.name()) {
-                slopes.at[of.index()] = slope(value);
+                slopes.at[of.index()] = varied(value).map(T::of);
             }
         }
     }
     if let Some(Node::List(along)) = entry(node, "along") {
         for (to, from) in slopes.along.iter_mut().zip(along) {
-            *to = slope(from);
+            *to = varied(from).map(T::of);
         }
     }
     Some((name.to_string(), slopes))

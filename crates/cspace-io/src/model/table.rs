@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{Dual, Point, Real};
+use cspace::{Ball, Dual, Point, Real};
 
 use super::error::ModelError;
 use super::node::Node;
@@ -229,7 +229,7 @@ pub(super) fn number(node: &Node) -> Option<f64> {
     match *node {
         Node::Integer(i) => Some(i as f64),
         Node::Number(x) => Some(x),
-        Node::Varied(ref x) => Some(x.value),
+        Node::Varied(ref x) => Some(x.value.mid),
         _ => None,
     }
 }
@@ -247,6 +247,18 @@ impl Scalar for f64 {
 }
 
 impl Scalar for Dual<1> {
+    fn read(node: &Node) -> Option<Self> {
+        match node {
+            Node::Varied(x) => Some(Self {
+                value: x.value.mid,
+                slope: x.slope.map(|s| s.mid),
+            }),
+            _ => number(node).map(Self::constant),
+        }
+    }
+}
+
+impl Scalar for Dual<1, Ball> {
     fn read(node: &Node) -> Option<Self> {
         match node {
             Node::Varied(x) => Some(**x),

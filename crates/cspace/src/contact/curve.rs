@@ -46,7 +46,7 @@ impl<T: Ordered> Curve<T> {
     pub(crate) fn length_to(&self, place: Vector<T>) -> T {
         if self.cycle.is_centred() {
             let (x, y) = (self.middle.dot(place), self.middle.cross(place));
-            return T::atan2(y, x) * self.cycle.radius();
+            return y.atan2(x) * self.cycle.radius();
         }
         place.x - self.middle.x
     }

@@ -124,7 +124,8 @@ impl<T: Real> Facing<T> {
         fixed_from_moving: &Placement<T>,
     ) -> Self {
         let (first, second) = (fixed.cycle(), moving.cycle());
-        let curvature = |c: &Cycle<T>| c.curvature().value().abs();
+        // An enclosure of the curvature of a vertex were one of all reals, with 0 in the middle.
+        let curvature = |c: &Cycle<T>| (c.weight.value() / c.size.value()).abs();
         let moves = curvature(&second) < curvature(&first);
         let (base, other, placed) = if moves {
             (second, first, fixed_from_moving.inverse())

@@ -5,10 +5,21 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::Real;
 
 /// All reals within `radius` of `mid`. Every operation returns an enclosure of all its results.
+///
+/// ```
+/// use cspace::{Ball, Real};
+/// let side = Ball::between(2.9, 3.1);
+/// let diagonal = (side * side + Ball::constant(16.0)).sqrt();
+/// let [lo, hi] = diagonal.ends();
+/// assert!(lo <= 2.9_f64.hypot(4.0) && 3.1_f64.hypot(4.0) <= hi && hi - lo < 0.13);
+/// assert_eq!(diagonal.sign(), 1);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Ball {
-    pub(crate) mid: f64,
-    pub(crate) radius: f64,
+pub struct Ball {
+    /// The middle.
+    pub mid: f64,
+    /// How far members may be from the middle; infinite or no number where nothing is known.
+    pub radius: f64,
 }
 
 /// More than the relative rounding error of one operation, with room for that of the radius itself.
@@ -17,13 +28,17 @@ const UNIT: f64 = 2.0 * f64::EPSILON;
 const TINY: f64 = f64::MIN_POSITIVE;
 
 impl Ball {
+    /// The reals within a radius of a middle.
     #[inline(always)]
-    pub(crate) const fn new(mid: f64, radius: f64) -> Self {
+    pub const fn new(mid: f64, radius: f64) -> Self {
         Self { mid, radius }
     }
 
-    /// Encloses every real.
-    const ALL: Self = Self::new(0.0, f64::INFINITY);
+    /// Encloses every real, about what a formula gives in the middle, if that is a number.
+    #[inline]
+    const fn all(mid: f64) -> Self {
+        Self::new(if mid.is_finite() { mid } else { 0.0 }, f64::INFINITY)
+    }
 
     #[inline(always)]
     fn rounded(mid: f64, radius: f64) -> Self {
@@ -32,13 +47,39 @@ impl Ball {
 
     /// The interval from `lo` to `hi`.
     #[inline(always)]
-    pub(crate) fn between(lo: f64, hi: f64) -> Self {
+    pub fn between(lo: f64, hi: f64) -> Self {
         Self::rounded(0.5 * (lo + hi), 0.5 * (hi - lo))
+    }
+
+    /// A function of all members that rises, or the negative of it, of which `mid` is the value in the middle; nothing is known of what is beyond the ends of
+    /// its domain.
+    fn rising(self, mid: f64, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Self {
+        let [lo, hi] = self.ends();
+        if !(from <= lo && hi <= to) {
+            return Self::all(mid);
+        }
+        let (below, above) = (f(lo), f(hi));
+        let middle = f(self.mid);
+        Self::rounded(
+            mid,
+            (above - middle).max(middle - below) + UNIT * (below.abs() + above.abs()),
+        )
+    }
+
+    /// The smallest and the largest member, rounded outwards.
+    pub fn ends(self) -> [f64; 2] {
+        if self.radius == 0.0 {
+            return [self.mid; 2];
+        }
+        [
+            (self.mid - self.radius).next_down(),
+            (self.mid + self.radius).next_up(),
+        ]
     }
 
     /// The sign of all its members, if they have one: 1 or −1; otherwise 0.
     #[inline(always)]
-    pub(crate) fn sign(self) -> i8 {
+    pub fn sign(self) -> i8 {
         if self.mid > self.radius {
             1
         } else if -self.mid > self.radius {
@@ -89,10 +130,10 @@ impl Div for Ball {
     #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         let least = divisor.mid.abs() - divisor.radius;
-        if least.is_nan() || least <= 0.0 {
-            return Self::ALL;
-        }
         let mid = self.mid / divisor.mid;
+        if least.is_nan() || least <= 0.0 {
+            return Self::all(mid);
+        }
         // The quotient enlarges what the product loses by underflow.
         let spread = self.radius + mid.abs() * divisor.radius + TINY;
         Self::rounded(mid, spread / least)
@@ -113,12 +154,22 @@ impl Real for Ball {
     }
 
     #[inline(always)]
+    fn spread(self) -> f64 {
+        self.radius
+    }
+
+    #[inline(always)]
+    fn unknown(self) -> Self {
+        Self::new(self.mid, f64::INFINITY)
+    }
+
+    #[inline(always)]
     fn sqrt(self) -> Self {
         let hi = self.mid + self.radius;
         let lo = self.mid - self.radius;
         if !hi.is_finite() {
             // Too large, or no number after a quotient by zero: the larger of that and 0 would be 0.
-            return Self::ALL;
+            return Self::all(self.mid.max(0.0).sqrt());
         }
         if lo > 0.0 {
             // √(m ± r) differs from √m by at most r / √lo / (1 + √(m / lo)) ≤ r / (√m + √lo).
@@ -142,12 +193,42 @@ impl Real for Ball {
         )
     }
 
+    fn tan(self) -> Self {
+        let (sin, cos) = self.sin_cos();
+        sin / cos
+    }
+
+    fn acos(self) -> Self {
+        self.rising(self.mid.acos(), -1.0, 1.0, |x| -x.acos())
+    }
+
+    fn asin(self) -> Self {
+        self.rising(self.mid.asin(), -1.0, 1.0, f64::asin)
+    }
+
+    fn atan(self) -> Self {
+        self.rising(self.mid.atan(), f64::MIN, f64::MAX, f64::atan)
+    }
+
+    /// Seen from the origin, a disc of radius r at the distance d is within asin(r / d) ≤ (π/2) r / d of its middle.
+    fn atan2(self, x: Self) -> Self {
+        let share = self.radius.hypot(x.radius) / self.mid.hypot(x.mid);
+        let mid = self.mid.atan2(x.mid);
+        let is_cut = x.mid <= 0.0 && self.sign() == 0;
+        if share < 1.0 && !is_cut {
+            Self::rounded(mid, core::f64::consts::FRAC_PI_2 * share)
+        } else {
+            Self::all(mid)
+        }
+    }
+
     /// Encloses the absolute values of all its members.
     #[inline(always)]
     fn abs(self) -> Self {
         match self.sign() {
             1 => self,
             -1 => -self,
+            _ if !self.radius.is_finite() => Self::all(self.mid.abs()),
             _ => Self::between(0.0, self.mid.abs() + self.radius),
         }
     }
@@ -172,6 +253,11 @@ mod tests {
                     (a.sqrt(), x.sqrt()),
                     (a.sin_cos().1, x.cos()),
                     (a.sin_cos().0, x.sin()),
+                    (a.tan(), x.tan()),
+                    (a.acos(), x.acos()),
+                    (a.asin(), x.asin()),
+                    (b.atan(), y.atan()),
+                    (a.atan2(b), x.atan2(y)),
                 ] {
                     assert!((ball.mid - value).abs() <= ball.radius, "{ball:?} {value}");
                 }

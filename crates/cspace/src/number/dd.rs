@@ -320,11 +320,7 @@ impl Div<f64> for Dd {
     }
 }
 
-impl Ordered for Dd {
-    fn atan2(y: Self, x: Self) -> Self {
-        Self::atan2(y, x)
-    }
-}
+impl Ordered for Dd {}
 
 impl Real for Dd {
     const ROUNDING: f64 = Self::EPSILON;
@@ -335,6 +331,10 @@ impl Real for Dd {
     #[inline]
     fn value(self) -> f64 {
         self.hi
+    }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        Self::atan2(self, x)
     }
     #[inline]
     fn sqrt(self) -> Self {

@@ -161,6 +161,41 @@ impl<const N: usize, T: Real> Real for Dual<N, T> {
         self.value.value()
     }
     #[inline]
+    fn spread(self) -> f64 {
+        self.value.spread()
+    }
+    #[inline]
+    fn unknown(self) -> Self {
+        Self {
+            value: self.value.unknown(),
+            slope: self.slope.map(Real::unknown),
+        }
+    }
+    fn tan(self) -> Self {
+        let tan = self.value.tan();
+        self.map(tan, T::constant(1.0) + tan * tan)
+    }
+    fn acos(self) -> Self {
+        let (x, one) = (self.value, T::constant(1.0));
+        self.map(x.acos(), -(one / ((one - x) * (one + x)).sqrt()))
+    }
+    fn asin(self) -> Self {
+        let (x, one) = (self.value, T::constant(1.0));
+        self.map(x.asin(), one / ((one - x) * (one + x)).sqrt())
+    }
+    fn atan(self) -> Self {
+        let (x, one) = (self.value, T::constant(1.0));
+        self.map(x.atan(), one / (one + x * x))
+    }
+    fn atan2(self, o: Self) -> Self {
+        let (y, x) = (self.value, o.value);
+        let square = x * x + y * y;
+        Self {
+            value: y.atan2(x),
+            slope: array(|i| (self.slope[i] * x - y * o.slope[i]) / square),
+        }
+    }
+    #[inline]
     fn sqrt(self) -> Self {
         let (root, half) = (self.value.sqrt(), T::constant(0.5));
         Self {

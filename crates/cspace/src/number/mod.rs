@@ -1,5 +1,6 @@
 //! Numbers: one trait, and the kinds of arithmetic that formulas are evaluated in.
 
+mod affine;
 mod ball;
 mod dd;
 mod dual;
@@ -9,7 +10,8 @@ mod polynomial;
 mod real;
 mod trig;
 
-pub(crate) use ball::Ball;
+pub use affine::{Affine, Enclosure};
+pub use ball::Ball;
 pub(crate) use dd::Dd;
 pub use dual::{Dual, SecondOrder};
 pub(crate) use expansion::Expansion;

@@ -39,7 +39,23 @@ pub trait Real:
     #[must_use]
     #[inline]
     fn abs(self) -> Self {
-        if self.value() < 0.0 { -self } else { self }
+        let abs = if self.value() < 0.0 { -self } else { self };
+        if self.spread() > self.value().abs() {
+            abs.unknown()
+        } else {
+            abs
+        }
+    }
+    /// How far the number may be from its [value](Self::value): the radius of an enclosure, 0 of other numbers.
+    #[inline]
+    fn spread(self) -> f64 {
+        0.0
+    }
+    /// An enclosure of all reals about the same value, where a formula encloses nothing; other numbers stay.
+    #[must_use]
+    #[inline]
+    fn unknown(self) -> Self {
+        self
     }
     /// The length of a vector with these two coordinates.
     #[must_use]
@@ -47,14 +63,51 @@ pub trait Real:
     fn hypot(self, other: Self) -> Self {
         (self * self + other * other).sqrt()
     }
+    /// The tangent of an angle in radians.
+    #[must_use]
+    fn tan(self) -> Self {
+        let tan = self.value().tan();
+        self.function(tan, 1.0 + tan * tan)
+    }
+    /// The angle from 0 to π with this cosine.
+    #[must_use]
+    fn acos(self) -> Self {
+        let x = self.value();
+        self.function(x.acos(), -1.0 / ((1.0 - x) * (1.0 + x)).sqrt())
+    }
+    /// The angle from −π/2 to π/2 with this sine.
+    #[must_use]
+    fn asin(self) -> Self {
+        let x = self.value();
+        self.function(x.asin(), 1.0 / ((1.0 - x) * (1.0 + x)).sqrt())
+    }
+    /// The angle from −π/2 to π/2 with this tangent.
+    #[must_use]
+    fn atan(self) -> Self {
+        let x = self.value();
+        self.function(x.atan(), 1.0 / (1.0 + x * x))
+    }
+    /// The angle from −π to π of the vector (x, y), with this number for y.
+    #[must_use]
+    fn atan2(self, x: Self) -> Self {
+        let (sin, cos) = (self.value(), x.value());
+        let square = cos * cos + sin * sin;
+        self.function(sin.atan2(cos), cos / square) + x.function(0.0, -sin / square)
+    }
     /// A function of this number that has a value and a slope here: f(x₀) + f′(x₀) (x − x₀), which has the first derivatives of f(x).
-    /// It encloses nothing, and second derivatives are not those of f.
+    /// Second derivatives are not those of f, and an enclosure becomes one of all reals.
     #[must_use]
     #[inline]
     fn function(self, value: f64, slope: f64) -> Self {
         let moved = self - Self::constant(self.value());
         // An infinite slope times a value that does not move were no number.
-        Self::constant(value) + moved * Self::constant(slope.clamp(f64::MIN, f64::MAX))
+        let tangent =
+            Self::constant(value) + moved * Self::constant(slope.clamp(f64::MIN, f64::MAX));
+        if self.spread() > 0.0 {
+            tangent.unknown()
+        } else {
+            tangent
+        }
     }
 }
 
@@ -81,20 +134,16 @@ impl Real for f64 {
         self.hypot(other)
     }
     #[inline]
+    fn atan2(self, x: Self) -> Self {
+        self.atan2(x)
+    }
+    #[inline]
     fn function(self, value: f64, _: f64) -> Self {
         value
     }
 }
 
 /// A real number by which places on a curve can be ordered: doubles and double-double.
-pub(crate) trait Ordered: Real + PartialOrd {
-    /// The angle of the vector (x, y), in (−π, π].
-    fn atan2(y: Self, x: Self) -> Self;
-}
+pub(crate) trait Ordered: Real + PartialOrd {}
 
-impl Ordered for f64 {
-    #[inline]
-    fn atan2(y: Self, x: Self) -> Self {
-        y.atan2(x)
-    }
-}
+impl Ordered for f64 {}

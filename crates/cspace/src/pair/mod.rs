@@ -11,6 +11,7 @@ mod along;
 mod answers;
 mod batch;
 mod data;
+mod drawn;
 mod graph;
 mod ids;
 mod locate;
@@ -25,6 +26,9 @@ mod space;
 pub use along::{SmoothMotion, SmoothOutcome};
 pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 pub use data::{LowerData, PairData};
+pub use drawn::{
+    DrawingNumber, DrawnContact, DrawnPair, Encounter, Encounters, Leg, overlap_as_drawn,
+};
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;

@@ -79,7 +79,7 @@ impl<T: Real> Edge<T> {
         if b.value() == 0.0 {
             return chord;
         }
-        chord * (T::constant(1.0) + b * b) * (arc_tangent(b) / b)
+        chord * (T::constant(1.0) + b * b) * (b.atan() / b)
     }
 
     /// The curvature, positive where the edge turns left: 4 b / (chord (1 + b²)).
@@ -94,10 +94,4 @@ impl<T: Real> Edge<T> {
     pub(super) fn chord(&self) -> T {
         (self.end - self.start).length()
     }
-}
-
-/// The angle with a tangent.
-pub(super) fn arc_tangent<T: Real>(x: T) -> T {
-    let value = x.value();
-    x.function(value.atan(), 1.0 / (1.0 + value * value))
 }

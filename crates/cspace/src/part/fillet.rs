@@ -13,7 +13,6 @@ use crate::geometry::Vector;
 use crate::number::Real;
 
 use super::Edge;
-use super::edge::arc_tangent;
 use super::tolerance::RESOLUTION;
 
 /// A fillet that leaves less of an edge than this fraction of its length, or needs so much more, takes the whole edge.
@@ -195,13 +194,13 @@ impl<'a, T: Real> Corner<'a, T> {
             inward[0].dot(inward[1]),
         );
         // Half a turn may be rounded to a little more.
-        let turn = angle(sin, cos);
+        let turn = sin.atan2(cos);
         let turn = if turn.value() < 0.0 {
             turn + real(core::f64::consts::TAU)
         } else {
             turn
         };
-        let rest = |bulge: T, share: T| tangent(arc_tangent(bulge) * share);
+        let rest = |bulge: T, share: T| (bulge.atan() * share).tan();
         Some(Fillet {
             before: (!is_whole[0]).then(|| Edge {
                 end: start,
@@ -211,7 +210,7 @@ impl<'a, T: Real> Corner<'a, T> {
             arc: Edge {
                 start,
                 end,
-                bulge: real(self.side) * tangent(real(0.25) * turn),
+                bulge: real(self.side) * (real(0.25) * turn).tan(),
                 index: self.after.index,
             },
             after: (!is_whole[1]).then(|| Edge {
@@ -277,21 +276,9 @@ fn along<T: Real>(direction: Vector<T>, chord: Vector<T>, is_arc: bool) -> T {
     if !is_arc {
         return direction.dot(chord);
     }
-    let half = angle(direction.cross(chord), direction.dot(chord)).abs();
+    let half = (direction.cross(chord)).atan2(direction.dot(chord)).abs();
     if half.value() == 0.0 {
         return chord.length();
     }
     chord.length() * (half / half.sin_cos().0)
-}
-
-/// The angle of the vector (x, y).
-fn angle<T: Real>(y: T, x: T) -> T {
-    let (sin, cos) = (y.value(), x.value());
-    let square = cos * cos + sin * sin;
-    y.function(sin.atan2(cos), cos / square) + x.function(0.0, -sin / square)
-}
-
-fn tangent<T: Real>(angle: T) -> T {
-    let tan = angle.value().tan();
-    angle.function(tan, 1.0 + tan * tan)
 }

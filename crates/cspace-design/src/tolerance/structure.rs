@@ -1,0 +1,405 @@
+//! What changes within tolerances: contacts that take over, jams, regions; and how far tolerances may be scaled until something fails.
+
+use cspace::{Ball, DrawnContact, Real};
+use cspace_io::model::{Subject, Target};
+
+use super::drawing::{Drawing, Enclosed, Slope};
+use super::extremes::Summit;
+use super::study::Study;
+
+/// Tolerances are scaled by at most this in the search for what fails.
+pub const LARGEST_FACTOR: f64 = 16.0;
+
+/// Shares of the tolerances are found to this, relative to them.
+const RESOLUTION: f64 = 1e-12;
+
+/// A change is looked for so much beyond its share: where it begins both are so.
+const BEYOND: f64 = 1e-6;
+
+/// What kind of change it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ChangeKind {
+    /// Another contact decides the value.
+    Contact,
+    /// The parts overlap where it is measured.
+    Jam,
+    /// The value of yes or no changes, or there is none any more.
+    Region,
+}
+
+impl ChangeKind {
+    /// In a word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::Jam => "jam",
+            Self::Region => "region",
+        }
+    }
+}
+
+/// Something that changes within the tolerances, or beyond them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Structural {
+    /// What kind of change it is.
+    pub kind: ChangeKind,
+    /// What comes about, in words.
+    pub what: String,
+    /// The features that touch, of the fixed and of the moving part, as messages call them.
+    pub features: Vec<[String; 2]>,
+    /// The deviations at which it first happens, in the order of the variations.
+    pub at: Vec<f64>,
+    /// How many times the tolerances that is.
+    pub share: f64,
+}
+
+/// How far all tolerances may be scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Margin {
+    /// By this; none if nothing fails up to [`LARGEST_FACTOR`].
+    pub factor: Option<f64>,
+    /// What fails then, in words.
+    pub what: String,
+}
+
+impl Study<'_> {
+    /// What a contact is called in a model.
+    fn texts<T: Real>(&self, drawing: &Drawing<T>, contact: DrawnContact) -> Vec<[String; 2]> {
+        let Subject::Pair(pair, _) = self.requirement_of(self.nominal).subject else {
+            return Vec::new();
+        };
+        let [fixed, moving] = drawing.pair.names(contact);
+        let part = |i: usize| &self.nominal.mechanism.parts[i].part;
+        vec![[
+            part(pair.fixed).feature_text(fixed),
+            part(pair.moving).feature_text(moving),
+        ]]
+    }
+
+    /// All changes, within tolerances that are doubled until something fails.
+    pub(super) fn all_changes(&self) -> Vec<Structural> {
+        let mut factor = 1.0;
+        loop {
+            let changes = self.changes(factor);
+            let fails = changes.iter().any(|c| c.kind != ChangeKind::Contact);
+            if fails || factor >= LARGEST_FACTOR {
+                return changes;
+            }
+            factor *= 2.0;
+        }
+    }
+
+    /// All changes within the tolerances by a factor, those that happen first before others.
+    pub(super) fn changes(&self, factor: f64) -> Vec<Structural> {
+        let mut all = if self.is_drawn() {
+            self.drawn_changes(factor)
+        } else {
+            Vec::new()
+        };
+        if !all.iter().any(|c| c.kind == ChangeKind::Jam) {
+            all.extend(self.first_other_state(factor));
+        }
+        all.sort_by(|a, b| a.share.total_cmp(&b.share));
+        all
+    }
+
+    /// Contacts that take over, and jams, of a quantity that first contacts decide.
+    fn drawn_changes(&self, factor: f64) -> Vec<Structural> {
+        let (middle, half) = self.middle_and_half(&self.variations.scaled(factor));
+        let Some(drawings) = self.by_parameters(&middle, Some(&half)) else {
+            return Vec::new();
+        };
+        let Some(first) = drawings.first() else {
+            return Vec::new();
+        };
+        let plain: Drawing<Enclosed> = first.map(|x| x.value);
+        let zero = vec![0.0; self.variations.len()];
+        let Some(nominal) = self.at(&zero).hits else {
+            return Vec::new();
+        };
+        let found = plain.encounters(&self.until);
+        let mut all: Vec<Structural> = Vec::new();
+        for (leg, encounters) in found.iter().enumerate() {
+            for encounter in &encounters.list {
+                let contact = encounter.contact;
+                if contact != nominal.contacts[leg] {
+                    let later = |x: &[f64]| self.later(x, leg, contact, &nominal.contacts);
+                    if let Some((share, at)) = self.first_where(&later, factor)
+                        && let Some(hits) = self.at(&scaled(&at, 1.0 + BEYOND)).hits
+                        && hits.contacts[leg] == contact
+                    {
+                        all.push(Structural {
+                            kind: ChangeKind::Contact,
+                            what: "another contact decides the value".to_owned(),
+                            features: self.texts(&plain, contact),
+                            at,
+                            share,
+                        });
+                    }
+                }
+                if encounter.lo <= 0.0 {
+                    let depth = |x: &[f64]| self.depth(x, leg, contact);
+                    if let Some((share, at)) = self.first_where(&depth, factor)
+                        && let Err(failure) = self.at(&scaled(&at, 1.0 + BEYOND)).value
+                        && failure.kind == "jam"
+                    {
+                        all.push(Structural {
+                            kind: ChangeKind::Jam,
+                            what: failure.reason,
+                            features: self.texts(&plain, contact),
+                            at,
+                            share,
+                        });
+                    }
+                }
+            }
+        }
+        all.sort_by(|a, b| a.share.total_cmp(&b.share));
+        // Of jams only the first, with all features that overlap then; of others those within the tolerances.
+        let mut distinct: Vec<Structural> = Vec::new();
+        for change in all {
+            let is_one = |c: &&mut Structural| {
+                let jams = c.kind == ChangeKind::Jam && change.kind == ChangeKind::Jam;
+                jams || c.kind == change.kind && c.features == change.features
+            };
+            match distinct.iter_mut().find(is_one) {
+                Some(known) if change.share <= known.share * (1.0 + BEYOND) => {
+                    for features in change.features {
+                        if !known.features.contains(&features) {
+                            known.features.push(features);
+                        }
+                    }
+                }
+                Some(_) => {}
+                None if change.kind == ChangeKind::Contact && change.share > 1.0 => {}
+                None => distinct.push(change),
+            }
+        }
+        distinct
+    }
+
+    /// By how much a contact comes before that which decides the value nominally, with the derivatives.
+    fn later(
+        &self,
+        x: &[f64],
+        leg: usize,
+        contact: DrawnContact,
+        nominal: &[DrawnContact],
+    ) -> Option<(f64, Vec<f64>)> {
+        let model = self.model(x).ok()?;
+        let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
+        let enclosed = drawing.map(Ball::constant);
+        let time = |contact: DrawnContact| {
+            let found =
+                enclosed
+                    .pair
+                    .encounters(&enclosed.legs[leg], self.until[leg], Some(&[contact]));
+            let first = found.list.into_iter().find(|e| e.approaching)?;
+            drawing.root(leg, &first)
+        };
+        let (other, own) = (time(contact)?, time(nominal[leg])?);
+        let drawings = self.by_parameters(x, None)?;
+        let slope = |d: &Drawing<Slope>| {
+            let at = |contact, t| d.time(leg, contact, Enclosed::constant(t)).slope[0].mid;
+            at(nominal[leg], own) - at(contact, other)
+        };
+        Some((own - other, drawings.iter().map(slope).collect()))
+    }
+
+    /// How deep the features of a contact overlap where a motion begins, with the derivatives.
+    fn depth(&self, x: &[f64], leg: usize, contact: DrawnContact) -> Option<(f64, Vec<f64>)> {
+        let drawings = self.by_parameters(x, None)?;
+        let gaps: Vec<Slope> = (drawings.iter())
+            .map(|d| d.pair.gap(contact, d.legs[leg].from, |x| x))
+            .collect();
+        let depth = -gaps.first()?.value.mid;
+        Some((depth, gaps.iter().map(|g| -g.slope[0].mid).collect()))
+    }
+
+    /// The smallest share of the tolerances at which a function becomes 0 somewhere, and where: its largest value within each share is
+    /// at the point to which its derivatives show.
+    fn first_where(
+        &self,
+        function: &dyn Fn(&[f64]) -> Option<(f64, Vec<f64>)>,
+        factor: f64,
+    ) -> Option<(f64, Vec<f64>)> {
+        const ROUNDS: usize = 6;
+        // The largest value within a share.
+        let largest = |share: f64, from: &[f64]| -> Option<(f64, Vec<f64>)> {
+            let mut at = from.to_vec();
+            let mut found = function(&at)?;
+            for _ in 0..ROUNDS {
+                let next = self.variations.farthest(&found.1, share);
+                if next == at {
+                    break;
+                }
+                let there = function(&next)?;
+                if there.0 <= found.0 {
+                    break;
+                }
+                (at, found) = (next, there);
+            }
+            Some((found.0, at))
+        };
+        let zero = vec![0.0; self.variations.len()];
+        if function(&zero)?.0 >= 0.0 {
+            return None;
+        }
+        // As drawn there may be no derivatives: circles may have one centre.
+        let starts = self.corners(factor);
+        let tops = starts.iter().filter_map(|from| largest(factor, from));
+        let (most, mut top) = tops.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        if most < 0.0 {
+            return None;
+        }
+        let (mut lo, mut hi) = (0.0, factor);
+        while hi - lo > RESOLUTION * hi {
+            let share = 0.5 * (lo + hi);
+            let from = scaled(
+                &top,
+                share / self.variations.share(&top).max(f64::MIN_POSITIVE),
+            );
+            match largest(share, &from) {
+                Some((value, at)) if value >= 0.0 => (hi, top) = (share, at),
+                _ => lo = share,
+            }
+        }
+        Some((hi, top))
+    }
+
+    /// The smallest share of the tolerances towards a corner at which there is no value, or yes becomes no.
+    fn first_other_state(&self, factor: f64) -> Option<Structural> {
+        let zero = vec![0.0; self.variations.len()];
+        let is_truth =
+            self.requirement_of(self.nominal).dimension == cspace_io::model::Dimension::Truth;
+        let state = |x: &[f64]| match self.at(x).value {
+            Ok(value) if is_truth => (Some(value), String::new()),
+            Ok(_) => (None, String::new()),
+            Err(failure) => (None, failure.kind.to_owned()),
+        };
+        let nominal = state(&zero);
+        let mut first: Option<(f64, Vec<f64>)> = None;
+        for corner in self.corners(1.0) {
+            let most = first.as_ref().map_or(factor, |f| f.0);
+            if state(&scaled(&corner, most)) == nominal {
+                continue;
+            }
+            let (mut lo, mut hi) = (0.0, most);
+            while hi - lo > RESOLUTION * hi {
+                let share = 0.5 * (lo + hi);
+                if state(&scaled(&corner, share)) == nominal {
+                    lo = share;
+                } else {
+                    hi = share;
+                }
+            }
+            first = Some((hi, scaled(&corner, hi)));
+        }
+        let (share, at) = first?;
+        let point = self.at(&scaled(&at, 1.0 + BEYOND));
+        let name = self.requirement_of(self.nominal).subject.name();
+        let (kind, what) = match &point.value {
+            Err(failure) if failure.kind == "jam" => (ChangeKind::Jam, failure.reason.clone()),
+            Err(failure) => (ChangeKind::Region, failure.reason.clone()),
+            Ok(value) if *value == 1.0 => (ChangeKind::Region, format!("{name} becomes yes")),
+            Ok(_) => (ChangeKind::Region, format!("{name} becomes no")),
+        };
+        Some(Structural {
+            kind,
+            what,
+            features: Vec::new(),
+            at,
+            share,
+        })
+    }
+
+    /// The factor on all tolerances at which the requirement is first not met, or the structure fails.
+    pub(super) fn margin(&self, ends: [Option<&Summit>; 2], changes: &[Structural]) -> Margin {
+        let requirement = self.requirement_of(self.nominal);
+        let mut first = (f64::INFINITY, String::new());
+        for change in changes.iter().filter(|c| c.kind != ChangeKind::Contact) {
+            if change.share < first.0 {
+                first = (change.share, change.what.clone());
+            }
+        }
+        let zero = vec![0.0; self.variations.len()];
+        if let (Some(Target::Limits(lo, hi)), Ok(nominal)) =
+            (requirement.target, self.at(&zero).value)
+        {
+            if !(lo..=hi).contains(&nominal) {
+                return Margin {
+                    factor: Some(0.0),
+                    what: "the nominal value is outside the limits".to_owned(),
+                };
+            }
+            for ((limit, sign), end) in [(lo, -1.0), (hi, 1.0)].into_iter().zip(ends) {
+                if let Some(end) = end
+                    && let Some(factor) = self.reaches(end, limit, sign, first.0)
+                    && factor < first.0
+                {
+                    let which = if sign > 0.0 { "upper" } else { "lower" };
+                    first = (factor, format!("the {which} limit is passed"));
+                }
+            }
+        }
+        if first.0.is_finite() {
+            Margin {
+                factor: Some(first.0),
+                what: first.1,
+            }
+        } else {
+            Margin {
+                factor: None,
+                what: format!("nothing fails up to {LARGEST_FACTOR} times the tolerances"),
+            }
+        }
+    }
+
+    /// The factor at which the extreme passes a limit.
+    fn reaches(&self, end: &Summit, limit: f64, sign: f64, most: f64) -> Option<f64> {
+        let share = self.variations.share(&end.at);
+        let at = |factor: f64| {
+            let from = if share > 0.0 {
+                scaled(&end.at, factor / share)
+            } else {
+                end.at.clone()
+            };
+            let found = self.climb(&from, sign, factor)?;
+            Some(sign * (found.value - limit))
+        };
+        let mut hi: f64 = if sign * (end.value - limit) > 0.0 {
+            1.0
+        } else {
+            2.0
+        };
+        let mut lo = hi * 0.5;
+        if hi == 1.0 {
+            lo = 0.0;
+        }
+        let most = most.min(LARGEST_FACTOR);
+        loop {
+            let is_past = at(hi.min(most)).is_some_and(|d| d > 0.0);
+            if is_past {
+                hi = hi.min(most);
+                break;
+            }
+            if hi >= most {
+                return None;
+            }
+            (lo, hi) = (hi, 2.0 * hi);
+        }
+        while hi - lo > RESOLUTION * hi {
+            let factor = 0.5 * (lo + hi);
+            if at(factor).is_some_and(|d| d > 0.0) {
+                hi = factor;
+            } else {
+                lo = factor;
+            }
+        }
+        Some(hi)
+    }
+}
+
+fn scaled(x: &[f64], by: f64) -> Vec<f64> {
+    x.iter().map(|x| x * by).collect()
+}

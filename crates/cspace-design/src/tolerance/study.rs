@@ -1,0 +1,389 @@
+//! One requirement at one point of the tolerances: its value, what decides it, and its derivatives.
+
+use cspace::{Ball, Configuration, Encounter, Real, Silent, overlap_as_drawn};
+use cspace_io::model::{Quantity, Requirement, Setting, Subject, Template};
+use cspace_io::{Host, Model};
+
+use crate::check::Spaces;
+use crate::measure::{Unmeasured, Value, reach};
+use crate::sensitivity::derivative;
+
+use super::drawing::{Drawing, Enclosed, Hits, Slope, enclosed};
+use super::proof::halves;
+use super::vary::Variations;
+
+/// A requirement of a model, and what varies.
+pub(super) struct Study<'a> {
+    pub(super) template: &'a Template,
+    pub(super) set: &'a [Setting],
+    pub(super) variations: &'a Variations,
+    pub(super) nominal: &'a Model,
+    pub(super) requirement: usize,
+    /// How long motions are followed, of a quantity that first contacts decide.
+    pub(super) until: Vec<f64>,
+    /// What is known of all points within the tolerances.
+    pub(super) known: Known,
+}
+
+/// What is known of all points of a box of tolerances.
+pub(super) enum Known {
+    /// Of each half, below and above a value of one parameter.
+    Halves {
+        /// The parameter.
+        by: usize,
+        /// Its deviation between them.
+        at: f64,
+        /// What is known of both.
+        both: Box<[Known; 2]>,
+    },
+    /// Of all of it.
+    Whole {
+        /// For each motion, the contacts that may come about before one that is certain.
+        contacts: Vec<Vec<Encounter>>,
+        /// Whether nothing touches where the motions begin.
+        is_clear: bool,
+    },
+    /// Nothing.
+    Nothing,
+}
+
+impl Known {
+    /// The contacts that may be first at a point, and whether the parts do not touch where the motions begin.
+    fn at(&self, deviations: &[f64]) -> Option<(&[Vec<Encounter>], bool)> {
+        match self {
+            Self::Halves { by, at, both } => {
+                both[usize::from(deviations[*by] > *at)].at(deviations)
+            }
+            Self::Whole { contacts, is_clear } => Some((contacts, *is_clear)),
+            Self::Nothing => None,
+        }
+    }
+}
+
+/// A requirement at a point.
+#[derive(Debug, Clone)]
+pub(super) struct Point {
+    /// The value; yes and no are 1 and 0. Or why there is none.
+    pub(super) value: Result<f64, Failure>,
+    /// The first contacts, where they are found without a configuration space.
+    pub(super) hits: Option<Hits>,
+}
+
+/// Why a requirement has no value at a point.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Failure {
+    /// In a word.
+    pub(super) kind: &'static str,
+    /// In words.
+    pub(super) reason: String,
+}
+
+impl Failure {
+    fn of(error: &Unmeasured) -> Self {
+        let kind = match error {
+            Unmeasured::Blocked => "jam",
+            Unmeasured::Unlimited | Unmeasured::Endless => "unlimited",
+            Unmeasured::NoContact | Unmeasured::Leaves => "no contact",
+            Unmeasured::NoWay => "no way",
+            Unmeasured::Undecided => "undecided",
+            Unmeasured::Never | Unmeasured::NoAdvance | Unmeasured::EndsEarly { .. } => "motion",
+            _ => "no value",
+        };
+        let reason = match error {
+            Unmeasured::Blocked => "the parts overlap where it is measured".to_owned(),
+            other => other.to_string(),
+        };
+        Self { kind, reason }
+    }
+}
+
+impl<'a> Study<'a> {
+    pub(super) fn new(
+        template: &'a Template,
+        set: &'a [Setting],
+        variations: &'a Variations,
+        nominal: &'a Model,
+        requirement: usize,
+        spaces: &Spaces,
+    ) -> Self {
+        let mut study = Self {
+            template,
+            set,
+            variations,
+            nominal,
+            requirement,
+            until: Vec::new(),
+            known: Known::Nothing,
+        };
+        let of = study.requirement_of(nominal);
+        let drawing = Drawing::<Ball>::new(nominal, of, None);
+        if let (Some(drawing), Some(space), Subject::Pair(_, quantity)) =
+            (drawing, spaces.of(of), of.subject)
+        {
+            let until = match quantity {
+                Quantity::Play { of, at } => reach(space, at, of),
+                _ => 1.0,
+            };
+            study.until = vec![until; drawing.legs.len()];
+        }
+        study
+    }
+
+    pub(super) fn requirement_of<'m>(&self, model: &'m Model) -> &'m Requirement {
+        &model.requirements[self.requirement]
+    }
+
+    /// Whether first contacts decide the quantity.
+    pub(super) fn is_drawn(&self) -> bool {
+        !self.until.is_empty()
+    }
+
+    pub(super) fn settings(&self, deviations: &[f64]) -> Vec<Setting> {
+        self.variations.settings(self.set, deviations)
+    }
+
+    pub(super) fn model(&self, deviations: &[f64]) -> Result<Model, Failure> {
+        let set = self.settings(deviations);
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        self.template.model(&host).map_err(|error| Failure {
+            kind: "no part",
+            reason: match error.place() {
+                "" => error.message().to_owned(),
+                place => format!("{place}: {}", error.message()),
+            },
+        })
+    }
+
+    /// The requirement at a point.
+    pub(super) fn at(&self, deviations: &[f64]) -> Point {
+        match self.model(deviations) {
+            Err(failure) => Point {
+                value: Err(failure),
+                hits: None,
+            },
+            Ok(model) => self
+                .drawn(&model, deviations)
+                .unwrap_or_else(|| self.measured(model)),
+        }
+    }
+
+    /// The requirement at a point, from first contacts alone; `None` where these are in doubt.
+    fn drawn(&self, model: &Model, deviations: &[f64]) -> Option<Point> {
+        if !self.is_drawn() {
+            return None;
+        }
+        let requirement = self.requirement_of(model);
+        let drawing = Drawing::<f64>::new(model, requirement, None)?;
+        let share = self.variations.share(deviations);
+        let known = if share <= 1.0 {
+            self.known.at(deviations)
+        } else {
+            None
+        };
+        if known.is_none_or(|k| !k.1) && self.overlap(model, &drawing) {
+            return None;
+        }
+        let hits = match known {
+            Some((contacts, _)) => drawing.hits_among(contacts)?,
+            None => {
+                let enclosed = drawing.map(Ball::constant);
+                enclosed.hits(&enclosed.encounters(&self.until))?
+            }
+        };
+        Some(Point {
+            value: Ok(drawing.value(&hits.contacts, &hits.times)),
+            hits: Some(hits),
+        })
+    }
+
+    /// Whether the parts overlap where the motions begin.
+    fn overlap(&self, model: &Model, drawing: &Drawing<f64>) -> bool {
+        let Subject::Pair(pair, _) = self.requirement_of(model).subject else {
+            return false;
+        };
+        let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &model.mechanism.parts[i].part);
+        let placed = drawing.pair.placed(drawing.legs[0].from);
+        let [x, y] = placed.position;
+        let theta = placed.sin.atan2(placed.cos);
+        overlap_as_drawn(fixed, moving, Configuration::new(x, y, theta))
+    }
+
+    /// The requirement at a point, by a configuration space or a simulation of its own.
+    fn measured(&self, mut model: Model) -> Point {
+        model.requirements = vec![model.requirements.swap_remove(self.requirement)];
+        let requirement = &model.requirements[0];
+        let none = |failure| Point {
+            value: Err(failure),
+            hits: None,
+        };
+        let Ok(spaces) = Spaces::compute(&model, &Silent) else {
+            return none(Failure {
+                kind: "no value",
+                reason: "the computation was interrupted".to_owned(),
+            });
+        };
+        match spaces.measure(requirement) {
+            Err(error) => none(Failure::of(&error)),
+            Ok(measured) => Point {
+                value: Ok(match measured.value {
+                    Value::Number(x) => x,
+                    Value::Truth(is) => f64::from(is),
+                }),
+                hits: None,
+            },
+        }
+    }
+
+    /// The drawing by each parameter that varies, over a box about a point: numbers with their derivatives. `None` of a quantity that
+    /// first contacts do not decide, or of a drawing that has no derivatives.
+    pub(super) fn by_parameters(
+        &self,
+        deviations: &[f64],
+        half: Option<&[f64]>,
+    ) -> Option<Vec<Drawing<Slope>>> {
+        let set = self.settings(deviations);
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let model = self.template.model(&host).ok()?;
+        let list = &self.variations.list;
+        let ranges: Vec<(String, f64, f64)> = (half.iter().flat_map(|h| h.iter()).zip(list))
+            .filter(|(r, _)| **r > 0.0)
+            .map(|(&r, v)| (v.parameter.name.clone(), -r, r))
+            .collect();
+        let requirement = self.requirement_of(&model);
+        let given = |name: &str, ranges: &[(String, f64, f64)]| {
+            self.template.enclosures(&host, &model, name, ranges).ok()
+        };
+        let by: Option<Vec<_>> = list
+            .iter()
+            .map(|v| given(&v.parameter.name, &ranges))
+            .collect();
+        let (by, none) = (by?, vec![0.0; list.len()]);
+        let half = half.unwrap_or(&none);
+        // What depends on any of them, at the middle.
+        let still: Vec<(String, f64, f64)> = (list.iter())
+            .map(|v| (v.parameter.name.clone(), 0.0, 0.0))
+            .collect();
+        let middle = given(&list.first()?.parameter.name, &still)?;
+        enclosed(&middle, &by, half)
+            .iter()
+            .map(|slopes| Drawing::new(&model, requirement, Some(slopes)))
+            .collect()
+    }
+
+    /// The derivatives of the requirement by the parameters that vary, at a point where it has a value: those of its first contacts.
+    pub(super) fn slopes(&self, deviations: &[f64], point: &Point) -> Option<Vec<f64>> {
+        if let Some(hits) = &point.hits
+            && let Some(drawings) = self.by_parameters(deviations, None)
+        {
+            let of = |drawing: &Drawing<Slope>| {
+                let times: Vec<Slope> = (0..)
+                    .zip(&hits.contacts)
+                    .zip(&hits.times)
+                    .map(|((leg, &contact), &t)| drawing.time(leg, contact, Enclosed::constant(t)))
+                    .collect();
+                drawing.value(&hits.contacts, &times).slope[0].mid
+            };
+            return Some(drawings.iter().map(of).collect());
+        }
+        self.by_contact_functions(deviations)
+            .or_else(|| self.by_differences(deviations))
+    }
+
+    /// By the contact functions of a configuration space.
+    fn by_contact_functions(&self, deviations: &[f64]) -> Option<Vec<f64>> {
+        let set = self.settings(deviations);
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let mut model = self.template.model(&host).ok()?;
+        model.requirements = vec![model.requirements.swap_remove(self.requirement)];
+        let requirement = &model.requirements[0];
+        let spaces = Spaces::compute(&model, &Silent).ok()?;
+        let measured = spaces.measure(requirement).ok()?;
+        let of = |name: &str| {
+            let slopes = self.template.slopes(&host, &model, name).ok()?;
+            let [below, above] = derivative(&spaces, requirement, &measured, &slopes).ok()?;
+            Some(0.5 * (below + above))
+        };
+        let list = self.variations.list.iter();
+        list.map(|v| of(&v.parameter.name)).collect()
+    }
+
+    /// By differences over a thousandth of the tolerances, of what has no contact function: the motion of a mechanism, or a bottleneck.
+    fn by_differences(&self, deviations: &[f64]) -> Option<Vec<f64>> {
+        const STEP: f64 = 1e-3;
+        let list = self.variations.list.iter().enumerate();
+        list.map(|(k, v)| {
+            let step = STEP * v.half();
+            if step == 0.0 {
+                return Some(0.0);
+            }
+            let ends = [-step, step].map(|by| {
+                let mut moved = deviations.to_vec();
+                moved[k] += by;
+                self.at(&moved).value.ok()
+            });
+            let [Some(below), Some(above)] = ends else {
+                return None;
+            };
+            Some((above - below) / (2.0 * step))
+        })
+        .collect()
+    }
+
+    /// Finds what is known of all points within the tolerances.
+    pub(super) fn know(&mut self) {
+        /// A box is halved so often, at most, until every contact comes about once at most.
+        const HALVINGS: usize = 6;
+        if self.is_drawn() {
+            self.known = self.known_in(&self.variations.scaled(1.0), HALVINGS);
+        }
+    }
+
+    fn known_in(&self, ranges: &[[f64; 2]], halvings: usize) -> Known {
+        let known = self.known_of(ranges).unwrap_or(Known::Nothing);
+        let is_simple =
+            |contacts: &[Vec<Encounter>]| contacts.iter().flatten().all(|e| e.approaching);
+        let is_enough =
+            matches!(&known, Known::Whole { contacts, is_clear: true } if is_simple(contacts));
+        let (_, half) = self.middle_and_half(ranges);
+        let share = |k: usize| half[k] / self.variations.list[k].half();
+        let widest = (0..half.len())
+            .filter(|&k| half[k] > 0.0)
+            .max_by(|&a, &b| share(a).total_cmp(&share(b)).then(b.cmp(&a)));
+        match widest {
+            Some(by) if !is_enough && halvings > 0 => Known::Halves {
+                by,
+                at: 0.5 * (ranges[by][0] + ranges[by][1]),
+                both: Box::new(halves(ranges, by).map(|half| self.known_in(&half, halvings - 1))),
+            },
+            _ => known,
+        }
+    }
+
+    fn known_of(&self, ranges: &[[f64; 2]]) -> Option<Known> {
+        let (middle, half) = self.middle_and_half(ranges);
+        let drawings = self.by_parameters(&middle, Some(&half))?;
+        let plain: Drawing<Enclosed> = drawings.first()?.map(|x| x.value);
+        let found = plain.encounters(&self.until);
+        let is_bounded = (found.iter()).all(|e| e.complete && e.list.iter().any(|e| e.certain));
+        is_bounded.then(|| Known::Whole {
+            is_clear: found.iter().flat_map(|e| &e.list).all(|e| e.lo > 0.0),
+            contacts: found.into_iter().map(|e| e.list).collect(),
+        })
+    }
+
+    /// The middle of a box, and half its widths.
+    pub(super) fn middle_and_half(&self, ranges: &[[f64; 2]]) -> (Vec<f64>, Vec<f64>) {
+        let middle = ranges.iter().map(|[lo, hi]| 0.5 * (lo + hi)).collect();
+        let half = ranges.iter().map(|[lo, hi]| 0.5 * (hi - lo)).collect();
+        (middle, half)
+    }
+}

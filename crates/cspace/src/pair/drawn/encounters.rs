@@ -1,0 +1,315 @@
+//! When features may touch along a motion, for all numbers of enclosures at once.
+
+use crate::contact::FeatureShape;
+use crate::number::{Ball, Dual, Enclosure, Real};
+
+use super::{DrawnContact, DrawnEdge, DrawnPair};
+
+/// Contact functions are evaluated so often for a motion, at most: beyond it, parts slide along each other all the time.
+const MOST: usize = 200_000;
+
+/// A motion is looked at first up to its end halved so often.
+const DOUBLINGS: i32 = 10;
+
+/// Times nearer to each other than this, relative to the motion's end, are not told apart.
+const NARROWEST: f64 = 1e-14;
+
+/// A motion of constant rates from a configuration: (x, y, θ), or (u, v, 0).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg<T> {
+    /// Where it begins.
+    pub from: [T; 3],
+    /// The rates, per unit of time.
+    pub rates: [T; 3],
+}
+
+impl<T: Real> Leg<T> {
+    /// A motion without uncertainty.
+    pub fn new(from: [f64; 3], rates: [f64; 3]) -> Self {
+        Self {
+            from: from.map(T::constant),
+            rates: rates.map(T::constant),
+        }
+    }
+
+    /// The configuration at a time.
+    pub fn at(&self, time: T) -> [T; 3] {
+        core::array::from_fn(|i| self.from[i] + time * self.rates[i])
+    }
+}
+
+/// Times within which a contact may come about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Encounter {
+    /// The features.
+    pub contact: DrawnContact,
+    /// The first time.
+    pub lo: f64,
+    /// The last time.
+    pub hi: f64,
+    /// Whether the features approach each other all the while, so that every drawing has one contact at most within these times.
+    pub approaching: bool,
+    /// Whether they touch within these times in every drawing, at a place that lies on both.
+    pub certain: bool,
+}
+
+/// All encounters of a motion, up to the first that is certain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Encounters {
+    /// In the order of their first times.
+    pub list: Vec<Encounter>,
+    /// Whether they are all: otherwise there was too much to search.
+    pub complete: bool,
+}
+
+impl<T: Enclosure> DrawnPair<T> {
+    /// Where the features of the parts may touch along a motion until a time, of all drawings enclosed: outside of the encounters no two
+    /// boundaries touch. The search ends where a contact is certain. Only some contacts are sought where `among` is given.
+    pub fn encounters(
+        &self,
+        leg: &Leg<T>,
+        until: f64,
+        among: Option<&[DrawnContact]>,
+    ) -> Encounters {
+        let mut search = Search {
+            pair: self,
+            leg,
+            until,
+            end: until,
+            narrowest: NARROWEST * until,
+            found: Vec::new(),
+            left: MOST,
+        };
+        if let Some(contacts) = among {
+            for &contact in contacts {
+                search.contact(contact, 0.0, until);
+            }
+            search.merge();
+        } else {
+            let discs = [0, 1]
+                .map(|part| -> Vec<Disc<T>> { self.edges[part].iter().map(Disc::about).collect() });
+            // The beginning first: a contact that is certain ends the search.
+            let mut from = 0.0;
+            for doublings in (0..=DOUBLINGS).rev() {
+                let to = until * 0.5_f64.powi(doublings);
+                for (i, fixed) in (0u32..).zip(&discs[0]) {
+                    for (j, moving) in (0u32..).zip(&discs[1]) {
+                        search.edges((i, fixed), (j, moving), from, to);
+                    }
+                }
+                from = to;
+            }
+            search.merge();
+        }
+        let (mut list, end) = (search.found, search.end);
+        list.retain(|e| e.lo <= end);
+        list.sort_by(|a, b| a.lo.total_cmp(&b.lo).then(a.contact.cmp(&b.contact)));
+        Encounters {
+            list,
+            complete: search.left > 0,
+        }
+    }
+}
+
+/// A disc in which an edge lies, in all drawings: about the middle of its chord, as large as half the chord or the height of the arc.
+struct Disc<T> {
+    center: [T; 2],
+    radius: f64,
+}
+
+impl<T: Enclosure> Disc<T> {
+    fn about(edge: &DrawnEdge<T>) -> Self {
+        let FeatureShape::Edge { start, end, bulge } = edge.shape else {
+            return Self {
+                center: [T::constant(0.0); 2],
+                radius: f64::INFINITY,
+            };
+        };
+        let half = T::constant(0.5);
+        let chord = (end[0] - start[0]).hypot(end[1] - start[1]);
+        let height = bulge.abs().ball().ends()[1].max(1.0);
+        Self {
+            center: [half * (start[0] + end[0]), half * (start[1] + end[1])],
+            radius: (half * chord * T::constant(height)).ball().ends()[1],
+        }
+    }
+}
+
+struct Search<'a, T> {
+    pair: &'a DrawnPair<T>,
+    leg: &'a Leg<T>,
+    /// The end of the motion.
+    until: f64,
+    /// Nothing later matters.
+    end: f64,
+    narrowest: f64,
+    found: Vec<Encounter>,
+    /// Evaluations that are left.
+    left: usize,
+}
+
+impl<T: Enclosure> Search<'_, T> {
+    /// Looks for contacts of two edges between two times.
+    fn edges(&mut self, fixed: (u32, &Disc<T>), moving: (u32, &Disc<T>), lo: f64, hi: f64) {
+        let hi = hi.min(self.end);
+        if lo > hi || self.left == 0 {
+            return;
+        }
+        self.left -= 1;
+        let time = T::from_to(lo, hi);
+        let (f, m) = (fixed.1, moving.1);
+        let [x, y] = self.pair.placed(self.leg.at(time)).point(m.center);
+        let [x, y] = [x - f.center[0], y - f.center[1]].map(T::ball);
+        let spread = x.radius.hypot(y.radius);
+        let touching = f.radius + m.radius;
+        if x.mid.hypot(y.mid) > (touching + spread) * (1.0 + 1e-9) {
+            return;
+        }
+        let mid = 0.5 * (lo + hi);
+        if (spread > touching || spread.is_nan()) && self.can_halve(lo, mid, hi) {
+            self.edges(fixed, moving, lo, mid);
+            self.edges(fixed, moving, mid, hi);
+            return;
+        }
+        for contact in self.pair.contacts(fixed.0, moving.0) {
+            self.contact(contact, lo, hi);
+        }
+    }
+
+    fn can_halve(&self, lo: f64, mid: f64, hi: f64) -> bool {
+        hi - lo > self.narrowest && lo < mid && mid < hi
+    }
+
+    /// The contact function, and its derivative by time.
+    fn function(&mut self, contact: DrawnContact, time: T) -> (T, T) {
+        self.left = self.left.saturating_sub(1);
+        let constant = |x: T| Dual {
+            value: x,
+            slope: [T::constant(0.0)],
+        };
+        let leg = Leg {
+            from: self.leg.from.map(constant),
+            rates: self.leg.rates.map(constant),
+        };
+        let at = leg.at(Dual::variable(time, 0));
+        let gap: Dual<1, T> = self.pair.gap(contact, at, constant);
+        (gap.value, gap.slope[0])
+    }
+
+    /// Whether the features touch within their ends if they do at a time: 1 for certain, −1 never, otherwise 0.
+    fn on_both(&self, contact: DrawnContact, time: T) -> i8 {
+        let at = self.leg.at(time);
+        let within = self.pair.within(contact, at);
+        let signs = within.into_iter().flatten().map(|x| x.ball().sign());
+        signs.min().unwrap_or(0)
+    }
+
+    /// Looks for a contact of two features between two times.
+    fn contact(&mut self, contact: DrawnContact, lo: f64, hi: f64) {
+        let hi = hi.min(self.end);
+        if lo > hi || self.left == 0 {
+            return;
+        }
+        let within = T::from_to(lo, hi);
+        let (value, slope) = self.function(contact, within);
+        let (value, slope) = (value.ball(), slope.ball());
+        if value.sign() != 0 {
+            return;
+        }
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let at = self.function(contact, T::constant(mid)).0.ball();
+        // By the mean value theorem, f is within |f′| · half of its value in the middle.
+        let rise = (slope.mid.abs() + slope.radius) * half;
+        if at.mid.abs() > (at.radius + rise) * (1.0 + 1e-9) || self.on_both(contact, within) < 0 {
+            return;
+        }
+        match slope.sign() {
+            -1 => self.alone(contact, lo, hi),
+            // Before features part from each other they overlap: that began elsewhere.
+            1 => {}
+            // Where the drawings differ by more than the times, halving these is of no use.
+            _ if self.can_halve(lo, mid, hi) && value.radius > 2.0 * at.radius => {
+                self.contact(contact, lo, mid);
+                self.contact(contact, mid, hi);
+            }
+            _ => self.found.push(Encounter {
+                contact,
+                lo,
+                hi,
+                approaching: false,
+                certain: false,
+            }),
+        }
+    }
+
+    /// Joins times within which nothing is known of a contact, where they follow each other.
+    fn merge(&mut self) {
+        self.found
+            .sort_by(|a, b| a.contact.cmp(&b.contact).then(a.lo.total_cmp(&b.lo)));
+        self.found.dedup_by(|next, last| {
+            let follows = last.contact == next.contact && next.lo <= last.hi;
+            let joins =
+                follows && (last.approaching && next.approaching || !next.certain && !last.certain);
+            if joins {
+                last.hi = last.hi.max(next.hi);
+                last.approaching &= next.approaching;
+                last.certain |= next.certain;
+            }
+            joins
+        });
+    }
+
+    /// Narrows down the times of the only contact there may be, by Newton's method with enclosures: a root of f is within
+    /// t − f(t) / f′ for every t, and there is one in every drawing where all of that lies within the times.
+    fn alone(&mut self, contact: DrawnContact, mut lo: f64, mut hi: f64) {
+        const STEPS: usize = 60;
+        // What begins within these times may end after them.
+        let later = (2.0 * hi).min(self.until);
+        if self
+            .function(contact, T::from_to(lo, later))
+            .1
+            .ball()
+            .sign()
+            < 0
+        {
+            hi = later;
+        }
+        let (mut exists, mut root) = (false, T::from_to(lo, hi));
+        for _ in 0..STEPS {
+            let mid = 0.5 * (lo + hi);
+            let slope = self.function(contact, T::from_to(lo, hi)).1;
+            let at = self.function(contact, T::constant(mid)).0;
+            // It knows how the time depends on the drawing.
+            let newton = T::constant(mid) - at / slope;
+            let [from, to] = newton.ball().ends();
+            if from.is_nan() || to.is_nan() {
+                break;
+            }
+            if from > hi || to < lo {
+                return;
+            }
+            exists |= from > lo && to < hi;
+            root = newton;
+            let width = hi - lo;
+            (lo, hi) = (lo.max(from), hi.min(to));
+            if hi - lo > 0.75 * width || self.left == 0 {
+                break;
+            }
+        }
+        let on = self.on_both(contact, root);
+        if on < 0 {
+            return;
+        }
+        let certain = exists && on > 0;
+        self.found.push(Encounter {
+            contact,
+            lo,
+            hi,
+            approaching: true,
+            certain,
+        });
+        if certain {
+            self.end = self.end.min(hi);
+        }
+    }
+}

@@ -1,0 +1,364 @@
+//! Two parts as they are drawn, without a configuration space and in numbers of any kind: enclosures give what holds for all drawings
+//! of a tolerance box, numbers with derivatives what a dimension does.
+//!
+//! Two boundaries touch first where a line or an arc touches an arc, or a vertex a line or an arc: where one of these contact functions is 0
+//! and the place of contact lies on both. Vertices of two parts meet only where one meets an edge of the other.
+
+mod encounters;
+
+use crate::contact::{Bodies, FeatureShape, Fit, Placement, contact_function, touching_place};
+use crate::feature::{FeatureKind, FeatureName};
+use crate::fixed_axes::AxisMotion;
+use crate::geometry::Configuration;
+use crate::number::Real;
+use crate::part::{Loop, Part};
+
+use super::relation::Relation;
+
+pub use encounters::{Encounter, Encounters, Leg};
+
+/// A number of the drawing of two parts: the fixed one is part 0, the moving one part 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrawingNumber {
+    /// Of a vertex as it is given in [`Part::new`].
+    Vertex {
+        /// The part.
+        part: usize,
+        /// The loop.
+        loop_index: usize,
+        /// The number of the vertex in it.
+        vertex: usize,
+        /// 0 and 1 for its coordinates x and y, 2 for its bulge.
+        component: usize,
+    },
+    /// Of the centre or the direction of a part's axis.
+    Axis {
+        /// The part.
+        part: usize,
+        /// 0 for x, 1 for y.
+        component: usize,
+    },
+}
+
+/// Two parts as they are drawn, and how they move.
+///
+/// ```
+/// use cspace::{Ball, DrawingNumber, DrawnPair, Leg, Part, Relation};
+/// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+/// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
+/// // The coin's size within ±0.01: it is drawn by two vertices at ±r.
+/// let number = |of: DrawingNumber, x: f64| match of {
+///     DrawingNumber::Vertex { part: 1, component: 0, .. } => Ball::new(x, 0.01),
+///     _ => Ball::new(x, 0.0),
+/// };
+/// let pair = DrawnPair::new([&table, &coin], Relation::Planar, number).ok_or("the parts are jointed")?;
+/// // From 5 to the right of the table's middle leftwards, it touches after 2, sooner or later by as much.
+/// let leg = Leg::new([5.0, 0.0, 0.0], [-1.0, 0.0, 0.0]);
+/// let found = pair.encounters(&leg, 4.0, None);
+/// assert!(found.complete && found.list.iter().all(|e| e.lo > 1.98));
+/// assert!(found.list.iter().any(|e| e.certain && e.hi < 2.02));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct DrawnPair<T> {
+    /// None of a pair in the plane.
+    axes: Option<[DrawnAxis<T>; 2]>,
+    edges: [Vec<DrawnEdge<T>>; 2],
+}
+
+#[derive(Debug, Clone, Copy)]
+enum DrawnAxis<T> {
+    Fixed,
+    Revolute([T; 2]),
+    Prismatic([T; 2]),
+}
+
+impl<T> DrawnAxis<T> {
+    fn map<U>(self, f: impl Fn(T) -> U) -> DrawnAxis<U> {
+        match self {
+            Self::Fixed => DrawnAxis::Fixed,
+            Self::Revolute(x) => DrawnAxis::Revolute(x.map(f)),
+            Self::Prismatic(x) => DrawnAxis::Prismatic(x.map(f)),
+        }
+    }
+}
+
+/// Where the moving part is in the frame of the fixed one.
+fn placed<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> {
+    let Some(axes) = axes else {
+        return Placement::new([at[0], at[1]], at[2]);
+    };
+    let [fixed, moving] = [0, 1].map(|i| match axes[i] {
+        DrawnAxis::Fixed => Placement::identity(),
+        DrawnAxis::Revolute(center) => Placement::turn(center, at[i]),
+        DrawnAxis::Prismatic(direction) => Placement::slide(direction, at[i]),
+    });
+    fixed.inverse().compose(&moving)
+}
+
+/// An edge, and the vertex at which its travel starts.
+#[derive(Debug, Clone)]
+struct DrawnEdge<T> {
+    name: FeatureName,
+    shape: FeatureShape<T>,
+    vertex: FeatureName,
+    /// None of one that is concave for certain, which touches nothing first.
+    corner: Option<FeatureShape<T>>,
+    circle: OfCircle,
+}
+
+/// What an edge has to do with the whole of its circle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum OfCircle {
+    /// It is an arc of it, or a line.
+    Piece,
+    /// It stands for all of it, which has no ends.
+    Whole,
+    /// Another stands for it.
+    Other,
+}
+
+/// A contact of two features, by their numbers in a [`DrawnPair`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DrawnContact {
+    /// Of the fixed and of the moving part: the edge, and whether the vertex at its start is meant.
+    features: [(u32, bool); 2],
+}
+
+/// Whether two parts overlap at a configuration, as they are drawn. Parts that touch may or may not.
+pub fn overlap_as_drawn(fixed: &Part, moving: &Part, fixed_from_moving: Configuration) -> bool {
+    Bodies::new(fixed, moving, Fit::HasPlay).overlap(fixed_from_moving)
+}
+
+impl<T: Real> DrawnPair<T> {
+    /// The fixed and the moving part of a pair; `number` makes the number of this kind of each number of the drawing. `None` of parts that are
+    /// connected by a joint.
+    pub fn new(
+        parts: [&Part; 2],
+        relation: Relation,
+        number: impl Fn(DrawingNumber, f64) -> T,
+    ) -> Option<Self> {
+        let axis = |part: usize, motion: AxisMotion| {
+            let both = |numbers: [f64; 2]| {
+                [0, 1].map(|component| {
+                    number(DrawingNumber::Axis { part, component }, numbers[component])
+                })
+            };
+            match motion {
+                AxisMotion::Fixed => DrawnAxis::Fixed,
+                AxisMotion::Revolute { center } => DrawnAxis::Revolute(both([center.x, center.y])),
+                AxisMotion::Prismatic { direction } => {
+                    DrawnAxis::Prismatic(both([direction.x, direction.y]))
+                }
+            }
+        };
+        let axes = match relation {
+            Relation::Joint(..) => return None,
+            Relation::Planar => None,
+            Relation::Axes { fixed, moving } => {
+                Some([axis(0, fixed.motion), axis(1, moving.motion)])
+            }
+        };
+        let edges = [0, 1].map(|part| {
+            let loops = (0..).zip(parts[part].loops());
+            let edges = loops.flat_map(|(loop_index, outline)| {
+                let of = |vertex: usize, component: usize, x: f64| {
+                    let of = DrawingNumber::Vertex {
+                        part,
+                        loop_index,
+                        vertex,
+                        component,
+                    };
+                    number(of, x)
+                };
+                edges_of(outline, loop_index as u32, of)
+            });
+            edges.collect()
+        });
+        Some(Self { axes, edges })
+    }
+
+    /// The pair in numbers of another kind.
+    pub fn map<U>(&self, f: impl Fn(T) -> U) -> DrawnPair<U> {
+        DrawnPair {
+            axes: self.axes.map(|axes| axes.map(|axis| axis.map(&f))),
+            edges: [0, 1].map(|part| {
+                let edges = self.edges[part].iter().map(|e| DrawnEdge {
+                    name: e.name,
+                    shape: e.shape.map(|_, x| f(x)),
+                    vertex: e.vertex,
+                    corner: e.corner.map(|c| c.map(|_, x| f(x))),
+                    circle: e.circle,
+                });
+                edges.collect()
+            }),
+        }
+    }
+
+    /// The features of a contact.
+    pub fn names(&self, contact: DrawnContact) -> [FeatureName; 2] {
+        [0, 1].map(|part| {
+            let (edge, is_vertex) = contact.features[part];
+            let edge = &self.edges[part][edge as usize];
+            if is_vertex { edge.vertex } else { edge.name }
+        })
+    }
+
+    fn shape(&self, contact: DrawnContact, part: usize) -> FeatureShape<T> {
+        let (edge, is_vertex) = contact.features[part];
+        let edge = &self.edges[part][edge as usize];
+        match edge.corner {
+            Some(corner) if is_vertex => corner,
+            _ => edge.shape,
+        }
+    }
+
+    /// Where the moving part is in the frame of the fixed one at x, y and θ, or at u, v and anything.
+    pub fn placed(&self, at: [T; 3]) -> Placement<T> {
+        placed(self.axes, at)
+    }
+
+    /// The contact function at a configuration: how far the two features, with their whole lines and circles, are apart. The configuration may
+    /// be in numbers of another kind, which `lift` makes of those of the drawing.
+    pub fn gap<U: Real>(&self, contact: DrawnContact, at: [U; 3], lift: impl Fn(T) -> U) -> U {
+        let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part).map(|_, x| lift(x)));
+        let axes = self.axes.map(|axes| axes.map(|axis| axis.map(&lift)));
+        contact_function(&fixed, &moving, &placed(axes, at))
+    }
+
+    /// Where the features touch at a configuration in contact: the points on the fixed part, in its frame, and on the moving one, in that of
+    /// the fixed one.
+    pub fn touching(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 2]; 2] {
+        let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
+        let place = touching_place(&fixed, &moving, &self.placed(at));
+        [place.on_fixed, place.on_moving]
+    }
+
+    /// How far within the two features the place is at which they touch at a configuration in contact, relative to their chords: for each
+    /// feature two numbers, of which one is negative beyond its ends; of a vertex both are 1.
+    pub fn within(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 2]; 2] {
+        let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
+        let placed = self.placed(at);
+        let place = touching_place(&fixed, &moving, &placed);
+        let back = placed.inverse().point(place.on_moving);
+        let of = |part: usize, shape, point| {
+            let (edge, is_vertex) = contact.features[part];
+            if !is_vertex && self.edges[part][edge as usize].circle == OfCircle::Whole {
+                return [T::constant(1.0); 2];
+            }
+            within_ends(shape, point)
+        };
+        [of(0, &fixed, place.on_fixed), of(1, &moving, back)]
+    }
+
+    /// The contacts of two edges.
+    fn contacts(&self, fixed: u32, moving: u32) -> impl Iterator<Item = DrawnContact> + '_ {
+        let (f, m) = (
+            &self.edges[0][fixed as usize],
+            &self.edges[1][moving as usize],
+        );
+        let is_line = |e: &DrawnEdge<T>| e.name.kind == FeatureKind::Line;
+        let is = [f, m].map(|e| e.circle != OfCircle::Other);
+        let edges = is[0] && is[1] && !(is_line(f) && is_line(m));
+        let corners = [is[1] && f.corner.is_some(), is[0] && m.corner.is_some()];
+        [
+            (edges, [(fixed, false), (moving, false)]),
+            (corners[0], [(fixed, true), (moving, false)]),
+            (corners[1], [(fixed, false), (moving, true)]),
+        ]
+        .into_iter()
+        .filter_map(|(is, features)| is.then_some(DrawnContact { features }))
+    }
+}
+
+/// The edges of a loop in travel with material on the left.
+fn edges_of<T: Real>(
+    outline: &Loop,
+    loop_index: u32,
+    number: impl Fn(usize, usize, f64) -> T,
+) -> Vec<DrawnEdge<T>> {
+    let (vertices, n) = (outline.vertices(), outline.vertices().len());
+    let reversed = outline.is_reversed();
+    let point = |i: usize| [number(i, 0, vertices[i].x), number(i, 1, vertices[i].y)];
+    let shape = |i: usize| {
+        let next = (i + 1) % n;
+        let bulge = number(i, 2, vertices[i].bulge);
+        if reversed {
+            (point(next), point(i), -bulge)
+        } else {
+            (point(i), point(next), bulge)
+        }
+    };
+    let name = |kind, i: usize| FeatureName {
+        kind,
+        loop_index,
+        index: i as u32,
+    };
+    let edge = |i: usize| {
+        let (start, end, bulge) = shape(i);
+        // The edge that comes before in travel, and the vertex between them.
+        let (before, corner) = if reversed {
+            ((i + 1) % n, (i + 1) % n)
+        } else {
+            ((i + n - 1) % n, i)
+        };
+        let (from, to, before_bulge) = shape(before);
+        let comes = direction(from, to, before_bulge);
+        let goes = direction(start, end, -bulge);
+        let turn = comes[0] * goes[1] - comes[1] * goes[0];
+        let is_concave = turn.value() + turn.spread() < 0.0;
+        let kind = match bulge.value() {
+            b if b > 0.0 => FeatureKind::ConvexArc,
+            b if b < 0.0 => FeatureKind::ConcaveArc,
+            _ => FeatureKind::Line,
+        };
+        DrawnEdge {
+            name: name(kind, i),
+            shape: FeatureShape::Edge { start, end, bulge },
+            vertex: name(FeatureKind::Vertex, corner),
+            corner: (!is_concave).then_some(FeatureShape::Vertex { at: start }),
+            circle: OfCircle::Piece,
+        }
+    };
+    // Two half circles on one chord are one circle, whatever the chord is.
+    let is_half = |i: usize| {
+        let bulge = number(i, 2, vertices[i].bulge);
+        bulge.value().abs() == 1.0 && bulge.spread() == 0.0
+    };
+    if n == 2 && is_half(0) && is_half(1) {
+        let of = |i: usize, circle: OfCircle| DrawnEdge {
+            corner: None,
+            circle,
+            ..edge(i)
+        };
+        return vec![of(0, OfCircle::Whole), of(1, OfCircle::Other)];
+    }
+    (0..n).map(edge).collect()
+}
+
+/// Along an edge at its end: the chord turned by half the sweep, c (1 + i b)². At its start it is that of the bulge −b.
+fn direction<T: Real>(start: [T; 2], end: [T; 2], bulge: T) -> [T; 2] {
+    let one = T::constant(1.0);
+    let [x, y] = [end[0] - start[0], end[1] - start[1]];
+    let (cos, sin) = (one - bulge * bulge, bulge + bulge);
+    [x * cos - y * sin, y * cos + x * sin]
+}
+
+/// Negative where a point of a line or circle lies beyond the ends of a feature on it.
+fn within_ends<T: Real>(feature: &FeatureShape<T>, [x, y]: [T; 2]) -> [T; 2] {
+    /// Arcs of a larger bulge are told from the rest of their circle by the side of the chord, others by the feet on it.
+    const SIDE: f64 = 0.5;
+    let FeatureShape::Edge { start, end, bulge } = *feature else {
+        return [T::constant(1.0); 2];
+    };
+    let c = [end[0] - start[0], end[1] - start[1]];
+    let p = [x - start[0], y - start[1]];
+    let square = c[0] * c[0] + c[1] * c[1];
+    if bulge.value().abs() > SIDE {
+        let right = c[1] * p[0] - c[0] * p[1];
+        let side = if bulge.value() > 0.0 { right } else { -right };
+        return [side / square; 2];
+    }
+    let foot = (c[0] * p[0] + c[1] * p[1]) / square;
+    [foot, T::constant(1.0) - foot]
+}
