@@ -284,6 +284,10 @@ impl Drawing<f64> {
                 if first.is_some_and(|f| f.0 < encounter.lo) {
                     continue;
                 }
+                let from = self.legs[leg].from;
+                if encounter.lo <= 0.0 && self.pair.may_overlap_unseen(encounter.contact, from) {
+                    return None;
+                }
                 let time = if encounter.approaching {
                     self.only_root(leg, encounter)?
                 } else {

@@ -120,11 +120,18 @@ pub fn tolerances(
         let linear = is_number.then(|| study.linear(&by)).flatten();
         study.know();
         go_on()?;
+        let structure = study.all_changes();
+        let fails = |c: &&Structural| c.kind != ChangeKind::Contact && c.share < 1.0;
+        let failure = structure.iter().find(fails);
+        go_on()?;
         let mut ends = [None, None];
         let exact = is_number.then(|| {
             [(-1.0, 0), (1.0, 1)].map(|(sign, i)| match study.summit(sign, 1.0) {
                 Ok(summit) => {
-                    let (certified, gap) = study.prove(&summit, sign, 1.0);
+                    let (certified, gap) = match failure {
+                        Some(_) if sign < 0.0 => (false, None),
+                        _ => study.prove(&summit, sign, 1.0),
+                    };
                     let extreme = Extreme {
                         value: Ok(summit.value),
                         at: summit.at.clone(),
@@ -143,9 +150,8 @@ pub fn tolerances(
             })
         });
         go_on()?;
-        let structure = study.all_changes();
-        let exact = exact.map(|[lo, hi]| [without_value(lo, &structure), hi]);
-        go_on()?;
+        // Where parts jam within the tolerances, there is no smallest value.
+        let exact = exact.map(|[lo, hi]| [failure.map_or(lo, without_value), hi]);
         let margin = study.margin([ends[0].as_ref(), ends[1].as_ref()], &structure);
         let monte_carlo = if options.samples > 0 && study.at(&zero).value.is_ok() {
             let between = |_| progress.stage(Stage::Graph).is_ok();
@@ -169,18 +175,12 @@ pub fn tolerances(
     Ok(all)
 }
 
-/// The smallest value where parts jam within the tolerances: there is none.
-fn without_value(lo: Extreme, structure: &[Structural]) -> Extreme {
-    let jam = structure
-        .iter()
-        .find(|c| c.kind != ChangeKind::Contact && c.share < 1.0);
-    match jam {
-        Some(jam) => Extreme {
-            value: Err(jam.what.clone()),
-            at: jam.at.clone(),
-            certified: false,
-            gap: None,
-        },
-        None => lo,
+/// What stands for the smallest value where something fails within the tolerances.
+fn without_value(failure: &Structural) -> Extreme {
+    Extreme {
+        value: Err(failure.what.clone()),
+        at: failure.at.clone(),
+        certified: false,
+        gap: None,
     }
 }

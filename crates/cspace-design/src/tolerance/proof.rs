@@ -4,14 +4,14 @@
 //! time from above, and the first of all that may come about from below. Where the derivatives of a contact's time keep their signs, its
 //! extreme is at a corner; where one does not, it is off the middle by at most that derivative times half the width.
 
-use cspace::{DrawnContact, Enclosure, Encounter, Encounters};
+use cspace::{DrawnContact, Enclosure, Encounter, Encounters, Real};
 
 use super::drawing::{Drawing, Enclosed, Form, Slope};
 use super::extremes::{ONE, Summit};
 use super::study::Study;
 
 /// At most so many parts of a box are looked at.
-const MOST_BOXES: usize = 1000;
+const MOST_BOXES: usize = 4000;
 
 /// Parts of a box are not divided further where they are smaller than this, relative to it.
 const SMALLEST: f64 = 1e-6;
@@ -76,8 +76,15 @@ impl Study<'_> {
                 Form::Position(of) => f64::from(plain.legs[0].rates[of.index()].ball().sign()),
                 Form::Angle(_) => 0.0,
             };
+        let encounters = plain.encounters(&self.until);
+        let begin = encounters.iter().flat_map(|e| &e.list).any(|e| e.lo <= 0.0);
+        if !begin && self.overlaps(&middle) {
+            // They do in all of the box, and there is no value.
+            let (most, spread) = (f64::NEG_INFINITY, half);
+            return Some(Bound { most, spread });
+        }
         let mut combinations = vec![Vec::new()];
-        for (found, limit) in plain.encounters(&self.until).iter().zip(&plain.limits) {
+        for (found, limit) in encounters.iter().zip(&plain.limits) {
             let deciding = deciding(found, limit.map(|l| l.ball().ends()[0]), later)?;
             combinations = (combinations.iter())
                 .flat_map(|chosen: &Vec<Encounter>| {
@@ -112,7 +119,14 @@ impl Study<'_> {
         for (k, drawing) in drawings.iter().enumerate() {
             let times: Vec<Slope> = (0..)
                 .zip(chosen)
-                .map(|(leg, e)| drawing.time(leg, e.contact, Enclosed::from_to(e.lo, e.hi)))
+                .map(|(leg, e)| {
+                    if e.approaching {
+                        drawing.time(leg, e.contact, Enclosed::from_to(e.lo, e.hi))
+                    } else {
+                        // It comes about at the earliest then, wherever in the box that is.
+                        Slope::constant(e.lo)
+                    }
+                })
                 .collect();
             let slope = drawing.value(&contacts, &times).slope[0].ball();
             match slope.sign() {
@@ -125,7 +139,13 @@ impl Study<'_> {
         let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
         let times: Vec<f64> = (0..)
             .zip(chosen)
-            .map(|(leg, e)| drawing.root_or_end(leg, e))
+            .map(|(leg, e)| {
+                if e.approaching {
+                    drawing.root_or_end(leg, e)
+                } else {
+                    e.lo
+                }
+            })
             .collect();
         let most = sign * drawing.value(&contacts, &times) + beyond;
         most.is_finite().then_some(Bound { most, spread })
@@ -144,8 +164,8 @@ fn deciding(found: &Encounters, leaves: Option<f64>, later: f64) -> Option<Vec<E
     if later > 0.0 {
         return Some(certain.copied().collect());
     }
-    let is_clear = list.iter().all(|e| e.lo > 0.0 && e.approaching);
-    let is_only = later < 0.0 || list.len() == 1;
+    let is_clear = list.iter().all(|e| e.lo > 0.0);
+    let is_only = later < 0.0 || (list.len() == 1 && list[0].approaching);
     (is_clear && is_only).then(|| list.clone())
 }
 

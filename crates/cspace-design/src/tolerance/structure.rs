@@ -206,13 +206,21 @@ impl Study<'_> {
         Some((own - other, drawings.iter().map(slope).collect()))
     }
 
-    /// How deep the features of a contact overlap where a motion begins, with the derivatives.
+    /// How deep the features of a contact overlap where a motion begins, with the derivatives; infinitely less than 0 where they do not face
+    /// each other within their ends.
     fn depth(&self, x: &[f64], leg: usize, contact: DrawnContact) -> Option<(f64, Vec<f64>)> {
         let drawings = self.by_parameters(x, None)?;
         let gaps: Vec<Slope> = (drawings.iter())
             .map(|d| d.pair.gap(contact, d.legs[leg].from, |x| x))
             .collect();
-        let depth = -gaps.first()?.value.mid;
+        let first = drawings.first()?;
+        let within = first.pair.within(contact, first.legs[leg].from);
+        let is_beyond = within.iter().flatten().any(|w| w.value.mid < 0.0);
+        let depth = if is_beyond {
+            f64::NEG_INFINITY
+        } else {
+            -gaps.first()?.value.mid
+        };
         Some((depth, gaps.iter().map(|g| -g.slope[0].mid).collect()))
     }
 

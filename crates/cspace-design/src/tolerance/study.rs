@@ -199,7 +199,16 @@ impl<'a> Study<'a> {
         })
     }
 
-    /// Whether the parts overlap where the motions begin.
+    /// Whether the parts overlap at a point where the motions begin.
+    pub(super) fn overlaps(&self, deviations: &[f64]) -> bool {
+        let Ok(model) = self.model(deviations) else {
+            return false;
+        };
+        let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None);
+        drawing.is_some_and(|drawing| self.overlap(&model, &drawing))
+    }
+
+    /// The same of a model.
     fn overlap(&self, model: &Model, drawing: &Drawing<f64>) -> bool {
         let Subject::Pair(pair, _) = self.requirement_of(model).subject else {
             return false;

@@ -86,6 +86,16 @@ impl<const N: usize> Affine<N> {
         Self::rounded(value, by, slope.abs() * self.radius + rest)
     }
 
+    /// The line of a slope through what lies between two values at 0: it encloses a function from which it differs by no more.
+    fn line(self, slope: f64, ends: [f64; 2]) -> Self {
+        let [lo, hi] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let by = self.by.map(|c| slope * c);
+        let size = slope.abs() * (self.mid.abs() + self.spread()) + hi.abs().max(lo.abs());
+        let rest = slope.abs() * self.radius + half + size * UNIT;
+        Self::rounded(slope * self.mid + middle, by, rest)
+    }
+
     fn all(mid: f64) -> Self {
         Self::about(if mid.is_finite() { mid } else { 0.0 }, f64::INFINITY)
     }
@@ -153,14 +163,17 @@ impl<const N: usize> Div for Affine<N> {
     #[inline]
     #[allow(clippy::suspicious_arithmetic_impl)]
     fn div(self, o: Self) -> Self {
-        // 1/(m + δ) = 1/m − δ/m² + δ²/(m² (m + δ)).
         let (m, spread) = (o.mid, o.spread());
         let least = (m.abs() - spread) * (1.0 - UNIT);
-        if least.is_nan() || least <= 0.0 {
+        let most = (m.abs() + spread) * (1.0 + UNIT);
+        if least.is_nan() || least <= 0.0 || !most.is_finite() {
             return Self::all(self.mid / m);
         }
-        let square = 1.0 / (m * m);
-        self * o.curved(1.0 / m, -square, spread * spread * square / least)
+        // On [a, b] 1/x + x/b² falls from its value at a to that at b: a line in the middle has the sign of 1/x wherever that has one.
+        let slope = -1.0 / (most * most);
+        let ends = [1.0 / least - slope * least, 2.0 / most];
+        let inverse = if m > 0.0 { o } else { -o }.line(slope, ends);
+        self * if m > 0.0 { inverse } else { -inverse }
     }
 }
 
@@ -190,10 +203,10 @@ impl<const N: usize> Real for Affine<N> {
         let spread = self.spread();
         let lo = (self.mid - spread) * (1.0 - UNIT);
         if lo > 0.0 && spread.is_finite() {
-            // √(m + δ) = √m + δ/(2√m) − δ²/(2√m (√m + √(m + δ))²), at most δ²/(8 lo^(3/2)).
-            let root = self.mid.sqrt();
-            let rest = spread * spread / (8.0 * lo * lo.sqrt());
-            self.curved(root, 0.5 / root, rest)
+            // On [a, b] √x − x/(2√b) rises from its value at a to that at b.
+            let root = ((self.mid + spread) * (1.0 + UNIT)).sqrt();
+            let slope = 0.5 / root;
+            self.line(slope, [lo.sqrt() - slope * lo, 0.5 * root])
         } else {
             Self::of_ball(self.ball().sqrt())
         }

@@ -1,7 +1,7 @@
 //! When features may touch along a motion, for all numbers of enclosures at once.
 
 use crate::contact::FeatureShape;
-use crate::number::{Ball, Dual, Enclosure, Real};
+use crate::number::{Dual, Enclosure, Real};
 
 use super::{DrawnContact, DrawnEdge, DrawnPair};
 
@@ -49,7 +49,8 @@ pub struct Encounter {
     pub hi: f64,
     /// Whether the features approach each other all the while, so that every drawing has one contact at most within these times.
     pub approaching: bool,
-    /// Whether they touch within these times in every drawing, at a place that lies on both.
+    /// Whether they touch within these times, at a place that lies on both, in every drawing of which the parts do not overlap where the motion
+    /// begins.
     pub certain: bool,
 }
 
@@ -210,6 +211,15 @@ impl<T: Enclosure> Search<'_, T> {
         if lo > hi || self.left == 0 {
             return;
         }
+        if lo == 0.0 && self.pair.may_overlap_unseen(contact, self.leg.from) {
+            self.found.push(Encounter {
+                contact,
+                lo,
+                hi: lo,
+                approaching: false,
+                certain: false,
+            });
+        }
         let within = T::from_to(lo, hi);
         let (value, slope) = self.function(contact, within);
         let (value, slope) = (value.ball(), slope.ball());
@@ -275,6 +285,13 @@ impl<T: Enclosure> Search<'_, T> {
             hi = later;
         }
         let (mut exists, mut root) = (false, T::from_to(lo, hi));
+        let sign_at = |search: &mut Self, t: f64| {
+            let f = search.function(contact, T::constant(t)).0;
+            f.ball().sign()
+        };
+        // Parts that do not overlap where the motion begins are apart there.
+        let mut is_before = lo == 0.0 || sign_at(self, lo) > 0;
+        let mut is_after = sign_at(self, hi) < 0;
         for _ in 0..STEPS {
             let mid = 0.5 * (lo + hi);
             let slope = self.function(contact, T::from_to(lo, hi)).1;
@@ -292,15 +309,23 @@ impl<T: Enclosure> Search<'_, T> {
             root = newton;
             let width = hi - lo;
             (lo, hi) = (lo.max(from), hi.min(to));
-            if hi - lo > 0.75 * width || self.left == 0 {
+            if self.left == 0 {
                 break;
+            }
+            if hi - lo > 0.75 * width {
+                // Where the derivative varies much, the sign in the middle tells more, if there is one.
+                match at.ball().sign() {
+                    1 => (lo, is_before) = (lo.max(mid), true),
+                    -1 => (hi, is_after) = (hi.min(mid), true),
+                    _ => break,
+                }
             }
         }
         let on = self.on_both(contact, root);
         if on < 0 {
             return;
         }
-        let certain = exists && on > 0;
+        let certain = (exists || is_before && is_after) && on > 0;
         self.found.push(Encounter {
             contact,
             lo,

@@ -64,6 +64,8 @@ pub struct DrawnPair<T> {
     /// None of a pair in the plane.
     axes: Option<[DrawnAxis<T>; 2]>,
     edges: [Vec<DrawnEdge<T>>; 2],
+    /// Features that overlap by less where a motion begins may be missed by a test of the parts (model length).
+    unseen: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -117,6 +119,10 @@ enum OfCircle {
     /// Another stands for it.
     Other,
 }
+
+/// Parts that overlap by less, relative to their sizes, may be taken to touch: ten times what a part is made smaller by in
+/// [`overlap_as_drawn`].
+const UNSEEN: f64 = 1e-8;
 
 /// A contact of two features, by their numbers in a [`DrawnPair`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -175,7 +181,12 @@ impl<T: Real> DrawnPair<T> {
             });
             edges.collect()
         });
-        Some(Self { axes, edges })
+        let unseen = UNSEEN * (parts[0].size() + parts[1].size());
+        Some(Self {
+            axes,
+            edges,
+            unseen,
+        })
     }
 
     /// The pair in numbers of another kind.
@@ -192,7 +203,17 @@ impl<T: Real> DrawnPair<T> {
                 });
                 edges.collect()
             }),
+            unseen: self.unseen,
         }
+    }
+
+    /// Whether features may overlap at a configuration by so little that a test of the parts misses it.
+    pub fn may_overlap_unseen(&self, contact: DrawnContact, at: [T; 3]) -> bool {
+        let gap = self.gap(contact, at, |x| x);
+        let (value, spread) = (gap.value(), gap.spread());
+        let is_near = value - spread <= 0.0 && value + spread >= -self.unseen;
+        let is_on = |w: &T| w.value() + w.spread() >= -UNSEEN;
+        is_near && self.within(contact, at).iter().flatten().all(is_on)
     }
 
     /// The features of a contact.
@@ -235,8 +256,8 @@ impl<T: Real> DrawnPair<T> {
     }
 
     /// How far within the two features the place is at which they touch at a configuration in contact, relative to their chords: for each
-    /// feature two numbers, of which one is negative beyond its ends; of a vertex both are 1.
-    pub fn within(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 2]; 2] {
+    /// feature three numbers, of which one is negative beyond its ends; of a vertex all are 1.
+    pub fn within(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 3]; 2] {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
         let placed = self.placed(at);
         let place = touching_place(&fixed, &moving, &placed);
@@ -244,7 +265,7 @@ impl<T: Real> DrawnPair<T> {
         let of = |part: usize, shape, point| {
             let (edge, is_vertex) = contact.features[part];
             if !is_vertex && self.edges[part][edge as usize].circle == OfCircle::Whole {
-                return [T::constant(1.0); 2];
+                return [T::constant(1.0); 3];
             }
             within_ends(shape, point)
         };
@@ -345,20 +366,28 @@ fn direction<T: Real>(start: [T; 2], end: [T; 2], bulge: T) -> [T; 2] {
 }
 
 /// Negative where a point of a line or circle lies beyond the ends of a feature on it.
-fn within_ends<T: Real>(feature: &FeatureShape<T>, [x, y]: [T; 2]) -> [T; 2] {
+fn within_ends<T: Real>(feature: &FeatureShape<T>, [x, y]: [T; 2]) -> [T; 3] {
     /// Arcs of a larger bulge are told from the rest of their circle by the side of the chord, others by the feet on it.
     const SIDE: f64 = 0.5;
     let FeatureShape::Edge { start, end, bulge } = *feature else {
-        return [T::constant(1.0); 2];
+        return [T::constant(1.0); 3];
     };
     let c = [end[0] - start[0], end[1] - start[1]];
     let p = [x - start[0], y - start[1]];
     let square = c[0] * c[0] + c[1] * c[1];
+    // How far to the side of the arc, by the length of the chord.
+    let right = (c[1] * p[0] - c[0] * p[1]) / square;
+    let side = if bulge.value() > 0.0 { right } else { -right };
     if bulge.value().abs() > SIDE {
-        let right = c[1] * p[0] - c[0] * p[1];
-        let side = if bulge.value() > 0.0 { right } else { -right };
-        return [side / square; 2];
+        return [side; 3];
     }
+    // Across the chord the circle is at least 3/4 of it away, where the arc is flatter than that.
     let foot = (c[0] * p[0] + c[1] * p[1]) / square;
-    [foot, T::constant(1.0) - foot]
+    let one = T::constant(1.0);
+    let near = if bulge.value() == 0.0 {
+        one
+    } else {
+        side + T::constant(0.25)
+    };
+    [foot, one - foot, near]
 }
