@@ -65,6 +65,9 @@ pub(crate) enum Command {
     /// Measure requirements over a range of a parameter or coordinate, or over rows of values
     #[command(after_long_help = SWEEP)]
     Sweep(SweepArgs),
+    /// Tell what tolerances do to each requirement: worst cases, what changes, the margin, the yield
+    #[command(after_long_help = TOLERANCES)]
+    Tolerances(TolerancesArgs),
     /// Find the values of parameters at which a requirement's measure is what it must be
     #[command(after_long_help = SOLVE)]
     Solve(SolveArgs),
@@ -510,6 +513,28 @@ pub(crate) struct CheckArgs {
     /// Tell by how much each value changes with each parameter
     #[arg(long)]
     pub(crate) sensitivities: bool,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TolerancesArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    /// This requirement alone; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(crate) requirement: Vec<String>,
+    /// Measure the yield on this many samples by chance
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000))]
+    pub(crate) samples: u64,
+    /// What the samples follow from: the same numbers for the same seed, on any number of threads
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub(crate) seed: u64,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -1211,6 +1236,19 @@ Examples:
 Requirements are [[requirement]] tables of the model: what is measured, and what
 it must be. Each is printed with its value, its limits, and what touches there.
 The exit code is 1 if one is not met or cannot be measured.
+";
+
+const TOLERANCES: &str = "\
+Examples:
+  cspace tolerances models/overrunning_clutch.toml
+  cspace tolerances models/geneva_lock.toml --samples 100000
+  cspace tolerances models/geneva_lock.toml --format json -o tolerances.json
+
+Parameters have tolerances in the model: tol, plus and minus, limits, or position.
+Of each requirement are printed: what each parameter contributes; the linear worst
+case and the root of the sum of squares; the smallest and the largest value, and
+whether that is proved; where other contacts take over or parts jam; and the factor
+on all tolerances at which something fails. Angles in JSON are in radians.
 ";
 
 const SWEEP: &str = "\

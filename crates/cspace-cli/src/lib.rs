@@ -78,6 +78,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Check(args) => command::check::run(&args),
         Command::Clash(args) => command::clash::run(&args),
         Command::Sweep(args) => command::sweep::run(&args),
+        Command::Tolerances(args) => command::tolerances::run(&args),
         Command::Solve(args) => command::solve::run(&args),
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),

@@ -145,7 +145,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
 }
 
 /// Leaves the requirements of these names.
-fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
+pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
     if let Some(unknown) = names
         .iter()
         .find(|n| model.requirements.iter().all(|r| r.name != **n))

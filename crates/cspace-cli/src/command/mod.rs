@@ -27,6 +27,7 @@ pub(crate) mod simulate;
 pub(crate) mod slice;
 pub(crate) mod solve;
 pub(crate) mod sweep;
+pub(crate) mod tolerances;
 pub(crate) mod view;
 
 use cspace_io::Model;

@@ -46,7 +46,7 @@ mod study;
 mod vary;
 
 use cspace::{ComputeError, Progress, space::Stage};
-use cspace_io::model::{Setting, Template};
+use cspace_io::model::{Requirement, Setting, Template};
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
@@ -67,6 +67,8 @@ pub struct ToleranceOptions {
     pub samples: u64,
     /// What the samples follow from.
     pub seed: u64,
+    /// The names of the requirements that are analysed; all if there are none.
+    pub requirements: Vec<String>,
 }
 
 /// What tolerances do to one requirement.
@@ -102,6 +104,12 @@ pub fn tolerances(
         set,
         ..Host::default()
     };
+    // A template has all requirements.
+    let is_chosen =
+        |r: &Requirement| options.requirements.is_empty() || options.requirements.contains(&r.name);
+    let mut model = model.clone();
+    model.requirements.retain(is_chosen);
+    let model = &model;
     let checked = sensitivities(template, &host, model, progress)?;
     let spaces = Spaces::compute(model, progress)?;
     let go_on = || match progress.stage(Stage::Graph) {
@@ -109,9 +117,16 @@ pub fn tolerances(
         _ => Ok(()),
     };
     let mut all = Vec::new();
-    for (requirement, (nominal, by)) in checked.into_iter().enumerate() {
+    for (nominal, by) in checked {
         go_on()?;
-        let mut study = Study::new(template, set, &variations, model, requirement, &spaces);
+        let mut study = Study::new(
+            template,
+            set,
+            &variations,
+            model,
+            nominal.requirement.clone(),
+            &spaces,
+        );
         let zero = vec![0.0; variations.len()];
         let is_number = matches!(
             nominal.measured.as_ref().map(|m| m.value),

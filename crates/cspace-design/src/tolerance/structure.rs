@@ -331,9 +331,16 @@ impl Study<'_> {
             }
         }
         let zero = vec![0.0; self.variations.len()];
-        if let (Some(Target::Limits(lo, hi)), Ok(nominal)) =
-            (requirement.target, self.at(&zero).value)
+        let value = self.at(&zero).value;
+        if let (Some(Target::Equals(wanted)), Ok(value)) = (requirement.target, &value)
+            && (*value == 1.0) != wanted
         {
+            return Margin {
+                factor: Some(0.0),
+                what: "it is not met as drawn".to_owned(),
+            };
+        }
+        if let (Some(Target::Limits(lo, hi)), Ok(nominal)) = (requirement.target, value) {
             if !(lo..=hi).contains(&nominal) {
                 return Margin {
                     factor: Some(0.0),

@@ -18,7 +18,7 @@ pub(super) struct Study<'a> {
     pub(super) set: &'a [Setting],
     pub(super) variations: &'a Variations,
     pub(super) nominal: &'a Model,
-    pub(super) requirement: usize,
+    pub(super) requirement: Requirement,
     /// How long motions are followed, of a quantity that first contacts decide.
     pub(super) until: Vec<f64>,
     /// What is known of all points within the tolerances.
@@ -103,7 +103,7 @@ impl<'a> Study<'a> {
         set: &'a [Setting],
         variations: &'a Variations,
         nominal: &'a Model,
-        requirement: usize,
+        requirement: Requirement,
         spaces: &Spaces,
     ) -> Self {
         let mut study = Self {
@@ -129,8 +129,11 @@ impl<'a> Study<'a> {
         study
     }
 
-    pub(super) fn requirement_of<'m>(&self, model: &'m Model) -> &'m Requirement {
-        &model.requirements[self.requirement]
+    /// The requirement with the numbers of a model.
+    pub(super) fn requirement_of<'m>(&'m self, model: &'m Model) -> &'m Requirement {
+        let mut all = model.requirements.iter();
+        all.find(|r| r.name == self.requirement.name)
+            .unwrap_or(&self.requirement)
     }
 
     /// Whether first contacts decide the quantity.
@@ -222,8 +225,8 @@ impl<'a> Study<'a> {
 
     /// The requirement at a point, by a configuration space or a simulation of its own.
     fn measured(&self, mut model: Model) -> Point {
-        model.requirements = vec![model.requirements.swap_remove(self.requirement)];
-        let requirement = &model.requirements[0];
+        let requirement = self.requirement_of(&model).clone();
+        model.requirements = vec![requirement.clone()];
         let none = |failure| Point {
             value: Err(failure),
             hits: None,
@@ -234,7 +237,7 @@ impl<'a> Study<'a> {
                 reason: "the computation was interrupted".to_owned(),
             });
         };
-        match spaces.measure(requirement) {
+        match spaces.measure(&requirement) {
             Err(error) => none(Failure::of(&error)),
             Ok(measured) => Point {
                 value: Ok(match measured.value {
@@ -312,13 +315,13 @@ impl<'a> Study<'a> {
             ..Host::default()
         };
         let mut model = self.template.model(&host).ok()?;
-        model.requirements = vec![model.requirements.swap_remove(self.requirement)];
-        let requirement = &model.requirements[0];
+        let requirement = self.requirement_of(&model).clone();
+        model.requirements = vec![requirement.clone()];
         let spaces = Spaces::compute(&model, &Silent).ok()?;
-        let measured = spaces.measure(requirement).ok()?;
+        let measured = spaces.measure(&requirement).ok()?;
         let of = |name: &str| {
             let slopes = self.template.slopes(&host, &model, name).ok()?;
-            let [below, above] = derivative(&spaces, requirement, &measured, &slopes).ok()?;
+            let [below, above] = derivative(&spaces, &requirement, &measured, &slopes).ok()?;
             Some(0.5 * (below + above))
         };
         let list = self.variations.list.iter();

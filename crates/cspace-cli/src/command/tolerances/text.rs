@@ -1,0 +1,280 @@
+//! The analysis of tolerances in words.
+
+use std::fmt::{self, Write};
+
+use cspace_design::{ChangeKind, Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
+use cspace_io::model::{Dimension, Target};
+use cspace_io::shown;
+
+use crate::wording::{degrees, length};
+
+/// A column of labels is so wide.
+const LABEL: usize = 10;
+
+/// What a requirement's numbers are shown as.
+struct Words<'a> {
+    variations: &'a Variations,
+    dimension: Dimension,
+    unit: &'a str,
+}
+
+pub(super) fn described(variations: &Variations, found: &[Tolerances], unit: &str) -> String {
+    let mut text = String::new();
+    for (i, of) in found.iter().enumerate() {
+        if i > 0 {
+            text.push('\n');
+        }
+        let words = Words {
+            variations,
+            dimension: of.nominal.requirement.dimension,
+            unit,
+        };
+        // Writing to text does not fail.
+        let _ = words.requirement(&mut text, of);
+    }
+    text
+}
+
+impl Words<'_> {
+    fn number(&self, x: f64) -> String {
+        match self.dimension {
+            Dimension::Angle => degrees(x),
+            Dimension::Time => format!("{} s", length(x)),
+            Dimension::Number | Dimension::Truth => length(x),
+            Dimension::Length => format!("{}{}", length(x), self.unit),
+        }
+    }
+
+    fn requirement(&self, text: &mut String, of: &Tolerances) -> fmt::Result {
+        let requirement = &of.nominal.requirement;
+        writeln!(text, "{}: {}", requirement.name, self.summary(of))?;
+        let nominal = match &of.nominal.measured {
+            Ok(measured) => match measured.value {
+                Value::Number(x) => self.number(x),
+                Value::Truth(true) => "yes".to_owned(),
+                Value::Truth(false) => "no".to_owned(),
+            },
+            Err(error) => format!("none: {error}"),
+        };
+        writeln!(text, "  {:LABEL$} {nominal}", "nominal")?;
+        for [a, b] in &of.nominal.touching {
+            writeln!(text, "  {:LABEL$} {a}, {b}", "touching")?;
+        }
+        match requirement.target {
+            Some(Target::Limits(lo, hi)) => {
+                let (lo, hi) = (self.number(lo), self.number(hi));
+                writeln!(text, "  {:LABEL$} {lo} to {hi}", "limits")?;
+            }
+            Some(Target::Equals(wanted)) => {
+                let wanted = if wanted { "yes" } else { "no" };
+                writeln!(text, "  {:LABEL$} {wanted}", "required")?;
+            }
+            None => {}
+        }
+        if let Some(linear) = &of.linear {
+            self.linear(text, linear)?;
+        }
+        if let Some([lo, hi]) = &of.exact {
+            self.extreme(text, "smallest", lo)?;
+            self.extreme(text, "largest", hi)?;
+        }
+        for change in &of.structure {
+            let beyond = if change.share > 1.0 {
+                ", beyond the tolerances"
+            } else {
+                ""
+            };
+            writeln!(
+                text,
+                "  {:LABEL$} at {} times the tolerances{beyond}: {}",
+                change.kind.name(),
+                share(change.share),
+                change.what
+            )?;
+            for [a, b] in &change.features {
+                writeln!(text, "  {:LABEL$} {a}, {b}", "")?;
+            }
+            writeln!(text, "  {:LABEL$} {}", "", self.place(&change.at))?;
+        }
+        let margin = match of.margin.factor {
+            Some(factor) => format!("{} times the tolerances: {}", share(factor), of.margin.what),
+            None => of.margin.what.clone(),
+        };
+        writeln!(text, "  {:LABEL$} {margin}", "margin")?;
+        if let Some(samples) = &of.monte_carlo {
+            self.samples(text, samples)?;
+        }
+        Ok(())
+    }
+
+    /// What a designer wants to know first.
+    fn summary(&self, of: &Tolerances) -> String {
+        let fails = match of.margin.factor {
+            Some(0.0) => "not met as drawn".to_owned(),
+            Some(factor) if factor < 1.0 => {
+                let happens = of.structure.iter().find(|c| c.share == factor);
+                let jams = happens.is_some_and(|c| c.kind == ChangeKind::Jam);
+                let what = if jams { "jams" } else { "fails" };
+                format!(
+                    "{what} within the tolerances, from {} times them on",
+                    share(factor)
+                )
+            }
+            Some(_) => "holds within the tolerances".to_owned(),
+            None => "nothing fails".to_owned(),
+        };
+        let parameters = of.linear.iter().flat_map(|l| &l.parameters);
+        let most = parameters.max_by(|a, b| a.worst_share.total_cmp(&b.worst_share));
+        match most.filter(|p| p.worst_share > 0.0) {
+            Some(p) => format!(
+                "{fails}; {} matters most, {} of the worst case",
+                p.parameter,
+                percent(p.worst_share)
+            ),
+            None => fails,
+        }
+    }
+
+    fn linear(&self, text: &mut String, linear: &Linear) -> fmt::Result {
+        let names = linear
+            .parameters
+            .iter()
+            .map(|p| p.parameter.chars().count());
+        let wide = names.max().unwrap_or(0).max("parameter".len());
+        writeln!(
+            text,
+            "  {:LABEL$} {:wide$}  {:>12}  {:>20}  {:>15}  {:>8}  {:>8}",
+            "", "parameter", "value", "tolerance", "derivative", "worst", "variance"
+        )?;
+        let mut order: Vec<usize> = (0..linear.parameters.len()).collect();
+        order.sort_by(|&a, &b| {
+            let share = |i: usize| linear.parameters[i].worst_share;
+            share(b).total_cmp(&share(a)).then(a.cmp(&b))
+        });
+        for i in order {
+            let (p, v) = (&linear.parameters[i], &self.variations.list[i]);
+            let [below, above] = v.deviations;
+            let tolerance = match self.variations.zone_of(i) {
+                Some(zone) => format!("zone {}", length(2.0 * zone.radius)),
+                None if below == -above => format!("±{}", length(above)),
+                None => format!("{:+} {:+}", shown::number(below), shown::number(above)),
+            };
+            let [down, up] = p.derivative;
+            let one_sided = if down == up {
+                String::new()
+            } else {
+                format!("  ({} for smaller values)", self.derivative(down))
+            };
+            writeln!(
+                text,
+                "  {:LABEL$} {:wide$}  {:>12}  {tolerance:>20}  {:>15}  {:>8}  {:>8}{one_sided}",
+                "",
+                p.parameter,
+                length(v.parameter.value),
+                self.derivative(up),
+                percent(p.worst_share),
+                percent(p.variance_share),
+            )?;
+        }
+        for (label, [lo, hi]) in [("linear", linear.worst), ("rss", linear.rss)] {
+            let half = self.number(0.5 * (hi - lo));
+            let (lo, hi) = (self.number(lo), self.number(hi));
+            writeln!(text, "  {label:LABEL$} {lo} to {hi} (±{half})")?;
+        }
+        Ok(())
+    }
+
+    fn derivative(&self, x: f64) -> String {
+        let (x, unit) = match self.dimension {
+            Dimension::Angle => (x.to_degrees() + 0.0, " deg"),
+            _ => (x + 0.0, ""),
+        };
+        if x == 0.0 || x.abs() >= 1e-3 {
+            format!("{x:.6}{unit}")
+        } else {
+            format!("{x:.3e}{unit}")
+        }
+    }
+
+    fn extreme(&self, text: &mut String, label: &str, of: &Extreme) -> fmt::Result {
+        let value = match &of.value {
+            Ok(value) => {
+                let certain = match (of.certified, of.gap) {
+                    (true, _) => ", proved".to_owned(),
+                    (false, Some(gap)) => {
+                        format!(", found; it may be beyond by {}", self.number(gap))
+                    }
+                    (false, None) => ", found, not proved".to_owned(),
+                };
+                format!("{}{certain}", self.number(*value))
+            }
+            Err(failure) => format!("none: {failure}"),
+        };
+        writeln!(text, "  {label:LABEL$} {value}")?;
+        writeln!(text, "  {:LABEL$} at {}", "", self.place(&of.at))
+    }
+
+    /// The values of the parameters at deviations.
+    fn place(&self, deviations: &[f64]) -> String {
+        let all = self.variations.list.iter().zip(deviations);
+        let values = all.map(|(v, by)| {
+            let value = v.parameter.value + by;
+            format!("{} = {}", v.parameter.name, length(value))
+        });
+        values.collect::<Vec<_>>().join(", ")
+    }
+
+    fn samples(&self, text: &mut String, of: &MonteCarlo) -> fmt::Result {
+        let ppm = |x: f64| format!("{:.0} ppm", x * 1e6);
+        writeln!(
+            text,
+            "  {:LABEL$} {} samples: {} ± {}",
+            "yield",
+            of.samples,
+            fine_percent(of.met),
+            fine_percent(of.error)
+        )?;
+        let [below, above] = of.outside;
+        if below + above > 0.0 {
+            writeln!(text, "  {:LABEL$} {}", "below", ppm(below))?;
+            writeln!(text, "  {:LABEL$} {}", "above", ppm(above))?;
+        }
+        for (kind, share) in &of.failures {
+            writeln!(text, "  {:LABEL$} {}", kind, ppm(*share))?;
+        }
+        let [mean, sigma, skewness, kurtosis] = of.moments;
+        if mean.is_finite() && self.dimension != Dimension::Truth {
+            let (mean, sigma) = (self.number(mean), self.number(sigma));
+            writeln!(text, "  {:LABEL$} {mean}, sigma {sigma}", "mean")?;
+            writeln!(
+                text,
+                "  {:LABEL$} {skewness:.4}, excess kurtosis {kurtosis:.4}",
+                "skewness"
+            )?;
+        }
+        if of.computed > 0.0 {
+            let share = fine_percent(of.computed);
+            writeln!(
+                text,
+                "  {:LABEL$} {share} of them by a space of their own",
+                ""
+            )?;
+        }
+        Ok(())
+    }
+}
+
+fn share(x: f64) -> String {
+    length(x)
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+}
+
+fn percent(x: f64) -> String {
+    format!("{:.2} %", 100.0 * x)
+}
+
+fn fine_percent(x: f64) -> String {
+    format!("{:.4} %", 100.0 * x)
+}
