@@ -23,6 +23,17 @@ use cspace_io::shown;
 use args::{Cli, Command};
 use failure::Failure;
 
+/// What `cspace tolerances --format json` prints of an analysis: its schema is `docs/answers/tolerances.schema.json`.
+///
+/// # Errors
+/// If it cannot be written as JSON.
+pub fn tolerances_answer(
+    variations: &cspace_design::Variations,
+    found: &[cspace_design::Tolerances],
+) -> serde_json::Result<serde_json::Value> {
+    serde_json::to_value(command::tolerances::answer::rows(variations, found))
+}
+
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 done, 1 the work could not be
 /// done, 2 bad input.
 pub fn main(arguments: &[OsString]) -> u8 {

@@ -241,6 +241,33 @@ impl Model {
         Ok(all)
     }
 
+    /// What tolerances do to the requirements of some names, or to all: what the command prints as JSON.
+    fn _tolerances<'py>(
+        &self,
+        py: Python<'py>,
+        requirements: Vec<String>,
+        samples: u64,
+        seed: u64,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let (template, model, set) = (
+            Arc::clone(&self.template),
+            Arc::clone(&self.model),
+            self.set.clone(),
+        );
+        let options = cspace_design::ToleranceOptions {
+            samples,
+            seed,
+            requirements,
+        };
+        let variations = cspace_design::Variations::of(&model);
+        let found = work::run(py, move |progress| {
+            cspace_design::tolerances(&template, &set, &model, &options, progress)
+                .map_err(|e| e.to_string())
+        })?;
+        let answer = cspace_cli::tolerances_answer(&variations, &found).map_err(error)?;
+        pythonize::pythonize(py, &answer).map_err(error)
+    }
+
     /// The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a
     /// value, or text with the reason why there is none.
     fn _sweep<'py>(

@@ -97,6 +97,11 @@ fn designs() {
 }
 
 #[test]
+fn tolerances() {
+    is_true("tolerances.md", 4);
+}
+
+#[test]
 fn three_first_models() {
     is_true("first-models.md", 14);
 }

@@ -67,6 +67,11 @@ fn answers_are_as_their_schemas_say() {
         }
     }
     is_told("check", &json(&["check", &model("ratchet_pawl")]));
+    let lock = model("geneva_lock");
+    is_told(
+        "tolerances",
+        &json(&["tolerances", &lock, "--samples", "100"]),
+    );
     let dir = tempfile::tempdir().unwrap();
     let moving = dir.path().join("moving.toml");
     std::fs::write(&moving, crate::info::MODEL).unwrap();

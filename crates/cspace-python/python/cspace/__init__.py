@@ -29,6 +29,7 @@ from ._results import (
     Solved,
     Step,
     Table,
+    Tolerances,
 )
 from ._loops import Loops
 from ._model import Model
@@ -67,6 +68,7 @@ __all__ = [
     "Solved",
     "Step",
     "Table",
+    "Tolerances",
     "__version__",
     "compute",
     "inner_fit",

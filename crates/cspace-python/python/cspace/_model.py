@@ -10,7 +10,7 @@ from . import _rust
 from ._arrays import column, number, position, table, window
 from ._errors import Error
 from ._part import Part
-from ._results import Assembly, Checked, Escape, Pass, Simulation, Solved, Step, Table
+from ._results import Assembly, Checked, Escape, Pass, Simulation, Solved, Step, Table, Tolerances
 from ._space import ContactSpace
 
 
@@ -77,6 +77,21 @@ class Model:
     def check(self, sensitivities: bool = False) -> dict[str, Checked]:
         """All requirements, measured, by name."""
         return {found["name"]: Checked(**found) for found in self._model._check(sensitivities)}
+
+    def tolerances(self, requirement: str | None = None, samples: int = 0, seed: int = 0) -> Any:
+        """What tolerances of the parameters do to a requirement; without one, a dictionary of all of them by name.
+
+        >>> model.tolerances("dwell", samples=10_000).margin  # doctest: +SKIP
+        """
+        if requirement is not None and requirement not in self.requirements:
+            raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
+        for name, number in (("samples", samples), ("seed", seed)):
+            if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < 2**63:
+                raise Error(f"`{name}` is {number!r} where a whole number from 0 up is expected")
+        chosen = [] if requirement is None else [requirement]
+        rows = self._model._tolerances(chosen, samples, seed)
+        found = {row["requirement"]: Tolerances.of(row) for row in rows}
+        return found if requirement is None else found[requirement]
 
     def sweep(
         self, measures: str | Iterable[str] | None = None, rows: Mapping[str, Any] | None = None, **values: Any

@@ -179,6 +179,30 @@ class Checked:
 
 
 @dataclass(frozen=True)
+class Tolerances:
+    """What tolerances do to a requirement, as in the answer of `cspace tolerances --format json`: `linear` and `rss` are (lo, hi), `exact` has
+    `lo` and `hi`, each with `value`, `at` and `certified`; `structure` is what changes, the first first; `margin` is the factor on all
+    tolerances at which something `fails`, None if nothing does; `monte_carlo` is None without samples."""
+
+    requirement: str
+    nominal: Any
+    sensitivities: dict[str, Any]
+    linear: list[float] | None
+    rss: list[float] | None
+    exact: dict[str, Any] | None
+    structure: list[Any]
+    margin: float | None
+    fails: str
+    touching: list[Any]
+    monte_carlo: dict[str, Any] | None = None
+
+    @classmethod
+    def of(cls, row: dict[str, Any]) -> "Tolerances":
+        names = cls.__dataclass_fields__
+        return cls(**{name: value for name, value in row.items() if name in names})
+
+
+@dataclass(frozen=True)
 class Solved:
     """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`."""
 

@@ -9,7 +9,7 @@ use serde_json::{Map, Value as Json};
 
 /// What tolerances do to a requirement.
 #[derive(Debug, Serialize)]
-pub(super) struct Row {
+pub(crate) struct Row {
     requirement: String,
     measure: &'static str,
     /// In the model's unit or radians, or true or false; none where it has no value as drawn.
@@ -94,7 +94,8 @@ fn values(variations: &Variations, deviations: &[f64]) -> Map<String, Json> {
         .collect()
 }
 
-pub(super) fn rows(variations: &Variations, found: &[Tolerances]) -> Vec<Row> {
+/// What `cspace tolerances --format json` prints.
+pub(crate) fn rows(variations: &Variations, found: &[Tolerances]) -> Vec<Row> {
     found.iter().map(|t| row(variations, t)).collect()
 }
 

@@ -1,6 +1,6 @@
 //! `cspace tolerances`.
 
-mod answer;
+pub(crate) mod answer;
 mod text;
 
 use cspace_design::{ToleranceOptions, Variations, tolerances};
