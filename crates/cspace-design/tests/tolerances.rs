@@ -3,7 +3,7 @@
 
 use cspace::Silent;
 use cspace_design::{
-    ChangeKind, ToleranceOptions, Tolerances, Value, Variations, check, tolerances,
+    ChangeKind, ToleranceOptions, Tolerances, Unmeasured, Value, Variations, check, tolerances,
 };
 use cspace_io::Host;
 use cspace_io::model::Template;
@@ -341,12 +341,12 @@ fn random_designs_stay_within_their_extremes() {
                 set: &set,
                 ..Host::default()
             };
-            let there = check(&template.model(&host).unwrap())[0]
-                .measured
-                .clone()
-                .unwrap();
-            let Value::Number(there) = there.value else {
-                panic!("a play is a number");
+            let there = check(&template.model(&host).unwrap())[0].measured.clone();
+            let there = match there.map(|m| m.value) {
+                Ok(Value::Number(there)) => there,
+                // Where parts jam within the tolerances, the extreme may be where they begin to.
+                Err(Unmeasured::Blocked) if lo.value.is_err() => continue,
+                other => panic!("{other:?}: {end:?}\n{text}"),
             };
             assert!(
                 (there - value).abs() <= 1e-9 * value.abs().max(1.0),
