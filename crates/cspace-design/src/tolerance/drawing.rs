@@ -56,10 +56,11 @@ pub(super) struct Hits {
     pub(super) times: Vec<f64>,
 }
 
+/// Where a motion begins, and its rates.
+type Motion = (Coordinates, Coordinates);
+
 /// The motions of a requirement that first contacts decide: the pair, what is taken from them, and each from where at what rates.
-fn motions(
-    requirement: &Requirement,
-) -> Option<(PairEntry, Form, Vec<(Coordinates, Coordinates)>)> {
+fn motions(requirement: &Requirement) -> Option<(PairEntry, Form, Vec<Motion>)> {
     let Subject::Pair(pair, quantity) = requirement.subject else {
         return None;
     };

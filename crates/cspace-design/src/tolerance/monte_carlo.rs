@@ -148,7 +148,7 @@ fn histogram(values: &[f64]) -> (Vec<f64>, Vec<u64>) {
     let [lo, hi] = values
         .iter()
         .fold([f64::INFINITY, f64::NEG_INFINITY], range);
-    if !(lo < hi) {
+    if values.is_empty() || lo == hi {
         return (Vec::new(), Vec::new());
     }
     let width = (hi - lo) / BARS as f64;

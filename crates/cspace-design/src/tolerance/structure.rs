@@ -62,6 +62,9 @@ pub struct Margin {
     pub what: String,
 }
 
+/// A value with its derivatives by the parameters.
+type Sloping = (f64, Vec<f64>);
+
 impl Study<'_> {
     /// What a contact is called in a model.
     fn texts<T: Real>(&self, drawing: &Drawing<T>, contact: DrawnContact) -> Vec<[String; 2]> {
@@ -185,7 +188,7 @@ impl Study<'_> {
         leg: usize,
         contact: DrawnContact,
         nominal: &[DrawnContact],
-    ) -> Option<(f64, Vec<f64>)> {
+    ) -> Option<Sloping> {
         let model = self.model(x).ok()?;
         let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
         let enclosed = drawing.map(Ball::constant);
@@ -228,7 +231,7 @@ impl Study<'_> {
     /// at the point to which its derivatives show.
     fn first_where(
         &self,
-        function: &dyn Fn(&[f64]) -> Option<(f64, Vec<f64>)>,
+        function: &dyn Fn(&[f64]) -> Option<Sloping>,
         factor: f64,
     ) -> Option<(f64, Vec<f64>)> {
         const ROUNDS: usize = 6;
