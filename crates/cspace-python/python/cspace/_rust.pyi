@@ -111,6 +111,9 @@ class Model:
         """The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a
         value, or text with the reason why there is none."""
 
+    def _tolerances(self, requirements: Any, samples: Any, seed: Any) -> Any:
+        """What tolerances do to the requirements of some names, or to all: what the command prints as JSON."""
+
     def compute(self, fixed: Any = None, moving: Any = None, theta: Any = None) -> Any:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations."""
 
