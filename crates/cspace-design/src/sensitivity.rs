@@ -325,7 +325,7 @@ fn sum(terms: &[f64]) -> f64 {
 }
 
 /// Coordinates as numbers, of fixed axes two and a 0.
-fn numbers(at: Coordinates) -> [f64; 3] {
+pub(crate) fn numbers(at: Coordinates) -> [f64; 3] {
     match at {
         Coordinates::Planar(c) => [c.x, c.y, c.theta],
         Coordinates::Axes { u, v } => [u, v, 0.0],

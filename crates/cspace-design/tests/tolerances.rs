@@ -23,7 +23,7 @@ fn analysed(template: &Template, samples: u64) -> Tolerances {
 }
 
 fn shipped(name: &str) -> String {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/tolerances/");
     std::fs::read_to_string(format!("{folder}{name}.toml")).unwrap()
 }
 

@@ -196,10 +196,10 @@ def test_threads_make_no_difference(peg):
 
 def test_tolerances_are_those_of_the_command(models, command):
     """Worst cases, margin and samples of a shipped model."""
-    model = cs.Model.load(models / "geneva_lock.toml")
+    model = cs.Model.load(models / "tolerances" / "geneva_lock.toml")
     found = model.tolerances("dwell", samples=2000, seed=3)
     options = ["--samples", "2000", "--seed", "3", "--format", "json"]
-    told = printed(command, "tolerances", str(models / "geneva_lock.toml"), *options)[0]
+    told = printed(command, "tolerances", str(models / "tolerances" / "geneva_lock.toml"), *options)[0]
     assert found.exact == told["exact"] and found.monte_carlo == told["monte_carlo"]
     assert found.margin == told["margin"] and abs(found.exact["lo"]["value"] - 0.0018991519) < 1e-9
     assert model.tolerances()["dwell"].linear == found.linear

@@ -67,7 +67,7 @@ fn answers_are_as_their_schemas_say() {
         }
     }
     is_told("check", &json(&["check", &model("ratchet_pawl")]));
-    let lock = model("geneva_lock");
+    let lock = model("tolerances/geneva_lock");
     is_told(
         "tolerances",
         &json(&["tolerances", &lock, "--samples", "100"]),

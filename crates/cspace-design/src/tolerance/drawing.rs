@@ -13,6 +13,7 @@ use cspace_io::model::{
 };
 
 use crate::measure::unit;
+use crate::sensitivity::numbers;
 
 /// So many parameters are told apart in enclosures; what others do is added up.
 const TOLD_APART: usize = 12;
@@ -78,13 +79,6 @@ fn motions(requirement: &Requirement) -> Option<(PairEntry, Form, Vec<Motion>)> 
         _ => return None,
     };
     Some((pair, form, legs))
-}
-
-fn numbers(at: Coordinates) -> [f64; 3] {
-    match at {
-        Coordinates::Planar(c) => [c.x, c.y, c.theta],
-        Coordinates::Axes { u, v } => [u, v, 0.0],
-    }
 }
 
 impl<T: Real> Drawing<T> {

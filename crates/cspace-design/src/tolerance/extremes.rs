@@ -75,6 +75,9 @@ impl Study<'_> {
             value,
         };
         for _ in 0..ROUNDS {
+            if !self.goes_on() {
+                break;
+            }
             let Some(slopes) = self.slopes(&best.at, &best.point) else {
                 break;
             };
@@ -174,7 +177,7 @@ impl Study<'_> {
         let mut starts = vec![zero.clone()];
         starts.extend(self.corners(factor));
         let mut best: Option<Summit> = None;
-        for start in &starts {
+        for start in starts.iter().take_while(|_| self.goes_on()) {
             let found = self.climb(start, sign, factor);
             let is_better = |f: &Summit| {
                 let best = best.as_ref();

@@ -126,6 +126,7 @@ pub fn tolerances(
             model,
             nominal.requirement.clone(),
             &spaces,
+            progress,
         );
         let zero = vec![0.0; variations.len()];
         let is_number = matches!(

@@ -10,9 +10,6 @@ use super::drawing::{Drawing, Enclosed, Form, Slope};
 use super::extremes::{ONE, Summit};
 use super::study::Study;
 
-/// At most so many parts of a box are looked at.
-const MOST_BOXES: usize = 4000;
-
 /// Parts of a box are not divided further where they are smaller than this, relative to it.
 const SMALLEST: f64 = 1e-6;
 
@@ -31,7 +28,7 @@ impl Study<'_> {
         let best = sign * summit.value;
         let enough = best + ONE * best.abs();
         let mut boxes = vec![self.variations.scaled(factor)];
-        let mut seen = 0;
+        let (mut seen, most) = (0, self.most_boxes());
         let mut open: Option<f64> = Some(best);
         while let Some(next) = boxes.pop() {
             seen += 1;
@@ -40,8 +37,8 @@ impl Study<'_> {
                 continue;
             }
             match self.widest(&next, bound.as_ref()) {
-                Some(k) if seen < MOST_BOXES => boxes.extend(halves(&next, k)),
-                _ => open = open.zip(bound).map(|(most, b)| most.max(b.most)),
+                Some(k) if seen < most && self.goes_on() => boxes.extend(halves(&next, k)),
+                _ => open = open.zip(bound).map(|(open, b)| open.max(b.most)),
             }
         }
         match open {

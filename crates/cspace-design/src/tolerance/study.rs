@@ -1,6 +1,6 @@
 //! One requirement at one point of the tolerances: its value, what decides it, and its derivatives.
 
-use cspace::{Ball, Configuration, Encounter, Real, Silent, overlap_as_drawn};
+use cspace::{Ball, Configuration, Encounter, Progress, Real, overlap_as_drawn, space::Stage};
 use cspace_io::model::{Quantity, Requirement, Setting, Subject, Template};
 use cspace_io::{Host, Model};
 
@@ -18,6 +18,7 @@ pub(super) struct Study<'a> {
     pub(super) set: &'a [Setting],
     pub(super) variations: &'a Variations,
     pub(super) nominal: &'a Model,
+    progress: &'a dyn Progress,
     pub(super) requirement: Requirement,
     /// How long motions are followed, of a quantity that first contacts decide.
     pub(super) until: Vec<f64>,
@@ -105,12 +106,14 @@ impl<'a> Study<'a> {
         nominal: &'a Model,
         requirement: Requirement,
         spaces: &Spaces,
+        progress: &'a dyn Progress,
     ) -> Self {
         let mut study = Self {
             template,
             set,
             variations,
             nominal,
+            progress,
             requirement,
             until: Vec::new(),
             known: Known::Nothing,
@@ -134,6 +137,25 @@ impl<'a> Study<'a> {
         let mut all = model.requirements.iter();
         all.find(|r| r.name == self.requirement.name)
             .unwrap_or(&self.requirement)
+    }
+
+    /// Whether the user wants to go on.
+    pub(super) fn goes_on(&self) -> bool {
+        self.progress.stage(Stage::Graph).is_ok()
+    }
+
+    /// How many parts of a box may be looked at: fewer of large pairs, of which each takes longer.
+    pub(super) fn most_boxes(&self) -> usize {
+        /// Pairs of edges in all parts together.
+        const WORK: usize = 200_000;
+        const MOST: usize = 4000;
+        const FEWEST: usize = 4;
+        let Subject::Pair(pair, _) = self.requirement.subject else {
+            return FEWEST;
+        };
+        let parts = &self.nominal.mechanism.parts;
+        let edges = |i: usize| parts[i].part.edges().count();
+        (WORK / (edges(pair.fixed) * edges(pair.moving)).max(1)).clamp(FEWEST, MOST)
     }
 
     /// Whether first contacts decide the quantity.
@@ -231,7 +253,7 @@ impl<'a> Study<'a> {
             value: Err(failure),
             hits: None,
         };
-        let Ok(spaces) = Spaces::compute(&model, &Silent) else {
+        let Ok(spaces) = Spaces::compute(&model, self.progress) else {
             return none(Failure {
                 kind: "no value",
                 reason: "the computation was interrupted".to_owned(),
@@ -317,7 +339,7 @@ impl<'a> Study<'a> {
         let mut model = self.template.model(&host).ok()?;
         let requirement = self.requirement_of(&model).clone();
         model.requirements = vec![requirement.clone()];
-        let spaces = Spaces::compute(&model, &Silent).ok()?;
+        let spaces = Spaces::compute(&model, self.progress).ok()?;
         let measured = spaces.measure(&requirement).ok()?;
         let of = |name: &str| {
             let slopes = self.template.slopes(&host, &model, name).ok()?;
@@ -355,7 +377,8 @@ impl<'a> Study<'a> {
         /// A box is halved so often, at most, until every contact comes about once at most.
         const HALVINGS: usize = 6;
         if self.is_drawn() {
-            self.known = self.known_in(&self.variations.scaled(1.0), HALVINGS);
+            let halvings = HALVINGS.min(self.most_boxes().ilog2() as usize);
+            self.known = self.known_in(&self.variations.scaled(1.0), halvings);
         }
     }
 
@@ -371,7 +394,7 @@ impl<'a> Study<'a> {
             .filter(|&k| half[k] > 0.0)
             .max_by(|&a, &b| share(a).total_cmp(&share(b)).then(b.cmp(&a)));
         match widest {
-            Some(by) if !is_enough && halvings > 0 => Known::Halves {
+            Some(by) if !is_enough && halvings > 0 && self.goes_on() => Known::Halves {
                 by,
                 at: 0.5 * (ranges[by][0] + ranges[by][1]),
                 both: Box::new(halves(ranges, by).map(|half| self.known_in(&half, halvings - 1))),
