@@ -1242,7 +1242,7 @@ const TOLERANCES: &str = "\
 Examples:
   cspace tolerances models/tolerances/overrunning_clutch.toml
   cspace tolerances models/tolerances/geneva_lock.toml --samples 100000
-  cspace tolerances models/tolerances/geneva_lock.toml --format json -o tolerances.json
+  cspace tolerances models/tolerances/geneva_lock.toml --format json
 
 Parameters have tolerances in the model: tol, plus and minus, limits, or position.
 Of each requirement are printed: what each parameter contributes; the linear worst

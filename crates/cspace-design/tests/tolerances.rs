@@ -88,8 +88,10 @@ fn a_geneva_lock_jams_beyond_its_tolerances() {
     let linear = found.linear.clone().unwrap();
     let half = 0.25 * (linear.worst[1] - linear.worst[0]);
     near(half.to_degrees(), 0.146_395_01, 5e-9);
-    near(found.margin.factor.unwrap(), 1.25, 1e-9);
     assert_eq!(found.structure[0].kind, ChangeKind::Jam);
+    near(found.structure[0].share, 1.25, 1e-9);
+    // The limit is passed before.
+    assert!(found.margin.factor.unwrap() < 1.25);
     // With ±0.03 it jams where the gap 0.1 is used up by four deviations: with a probability of 1/1944.
     let wide = shipped("geneva_lock").replace("tol = 0.02", "tol = 0.03");
     let found = analysed(&template(wide), 100_000);
@@ -179,6 +181,39 @@ equals = false
     near(samples.met, 0.875, 4.0 * samples.error);
 }
 
+/// A ball drops into a slot, or stays on its mouth where that is narrower: a contact that there is not as drawn.
+#[test]
+fn a_contact_that_comes_about_suddenly_is_told() {
+    let model = r#"
+[parameter]
+w = { value = 6.02, tol = 0.03 }
+r = { value = 3, tol = 0.03 }
+[[part]]
+name = "base"
+loops = [[[-12, -10], [12, -10], [12, 0], ["w/2", 0], ["w/2", -6], ["-w/2", -6], ["-w/2", 0], [-12, 0]]]
+[[part]]
+name = "ball"
+loops = [{ circle = "r", at = [0, 0] }]
+[[requirement]]
+name = "drop"
+measure = "position"
+of = "y"
+at = { y = 20 }
+along = [0, -40, 0]
+"#;
+    let found = analysed(&template(model), 0);
+    let [_, hi] = found.exact.clone().unwrap();
+    near(
+        hi.value.unwrap(),
+        (3.03_f64.powi(2) - 2.995_f64.powi(2)).sqrt(),
+        1e-9,
+    );
+    // w = 2 r at 2/9 of the tolerances.
+    let change = &found.structure[0];
+    assert_eq!(change.kind, ChangeKind::Contact);
+    near(change.share, 2.0 / 9.0, 1e-6);
+}
+
 /// The zone of a point is a disc: the largest offset is along the slope, not at a corner of the square.
 #[test]
 fn a_position_is_a_disc() {
@@ -210,8 +245,8 @@ limits = [3.5, 3.7]
     assert!(samples.range[0] >= middle - half && samples.range[1] <= middle + half);
     // Of the coordinate along the diagonal, half of it and half of the other.
     near(samples.moments[1], 0.05 / 2.0_f64.sqrt(), 0.004);
-    // The nearest limit is the upper, and the zone may grow until it is reached.
-    near(found.margin.factor.unwrap(), (3.7 - middle) / half, 1e-6);
+    // The nearest limit is the lower, and the zone may grow until it is reached.
+    near(found.margin.factor.unwrap(), (middle - 3.5) / half, 1e-6);
 }
 
 #[test]
@@ -264,7 +299,7 @@ fn random_designs_stay_within_their_extremes() {
     };
     let mut random = ChaCha8Rng::seed_from_u64(number("CSPACE_SEED", 7));
     let (mut certified, mut seen, mut numbers) = (0, 0, 0);
-    while seen < number("CSPACE_PAIRS", 12) {
+    while seen < number("CSPACE_PAIRS", 6) {
         let parameters = random.random_range(1..5);
         let hole = outline(&mut random, [5.0, 8.0], parameters, true);
         let part = outline(&mut random, [2.0, 4.5], parameters, false);

@@ -9,6 +9,7 @@ use cspace::{DrawnContact, Enclosure, Encounter, Encounters, Real};
 use super::drawing::{Drawing, Enclosed, Form, Slope};
 use super::extremes::{ONE, Summit};
 use super::study::Study;
+use super::vary::halves;
 
 /// Parts of a box are not divided further where they are smaller than this, relative to it.
 const SMALLEST: f64 = 1e-6;
@@ -164,13 +165,4 @@ fn deciding(found: &Encounters, leaves: Option<f64>, later: f64) -> Option<Vec<E
     let is_clear = list.iter().all(|e| e.lo > 0.0);
     let is_only = later < 0.0 || (list.len() == 1 && list[0].approaching);
     (is_clear && is_only).then(|| list.clone())
-}
-
-/// Both halves of a box by one of its parameters.
-pub(super) fn halves(ranges: &[[f64; 2]], k: usize) -> [Vec<[f64; 2]>; 2] {
-    let middle = 0.5 * (ranges[k][0] + ranges[k][1]);
-    let mut both = [ranges.to_vec(), ranges.to_vec()];
-    both[0][k][1] = middle;
-    both[1][k][0] = middle;
-    both
 }

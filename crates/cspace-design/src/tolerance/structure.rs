@@ -13,6 +13,9 @@ pub const LARGEST_FACTOR: f64 = 16.0;
 /// Shares of the tolerances are found to this, relative to them.
 const RESOLUTION: f64 = 1e-12;
 
+/// Contacts that come together but for this, relative to the time or the value, tie.
+const TIE: f64 = 1e-9;
+
 /// A change is looked for so much beyond its share: where it begins both are so.
 const BEYOND: f64 = 1e-6;
 
@@ -61,6 +64,9 @@ pub struct Margin {
     /// What fails then, in words.
     pub what: String,
 }
+
+/// A contact, with the share of the tolerances and the deviations at which it comes about.
+type Sudden = (DrawnContact, f64, Vec<f64>);
 
 /// A value with its derivatives by the parameters.
 type Sloping = (f64, Vec<f64>);
@@ -157,6 +163,22 @@ impl Study<'_> {
                 }
             }
         }
+        for (contact, share, at) in self.sudden_contacts(&nominal.contacts) {
+            let features = self.texts(&plain, contact);
+            if !all
+                .iter()
+                .any(|c| c.kind == ChangeKind::Contact && c.features == features)
+            {
+                let what = "another contact decides the value, which jumps".to_owned();
+                all.push(Structural {
+                    kind: ChangeKind::Contact,
+                    what,
+                    features,
+                    at,
+                    share,
+                });
+            }
+        }
         all.sort_by(|a, b| a.share.total_cmp(&b.share));
         // Of jams only the first, with all features that overlap then; of others those within the tolerances.
         let mut distinct: Vec<Structural> = Vec::new();
@@ -179,6 +201,77 @@ impl Study<'_> {
             }
         }
         distinct
+    }
+
+    /// Contacts that there are not as drawn, and that come before the nominal ones towards a corner of the tolerances: of each the smallest share
+    /// towards any corner.
+    fn sudden_contacts(&self, nominal: &[DrawnContact]) -> Vec<Sudden> {
+        let mut found: Vec<Sudden> = Vec::new();
+        for corner in self.corners(1.0) {
+            for leg in 0..nominal.len() {
+                let Some(contact) = self.other_first(&corner, leg, nominal) else {
+                    continue;
+                };
+                let (mut lo, mut hi) = (0.0, 1.0);
+                while hi - lo > RESOLUTION * hi {
+                    let share = 0.5 * (lo + hi);
+                    if self.is_other(&scaled(&corner, share), leg, nominal) {
+                        hi = share;
+                    } else {
+                        lo = share;
+                    }
+                }
+                let is_same = |f: &&mut Sudden| f.0 == contact;
+                match found.iter_mut().find(is_same) {
+                    Some(known) if known.1 <= hi => {}
+                    Some(known) => (known.1, known.2) = (hi, scaled(&corner, hi)),
+                    None => found.push((contact, hi, scaled(&corner, hi))),
+                }
+            }
+        }
+        found
+    }
+
+    /// The first contact of a motion, if it is not the nominal one and that comes later, or not at all.
+    fn other_first(&self, x: &[f64], leg: usize, nominal: &[DrawnContact]) -> Option<DrawnContact> {
+        let hits = self.at(x).hits?;
+        let (contact, time) = (hits.contacts[leg], hits.times[leg]);
+        let own = self.nominal_times(x, nominal)?[leg];
+        let is_other = own.is_none_or(|own| own > time * (1.0 + TIE));
+        (contact != nominal[leg] && is_other).then_some(contact)
+    }
+
+    /// Whether another contact than the nominal ones decides the value at a point.
+    fn is_other(&self, x: &[f64], leg: usize, nominal: &[DrawnContact]) -> bool {
+        let point = self.at(x);
+        if point.hits.is_some() {
+            return self.other_first(x, leg, nominal).is_some();
+        }
+        // First contacts are in doubt, as where one has only just come about.
+        let (Ok(value), Some(times)) = (point.value, self.nominal_times(x, nominal)) else {
+            return false;
+        };
+        let Some(times) = times.into_iter().collect::<Option<Vec<f64>>>() else {
+            return true;
+        };
+        let expected = self.model(x).ok().and_then(|model| {
+            let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
+            Some(drawing.value(nominal, &times))
+        });
+        expected.is_none_or(|e| (value - e).abs() > TIE * e.abs())
+    }
+
+    /// When the nominal contacts come about at a point, whether or not others are before them.
+    fn nominal_times(&self, x: &[f64], nominal: &[DrawnContact]) -> Option<Vec<Option<f64>>> {
+        let model = self.model(x).ok()?;
+        let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
+        let enclosed = drawing.map(Ball::constant);
+        let time = |(leg, contact): (usize, &DrawnContact)| {
+            let motion = &enclosed.legs[leg];
+            let found = (enclosed.pair).encounters(motion, self.until[leg], Some(&[*contact]));
+            found.list.first().map(|e| 0.5 * (e.lo + e.hi))
+        };
+        Some(nominal.iter().enumerate().map(time).collect())
     }
 
     /// By how much a contact comes before that which decides the value nominally, with the derivatives.

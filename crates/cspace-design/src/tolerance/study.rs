@@ -9,8 +9,7 @@ use crate::measure::{Unmeasured, Value, reach};
 use crate::sensitivity::derivative;
 
 use super::drawing::{Drawing, Enclosed, Hits, Slope, enclosed};
-use super::proof::halves;
-use super::vary::Variations;
+use super::vary::{Variations, halves};
 
 /// A requirement of a model, and what varies.
 pub(super) struct Study<'a> {

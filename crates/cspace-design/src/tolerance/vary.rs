@@ -261,6 +261,15 @@ impl Variations {
     }
 }
 
+/// Both halves of a box by one of its parameters.
+pub(super) fn halves(ranges: &[[f64; 2]], k: usize) -> [Vec<[f64; 2]>; 2] {
+    let middle = 0.5 * (ranges[k][0] + ranges[k][1]);
+    let mut both = [ranges.to_vec(), ranges.to_vec()];
+    both[0][k][1] = middle;
+    both[1][k][0] = middle;
+    both
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
