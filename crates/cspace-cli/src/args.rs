@@ -1244,11 +1244,12 @@ Examples:
   cspace tolerances models/tolerances/geneva_lock.toml --samples 100000
   cspace tolerances models/tolerances/geneva_lock.toml --format json
 
-Parameters have tolerances in the model: tol, plus and minus, limits, or position.
-Of each requirement are printed: what each parameter contributes; the linear worst
-case and the root of the sum of squares; the smallest and the largest value, and
-whether that is proved; where other contacts take over or parts jam; and the factor
-on all tolerances at which something fails. Angles in JSON are in radians.
+Parameters have tolerances in the model: tol, plus and minus, limits, position.
+Of each requirement are printed: what each parameter contributes; the linear
+worst case and the root of the sum of squares; the smallest and the largest
+value, and whether that is proved; where other contacts take over or parts jam;
+and the factor on all tolerances at which something fails. Angles in JSON are in
+radians.
 ";
 
 const SWEEP: &str = "\
