@@ -409,7 +409,9 @@ impl<'a> Study<'a> {
         let found = plain.encounters(&self.until);
         let is_bounded = (found.iter()).all(|e| e.complete && e.list.iter().any(|e| e.certain));
         is_bounded.then(|| Known::Whole {
-            is_clear: found.iter().flat_map(|e| &e.list).all(|e| e.lo > 0.0),
+            // Parts that touch nowhere in the box are apart in all of it, or overlap in all of it.
+            is_clear: found.iter().flat_map(|e| &e.list).all(|e| e.lo > 0.0)
+                && !self.overlaps(&middle),
             contacts: found.into_iter().map(|e| e.list).collect(),
         })
     }
