@@ -1,8 +1,8 @@
 //! All requirements of a model.
 
 use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
-use cspace_io::Model;
 use cspace_io::model::{Requirement, Subject, Target};
+use cspace_io::{Model, ModelError};
 
 use crate::in_motion::{Found, Motion};
 use crate::measure::{Measured, Unmeasured, Value, measure};
@@ -60,6 +60,14 @@ pub struct Interrupted;
 pub fn check_with(model: &Model, progress: &dyn Progress) -> Result<Vec<Checked>, Interrupted> {
     let spaces = Spaces::compute(model, progress)?;
     Ok(model.requirements.iter().map(|r| spaces.check(r)).collect())
+}
+
+/// Why there is no model with some values, in words.
+pub(crate) fn reason(error: &ModelError) -> String {
+    match error.place() {
+        "" => error.message().to_owned(),
+        place => format!("{place}: {}", error.message()),
+    }
 }
 
 /// What requirements are measured on, each computed once: the configuration spaces of pairs, and motions.

@@ -40,6 +40,16 @@ pub fn sensitivities(
     progress: &dyn Progress,
 ) -> Result<Vec<(Checked, Vec<Sensitivity>)>, Interrupted> {
     let spaces = Spaces::compute(model, progress)?;
+    Ok(sensitivities_on(&spaces, template, host, model))
+}
+
+/// As [`sensitivities`], on spaces of the model that are known.
+pub(crate) fn sensitivities_on(
+    spaces: &Spaces,
+    template: &Template,
+    host: &Host<'_>,
+    model: &Model,
+) -> Vec<(Checked, Vec<Sensitivity>)> {
     // Derivatives by one that follows from others say nothing that those do not.
     let independent = model.parameters.iter().filter(|p| p.expression.is_none());
     let slopes: Vec<(&str, Result<Slopes, String>)> = (independent)
@@ -59,12 +69,12 @@ pub fn sensitivities(
         let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
             parameter: (*name).to_owned(),
             derivative: (slopes.as_ref().map_err(String::clone))
-                .and_then(|slopes| derivative(&spaces, requirement, &measured, slopes)),
+                .and_then(|slopes| derivative(spaces, requirement, &measured, slopes)),
         };
         let found = slopes.iter().map(of).collect();
         (checked, found)
     });
-    Ok(all.collect())
+    all.collect()
 }
 
 /// The derivatives of a requirement's quantity, measured on a space, for smaller and for larger values of a parameter; or why there are

@@ -4,10 +4,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cspace::Silent;
 use cspace_io::model::{Coordinate, Requirement, Setting, Template};
-use cspace_io::{Host, Model, ModelError};
+use cspace_io::{Host, Model};
 use rayon::prelude::*;
 
-use crate::check::Spaces;
+use crate::check::{Spaces, reason};
 use crate::measure::Value;
 
 /// What is varied from row to row.
@@ -203,14 +203,10 @@ impl<'a> Sweep<'a> {
             set: &set,
             ..Host::default()
         };
-        let reason = |error: ModelError| match error.place() {
-            "" => error.message().to_owned(),
-            place => format!("{place}: {}", error.message()),
-        };
         let spaces = self
             .template
             .model(&host)
-            .map_err(reason)
+            .map_err(|e| reason(&e))
             .and_then(|mut model| {
                 model
                     .requirements

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cspace::{Mechanism, PairEntry};
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
-use cspace_io::model::{Setting, Target, Template};
+use cspace_io::model::{Setting, Template};
 use cspace_motion::{Report, Settings, Simulation};
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::IntoPyObjectExt;
@@ -467,10 +467,7 @@ impl Model {
         )?;
         told.set_item(
             "limits",
-            match checked.requirement.target {
-                Some(Target::Limits(lo, hi)) => Some((lo, hi)),
-                _ => None,
-            },
+            (checked.requirement.limits()).map(|[lo, hi]| (lo, hi)),
         )?;
         told.set_item("met", checked.is_met())?;
         told.set_item("margin", checked.margin())?;

@@ -1,10 +1,11 @@
 //! `cspace check`.
 
 use std::fmt::{self, Write};
+use std::path::Path;
 
 use cspace::Coordinates;
 use cspace_design::{Checked, Sensitivity, Value as Found};
-use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject, Target};
+use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject};
 use cspace_io::{Document, Model};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -88,11 +89,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         (path, model, None)
     };
     if model.requirements.is_empty() {
-        return Err(Failure::input(format_args!(
-            "{}: the model has no requirements",
-            path.display()
-        ))
-        .help("add [[requirement]] tables with name, measure and limits: see docs/design.md"));
+        return Err(no_requirements(&path));
     }
     if !args.requirement.is_empty() {
         chosen(&mut model, &args.requirement)?;
@@ -144,6 +141,13 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     }
 }
 
+/// A model without requirements.
+pub(super) fn no_requirements(file: &Path) -> Failure {
+    let error = format_args!("{}: the model has no requirements", file.display());
+    Failure::input(error)
+        .help("add [[requirement]] tables with name, measure and limits: see docs/design.md")
+}
+
 /// Leaves the requirements of these names.
 pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure> {
     if let Some(unknown) = names
@@ -188,14 +192,8 @@ fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
             Found::Number(x) => Told::Number(x),
             Found::Truth(b) => Told::Truth(b),
         }),
-        limits: match requirement.target {
-            Some(Target::Limits(lo, hi)) => Some([lo, hi]),
-            _ => None,
-        },
-        equals: match requirement.target {
-            Some(Target::Equals(wanted)) => Some(wanted),
-            _ => None,
-        },
+        limits: requirement.limits(),
+        equals: requirement.equals(),
         met: checked.is_met(),
         margin: checked.margin(),
         range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),

@@ -50,7 +50,7 @@ use cspace_io::model::{Requirement, Setting, Template};
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
-use crate::sensitivity::sensitivities;
+use crate::sensitivity::sensitivities_on;
 
 pub use extremes::Extreme;
 pub use linear::{Contribution, Linear};
@@ -110,8 +110,8 @@ pub fn tolerances(
     let mut model = model.clone();
     model.requirements.retain(is_chosen);
     let model = &model;
-    let checked = sensitivities(template, &host, model, progress)?;
     let spaces = Spaces::compute(model, progress)?;
+    let checked = sensitivities_on(&spaces, template, &host, model);
     let go_on = || match progress.stage(Stage::Graph) {
         Err(ComputeError::Interrupted) => Err(Interrupted),
         _ => Ok(()),

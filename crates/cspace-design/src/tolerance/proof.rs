@@ -9,7 +9,7 @@ use cspace::{DrawnContact, Enclosure, Encounter, Encounters, Real};
 use super::drawing::{Drawing, Enclosed, Form, Slope};
 use super::extremes::{ONE, Summit};
 use super::study::Study;
-use super::vary::halves;
+use super::vary::{halves, middle_and_half};
 
 /// Parts of a box are not divided further where they are smaller than this, relative to it.
 const SMALLEST: f64 = 1e-6;
@@ -50,7 +50,7 @@ impl Study<'_> {
 
     /// The parameter to divide a box by: the one of which the derivative varies most in it.
     fn widest(&self, ranges: &[[f64; 2]], bound: Option<&Bound>) -> Option<usize> {
-        let (_, half) = self.middle_and_half(ranges);
+        let (_, half) = middle_and_half(ranges);
         let whole = &self.variations.list;
         let share = |k: usize| half[k] / whole[k].half();
         let weight = |k: usize| match bound {
@@ -64,7 +64,7 @@ impl Study<'_> {
 
     /// The most that sign times the requirement can be in a box; `None` where nothing bounds it.
     fn bound(&self, ranges: &[[f64; 2]], sign: f64) -> Option<Bound> {
-        let (middle, half) = self.middle_and_half(ranges);
+        let (middle, half) = middle_and_half(ranges);
         let drawings = self.by_parameters(&middle, Some(&half))?;
         let plain: Drawing<Enclosed> = drawings.first()?.map(|x| x.value);
         // Whether a later contact makes sign times the value larger.

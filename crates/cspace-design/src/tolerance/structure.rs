@@ -3,9 +3,10 @@
 use cspace::{Ball, DrawnContact, Real};
 use cspace_io::model::{Subject, Target};
 
-use super::drawing::{Drawing, Enclosed, Slope};
+use super::drawing::{Drawing, Enclosed, Hits, Slope};
 use super::extremes::Summit;
 use super::study::Study;
+use super::vary::middle_and_half;
 
 /// Tolerances are scaled by at most this in the search for what fails.
 pub const LARGEST_FACTOR: f64 = 16.0;
@@ -99,7 +100,7 @@ impl Study<'_> {
     }
 
     /// All changes within the tolerances by a factor, those that happen first before others.
-    pub(super) fn changes(&self, factor: f64) -> Vec<Structural> {
+    fn changes(&self, factor: f64) -> Vec<Structural> {
         let mut all = if self.is_drawn() {
             self.drawn_changes(factor)
         } else {
@@ -114,7 +115,7 @@ impl Study<'_> {
 
     /// Contacts that take over, and jams, of a quantity that first contacts decide.
     fn drawn_changes(&self, factor: f64) -> Vec<Structural> {
-        let (middle, half) = self.middle_and_half(&self.variations.scaled(factor));
+        let (middle, half) = middle_and_half(&self.variations.scaled(factor));
         let Some(drawings) = self.by_parameters(&middle, Some(&half)) else {
             return Vec::new();
         };
@@ -234,7 +235,17 @@ impl Study<'_> {
 
     /// The first contact of a motion, if it is not the nominal one and that comes later, or not at all.
     fn other_first(&self, x: &[f64], leg: usize, nominal: &[DrawnContact]) -> Option<DrawnContact> {
-        let hits = self.at(x).hits?;
+        self.other_of(x, self.at(x).hits.as_ref()?, leg, nominal)
+    }
+
+    /// The same of first contacts that are known.
+    fn other_of(
+        &self,
+        x: &[f64],
+        hits: &Hits,
+        leg: usize,
+        nominal: &[DrawnContact],
+    ) -> Option<DrawnContact> {
         let (contact, time) = (hits.contacts[leg], hits.times[leg]);
         let own = self.nominal_times(x, nominal)?[leg];
         let is_other = own.is_none_or(|own| own > time * (1.0 + TIE));
@@ -244,8 +255,8 @@ impl Study<'_> {
     /// Whether another contact than the nominal ones decides the value at a point.
     fn is_other(&self, x: &[f64], leg: usize, nominal: &[DrawnContact]) -> bool {
         let point = self.at(x);
-        if point.hits.is_some() {
-            return self.other_first(x, leg, nominal).is_some();
+        if let Some(hits) = &point.hits {
+            return self.other_of(x, hits, leg, nominal).is_some();
         }
         // First contacts are in doubt, as where one has only just come about.
         let (Ok(value), Some(times)) = (point.value, self.nominal_times(x, nominal)) else {

@@ -4,12 +4,12 @@ use cspace::{Ball, Configuration, Encounter, Progress, Real, overlap_as_drawn, s
 use cspace_io::model::{Quantity, Requirement, Setting, Subject, Template};
 use cspace_io::{Host, Model};
 
-use crate::check::Spaces;
+use crate::check::{Spaces, reason};
 use crate::measure::{Unmeasured, Value, reach};
 use crate::sensitivity::derivative;
 
 use super::drawing::{Drawing, Enclosed, Hits, Slope, enclosed};
-use super::vary::{Variations, halves};
+use super::vary::{Variations, halves, middle_and_half};
 
 /// A requirement of a model, and what varies.
 pub(super) struct Study<'a> {
@@ -174,10 +174,7 @@ impl<'a> Study<'a> {
         };
         self.template.model(&host).map_err(|error| Failure {
             kind: "no part",
-            reason: match error.place() {
-                "" => error.message().to_owned(),
-                place => format!("{place}: {}", error.message()),
-            },
+            reason: reason(&error),
         })
     }
 
@@ -244,15 +241,21 @@ impl<'a> Study<'a> {
         overlap_as_drawn(fixed, moving, Configuration::new(x, y, theta))
     }
 
+    /// What the requirement alone is measured on in a model; `None` if the computation is ended.
+    fn computed(&self, model: &mut Model) -> Option<(Requirement, Spaces)> {
+        let requirement = self.requirement_of(model).clone();
+        model.requirements = vec![requirement.clone()];
+        let spaces = Spaces::compute(model, self.progress).ok()?;
+        Some((requirement, spaces))
+    }
+
     /// The requirement at a point, by a configuration space or a simulation of its own.
     fn measured(&self, mut model: Model) -> Point {
-        let requirement = self.requirement_of(&model).clone();
-        model.requirements = vec![requirement.clone()];
         let none = |failure| Point {
             value: Err(failure),
             hits: None,
         };
-        let Ok(spaces) = Spaces::compute(&model, self.progress) else {
+        let Some((requirement, spaces)) = self.computed(&mut model) else {
             return none(Failure {
                 kind: "no value",
                 reason: "the computation was interrupted".to_owned(),
@@ -336,9 +339,7 @@ impl<'a> Study<'a> {
             ..Host::default()
         };
         let mut model = self.template.model(&host).ok()?;
-        let requirement = self.requirement_of(&model).clone();
-        model.requirements = vec![requirement.clone()];
-        let spaces = Spaces::compute(&model, self.progress).ok()?;
+        let (requirement, spaces) = self.computed(&mut model)?;
         let measured = spaces.measure(&requirement).ok()?;
         let of = |name: &str| {
             let slopes = self.template.slopes(&host, &model, name).ok()?;
@@ -387,7 +388,7 @@ impl<'a> Study<'a> {
             |contacts: &[Vec<Encounter>]| contacts.iter().flatten().all(|e| e.approaching);
         let is_enough =
             matches!(&known, Known::Whole { contacts, is_clear: true } if is_simple(contacts));
-        let (_, half) = self.middle_and_half(ranges);
+        let (_, half) = middle_and_half(ranges);
         let share = |k: usize| half[k] / self.variations.list[k].half();
         let widest = (0..half.len())
             .filter(|&k| half[k] > 0.0)
@@ -403,7 +404,7 @@ impl<'a> Study<'a> {
     }
 
     fn known_of(&self, ranges: &[[f64; 2]]) -> Option<Known> {
-        let (middle, half) = self.middle_and_half(ranges);
+        let (middle, half) = middle_and_half(ranges);
         let drawings = self.by_parameters(&middle, Some(&half))?;
         let plain: Drawing<Enclosed> = drawings.first()?.map(|x| x.value);
         let found = plain.encounters(&self.until);
@@ -414,12 +415,5 @@ impl<'a> Study<'a> {
                 && !self.overlaps(&middle),
             contacts: found.into_iter().map(|e| e.list).collect(),
         })
-    }
-
-    /// The middle of a box, and half its widths.
-    pub(super) fn middle_and_half(&self, ranges: &[[f64; 2]]) -> (Vec<f64>, Vec<f64>) {
-        let middle = ranges.iter().map(|[lo, hi]| 0.5 * (lo + hi)).collect();
-        let half = ranges.iter().map(|[lo, hi]| 0.5 * (hi - lo)).collect();
-        (middle, half)
     }
 }

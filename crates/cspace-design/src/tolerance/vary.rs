@@ -261,6 +261,13 @@ impl Variations {
     }
 }
 
+/// The middle of a box, and half its widths.
+pub(super) fn middle_and_half(ranges: &[[f64; 2]]) -> (Vec<f64>, Vec<f64>) {
+    let middle = ranges.iter().map(|[lo, hi]| 0.5 * (lo + hi)).collect();
+    let half = ranges.iter().map(|[lo, hi]| 0.5 * (hi - lo)).collect();
+    (middle, half)
+}
+
 /// Both halves of a box by one of its parameters.
 pub(super) fn halves(ranges: &[[f64; 2]], k: usize) -> [Vec<[f64; 2]>; 2] {
     let middle = 0.5 * (ranges[k][0] + ranges[k][1]);

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use cspace_design::{Extreme, MonteCarlo, Structural, Tolerances, Value, Variations};
-use cspace_io::model::Target;
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
@@ -136,14 +135,8 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
             Err(_) => Json::Null,
         },
         failure: of.nominal.measured.as_ref().err().map(ToString::to_string),
-        limits: match requirement.target {
-            Some(Target::Limits(lo, hi)) => Some([lo, hi]),
-            _ => None,
-        },
-        equals: match requirement.target {
-            Some(Target::Equals(wanted)) => Some(wanted),
-            _ => None,
-        },
+        limits: requirement.limits(),
+        equals: requirement.equals(),
         touching: of.nominal.touching.clone(),
         sensitivities: sensitivities.collect(),
         linear: linear.map(|l| l.worst),

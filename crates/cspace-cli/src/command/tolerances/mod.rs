@@ -22,11 +22,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let (template, mut model) = input::template(&args.file, &args.values)?;
     let file = args.file.display();
     if model.requirements.is_empty() {
-        return Err(
-            Failure::input(format_args!("{file}: the model has no requirements")).help(
-                "add [[requirement]] tables with name, measure and limits: see docs/design.md",
-            ),
-        );
+        return Err(super::check::no_requirements(&args.file));
     }
     let variations = Variations::of(&model);
     if variations.is_empty() {

@@ -15,6 +15,24 @@ pub struct Requirement {
     pub target: Option<Target>,
 }
 
+impl Requirement {
+    /// The smallest and the largest value that is allowed, if there are limits.
+    pub const fn limits(&self) -> Option<[f64; 2]> {
+        match self.target {
+            Some(Target::Limits(lo, hi)) => Some([lo, hi]),
+            _ => None,
+        }
+    }
+
+    /// What is required of yes or no, if anything is.
+    pub const fn equals(&self) -> Option<bool> {
+        match self.target {
+            Some(Target::Equals(wanted)) => Some(wanted),
+            _ => None,
+        }
+    }
+}
+
 /// On what is measured, and what.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Subject {
