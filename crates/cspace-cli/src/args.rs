@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use cspace::Point;
-use cspace_design::{Goal, Relation, Value as Measured};
+use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
 
@@ -535,6 +535,13 @@ pub(crate) struct TolerancesArgs {
     /// What the samples follow from: the same numbers for the same seed, on any number of threads
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub(crate) seed: u64,
+    /// Find the tolerances of least cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
+    /// tolerance doubles its cost
+    #[arg(long, value_name = "worst|YIELD", value_parser = criterion)]
+    pub(crate) allocate: Option<Criterion>,
+    /// What the tolerance of a parameter costs as it is given in the model; may be given several times [default: all cost the same, 1]
+    #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost)]
+    pub(crate) cost: Vec<(String, f64)>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -875,6 +882,31 @@ pub(crate) struct EvaluateArgs {
     /// Number of threads of both algorithms; 0 for one per processor
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
+}
+
+fn criterion(text: &str) -> Result<Criterion, String> {
+    let text = text.trim();
+    if text == "worst" {
+        return Ok(Criterion::Worst);
+    }
+    let share = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse::<f64>().map(|x| x / 100.0),
+        None => text.parse(),
+    };
+    // Fewer than one in ten thousand of a hundred million samples would fail beyond.
+    share
+        .ok()
+        .filter(|share| (0.5..=0.9999).contains(share))
+        .map(Criterion::Yield)
+        .ok_or_else(|| "give worst, or a yield from 50% to 99.99%, such as 99.9%".into())
+}
+
+fn cost(text: &str) -> Result<(String, f64), String> {
+    let parsed = text.split_once('=').and_then(|(name, cost)| {
+        let cost = cost.trim().parse::<f64>().ok()?;
+        (cost.is_finite() && cost > 0.0).then(|| (name.trim().to_owned(), cost))
+    });
+    parsed.ok_or_else(|| "give it as NAME=COST with a cost above 0, such as --cost pin=2.5".into())
 }
 
 fn threads() -> clap::builder::RangedI64ValueParser<u16> {

@@ -38,6 +38,7 @@
 mod changes;
 mod check;
 mod displace;
+mod drawing;
 mod in_motion;
 mod measure;
 mod sensitivity;
@@ -54,7 +55,8 @@ pub use sensitivity::{Sensitivity, sensitivities};
 pub use solve::{Goal, Relation, Solved, Span, solve};
 pub use sweep::{Row, Sweep, Varied};
 pub use tolerance::{
-    ChangeKind, Contribution, Extreme, LARGEST_FACTOR, Linear, Margin, MonteCarlo, Structural,
-    ToleranceOptions, Tolerances, Variation, Variations, Zone, tolerances,
+    Allocation, ChangeKind, Contribution, Criterion, Extreme, LARGEST_FACTOR, Linear, Margin,
+    MonteCarlo, Structural, ToleranceOptions, Tolerances, Unallocated, Variation, Variations, Zone,
+    allocate, tolerances,
 };
 pub use touching::{FeaturePair, pair_of, texts, touching};

@@ -423,6 +423,14 @@ fn wrong_class(space: &PairSpace, given: Coordinates) -> Unmeasured {
     })
 }
 
+/// Coordinates as numbers, of fixed axes two and a 0.
+pub(crate) fn numbers(at: Coordinates) -> [f64; 3] {
+    match at {
+        Coordinates::Planar(c) => [c.x, c.y, c.theta],
+        Coordinates::Axes { u, v } => [u, v, 0.0],
+    }
+}
+
 /// A rate of one coordinate.
 pub(crate) fn unit(of: Coordinate, rate: f64) -> Coordinates {
     match of {

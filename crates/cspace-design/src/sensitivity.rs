@@ -5,8 +5,8 @@
 //! ([`FeatureContact::by_drawing`]) times what the model makes of p ([`Template::slopes`]), both in dual numbers.
 
 use cspace::{
-    Axis, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName, PairSpace,
-    Part, Point, Progress, QueryError,
+    Axis, Ball, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName,
+    PairSpace, Part, Point, Progress, QueryError,
 };
 use cspace_io::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject, Template,
@@ -14,7 +14,8 @@ use cspace_io::model::{
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
-use crate::measure::{Measured, Stop, unit};
+use crate::drawing::{Drawing, enclosed};
+use crate::measure::{Measured, Stop, numbers, unit};
 use crate::touching::FeaturePair;
 
 /// The derivative of a quantity by a parameter.
@@ -68,8 +69,13 @@ pub(crate) fn sensitivities_on(
         }
         let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
             parameter: (*name).to_owned(),
-            derivative: (slopes.as_ref().map_err(String::clone))
-                .and_then(|slopes| derivative(spaces, requirement, &measured, slopes)),
+            derivative: match requirement.subject {
+                Subject::Pair(_, Quantity::Angle { .. }) => {
+                    of_angle(template, host, model, requirement, name)
+                }
+                _ => (slopes.as_ref().map_err(String::clone))
+                    .and_then(|slopes| derivative(spaces, requirement, &measured, slopes)),
+            },
         };
         let found = slopes.iter().map(of).collect();
         (checked, found)
@@ -101,13 +107,41 @@ pub(crate) fn derivative(
         Ok(None) if measured.stops.iter().all(|s| s.features.is_empty()) => {
             Err("nothing touches, so that no contact function decides the value".to_owned())
         }
-        Ok(None) => Err(
-            "several contacts take over from each other there, as where two corners meet"
-                .to_owned(),
-        ),
+        Ok(None) => Err(SEVERAL.to_owned()),
         Err(error) => Err(error.to_string()),
     }
 }
+
+/// The derivatives of an angle at the contact that a motion meets first, by a parameter.
+fn of_angle(
+    template: &Template,
+    host: &Host<'_>,
+    model: &Model,
+    requirement: &Requirement,
+    parameter: &str,
+) -> Result<Sides, String> {
+    let none = || "no first contact decides the angle".to_owned();
+    let plain = Drawing::<Ball>::new(model, requirement, None).ok_or_else(none)?;
+    let found = plain.encounters(&[1.0], None);
+    let hits = plain.hits(&found).ok_or_else(none)?;
+    if plain.tie(&found, &hits) {
+        return Err(SEVERAL.to_owned());
+    }
+    let given = template.enclosures(host, model, parameter, &[]);
+    let given = [given.map_err(|e| e.message().to_owned())?];
+    let slopes = enclosed(&given[0], &given, &[0.0]);
+    let drawing = slopes.first();
+    let drawing = drawing.and_then(|slopes| Drawing::new(model, requirement, Some(slopes)));
+    let slope = drawing.ok_or_else(none)?.derivative(&hits);
+    if slope.is_finite() {
+        Ok([slope; 2])
+    } else {
+        Err(none())
+    }
+}
+
+/// Why there is no derivative where more than one contact decides.
+const SEVERAL: &str = "several contacts take over from each other there, as where two corners meet";
 
 /// A pair with the derivatives of its parts, and of one requirement, by a parameter.
 struct Varied<'a> {
@@ -331,13 +365,5 @@ fn sum(terms: &[f64]) -> f64 {
         0.0
     } else {
         sum
-    }
-}
-
-/// Coordinates as numbers, of fixed axes two and a 0.
-pub(crate) fn numbers(at: Coordinates) -> [f64; 3] {
-    match at {
-        Coordinates::Planar(c) => [c.x, c.y, c.theta],
-        Coordinates::Axes { u, v } => [u, v, 0.0],
     }
 }

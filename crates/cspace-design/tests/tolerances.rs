@@ -398,13 +398,28 @@ fn random_designs_stay_within_their_extremes() {
                 "{of} beyond {value}:\n{text}"
             );
             // The value there, by a space of its own.
-            let set = variations.settings(&[], &end.at);
-            let host = Host {
-                set: &set,
-                ..Host::default()
+            let measured_at = |at: &[f64]| {
+                let set = variations.settings(&[], at);
+                let host = Host {
+                    set: &set,
+                    ..Host::default()
+                };
+                let there = check(&template.model(&host).unwrap())[0].measured.clone();
+                there.map(|m| m.value)
             };
-            let there = check(&template.model(&host).unwrap())[0].measured.clone();
-            let there = match there.map(|m| m.value) {
+            if end.jumps {
+                // Beside the place the value comes near to it.
+                let is_near = |k: usize, by: f64| {
+                    let mut at = end.at.clone();
+                    at[k] += by * tolerance;
+                    let there = measured_at(&at);
+                    matches!(there, Ok(Value::Number(x)) if (x - value).abs() < 1e-4 * value.abs())
+                };
+                let mut all = (0..end.at.len()).flat_map(|k| [(k, 1e-7), (k, -1e-7)]);
+                assert!(all.any(|(k, by)| is_near(k, by)), "{value}:\n{text}");
+                continue;
+            }
+            let there = match measured_at(&end.at) {
                 Ok(Value::Number(there)) => there,
                 // Where parts jam within the tolerances, the extreme may be where they begin to.
                 Err(Unmeasured::Blocked) if lo.value.is_err() => continue,

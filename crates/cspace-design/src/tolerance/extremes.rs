@@ -22,6 +22,21 @@ pub struct Extreme {
     pub certified: bool,
     /// How much farther it might be at most, where that is known and it is not certified.
     pub gap: Option<f64>,
+    /// Whether the value jumps at the place, where a contact that comes first beside it is just missed: it comes as near to this as one likes.
+    pub jumps: bool,
+}
+
+impl Extreme {
+    /// There is none, for a reason at some deviations.
+    pub(super) const fn none(reason: String, at: Vec<f64>) -> Self {
+        Self {
+            value: Err(reason),
+            at,
+            certified: false,
+            gap: None,
+            jumps: false,
+        }
+    }
 }
 
 /// A point that was climbed to.
@@ -98,6 +113,29 @@ impl Study<'_> {
             }
         }
         Some(best)
+    }
+
+    /// Whether the value jumps at a point: a much smaller step changes it as much as a small one.
+    pub(super) fn jumps(&self, at: &[f64], value: f64) -> bool {
+        /// Of half the tolerance.
+        const STEPS: [f64; 2] = [1e-6, 1e-9];
+        let list = self.variations.list.iter().enumerate();
+        let mut inside = list.filter(|(k, v)| {
+            let [lo, hi] = v.deviations;
+            let beside = STEPS[0] * v.half();
+            lo + beside < at[*k] && at[*k] < hi - beside
+        });
+        inside.any(|(k, v)| {
+            [-1.0, 1.0].into_iter().any(|way| {
+                let [large, small] = STEPS.map(|step| {
+                    let mut moved = at.to_vec();
+                    moved[k] += way * step * v.half();
+                    let there = self.at(&moved).value;
+                    there.map_or(f64::INFINITY, |there| (there - value).abs())
+                });
+                small > 0.5 * large && small > ONE * value.abs()
+            })
+        })
     }
 
     /// Takes a point if it is better.

@@ -8,6 +8,8 @@ use crate::sensitivity::Sensitivity;
 pub struct Linear {
     /// What each parameter contributes, in the order of the variations.
     pub parameters: Vec<Contribution>,
+    /// The value as drawn.
+    pub nominal: f64,
     /// The smallest and the largest value.
     pub worst: [f64; 2],
     /// The values within which a root of the sum of squares of the tolerances lies, about that in the middle of the tolerances.
@@ -23,6 +25,12 @@ pub struct Contribution {
     pub parameter: String,
     /// The derivatives for smaller and for larger values of the parameter.
     pub derivative: [f64; 2],
+    /// What it takes from the smallest value, at most 0, and adds to the largest.
+    pub ends: [f64; 2],
+    /// By how much the value is off in the middle of its tolerance.
+    pub shift: f64,
+    /// The standard deviation of the value by this alone.
+    pub sigma: f64,
     /// Its share of the worst case.
     pub worst_share: f64,
     /// Its share of the variance.
@@ -75,7 +83,8 @@ impl Study<'_> {
         }
         let worst = [0, 1].map(|i| nominal + ends.iter().map(|e| e[i]).sum::<f64>());
         let width = worst[1] - worst[0];
-        let shift: f64 = (0..list.len()).map(|k| middle(k) * list[k].middle()).sum();
+        let shift = |k: usize| middle(k) * list[k].middle();
+        let shifts: f64 = (0..list.len()).map(shift).sum();
         let root = halves.iter().map(|h| h * h).sum::<f64>().sqrt();
         let sigmas = self.variations.sigmas();
         let variances: Vec<f64> = (0..list.len())
@@ -86,13 +95,17 @@ impl Study<'_> {
         let parameters = (0..list.len()).map(|k| Contribution {
             parameter: list[k].parameter.name.clone(),
             derivative: slopes[k],
+            ends: ends[k],
+            shift: shift(k),
+            sigma: variances[k].sqrt(),
             worst_share: share(ends[k][1] - ends[k][0], width),
             variance_share: share(variances[k], variance),
         });
         Some(Linear {
             parameters: parameters.collect(),
+            nominal,
             worst,
-            rss: [nominal + shift - root, nominal + shift + root],
+            rss: [nominal + shifts - root, nominal + shifts + root],
             sigma: variance.sqrt(),
         })
     }

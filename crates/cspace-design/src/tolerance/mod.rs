@@ -36,7 +36,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod drawing;
+mod allocate;
 mod extremes;
 mod linear;
 mod monte_carlo;
@@ -50,8 +50,10 @@ use cspace_io::model::{Requirement, Setting, Template};
 use cspace_io::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
-use crate::sensitivity::sensitivities_on;
+use crate::measure::Value;
+use crate::sensitivity::{Sensitivity, sensitivities_on};
 
+pub use allocate::{Allocation, Criterion, Unallocated, allocate};
 pub use extremes::Extreme;
 pub use linear::{Contribution, Linear};
 pub use monte_carlo::MonteCarlo;
@@ -99,47 +101,97 @@ pub fn tolerances(
     options: &ToleranceOptions,
     progress: &dyn Progress,
 ) -> Result<Vec<Tolerances>, Interrupted> {
-    let variations = Variations::of(model);
-    let host = Host {
-        set,
-        ..Host::default()
-    };
-    // A template has all requirements.
-    let is_chosen =
-        |r: &Requirement| options.requirements.is_empty() || options.requirements.contains(&r.name);
-    let mut model = model.clone();
-    model.requirements.retain(is_chosen);
-    let model = &model;
-    let spaces = Spaces::compute(model, progress)?;
-    let checked = sensitivities_on(&spaces, template, &host, model);
-    let go_on = || match progress.stage(Stage::Graph) {
-        Err(ComputeError::Interrupted) => Err(Interrupted),
-        _ => Ok(()),
-    };
-    let mut all = Vec::new();
-    for (nominal, by) in checked {
-        go_on()?;
-        let mut study = Study::new(
+    Analysis::new(template, set, model, options, progress)?.of(&Variations::of(model))
+}
+
+/// The requirements that are analysed, with their nominal values.
+struct Analysis<'a> {
+    template: &'a Template,
+    set: &'a [Setting],
+    /// With these requirements alone.
+    model: Model,
+    options: &'a ToleranceOptions,
+    spaces: Spaces,
+    progress: &'a dyn Progress,
+}
+
+impl<'a> Analysis<'a> {
+    fn new(
+        template: &'a Template,
+        set: &'a [Setting],
+        model: &Model,
+        options: &'a ToleranceOptions,
+        progress: &'a dyn Progress,
+    ) -> Result<Self, Interrupted> {
+        // A template has all requirements.
+        let is_chosen = |r: &Requirement| {
+            options.requirements.is_empty() || options.requirements.contains(&r.name)
+        };
+        let mut model = model.clone();
+        model.requirements.retain(is_chosen);
+        let spaces = Spaces::compute(&model, progress)?;
+        Ok(Self {
             template,
             set,
-            &variations,
             model,
-            nominal.requirement.clone(),
-            &spaces,
+            options,
+            spaces,
             progress,
-        );
-        let zero = vec![0.0; variations.len()];
-        let is_number = matches!(
-            nominal.measured.as_ref().map(|m| m.value),
-            Ok(crate::Value::Number(_))
-        );
-        let linear = is_number.then(|| study.linear(&by)).flatten();
+        })
+    }
+
+    fn study<'s>(&'s self, variations: &'s Variations, requirement: &Requirement) -> Study<'s> {
+        Study::new(
+            self.template,
+            self.set,
+            variations,
+            &self.model,
+            requirement.clone(),
+            &self.spaces,
+            self.progress,
+        )
+    }
+
+    fn go_on(&self) -> Result<(), Interrupted> {
+        match self.progress.stage(Stage::Graph) {
+            Err(ComputeError::Interrupted) => Err(Interrupted),
+            _ => Ok(()),
+        }
+    }
+
+    /// What these variations do to each requirement.
+    fn of(&self, variations: &Variations) -> Result<Vec<Tolerances>, Interrupted> {
+        let host = Host {
+            set: self.set,
+            ..Host::default()
+        };
+        let checked = sensitivities_on(&self.spaces, self.template, &host, &self.model);
+        let all = checked.into_iter().map(|(nominal, by)| {
+            self.go_on()?;
+            if nominal.measured.is_err() {
+                return Ok(unmeasured(nominal));
+            }
+            self.of_one(variations, nominal, &by)
+        });
+        all.collect()
+    }
+
+    fn of_one(
+        &self,
+        variations: &Variations,
+        nominal: Checked,
+        by: &[Sensitivity],
+    ) -> Result<Tolerances, Interrupted> {
+        let mut study = self.study(variations, &nominal.requirement);
+        let measured = nominal.measured.as_ref().map(|m| m.value);
+        let is_number = matches!(measured, Ok(Value::Number(_)));
+        let linear = is_number.then(|| study.linear(by)).flatten();
         study.know();
-        go_on()?;
+        self.go_on()?;
         let structure = study.all_changes();
         let fails = |c: &&Structural| c.kind != ChangeKind::Contact && c.share < 1.0;
         let failure = structure.iter().find(fails);
-        go_on()?;
+        self.go_on()?;
         let mut ends = [None, None];
         let exact = is_number.then(|| {
             [(-1.0, 0), (1.0, 1)].map(|(sign, i)| match study.summit(sign, 1.0) {
@@ -153,50 +205,50 @@ pub fn tolerances(
                         at: summit.at.clone(),
                         certified,
                         gap,
+                        jumps: study.jumps(&summit.at, summit.value),
                     };
                     ends[i] = Some(summit);
                     extreme
                 }
-                Err((failure, at)) => Extreme {
-                    value: Err(failure.reason),
-                    at,
-                    certified: false,
-                    gap: None,
-                },
+                Err((failure, at)) => Extreme::none(failure.reason, at),
             })
         });
-        go_on()?;
+        self.go_on()?;
         // Where parts jam within the tolerances, there is no smallest value.
-        let exact = exact.map(|[lo, hi]| [failure.map_or(lo, without_value), hi]);
+        let without =
+            |failure: &Structural| Extreme::none(failure.what.clone(), failure.at.clone());
+        let exact = exact.map(|[lo, hi]| [failure.map_or(lo, without), hi]);
         let margin = study.margin([ends[0].as_ref(), ends[1].as_ref()], &structure);
-        let monte_carlo = if options.samples > 0 && study.at(&zero).value.is_ok() {
-            let between = |_| progress.stage(Stage::Graph).is_ok();
-            Some(
-                study
-                    .sample(options.samples, options.seed, &between)
-                    .ok_or(Interrupted)?,
-            )
-        } else {
-            None
-        };
-        all.push(Tolerances {
+        let samples =
+            (self.options.samples > 0).then(|| self.sampled(&study, self.options.samples));
+        Ok(Tolerances {
             nominal,
             linear,
             exact,
             structure,
             margin,
-            monte_carlo,
-        });
+            monte_carlo: samples.transpose()?,
+        })
     }
-    Ok(all)
+
+    fn sampled(&self, study: &Study<'_>, samples: u64) -> Result<MonteCarlo, Interrupted> {
+        let between = |_| self.progress.stage(Stage::Graph).is_ok();
+        let found = study.sample(samples, self.options.seed, &between);
+        found.ok_or(Interrupted)
+    }
 }
 
-/// What stands for the smallest value where something fails within the tolerances.
-fn without_value(failure: &Structural) -> Extreme {
-    Extreme {
-        value: Err(failure.what.clone()),
-        at: failure.at.clone(),
-        certified: false,
-        gap: None,
+/// What is said of a requirement that has no value as drawn.
+fn unmeasured(nominal: Checked) -> Tolerances {
+    Tolerances {
+        nominal,
+        linear: None,
+        exact: None,
+        structure: Vec::new(),
+        margin: Margin {
+            factor: Some(0.0),
+            what: "it has no value as drawn".to_owned(),
+        },
+        monte_carlo: None,
     }
 }

@@ -4,12 +4,14 @@
 //! time from above, and the first of all that may come about from below. Where the derivatives of a contact's time keep their signs, its
 //! extreme is at a corner; where one does not, it is off the middle by at most that derivative times half the width.
 
+use std::rc::Rc;
+
 use cspace::{DrawnContact, Enclosure, Encounter, Encounters, Real};
 
-use super::drawing::{Drawing, Enclosed, Form, Slope};
 use super::extremes::{ONE, Summit};
 use super::study::Study;
 use super::vary::{halves, middle_and_half};
+use crate::drawing::{Contacts, Drawing, Enclosed, Form, Slope};
 
 /// Parts of a box are not divided further where they are smaller than this, relative to it.
 const SMALLEST: f64 = 1e-6;
@@ -20,6 +22,15 @@ struct Bound {
     spread: Vec<f64>,
 }
 
+/// A part of the tolerances that is still to be looked at.
+struct Open {
+    /// The most that the value can be there, as far as is known: that of the box it is half of.
+    most: f64,
+    ranges: Vec<[f64; 2]>,
+    /// What may come first there.
+    known: Option<Rc<Contacts>>,
+}
+
 impl Study<'_> {
     /// Whether it is proved that nothing within the tolerances is beyond an extreme; otherwise how much farther it might be, where that is known.
     pub(super) fn prove(&self, summit: &Summit, sign: f64, factor: f64) -> (bool, Option<f64>) {
@@ -28,24 +39,41 @@ impl Study<'_> {
         }
         let best = sign * summit.value;
         let enough = best + ONE * best.abs();
-        let mut boxes = vec![self.variations.scaled(factor)];
-        let (mut seen, most) = (0, self.most_boxes());
-        let mut open: Option<f64> = Some(best);
-        while let Some(next) = boxes.pop() {
-            seen += 1;
-            let bound = self.bound(&next, sign);
-            if bound.as_ref().is_some_and(|b| b.most <= enough) {
+        let mut boxes = vec![Open {
+            most: f64::INFINITY,
+            ranges: self.variations.scaled(factor),
+            known: None,
+        }];
+        let mut left = self.most_boxes();
+        // What is bounded least first, so that little remains when there is no time left.
+        while let Some(worst) = worst(&boxes) {
+            let Open {
+                most,
+                ranges,
+                known,
+            } = boxes.swap_remove(worst);
+            let (bound, known) = self.bound(&ranges, sign, known);
+            let most = bound.as_ref().map_or(most, |b| b.most.min(most));
+            if most <= enough {
                 continue;
             }
-            match self.widest(&next, bound.as_ref()) {
-                Some(k) if seen < most && self.goes_on() => boxes.extend(halves(&next, k)),
-                _ => open = open.zip(bound).map(|(open, b)| open.max(b.most)),
+            match self.widest(&ranges, bound.as_ref()) {
+                Some(k) if left > 0 && self.goes_on() => {
+                    left -= 1;
+                    boxes.extend(halves(&ranges, k).map(|ranges| Open {
+                        most,
+                        ranges,
+                        known: known.clone(),
+                    }));
+                }
+                _ => {
+                    let rest = boxes.iter().map(|b| b.most).fold(most, f64::max);
+                    let gap = rest - best;
+                    return (false, gap.is_finite().then_some(gap));
+                }
             }
         }
-        match open {
-            Some(most) if most <= best => (true, None),
-            open => (false, open.map(|most| most - best)),
-        }
+        (true, None)
     }
 
     /// The parameter to divide a box by: the one of which the derivative varies most in it.
@@ -62,11 +90,40 @@ impl Study<'_> {
             .max_by(|&a, &b| weight(a).total_cmp(&weight(b)).then(b.cmp(&a)))
     }
 
-    /// The most that sign times the requirement can be in a box; `None` where nothing bounds it.
-    fn bound(&self, ranges: &[[f64; 2]], sign: f64) -> Option<Bound> {
+    /// The most that sign times the requirement can be in a box, where something bounds it; and the contacts that may come first there, of those
+    /// of a box around it.
+    fn bound(
+        &self,
+        ranges: &[[f64; 2]],
+        sign: f64,
+        known: Option<Rc<Contacts>>,
+    ) -> (Option<Bound>, Option<Rc<Contacts>>) {
         let (middle, half) = middle_and_half(ranges);
-        let drawings = self.by_parameters(&middle, Some(&half))?;
-        let plain: Drawing<Enclosed> = drawings.first()?.map(|x| x.value);
+        let Some(drawings) = self.by_parameters(&middle, Some(&half)) else {
+            return (None, known);
+        };
+        let Some(plain) = drawings.first().map(|d| d.map(|x| x.value)) else {
+            return (None, known);
+        };
+        let encounters = plain.encounters(&self.until, known.as_deref());
+        let bound = self.bound_by(&drawings, &plain, &encounters, (&middle, &half), sign);
+        let known = if encounters.iter().all(|e| e.complete) {
+            Some(Rc::new(encounters.into_iter().map(|e| e.list).collect()))
+        } else {
+            known
+        };
+        (bound, known)
+    }
+
+    /// The most that sign times the requirement can be in a box with these encounters.
+    fn bound_by(
+        &self,
+        drawings: &[Drawing<Slope>],
+        plain: &Drawing<Enclosed>,
+        encounters: &[Encounters],
+        (middle, half): (&[f64], &[f64]),
+        sign: f64,
+    ) -> Option<Bound> {
         // Whether a later contact makes sign times the value larger.
         let later = sign
             * match plain.form {
@@ -74,11 +131,10 @@ impl Study<'_> {
                 Form::Position(of) => f64::from(plain.legs[0].rates[of.index()].ball().sign()),
                 Form::Angle(_) => 0.0,
             };
-        let encounters = plain.encounters(&self.until);
         let begin = encounters.iter().flat_map(|e| &e.list).any(|e| e.lo <= 0.0);
-        if !begin && self.overlaps(&middle) {
+        if !begin && self.overlaps(middle) {
             // They do in all of the box, and there is no value.
-            let (most, spread) = (f64::NEG_INFINITY, half);
+            let (most, spread) = (f64::NEG_INFINITY, half.to_vec());
             return Some(Bound { most, spread });
         }
         let mut combinations = vec![Vec::new()];
@@ -93,7 +149,7 @@ impl Study<'_> {
                 .collect();
         }
         let bounds = combinations.iter();
-        let bounds = bounds.map(|chosen| self.bound_of(&drawings, chosen, (&middle, &half), sign));
+        let bounds = bounds.map(|chosen| self.bound_of(drawings, chosen, (middle, half), sign));
         let bounds: Option<Vec<Bound>> = bounds.collect();
         let order = |a: &Bound, b: &Bound| a.most.total_cmp(&b.most);
         if later > 0.0 {
@@ -148,6 +204,13 @@ impl Study<'_> {
         let most = sign * drawing.value(&contacts, &times) + beyond;
         most.is_finite().then_some(Bound { most, spread })
     }
+}
+
+/// The box of which the bound is largest.
+fn worst(boxes: &[Open]) -> Option<usize> {
+    let all = boxes.iter().enumerate();
+    all.max_by(|a, b| a.1.most.total_cmp(&b.1.most))
+        .map(|(i, _)| i)
 }
 
 /// The contacts that bound when a motion ends: from above those that are certain, from below all that may come about; of what does not follow the

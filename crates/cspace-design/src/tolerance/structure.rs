@@ -1,12 +1,12 @@
 //! What changes within tolerances: contacts that take over, jams, regions; and how far tolerances may be scaled until something fails.
 
-use cspace::{Ball, DrawnContact, Real};
+use cspace::{Ball, DrawnContact, Encounter, Real};
 use cspace_io::model::{Subject, Target};
 
-use super::drawing::{Drawing, Enclosed, Hits, Slope};
 use super::extremes::Summit;
 use super::study::Study;
 use super::vary::middle_and_half;
+use crate::drawing::{Drawing, Enclosed, Hits, Slope};
 
 /// Tolerances are scaled by at most this in the search for what fails.
 pub const LARGEST_FACTOR: f64 = 16.0;
@@ -127,7 +127,7 @@ impl Study<'_> {
         let Some(nominal) = self.at(&zero).hits else {
             return Vec::new();
         };
-        let found = plain.encounters(&self.until);
+        let found = plain.encounters(&self.until, None);
         let mut all: Vec<Structural> = Vec::new();
         for (leg, encounters) in found.iter().enumerate() {
             for encounter in &encounters.list {
@@ -279,7 +279,9 @@ impl Study<'_> {
         let enclosed = drawing.map(Ball::constant);
         let time = |(leg, contact): (usize, &DrawnContact)| {
             let motion = &enclosed.legs[leg];
-            let found = (enclosed.pair).encounters(motion, self.until[leg], Some(&[*contact]));
+            let until = self.until[leg];
+            let sought = [Encounter::unknown(*contact, until)];
+            let found = enclosed.pair.encounters(motion, until, Some(&sought));
             found.list.first().map(|e| 0.5 * (e.lo + e.hi))
         };
         Some(nominal.iter().enumerate().map(time).collect())
@@ -297,10 +299,9 @@ impl Study<'_> {
         let drawing = Drawing::<f64>::new(&model, self.requirement_of(&model), None)?;
         let enclosed = drawing.map(Ball::constant);
         let time = |contact: DrawnContact| {
-            let found =
-                enclosed
-                    .pair
-                    .encounters(&enclosed.legs[leg], self.until[leg], Some(&[contact]));
+            let (motion, until) = (&enclosed.legs[leg], self.until[leg]);
+            let sought = [Encounter::unknown(contact, until)];
+            let found = enclosed.pair.encounters(motion, until, Some(&sought));
             let first = found.list.into_iter().find(|e| e.approaching)?;
             drawing.root(leg, &first)
         };
@@ -361,13 +362,12 @@ impl Study<'_> {
             return None;
         }
         // As drawn there may be no derivatives: circles may have one centre.
-        let starts = self.corners(factor);
-        let tops = starts.iter().filter_map(|from| largest(factor, from));
-        let (most, mut top) = tops.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        if most < 0.0 {
-            return None;
-        }
-        let (mut lo, mut hi) = (0.0, factor);
+        let starts = self.corners(1.0);
+        let (mut lo, mut hi, mut top) = growing(factor).find_map(|[lo, hi]| {
+            let tops = starts.iter().filter_map(|to| largest(hi, &scaled(to, hi)));
+            let (most, top) = tops.max_by(|a, b| a.0.total_cmp(&b.0))?;
+            (most >= 0.0).then_some((lo, hi, top))
+        })?;
         while hi - lo > RESOLUTION * hi {
             let share = 0.5 * (lo + hi);
             let from = scaled(
@@ -396,10 +396,10 @@ impl Study<'_> {
         let mut first: Option<(f64, Vec<f64>)> = None;
         for corner in self.corners(1.0) {
             let most = first.as_ref().map_or(factor, |f| f.0);
-            if state(&scaled(&corner, most)) == nominal {
+            let other = |share: &f64| state(&scaled(&corner, *share)) != nominal;
+            let Some([mut lo, mut hi]) = growing(most).find(|[_, hi]| other(hi)) else {
                 continue;
-            }
-            let (mut lo, mut hi) = (0.0, most);
+            };
             while hi - lo > RESOLUTION * hi {
                 let share = 0.5 * (lo + hi);
                 if state(&scaled(&corner, share)) == nominal {
@@ -416,8 +416,9 @@ impl Study<'_> {
         let (kind, what) = match &point.value {
             Err(failure) if failure.kind == "jam" => (ChangeKind::Jam, failure.reason.clone()),
             Err(failure) => (ChangeKind::Region, failure.reason.clone()),
-            Ok(value) if *value == 1.0 => (ChangeKind::Region, format!("{name} becomes yes")),
-            Ok(_) => (ChangeKind::Region, format!("{name} becomes no")),
+            Ok(1.0) if is_truth => (ChangeKind::Region, format!("{name} becomes yes")),
+            Ok(_) if is_truth => (ChangeKind::Region, format!("{name} becomes no")),
+            Ok(_) => (ChangeKind::Region, "there is no value".to_owned()),
         };
         Some(Structural {
             kind,
@@ -480,39 +481,27 @@ impl Study<'_> {
     /// The factor at which the extreme passes a limit.
     fn reaches(&self, end: &Summit, limit: f64, sign: f64, most: f64) -> Option<f64> {
         let share = self.variations.share(&end.at);
-        let at = |factor: f64| {
-            let from = if share > 0.0 {
-                scaled(&end.at, factor / share)
-            } else {
-                end.at.clone()
-            };
-            let found = self.climb(&from, sign, factor)?;
-            Some(sign * (found.value - limit))
-        };
-        let mut hi: f64 = if sign * (end.value - limit) > 0.0 {
-            1.0
-        } else {
-            2.0
-        };
-        let mut lo = hi * 0.5;
-        if hi == 1.0 {
-            lo = 0.0;
-        }
-        let most = most.min(LARGEST_FACTOR);
-        loop {
-            let is_past = at(hi.min(most)).is_some_and(|d| d > 0.0);
-            if is_past {
-                hi = hi.min(most);
-                break;
+        let is_past = |factor: f64| {
+            let mut starts = vec![vec![0.0; end.at.len()]];
+            if share > 0.0 {
+                starts.push(scaled(&end.at, factor / share));
             }
-            if hi >= most {
-                return None;
-            }
-            (lo, hi) = (hi, 2.0 * hi);
-        }
+            let climbed = starts
+                .iter()
+                .filter_map(|from| self.climb(from, sign, factor));
+            climbed
+                .map(|found| sign * (found.value - limit))
+                .any(|d| d > 0.0)
+        };
+        // Where parts begin to jam there is no value.
+        let most = (most * (1.0 - TIE)).min(LARGEST_FACTOR);
+        let within = sign * (end.value - limit) <= 0.0;
+        let least = if within { most.min(1.0) } else { 0.0 };
+        let mut spans = growing(most).filter(|span| span[1] > least);
+        let [mut lo, mut hi] = spans.find(|span| is_past(span[1]))?;
         while hi - lo > RESOLUTION * hi {
             let factor = 0.5 * (lo + hi);
-            if at(factor).is_some_and(|d| d > 0.0) {
+            if is_past(factor) {
                 hi = factor;
             } else {
                 lo = factor;
@@ -520,6 +509,16 @@ impl Study<'_> {
         }
         Some(hi)
     }
+}
+
+/// Spans of shares that follow each other up to a factor, each as long as all before it: what fails far beyond may be right again.
+fn growing(factor: f64) -> impl Iterator<Item = [f64; 2]> {
+    const DOUBLINGS: i32 = 14;
+    let at = move |k: i32| factor * 0.5_f64.powi(k);
+    (0..=DOUBLINGS).rev().map(move |k| {
+        let lo = if k == DOUBLINGS { 0.0 } else { at(k + 1) };
+        [lo, at(k)]
+    })
 }
 
 fn scaled(x: &[f64], by: f64) -> Vec<f64> {

@@ -1,6 +1,6 @@
 //! One requirement at one point of the tolerances: its value, what decides it, and its derivatives.
 
-use cspace::{Ball, Configuration, Encounter, Progress, Real, overlap_as_drawn, space::Stage};
+use cspace::{Ball, Configuration, Progress, Real, overlap_as_drawn, space::Stage};
 use cspace_io::model::{Quantity, Requirement, Setting, Subject, Template};
 use cspace_io::{Host, Model};
 
@@ -8,8 +8,8 @@ use crate::check::{Spaces, reason};
 use crate::measure::{Unmeasured, Value, reach};
 use crate::sensitivity::derivative;
 
-use super::drawing::{Drawing, Enclosed, Hits, Slope, enclosed};
 use super::vary::{Variations, halves, middle_and_half};
+use crate::drawing::{Contacts, Drawing, Enclosed, Hits, Slope, enclosed};
 
 /// A requirement of a model, and what varies.
 pub(super) struct Study<'a> {
@@ -38,8 +38,8 @@ pub(super) enum Known {
     },
     /// Of all of it.
     Whole {
-        /// For each motion, the contacts that may come about before one that is certain.
-        contacts: Vec<Vec<Encounter>>,
+        /// What may come first.
+        contacts: Contacts,
         /// Whether nothing touches where the motions begin.
         is_clear: bool,
     },
@@ -49,7 +49,7 @@ pub(super) enum Known {
 
 impl Known {
     /// The contacts that may be first at a point, and whether the parts do not touch where the motions begin.
-    fn at(&self, deviations: &[f64]) -> Option<(&[Vec<Encounter>], bool)> {
+    fn at(&self, deviations: &[f64]) -> Option<(&Contacts, bool)> {
         match self {
             Self::Halves { by, at, both } => {
                 both[usize::from(deviations[*by] > *at)].at(deviations)
@@ -211,7 +211,7 @@ impl<'a> Study<'a> {
             Some((contacts, _)) => drawing.hits_among(contacts)?,
             None => {
                 let enclosed = drawing.map(Ball::constant);
-                enclosed.hits(&enclosed.encounters(&self.until))?
+                enclosed.hits(&enclosed.encounters(&self.until, None))?
             }
         };
         Some(Point {
@@ -317,15 +317,7 @@ impl<'a> Study<'a> {
         if let Some(hits) = &point.hits
             && let Some(drawings) = self.by_parameters(deviations, None)
         {
-            let of = |drawing: &Drawing<Slope>| {
-                let times: Vec<Slope> = (0..)
-                    .zip(&hits.contacts)
-                    .zip(&hits.times)
-                    .map(|((leg, &contact), &t)| drawing.time(leg, contact, Enclosed::constant(t)))
-                    .collect();
-                drawing.value(&hits.contacts, &times).slope[0].mid
-            };
-            return Some(drawings.iter().map(of).collect());
+            return Some(drawings.iter().map(|d| d.derivative(hits)).collect());
         }
         self.by_contact_functions(deviations)
             .or_else(|| self.by_differences(deviations))
@@ -378,14 +370,18 @@ impl<'a> Study<'a> {
         const HALVINGS: usize = 6;
         if self.is_drawn() {
             let halvings = HALVINGS.min(self.most_boxes().ilog2() as usize);
-            self.known = self.known_in(&self.variations.scaled(1.0), halvings);
+            self.known = self.known_in(&self.variations.scaled(1.0), halvings, None);
         }
     }
 
-    fn known_in(&self, ranges: &[[f64; 2]], halvings: usize) -> Known {
-        let known = self.known_of(ranges).unwrap_or(Known::Nothing);
-        let is_simple =
-            |contacts: &[Vec<Encounter>]| contacts.iter().flatten().all(|e| e.approaching);
+    /// What is known of a box, of what is known of one around it.
+    fn known_in(&self, ranges: &[[f64; 2]], halvings: usize, around: Option<&Contacts>) -> Known {
+        let known = self.known_of(ranges, around).unwrap_or(Known::Nothing);
+        let around = match &known {
+            Known::Whole { contacts, .. } => Some(contacts),
+            _ => around,
+        };
+        let is_simple = |contacts: &Contacts| contacts.iter().flatten().all(|e| e.approaching);
         let is_enough =
             matches!(&known, Known::Whole { contacts, is_clear: true } if is_simple(contacts));
         let (_, half) = middle_and_half(ranges);
@@ -397,17 +393,19 @@ impl<'a> Study<'a> {
             Some(by) if !is_enough && halvings > 0 && self.goes_on() => Known::Halves {
                 by,
                 at: 0.5 * (ranges[by][0] + ranges[by][1]),
-                both: Box::new(halves(ranges, by).map(|half| self.known_in(&half, halvings - 1))),
+                both: Box::new(
+                    halves(ranges, by).map(|half| self.known_in(&half, halvings - 1, around)),
+                ),
             },
             _ => known,
         }
     }
 
-    fn known_of(&self, ranges: &[[f64; 2]]) -> Option<Known> {
+    fn known_of(&self, ranges: &[[f64; 2]], around: Option<&Contacts>) -> Option<Known> {
         let (middle, half) = middle_and_half(ranges);
         let drawings = self.by_parameters(&middle, Some(&half))?;
         let plain: Drawing<Enclosed> = drawings.first()?.map(|x| x.value);
-        let found = plain.encounters(&self.until);
+        let found = plain.encounters(&self.until, around);
         let is_bounded = (found.iter()).all(|e| e.complete && e.list.iter().any(|e| e.certain));
         is_bounded.then(|| Known::Whole {
             // Parts that touch nowhere in the box are apart in all of it, or overlap in all of it.

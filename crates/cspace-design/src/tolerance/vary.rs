@@ -185,6 +185,36 @@ impl Variations {
             .collect()
     }
 
+    /// As these, each tolerance by a factor of its own.
+    #[must_use]
+    pub fn by(&self, factors: &[f64]) -> Self {
+        let list = self.list.iter().zip(factors);
+        let list = list.map(|(v, &factor)| {
+            let value = v.parameter.value;
+            let distribution = match &v.distribution {
+                Distribution::Table(rows) => {
+                    let row =
+                        |&[x, density]: &[f64; 2]| [value + factor * (x - value), density / factor];
+                    Distribution::Table(rows.iter().map(row).collect())
+                }
+                other => other.clone(),
+            };
+            Variation {
+                parameter: v.parameter.clone(),
+                deviations: v.deviations.map(|d| d * factor),
+                distribution,
+            }
+        });
+        let zones = self.zones.iter().map(|zone| Zone {
+            radius: zone.radius * factors[zone.coordinates[0]],
+            ..*zone
+        });
+        Self {
+            list: list.collect(),
+            zones: zones.collect(),
+        }
+    }
+
     /// The box of deviations, all tolerances by a factor.
     pub fn scaled(&self, factor: f64) -> Vec<[f64; 2]> {
         let scaled = |v: &Variation| v.deviations.map(|d| d * factor);

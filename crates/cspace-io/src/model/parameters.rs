@@ -14,7 +14,7 @@ use super::node::Node;
 use super::place::{Place, Step};
 use super::suggest::nearest;
 use super::table::{Result, Table, number};
-use super::tolerance::{Distribution, Position, Tolerance};
+use super::tolerance::{Distribution, Position, Tolerance, Written};
 use crate::angle::parse_angle;
 use crate::shown::quoted;
 
@@ -69,6 +69,8 @@ pub struct Parameter {
     pub value: f64,
     /// How the value is written, if it is written as an expression.
     pub expression: Option<String>,
+    /// Whether the value is written as an angle, with a unit.
+    pub is_angle: bool,
     /// Whether the value was set for this reading and is not that of the file.
     pub is_set: bool,
     /// How far below and above the value it may be, if the model says so.
@@ -333,6 +335,7 @@ impl Parameters {
                 name: name.clone(),
                 value: f64::NAN,
                 expression: None,
+                is_angle: matches!(given, Given::Text(text) if parse_angle(text).is_some()),
                 is_set: setting.is_some(),
                 deviations: None,
                 distribution: None,
@@ -398,12 +401,19 @@ impl Parameters {
     /// Gives a parameter its tolerance.
     fn tolerate(&mut self, i: usize, table: &Table<'_>, tolerance: Tolerance) -> Result<()> {
         let parameter = &self.all[i];
-        let deviations = tolerance.deviations(table, parameter.value, parameter.is_set)?;
+        let deviations = tolerance.deviations(
+            table,
+            Written {
+                value: parameter.value,
+                is_set: parameter.is_set,
+                may_be_angle: parameter.is_angle || parameter.expression.is_some(),
+            },
+        )?;
         if let Some(Position { with, .. }) = &tolerance.position {
             let help = "name the parameter that is the other coordinate, which has no tolerance of its own";
             let error = |message: &str| Err(table.error("with", message).with_help(help));
             match self.numbers.get(with) {
-                None => return error("there is no such parameter"),
+                None => return error(&format!("there is no parameter {}", quoted(with))),
                 Some(&other) if other as usize == i => return error("it is the parameter itself"),
                 Some(&other) => {
                     let other = &self.all[other as usize];

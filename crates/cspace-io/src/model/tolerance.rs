@@ -36,6 +36,8 @@ pub struct Position {
 /// What the table of a parameter says of its tolerance.
 pub(super) struct Tolerance {
     extent: Option<Extent>,
+    /// The key that is given as an angle, if one is.
+    angle: Option<&'static str>,
     pub(super) distribution: Option<Distribution>,
     pub(super) position: Option<Position>,
 }
@@ -76,51 +78,102 @@ impl Tolerance {
             let error = table.error("distribution", "the parameter has no tolerance");
             return Err(error.with_help("add tol = 0.02, plus and minus, or limits = [5.98, 6.02]"));
         }
+        let is_angle = |key: &&str| match table.get(key) {
+            Some(Node::List(all)) => all.iter().any(|node| matches!(node, Node::Text(_))),
+            node => matches!(node, Some(Node::Text(_))),
+        };
         Ok(Self {
             extent,
+            angle: EXTENTS.into_iter().find(is_angle),
             distribution,
             position,
         })
     }
 
     /// How far the parameter may be below and above its value.
-    pub(super) fn deviations(
-        &self,
-        table: &Table<'_>,
-        value: f64,
-        is_set: bool,
-    ) -> Result<Option<(f64, f64)>> {
-        match self.extent {
-            None => Ok(None),
-            Some(Extent::Deviations(below, above)) => Ok(Some((below, above))),
-            Some(Extent::Limits(lo, hi)) if is_set || (lo..=hi).contains(&value) => {
-                Ok(Some((value - lo, hi - value)))
+    pub(super) fn deviations(&self, table: &Table<'_>, of: Written) -> Result<Option<(f64, f64)>> {
+        let value = of.value;
+        if let Some(key) = self.angle.filter(|_| !of.may_be_angle) {
+            let message = format!(
+                "`{key}` is an angle, but the value {} is a number",
+                shown::number(value)
+            );
+            let help = "give both with a unit of angle, value = \"30deg\", or none";
+            return Err(table.error(key, message).with_help(help));
+        }
+        let (below, above) = match self.extent {
+            None => return Ok(None),
+            Some(Extent::Deviations(below, above)) => (below, above),
+            Some(Extent::Limits(lo, hi)) if of.is_set || (lo..=hi).contains(&value) => {
+                (value - lo, hi - value)
             }
-            Some(Extent::Limits(..)) => {
-                let message = format!("the value {} is outside the limits", shown::number(value));
+            Some(Extent::Limits(lo, hi)) => {
+                let message = format!(
+                    "the value {} is outside the limits {} to {}",
+                    shown::number(value),
+                    shown::number(lo),
+                    shown::number(hi)
+                );
                 let error = table.error("limits", message);
-                Err(error.with_help("give limits that contain the value"))
+                return Err(error.with_help("give limits that contain the value"));
+            }
+        };
+        if let Some(Distribution::Table(rows)) = self.distribution.as_ref().filter(|_| !of.is_set) {
+            let beyond = |x: f64| {
+                let slack = ROUNDING * (value.abs() + below + above);
+                x < value - below - slack || x > value + above + slack
+            };
+            if let Some(row) = rows.iter().find(|row| beyond(row[0])) {
+                let message = format!(
+                    "the distribution has the value {}, which is outside the tolerance, {} to {}",
+                    shown::number(row[0]),
+                    shown::number(value - below),
+                    shown::number(value + above)
+                );
+                let help = "give values within the tolerance, or a wider tolerance";
+                return Err(table.error("distribution", message).with_help(help));
             }
         }
+        Ok(Some((below, above)))
     }
 }
+
+/// What is known of the value of a parameter.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Written {
+    pub(super) value: f64,
+    /// Whether it was set in place of that of the file.
+    pub(super) is_set: bool,
+    /// Whether it is an angle, or follows from others.
+    pub(super) may_be_angle: bool,
+}
+
+/// Keys that say how far a parameter may be from its value.
+const EXTENTS: [&str; 4] = ["tol", "plus", "minus", "limits"];
+
+/// Tolerances beyond this are no dimension's (the unit of the parameter).
+const LARGEST: f64 = 1e12;
+
+/// Values that differ by less, relative to them, are one.
+const ROUNDING: f64 = 1e-12;
 
 fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
     let of = |key: &str| {
         let Some(node) = table.get(key) else {
             return Ok(None);
         };
-        match angle_of(node).filter(|x| x.is_finite() && *x >= 0.0) {
-            Some(value) => Ok(Some(value)),
-            None => {
-                let help = "give how far the parameter may be from its value: 0.02, or \"0.5deg\"";
-                Err(table.wrong(key, node, "a number that is not negative", help))
-            }
+        let help = "give how far the parameter may be from its value: 0.02, or \"0.5deg\"";
+        match angle_of(node).filter(|x| *x >= 0.0) {
+            Some(value) if value <= LARGEST => Ok(Some(value)),
+            Some(_) => Err(table
+                .error(key, format!("`{key}` is more than {LARGEST:e}"))
+                .with_help(help)),
+            None => Err(table.wrong(key, node, "a number of 0 or more, or an angle", help)),
         }
     };
     let both = of("tol")?;
     let (above, below) = (of("plus")?, of("minus")?);
-    let limits = table.interval("limits", true)?;
+    let limits = limits(table)?;
     let one_sided = above.is_some() || below.is_some();
     match (both, limits) {
         (Some(_), _) if one_sided => Err(table
@@ -134,6 +187,25 @@ fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
         (None, None) => {
             Ok(one_sided.then(|| Extent::Deviations(below.unwrap_or(0.0), above.unwrap_or(0.0))))
         }
+    }
+}
+
+fn limits(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
+    let Some(node) = table.get("limits") else {
+        return Ok(None);
+    };
+    let help =
+        "give the smallest and the largest value: limits = [5.98, 6.02], or [\"29deg\", \"31deg\"]";
+    let both = match node {
+        Node::List(both) if both.len() == 2 => angle_of(&both[0]).zip(angle_of(&both[1])),
+        _ => None,
+    };
+    match both.filter(|(lo, hi)| lo.is_finite() && hi.is_finite()) {
+        Some((lo, hi)) if lo > hi => Err(table
+            .error("limits", "the first limit is larger than the second")
+            .with_help(help)),
+        Some(both) => Ok(Some(both)),
+        None => Err(table.wrong("limits", node, "a list of two numbers, or two angles", help)),
     }
 }
 
@@ -179,26 +251,31 @@ fn distribution(table: &Table<'_>) -> Result<Option<Distribution>> {
         Some(node @ Node::List(rows)) => {
             let row = |row: &Node| match row {
                 Node::List(both) if both.len() == 2 => {
-                    let [value, density] = [number(&both[0])?, number(&both[1])?];
+                    let [value, density] = [angle_of(&both[0])?, number(&both[1])?];
                     (value.is_finite() && density.is_finite() && density >= 0.0)
                         .then_some([value, density])
                 }
                 _ => None,
             };
-            let rows: Option<Vec<[f64; 2]>> = rows.iter().map(row).collect();
-            let rising = |rows: &Vec<[f64; 2]>| {
-                rows.len() >= 2
-                    && rows.windows(2).all(|w| w[0][0] < w[1][0])
-                    && rows.iter().any(|r| r[1] > 0.0)
-            };
-            match rows.filter(rising) {
-                Some(rows) => Some(Distribution::Table(rows)),
-                None => {
-                    let expected =
-                        "two or more values that rise, with densities that are not negative";
-                    return Err(table.wrong("distribution", node, expected, HELP));
+            let mut read: Vec<[f64; 2]> = Vec::new();
+            for (i, node) in rows.iter().enumerate() {
+                let wrong = |what: &str| {
+                    let message = format!("entry {i} of the distribution {what}");
+                    table.error("distribution", message).with_help(HELP)
+                };
+                let Some(row) = row(node) else {
+                    return Err(wrong("is not a value with a density of 0 or more"));
+                };
+                if read.last().is_some_and(|last| last[0] >= row[0]) {
+                    return Err(wrong("has a value that is not larger than the one before"));
                 }
+                read.push(row);
             }
+            if read.len() < 2 || read.iter().all(|row| row[1] == 0.0) {
+                let expected = "two or more values, of which one has a density above 0,";
+                return Err(table.wrong("distribution", node, expected, HELP));
+            }
+            Some(Distribution::Table(read))
         }
         Some(node) => return Err(table.wrong("distribution", node, "a distribution", HELP)),
     };

@@ -1,9 +1,10 @@
 //! `cspace tolerances`.
 
+mod allocation;
 pub(crate) mod answer;
 mod text;
 
-use cspace_design::{ToleranceOptions, Variations, tolerances};
+use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
 
 use crate::args::{Format, TolerancesArgs};
 use crate::failure::Failure;
@@ -35,7 +36,9 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         .find(|p| p.is_set && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
     if let Some(outside) = outside {
         let name = cspace_io::shown::quoted(&outside.name);
-        let error = format_args!("{name} is set to a value outside its limits");
+        let (below, above) = outside.deviations.unwrap_or_default();
+        let [lo, hi] = [outside.value - below, outside.value + above].map(cspace_io::shown::number);
+        let error = format_args!("{name} is set to a value outside its limits, {lo} to {hi}");
         return Err(Failure::input(error).help("set it to a value within them"));
     }
     if !args.requirement.is_empty() {
@@ -47,17 +50,49 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         seed: args.seed,
         requirements: chosen.iter().map(|&name| name.to_owned()).collect(),
     };
+    let unit = model.mechanism.unit.as_ref();
+    let unit = unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
+    if let Some(criterion) = args.allocate {
+        let costs = costs(&variations, &args.cost)?;
+        let found = bar.watch(|bar| {
+            let (set, wanted) = (&args.values.set, (criterion, costs.as_slice()));
+            allocate(&template, set, &model, &options, wanted, bar)
+        });
+        let found = found.map_err(|error| allocation::failure(&file, error))?;
+        let answer = match args.result.format() {
+            Format::Json => super::json(&allocation::answer(criterion, &costs, &found))?,
+            Format::Text => {
+                allocation::text(criterion, (&variations, &costs), &found, &unit).into_bytes()
+            }
+        };
+        return output::write(output, &answer);
+    }
     let found = bar
         .watch(|bar| tolerances(&template, &args.values.set, &model, &options, bar))
         .map_err(Failure::work)?;
     let answer = match args.result.format() {
         Format::Json => super::json(&answer::rows(&variations, &found))?,
-        Format::Text => {
-            let unit = model.mechanism.unit.as_ref();
-            let unit = unit.map_or(String::new(), |u| format!(" {u}"));
-            text::described(&variations, &found, &unit).into_bytes()
-        }
+        Format::Text => text::described(&variations, &found, &unit).into_bytes(),
     };
     output::write(output, &answer)
+}
+
+/// What the tolerance of each variation costs.
+fn costs(variations: &Variations, given: &[(String, f64)]) -> Result<Vec<f64>, Failure> {
+    let mut costs = vec![1.0; variations.len()];
+    for (name, cost) in given {
+        let mut all = variations.list.iter();
+        let Some(i) = all.position(|v| v.parameter.name == *name) else {
+            let quoted = cspace_io::shown::quoted(name);
+            let names = variations.list.iter().map(|v| v.parameter.name.as_str());
+            let names = names.collect::<Vec<_>>().join(", ");
+            return Err(Failure::input(format_args!(
+                "--cost {quoted}: no parameter of this name has a tolerance"
+            ))
+            .help(format_args!("parameters with tolerances are {names}")));
+        };
+        costs[i] = *cost;
+    }
+    Ok(costs)
 }

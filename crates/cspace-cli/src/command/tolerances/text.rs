@@ -4,7 +4,6 @@ use std::fmt::{self, Write};
 
 use cspace_design::{ChangeKind, Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
 use cspace_io::model::{Dimension, Target};
-use cspace_io::shown;
 
 use crate::wording::{degrees, length};
 
@@ -153,12 +152,7 @@ impl Words<'_> {
         });
         for i in order {
             let (p, v) = (&linear.parameters[i], &self.variations.list[i]);
-            let [below, above] = v.deviations;
-            let tolerance = match self.variations.zone_of(i) {
-                Some(zone) => format!("zone {}", length(2.0 * zone.radius)),
-                None if below == -above => format!("±{}", length(above)),
-                None => format!("{:+} {:+}", shown::number(below), shown::number(above)),
-            };
+            let tolerance = tolerance(self.variations, i);
             let [down, up] = p.derivative;
             let one_sided = if down == up {
                 String::new()
@@ -170,7 +164,7 @@ impl Words<'_> {
                 "  {:LABEL$} {:wide$}  {:>12}  {tolerance:>20}  {:>15}  {:>8}  {:>8}{one_sided}",
                 "",
                 p.parameter,
-                length(v.parameter.value),
+                given(self.variations, i, v.parameter.value),
                 self.derivative(up),
                 percent(p.worst_share),
                 percent(p.variance_share),
@@ -201,12 +195,16 @@ impl Words<'_> {
             Ok(value) => {
                 let certain = match (of.certified, of.gap) {
                     (true, _) => ", proved".to_owned(),
+                    (false, Some(gap)) if self.number(gap) == self.number(0.0) => {
+                        ", found; it may be beyond by less than is shown".to_owned()
+                    }
                     (false, Some(gap)) => {
                         format!(", found; it may be beyond by {}", self.number(gap))
                     }
                     (false, None) => ", found, not proved".to_owned(),
                 };
-                format!("{}{certain}", self.number(*value))
+                let jumps = if of.jumps { ", where it jumps" } else { "" };
+                format!("{}{certain}{jumps}", self.number(*value))
             }
             Err(failure) => format!("none: {failure}"),
         };
@@ -216,23 +214,38 @@ impl Words<'_> {
 
     /// The values of the parameters at deviations.
     fn place(&self, deviations: &[f64]) -> String {
-        let all = self.variations.list.iter().zip(deviations);
-        let values = all.map(|(v, by)| {
-            let value = v.parameter.value + by;
-            format!("{} = {}", v.parameter.name, length(value))
-        });
-        values.collect::<Vec<_>>().join(", ")
+        /// More are in the answer as JSON.
+        const MOST: usize = 8;
+        let all = self.variations.list.iter().enumerate().zip(deviations);
+        let moved = all.filter(|(_, by)| **by != 0.0);
+        let mut values: Vec<String> = moved
+            .map(|((i, v), by)| {
+                let value = given(self.variations, i, v.parameter.value + by);
+                format!("{} = {value}", v.parameter.name)
+            })
+            .collect();
+        let more = values.len().saturating_sub(MOST);
+        values.truncate(MOST);
+        match (values.is_empty(), more) {
+            (true, _) => "the values as drawn".to_owned(),
+            (false, 0) => values.join(", "),
+            (false, more) => format!("{} and {more} more", values.join(", ")),
+        }
     }
 
     fn samples(&self, text: &mut String, of: &MonteCarlo) -> fmt::Result {
         let ppm = |x: f64| format!("{:.0} ppm", x * 1e6);
+        // Where none of n samples fails, at most 3/n do, with 95 % certainty.
+        let rare = format!("{:.0} ppm", 3e6 / of.samples as f64);
+        let of_all = match of.met {
+            1.0 => format!("100 %; at most {rare} fail, with 95 % certainty"),
+            0.0 => format!("0 %; at most {rare} hold, with 95 % certainty"),
+            met => format!("{} ± {}", fine_percent(met), fine_percent(of.error)),
+        };
         writeln!(
             text,
-            "  {:LABEL$} {} samples: {} ± {}",
-            "yield",
-            of.samples,
-            fine_percent(of.met),
-            fine_percent(of.error)
+            "  {:LABEL$} {} samples: {of_all}",
+            "yield", of.samples
         )?;
         let [below, above] = of.outside;
         if below + above > 0.0 {
@@ -261,6 +274,30 @@ impl Words<'_> {
             )?;
         }
         Ok(())
+    }
+}
+
+/// A value of a parameter, or a deviation.
+fn given(variations: &Variations, i: usize, x: f64) -> String {
+    if variations.list[i].parameter.is_angle {
+        degrees(x)
+    } else {
+        length(x)
+    }
+}
+
+/// How far a parameter may be from its value.
+pub(super) fn tolerance(variations: &Variations, i: usize) -> String {
+    let [below, above] = variations.list[i].deviations;
+    match variations.zone_of(i) {
+        Some(zone) => format!("zone {}", length(2.0 * zone.radius)),
+        None if (below + above).abs() <= 1e-9 * (above - below) => {
+            format!("±{}", given(variations, i, above))
+        }
+        None => {
+            let [below, above] = [-below, above].map(|x| given(variations, i, x));
+            format!("-{below} +{above}")
+        }
     }
 }
 

@@ -54,6 +54,19 @@ pub struct Encounter {
     pub certain: bool,
 }
 
+impl Encounter {
+    /// A contact of which nothing is known until a time.
+    pub fn unknown(contact: DrawnContact, until: f64) -> Self {
+        Self {
+            contact,
+            lo: 0.0,
+            hi: until,
+            approaching: false,
+            certain: false,
+        }
+    }
+}
+
 /// All encounters of a motion, up to the first that is certain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Encounters {
@@ -65,13 +78,9 @@ pub struct Encounters {
 
 impl<T: Enclosure> DrawnPair<T> {
     /// Where the features of the parts may touch along a motion until a time, of all drawings enclosed: outside of the encounters no two
-    /// boundaries touch. The search ends where a contact is certain. Only some contacts are sought where `among` is given.
-    pub fn encounters(
-        &self,
-        leg: &Leg<T>,
-        until: f64,
-        among: Option<&[DrawnContact]>,
-    ) -> Encounters {
+    /// boundaries touch. The search ends where a contact is certain. Where `among` is given, only its contacts are sought, within its times: those
+    /// of a larger set of drawings, in the order of their first times.
+    pub fn encounters(&self, leg: &Leg<T>, until: f64, among: Option<&[Encounter]>) -> Encounters {
         let mut search = Search {
             pair: self,
             leg,
@@ -81,9 +90,9 @@ impl<T: Enclosure> DrawnPair<T> {
             found: Vec::new(),
             left: MOST,
         };
-        if let Some(contacts) = among {
-            for &contact in contacts {
-                search.contact(contact, 0.0, until);
+        if let Some(known) = among {
+            for of in known {
+                search.contact(of.contact, of.lo, of.hi.min(until));
             }
             search.merge();
         } else {
@@ -212,13 +221,7 @@ impl<T: Enclosure> Search<'_, T> {
             return;
         }
         if lo == 0.0 && self.pair.may_overlap_unseen(contact, self.leg.from) {
-            self.found.push(Encounter {
-                contact,
-                lo,
-                hi: lo,
-                approaching: false,
-                certain: false,
-            });
+            self.found.push(Encounter::unknown(contact, 0.0));
         }
         let within = T::from_to(lo, hi);
         let (value, slope) = self.function(contact, within);

@@ -12,24 +12,23 @@ use cspace_io::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject,
 };
 
-use crate::measure::unit;
-use crate::sensitivity::numbers;
+use crate::measure::{numbers, unit};
 
 /// So many parameters are told apart in enclosures; what others do is added up.
 const TOLD_APART: usize = 12;
 
 /// An enclosure over a box of parameters.
-pub(super) type Enclosed = Affine<TOLD_APART>;
+pub(crate) type Enclosed = Affine<TOLD_APART>;
 
 /// An enclosure with its derivative by one parameter.
-pub(super) type Slope = Dual<1, Enclosed>;
+pub(crate) type Slope = Dual<1, Enclosed>;
 
 /// A number with its derivative by one parameter, as a template encloses it.
 type Given = Dual<1, Ball>;
 
 /// Quantities that first contacts decide.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Form {
+pub(crate) enum Form {
     /// From one contact to the other.
     Play(Coordinate),
     /// A coordinate at the contact.
@@ -39,12 +38,12 @@ pub(super) enum Form {
 }
 
 /// What is drawn of a requirement: the pair, its motions, and when they reach the end of a range.
-pub(super) struct Drawing<T> {
-    pub(super) form: Form,
-    pub(super) pair: DrawnPair<T>,
-    pub(super) legs: Vec<Leg<T>>,
+pub(crate) struct Drawing<T> {
+    pub(crate) form: Form,
+    pub(crate) pair: DrawnPair<T>,
+    pub(crate) legs: Vec<Leg<T>>,
     /// When each leg leaves the range of a motion or the window of orientations.
-    pub(super) limits: Vec<Option<T>>,
+    pub(crate) limits: Vec<Option<T>>,
     /// The motions of both parts, of which the second is the only one of a planar pair.
     motions: Option<[AxisMotion; 2]>,
     axes: [[T; 2]; 2],
@@ -52,10 +51,13 @@ pub(super) struct Drawing<T> {
 
 /// The first contact of each motion.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Hits {
-    pub(super) contacts: Vec<DrawnContact>,
-    pub(super) times: Vec<f64>,
+pub(crate) struct Hits {
+    pub(crate) contacts: Vec<DrawnContact>,
+    pub(crate) times: Vec<f64>,
 }
+
+/// For each motion, the contacts that may come about before one that is certain.
+pub(crate) type Contacts = Vec<Vec<Encounter>>;
 
 /// Where a motion begins, and its rates.
 type Motion = (Coordinates, Coordinates);
@@ -84,7 +86,7 @@ fn motions(requirement: &Requirement) -> Option<(PairEntry, Form, Vec<Motion>)> 
 impl<T: Real> Drawing<T> {
     /// The drawing of a requirement in a model, with the numbers of `slopes` where they vary; `None` of a quantity that first contacts do
     /// not decide.
-    pub(super) fn new(
+    pub(crate) fn new(
         model: &Model,
         requirement: &Requirement,
         slopes: Option<&Slopes<T>>,
@@ -174,7 +176,7 @@ impl<T: Real> Drawing<T> {
         })
     }
 
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U + Copy) -> Drawing<U> {
+    pub(crate) fn map<U: Real>(&self, f: impl Fn(T) -> U + Copy) -> Drawing<U> {
         Drawing {
             form: self.form,
             pair: self.pair.map(f),
@@ -191,7 +193,7 @@ impl<T: Real> Drawing<T> {
     }
 
     /// The quantity where its motions meet contacts at some times.
-    pub(super) fn value(&self, contacts: &[DrawnContact], times: &[T]) -> T {
+    pub(crate) fn value(&self, contacts: &[DrawnContact], times: &[T]) -> T {
         match self.form {
             Form::Play(_) => times[0] + times[1],
             Form::Position(of) => self.legs[0].at(times[0])[of.index()],
@@ -237,15 +239,28 @@ impl<T: Real> Drawing<T> {
 }
 
 impl<T: Enclosure> Drawing<T> {
-    /// Where each motion may meet contacts, until some times.
-    pub(super) fn encounters(&self, until: &[f64]) -> Vec<Encounters> {
-        let legs = self.legs.iter().zip(until);
-        legs.map(|(leg, &until)| self.pair.encounters(leg, until, None))
-            .collect()
+    /// Where each motion may meet contacts, until some times; among those that are known of a larger set of drawings.
+    pub(crate) fn encounters(&self, until: &[f64], known: Option<&Contacts>) -> Vec<Encounters> {
+        let legs = self.legs.iter().zip(until).enumerate();
+        legs.map(|(i, (leg, &until))| {
+            let among = known.map(|known| known[i].as_slice());
+            self.pair.encounters(leg, until, among)
+        })
+        .collect()
+    }
+
+    /// Whether another contact comes together with the first of a motion.
+    pub(crate) fn tie(&self, encounters: &[Encounters], hits: &Hits) -> bool {
+        let mut motions = encounters.iter().zip(&hits.contacts).zip(&hits.times);
+        motions.any(|((found, contact), time)| {
+            let others = found.list.iter().filter(|e| e.contact != *contact);
+            let mut near = others.filter(|e| e.lo <= time + NEAR * time.abs());
+            near.next().is_some()
+        })
     }
 
     /// The first contact of each motion of a drawing without uncertainty; `None` where it is in doubt, or the end of a range comes first.
-    pub(super) fn hits(&self, encounters: &[Encounters]) -> Option<Hits> {
+    pub(crate) fn hits(&self, encounters: &[Encounters]) -> Option<Hits> {
         let mut hits = Hits::default();
         for (found, limit) in encounters.iter().zip(&self.limits) {
             let certain = found.list.iter().filter(|e| e.certain);
@@ -271,7 +286,7 @@ const NEAR: f64 = 1e-9;
 impl Drawing<f64> {
     /// The first contact of each motion, where those that may come first, and when, are known for a box of drawings with this among them;
     /// `None` where it is in doubt.
-    pub(super) fn hits_among(&self, known: &[Vec<Encounter>]) -> Option<Hits> {
+    pub(crate) fn hits_among(&self, known: &Contacts) -> Option<Hits> {
         let mut hits = Hits::default();
         for (leg, list) in known.iter().enumerate() {
             let mut first: Option<(f64, DrawnContact)> = None;
@@ -329,7 +344,7 @@ impl Drawing<f64> {
         let of = &enclosed.legs[leg];
         let found = enclosed
             .pair
-            .encounters(of, encounter.hi, Some(&[encounter.contact]));
+            .encounters(of, encounter.hi, Some(&[*encounter]));
         match found.list.first() {
             _ if !found.complete => None,
             None => Some(None),
@@ -339,7 +354,7 @@ impl Drawing<f64> {
     }
 
     /// As [`root`](Self::root); or the end of the times beyond which it is.
-    pub(super) fn root_or_end(&self, leg: usize, encounter: &Encounter) -> f64 {
+    pub(crate) fn root_or_end(&self, leg: usize, encounter: &Encounter) -> f64 {
         let at = self.legs[leg].at(encounter.lo);
         let is_past = self.pair.gap(encounter.contact, at, |x| x) <= 0.0;
         let end = if is_past { encounter.lo } else { encounter.hi };
@@ -347,7 +362,7 @@ impl Drawing<f64> {
     }
 
     /// When the lines and circles of a contact touch, within the times of an encounter in which they approach each other.
-    pub(super) fn root(&self, leg: usize, encounter: &Encounter) -> Option<f64> {
+    pub(crate) fn root(&self, leg: usize, encounter: &Encounter) -> Option<f64> {
         const STEPS: usize = 200;
         let gap = |t: f64| {
             let at = self.legs[leg].at(t);
@@ -388,8 +403,18 @@ impl Drawing<f64> {
 }
 
 impl Drawing<Slope> {
+    /// The derivative of the quantity by the parameter, where these contacts decide it.
+    pub(crate) fn derivative(&self, hits: &Hits) -> f64 {
+        let times: Vec<Slope> = (0..)
+            .zip(&hits.contacts)
+            .zip(&hits.times)
+            .map(|((leg, &contact), &t)| self.time(leg, contact, Enclosed::constant(t)))
+            .collect();
+        self.value(&hits.contacts, &times).slope[0].mid
+    }
+
     /// When a leg meets a contact, with the derivative by the parameter: within the times of an encounter.
-    pub(super) fn time(&self, leg: usize, contact: DrawnContact, time: Enclosed) -> Slope {
+    pub(crate) fn time(&self, leg: usize, contact: DrawnContact, time: Enclosed) -> Slope {
         type Timed = Dual<1, Slope>;
         let lift = |x: Slope| Timed {
             value: x,
@@ -414,7 +439,7 @@ impl Drawing<Slope> {
 
 /// The numbers of a model over a box of parameters, with their derivatives by each of these: by the mean value theorem, those at the middle
 /// plus the derivatives anywhere in the box times what parameters are off it.
-pub(super) fn enclosed(
+pub(crate) fn enclosed(
     middle: &Slopes<Given>,
     by: &[Slopes<Given>],
     half: &[f64],
