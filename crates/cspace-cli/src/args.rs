@@ -542,11 +542,16 @@ pub(crate) struct TolerancesArgs {
     /// What the tolerance of a parameter costs as it is given in the model; may be given several times [default: all cost the same, 1]
     #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost)]
     pub(crate) cost: Vec<(String, f64)>,
+    /// Tell each value and its extremes where a coordinate has each of N values from LO to HI; of a play about where the part was before
+    #[arg(long, value_name = "NAME=LO:HI:N", value_parser = vary, allow_hyphen_values = true, conflicts_with_all = ["allocate", "samples"])]
+    pub(crate) along: Option<Vary>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 #[derive(Debug, Args)]
@@ -605,6 +610,17 @@ pub(crate) struct Vary {
     pub(crate) count: usize,
     /// Whether the range is given as angles.
     pub(crate) is_angle: bool,
+}
+
+impl Vary {
+    /// The value number `i`.
+    pub(crate) fn value(&self, i: usize) -> f64 {
+        match self.count {
+            1 => self.lo,
+            n if i == n - 1 => self.hi,
+            n => self.lo + (self.hi - self.lo) * (i as f64 / (n - 1) as f64),
+        }
+    }
 }
 
 #[derive(Debug, Args)]

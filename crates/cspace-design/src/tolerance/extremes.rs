@@ -48,6 +48,28 @@ pub(super) struct Summit {
 }
 
 impl Study<'_> {
+    /// The largest value of sign times the requirement within the tolerances, and whether that is proved if it is asked for.
+    pub(super) fn extreme(&self, sign: f64, is_to_prove: bool) -> (Extreme, Option<Summit>) {
+        match self.summit(sign, 1.0) {
+            Ok(summit) => {
+                let (certified, gap) = if is_to_prove {
+                    self.prove(&summit, sign, 1.0)
+                } else {
+                    (false, None)
+                };
+                let extreme = Extreme {
+                    value: Ok(summit.value),
+                    at: summit.at.clone(),
+                    certified,
+                    gap,
+                    jumps: self.jumps(&summit.at, summit.value),
+                };
+                (extreme, Some(summit))
+            }
+            Err((failure, at)) => (Extreme::none(failure.reason, at), None),
+        }
+    }
+
     /// The corners of the tolerances by a factor from which climbing starts.
     pub(super) fn corners(&self, factor: f64) -> Vec<Vec<f64>> {
         /// Beyond this many parameters signs repeat.

@@ -37,6 +37,7 @@
 //! ```
 
 mod allocate;
+mod along;
 mod extremes;
 mod linear;
 mod monte_carlo;
@@ -54,6 +55,7 @@ use crate::measure::Value;
 use crate::sensitivity::{Sensitivity, sensitivities_on};
 
 pub use allocate::{Allocation, Criterion, Unallocated, allocate};
+pub use along::{Band, Station, along};
 pub use extremes::Extreme;
 pub use linear::{Contribution, Linear};
 pub use monte_carlo::MonteCarlo;
@@ -144,9 +146,7 @@ impl<'a> Analysis<'a> {
         Study::new(
             self.template,
             self.set,
-            variations,
-            &self.model,
-            requirement.clone(),
+            (variations, &self.model, requirement.clone()),
             &self.spaces,
             self.progress,
         )
@@ -194,23 +194,10 @@ impl<'a> Analysis<'a> {
         self.go_on()?;
         let mut ends = [None, None];
         let exact = is_number.then(|| {
-            [(-1.0, 0), (1.0, 1)].map(|(sign, i)| match study.summit(sign, 1.0) {
-                Ok(summit) => {
-                    let (certified, gap) = match failure {
-                        Some(_) if sign < 0.0 => (false, None),
-                        _ => study.prove(&summit, sign, 1.0),
-                    };
-                    let extreme = Extreme {
-                        value: Ok(summit.value),
-                        at: summit.at.clone(),
-                        certified,
-                        gap,
-                        jumps: study.jumps(&summit.at, summit.value),
-                    };
-                    ends[i] = Some(summit);
-                    extreme
-                }
-                Err((failure, at)) => Extreme::none(failure.reason, at),
+            [(-1.0, 0), (1.0, 1)].map(|(sign, i)| {
+                let (extreme, summit) = study.extreme(sign, failure.is_none() || sign > 0.0);
+                ends[i] = summit;
+                extreme
             })
         });
         self.go_on()?;

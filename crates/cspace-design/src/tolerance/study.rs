@@ -1,8 +1,8 @@
 //! One requirement at one point of the tolerances: its value, what decides it, and its derivatives.
 
 use cspace::{Ball, Configuration, Progress, Real, overlap_as_drawn, space::Stage};
-use cspace_io::model::{Quantity, Requirement, Setting, Subject, Template};
-use cspace_io::{Host, Model};
+use cspace_io::model::{Coordinate, Quantity, Requirement, Setting, Slopes, Subject, Template};
+use cspace_io::{Host, Model, ModelError};
 
 use crate::check::{Spaces, reason};
 use crate::measure::{Unmeasured, Value, reach};
@@ -10,6 +10,9 @@ use crate::sensitivity::derivative;
 
 use super::vary::{Variations, halves, middle_and_half};
 use crate::drawing::{Contacts, Drawing, Enclosed, Hits, Slope, enclosed};
+
+/// Of one requirement so many parts of the tolerances are looked at, at most.
+const MOST: usize = 4000;
 
 /// A requirement of a model, and what varies.
 pub(super) struct Study<'a> {
@@ -19,6 +22,10 @@ pub(super) struct Study<'a> {
     pub(super) nominal: &'a Model,
     progress: &'a dyn Progress,
     pub(super) requirement: Requirement,
+    /// How many parts of a box are looked at, at most.
+    most: usize,
+    /// Coordinates of the configuration at which it is measured, in place of the model's.
+    held: Vec<(Coordinate, f64)>,
     /// How long motions are followed, of a quantity that first contacts decide.
     pub(super) until: Vec<f64>,
     /// What is known of all points within the tolerances.
@@ -101,9 +108,7 @@ impl<'a> Study<'a> {
     pub(super) fn new(
         template: &'a Template,
         set: &'a [Setting],
-        variations: &'a Variations,
-        nominal: &'a Model,
-        requirement: Requirement,
+        (variations, nominal, requirement): (&'a Variations, &'a Model, Requirement),
         spaces: &Spaces,
         progress: &'a dyn Progress,
     ) -> Self {
@@ -114,10 +119,28 @@ impl<'a> Study<'a> {
             nominal,
             progress,
             requirement,
+            most: MOST,
+            held: Vec::new(),
             until: Vec::new(),
             known: Known::Nothing,
         };
-        let of = study.requirement_of(nominal);
+        study.follow(spaces);
+        study
+    }
+
+    /// As this, measured at other coordinates, at which the nominal model has its requirement too.
+    pub(super) fn held_at(mut self, held: Vec<(Coordinate, f64)>, spaces: &Spaces) -> Self {
+        self.held = held;
+        // There are many places.
+        self.most = MOST / 8;
+        self.follow(spaces);
+        self
+    }
+
+    /// Finds how long motions are followed.
+    fn follow(&mut self, spaces: &Spaces) {
+        let nominal = self.nominal;
+        let of = self.requirement_of(nominal);
         let drawing = Drawing::<Ball>::new(nominal, of, None);
         if let (Some(drawing), Some(space), Subject::Pair(_, quantity)) =
             (drawing, spaces.of(of), of.subject)
@@ -126,9 +149,29 @@ impl<'a> Study<'a> {
                 Quantity::Play { of, at } => reach(space, at, of),
                 _ => 1.0,
             };
-            study.until = vec![until; drawing.legs.len()];
+            self.until = vec![until; drawing.legs.len()];
         }
-        study
+    }
+
+    /// The model with some values, measured where coordinates are held.
+    fn read(&self, host: &Host<'_>) -> Result<Model, ModelError> {
+        let mut model = self.template.model(host)?;
+        let name = &self.requirement.name;
+        for requirement in model.requirements.iter_mut().filter(|r| r.name == *name) {
+            for &(of, value) in &self.held {
+                requirement.subject.put(of, value);
+            }
+        }
+        Ok(model)
+    }
+
+    /// Coordinates that are held do not depend on parameters.
+    fn hold<T>(&self, slopes: &mut Slopes<T>) {
+        if let Some(of) = slopes.requirements.get_mut(&self.requirement.name) {
+            for (held, _) in &self.held {
+                of.at[held.index()] = None;
+            }
+        }
     }
 
     /// The requirement with the numbers of a model.
@@ -147,14 +190,13 @@ impl<'a> Study<'a> {
     pub(super) fn most_boxes(&self) -> usize {
         /// Pairs of edges in all parts together.
         const WORK: usize = 200_000;
-        const MOST: usize = 4000;
         const FEWEST: usize = 4;
         let Subject::Pair(pair, _) = self.requirement.subject else {
             return FEWEST;
         };
         let parts = &self.nominal.mechanism.parts;
         let edges = |i: usize| parts[i].part.edges().count();
-        (WORK / (edges(pair.fixed) * edges(pair.moving)).max(1)).clamp(FEWEST, MOST)
+        (WORK / (edges(pair.fixed) * edges(pair.moving)).max(1)).clamp(FEWEST, self.most)
     }
 
     /// Whether first contacts decide the quantity.
@@ -172,7 +214,7 @@ impl<'a> Study<'a> {
             set: &set,
             ..Host::default()
         };
-        self.template.model(&host).map_err(|error| Failure {
+        self.read(&host).map_err(|error| Failure {
             kind: "no part",
             reason: reason(&error),
         })
@@ -285,7 +327,7 @@ impl<'a> Study<'a> {
             set: &set,
             ..Host::default()
         };
-        let model = self.template.model(&host).ok()?;
+        let model = self.read(&host).ok()?;
         let list = &self.variations.list;
         let ranges: Vec<(String, f64, f64)> = (half.iter().flat_map(|h| h.iter()).zip(list))
             .filter(|(r, _)| **r > 0.0)
@@ -306,10 +348,11 @@ impl<'a> Study<'a> {
             .map(|v| (v.parameter.name.clone(), 0.0, 0.0))
             .collect();
         let middle = given(&list.first()?.parameter.name, &still)?;
-        enclosed(&middle, &by, half)
-            .iter()
-            .map(|slopes| Drawing::new(&model, requirement, Some(slopes)))
-            .collect()
+        let mut all = enclosed(&middle, &by, half);
+        all.iter_mut().for_each(|slopes| self.hold(slopes));
+        (all.iter()
+            .map(|slopes| Drawing::new(&model, requirement, Some(slopes))))
+        .collect()
     }
 
     /// The derivatives of the requirement by the parameters that vary, at a point where it has a value: those of its first contacts.
@@ -330,11 +373,12 @@ impl<'a> Study<'a> {
             set: &set,
             ..Host::default()
         };
-        let mut model = self.template.model(&host).ok()?;
+        let mut model = self.read(&host).ok()?;
         let (requirement, spaces) = self.computed(&mut model)?;
         let measured = spaces.measure(&requirement).ok()?;
         let of = |name: &str| {
-            let slopes = self.template.slopes(&host, &model, name).ok()?;
+            let mut slopes = self.template.slopes(&host, &model, name).ok()?;
+            self.hold(&mut slopes);
             let [below, above] = derivative(&spaces, &requirement, &measured, &slopes).ok()?;
             Some(0.5 * (below + above))
         };

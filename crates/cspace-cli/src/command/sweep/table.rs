@@ -33,18 +33,13 @@ pub(super) fn grid(vary: &[Vary]) -> Result<Table, Failure> {
         return Err(Failure::input(format_args!("more than {MOST} rows"))
             .help("give smaller numbers of values"));
     };
-    let value = |v: &Vary, i: usize| match v.count {
-        1 => v.lo,
-        n if i == n - 1 => v.hi,
-        n => v.lo + (v.hi - v.lo) * (i as f64 / (n - 1) as f64),
-    };
     let row = |k: usize| {
         let mut rest = k;
         let mut values: Vec<f64> = (vary.iter().rev())
             .map(|v| {
                 let i = rest % v.count;
                 rest /= v.count;
-                value(v, i)
+                v.value(i)
             })
             .collect();
         values.reverse();

@@ -41,7 +41,7 @@ struct Exact {
 }
 
 #[derive(Debug, Serialize)]
-struct End {
+pub(super) struct End {
     value: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     failure: Option<String>,
@@ -50,6 +50,9 @@ struct End {
     certified: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     gap: Option<f64>,
+    /// Whether the value jumps there, and comes as near to this as one likes.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    jumps: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -98,6 +101,18 @@ pub(crate) fn rows(variations: &Variations, found: &[Tolerances]) -> Vec<Row> {
     found.iter().map(|t| row(variations, t)).collect()
 }
 
+/// An extreme.
+pub(super) fn end(variations: &Variations, of: &Extreme) -> End {
+    End {
+        value: of.value.as_ref().ok().copied(),
+        failure: of.value.as_ref().err().cloned(),
+        at: values(variations, &of.at),
+        certified: of.certified,
+        gap: of.gap,
+        jumps: of.jumps,
+    }
+}
+
 fn row(variations: &Variations, of: &Tolerances) -> Row {
     let requirement = &of.nominal.requirement;
     let linear = of.linear.as_ref();
@@ -112,13 +127,6 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
         entry.insert("variance_share".into(), p.variance_share.into());
         (p.parameter.clone(), Json::Object(entry))
     });
-    let end = |e: &Extreme| End {
-        value: e.value.as_ref().ok().copied(),
-        failure: e.value.as_ref().err().cloned(),
-        at: values(variations, &e.at),
-        certified: e.certified,
-        gap: e.gap,
-    };
     let change = |c: &Structural| Change {
         kind: c.kind.name(),
         what: c.what.clone(),
@@ -142,8 +150,8 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
         linear: linear.map(|l| l.worst),
         rss: linear.map(|l| l.rss),
         exact: (of.exact.as_ref()).map(|[lo, hi]| Exact {
-            lo: end(lo),
-            hi: end(hi),
+            lo: end(variations, lo),
+            hi: end(variations, hi),
         }),
         structure: of.structure.iter().map(change).collect(),
         margin: of.margin.factor,

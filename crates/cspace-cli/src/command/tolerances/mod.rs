@@ -1,6 +1,7 @@
 //! `cspace tolerances`.
 
 mod allocation;
+mod along;
 pub(crate) mod answer;
 mod text;
 
@@ -15,7 +16,11 @@ use crate::progress::Bar;
 use crate::subject::set_threads;
 
 pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
-    args.result.check_answer()?;
+    let is_picture = crate::picture::format(args.result.output.as_deref()).is_some();
+    if !is_picture {
+        args.result.check_answer()?;
+        args.picture.refuse()?;
+    }
     let output = args.result.output.as_deref();
     output::check(output)?;
     catch_interrupts();
@@ -53,6 +58,9 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let unit = model.mechanism.unit.as_ref();
     let unit = unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
+    if let Some(vary) = &args.along {
+        return along::run(args, vary, (&template, &model, &variations), &options);
+    }
     if let Some(criterion) = args.allocate {
         let costs = costs(&variations, &args.cost)?;
         let found = bar.watch(|bar| {

@@ -36,12 +36,7 @@ pub(super) fn described(variations: &Variations, found: &[Tolerances], unit: &st
 
 impl Words<'_> {
     fn number(&self, x: f64) -> String {
-        match self.dimension {
-            Dimension::Angle => degrees(x),
-            Dimension::Time => format!("{} s", length(x)),
-            Dimension::Number | Dimension::Truth => length(x),
-            Dimension::Length => format!("{}{}", length(x), self.unit),
-        }
+        number(self.dimension, self.unit, x)
     }
 
     fn requirement(&self, text: &mut String, of: &Tolerances) -> fmt::Result {
@@ -274,6 +269,16 @@ impl Words<'_> {
             )?;
         }
         Ok(())
+    }
+}
+
+/// A value of a requirement.
+pub(super) fn number(dimension: Dimension, unit: &str, x: f64) -> String {
+    match dimension {
+        Dimension::Angle => degrees(x),
+        Dimension::Time => format!("{} s", length(x)),
+        Dimension::Number | Dimension::Truth => length(x),
+        Dimension::Length => format!("{}{unit}", length(x)),
     }
 }
 

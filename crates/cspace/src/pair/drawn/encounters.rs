@@ -168,7 +168,7 @@ impl<T: Enclosure> Search<'_, T> {
         self.left -= 1;
         let time = T::from_to(lo, hi);
         let (f, m) = (fixed.1, moving.1);
-        let [x, y] = self.pair.placed(self.leg.at(time)).point(m.center);
+        let [x, y] = self.pair.facing(self.leg.at(time)).point(m.center);
         let [x, y] = [x - f.center[0], y - f.center[1]].map(T::ball);
         let spread = x.radius.hypot(y.radius);
         let touching = f.radius + m.radius;

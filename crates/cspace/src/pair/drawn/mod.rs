@@ -63,6 +63,7 @@ pub enum DrawingNumber {
 pub struct DrawnPair<T> {
     /// None of a pair in the plane.
     axes: Option<[DrawnAxis<T>; 2]>,
+    /// In frames with the origins of the axes.
     edges: [Vec<DrawnEdge<T>>; 2],
     /// Features that overlap by less where a motion begins may be missed by a test of the parts (model length).
     unseen: f64,
@@ -83,6 +84,29 @@ impl<T> DrawnAxis<T> {
             Self::Prismatic(x) => DrawnAxis::Prismatic(x.map(f)),
         }
     }
+}
+
+impl<T: Real> DrawnAxis<T> {
+    /// The origin of the frame in which features are held: what turns, about its centre, so that what a dimension does to both cancels.
+    fn origin(self) -> [T; 2] {
+        match self {
+            Self::Revolute(center) => center,
+            _ => [T::constant(0.0); 2],
+        }
+    }
+}
+
+/// Where the frame of the moving part's features is in that of the fixed one's.
+fn facing<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> {
+    let Some(axes) = axes else {
+        return Placement::new([at[0], at[1]], at[2]);
+    };
+    let [fixed, moving] = [0, 1].map(|i| match axes[i] {
+        DrawnAxis::Fixed => Placement::identity(),
+        DrawnAxis::Revolute(center) => Placement::new(center, at[i]),
+        DrawnAxis::Prismatic(direction) => Placement::slide(direction, at[i]),
+    });
+    fixed.inverse().compose(&moving)
 }
 
 /// Where the moving part is in the frame of the fixed one.
@@ -175,7 +199,11 @@ impl<T: Real> DrawnPair<T> {
                         vertex,
                         component,
                     };
-                    number(of, x)
+                    let x = number(of, x);
+                    match axes {
+                        Some(axes) if component < 2 => x - axes[part].origin()[component],
+                        _ => x,
+                    }
                 };
                 edges_of(outline, loop_index as u32, of)
             });
@@ -239,29 +267,37 @@ impl<T: Real> DrawnPair<T> {
         placed(self.axes, at)
     }
 
+    fn facing(&self, at: [T; 3]) -> Placement<T> {
+        facing(self.axes, at)
+    }
+
     /// The contact function at a configuration: how far the two features, with their whole lines and circles, are apart. The configuration may
     /// be in numbers of another kind, which `lift` makes of those of the drawing.
     pub fn gap<U: Real>(&self, contact: DrawnContact, at: [U; 3], lift: impl Fn(T) -> U) -> U {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part).map(|_, x| lift(x)));
         let axes = self.axes.map(|axes| axes.map(|axis| axis.map(&lift)));
-        contact_function(&fixed, &moving, &placed(axes, at))
+        contact_function(&fixed, &moving, &facing(axes, at))
     }
 
     /// Where the features touch at a configuration in contact: the points on the fixed part, in its frame, and on the moving one, in that of
     /// the fixed one.
     pub fn touching(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 2]; 2] {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
-        let place = touching_place(&fixed, &moving, &self.placed(at));
-        [place.on_fixed, place.on_moving]
+        let place = touching_place(&fixed, &moving, &self.facing(at));
+        let origin = self.axes.map(|axes| axes[0].origin());
+        [place.on_fixed, place.on_moving].map(|[x, y]| match origin {
+            Some(origin) => [x + origin[0], y + origin[1]],
+            None => [x, y],
+        })
     }
 
     /// How far within the two features the place is at which they touch at a configuration in contact, relative to their chords: for each
     /// feature three numbers, of which one is negative beyond its ends; of a vertex all are 1.
     pub fn within(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 3]; 2] {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
-        let placed = self.placed(at);
-        let place = touching_place(&fixed, &moving, &placed);
-        let back = placed.inverse().point(place.on_moving);
+        let facing = self.facing(at);
+        let place = touching_place(&fixed, &moving, &facing);
+        let back = facing.inverse().point(place.on_moving);
         let of = |part: usize, shape, point| {
             let (edge, is_vertex) = contact.features[part];
             if !is_vertex && self.edges[part][edge as usize].circle == OfCircle::Whole {
