@@ -545,6 +545,13 @@ pub(crate) struct TolerancesArgs {
     /// Tell each value and its extremes where a coordinate has each of N values from LO to HI; of a play about where the part was before
     #[arg(long, value_name = "NAME=LO:HI:N", value_parser = vary, allow_hyphen_values = true, conflicts_with_all = ["allocate", "samples"])]
     pub(crate) along: Option<Vary>,
+    /// Tell where the pair of a requirement is free, blocked, or either, within the tolerances: over u and v, or over x and y at an orientation;
+    /// -o OUT.svg, .png or .pdf makes a picture of it
+    #[arg(long, conflicts_with_all = ["allocate", "samples", "along"])]
+    pub(crate) zones: bool,
+    /// The orientation of --zones of a pair in the plane [default: that at which the requirement is measured]
+    #[arg(long, value_name = "A", value_parser = angle::parse, allow_hyphen_values = true)]
+    pub(crate) theta: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it

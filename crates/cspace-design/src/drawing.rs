@@ -15,7 +15,7 @@ use cspace_io::model::{
 use crate::measure::{numbers, unit};
 
 /// So many parameters are told apart in enclosures; what others do is added up.
-const TOLD_APART: usize = 12;
+pub(crate) const TOLD_APART: usize = 12;
 
 /// An enclosure over a box of parameters.
 pub(crate) type Enclosed = Affine<TOLD_APART>;
@@ -83,6 +83,34 @@ fn motions(requirement: &Requirement) -> Option<(PairEntry, Form, Vec<Motion>)> 
     Some((pair, form, legs))
 }
 
+/// A number of the drawing of a pair: that of `slopes` where it varies.
+fn number<T: Real>(pair: PairEntry, slopes: Option<&Slopes<T>>, of: DrawingNumber, x: f64) -> T {
+    let of_part = |part: usize| slopes.map(|s| &s.parts[[pair.fixed, pair.moving][part]]);
+    let known = match of {
+        DrawingNumber::Vertex {
+            part,
+            loop_index,
+            vertex,
+            component,
+        } => of_part(part).and_then(|s| Some(s.loops.get(loop_index)?.get(vertex)?[component])),
+        DrawingNumber::Axis { part, component } => {
+            of_part(part).and_then(|s| Some(s.axis?[component]))
+        }
+    };
+    known.unwrap_or(T::constant(x))
+}
+
+/// A pair of a model as it is drawn, with the numbers of `slopes` where they vary; `None` of parts that a joint connects.
+pub(crate) fn drawn_pair<T: Real>(
+    model: &Model,
+    pair: PairEntry,
+    slopes: Option<&Slopes<T>>,
+) -> Option<DrawnPair<T>> {
+    let parts = [pair.fixed, pair.moving].map(|i| &model.mechanism.parts[i].part);
+    let relation = model.mechanism.relation(&pair);
+    DrawnPair::new(parts, relation, |of, x| number(pair, slopes, of, x))
+}
+
 impl<T: Real> Drawing<T> {
     /// The drawing of a requirement in a model, with the numbers of `slopes` where they vary; `None` of a quantity that first contacts do
     /// not decide.
@@ -92,27 +120,11 @@ impl<T: Real> Drawing<T> {
         slopes: Option<&Slopes<T>>,
     ) -> Option<Self> {
         let (entry, form, legs) = motions(requirement)?;
-        let mechanism = &model.mechanism;
+        let relation = model.mechanism.relation(&entry);
         let indices = [entry.fixed, entry.moving];
-        let parts = indices.map(|i| &mechanism.parts[i].part);
-        let relation = mechanism.relation(&entry);
         let of_part = |part: usize| slopes.map(|s| &s.parts[indices[part]]);
-        let number = |of: DrawingNumber, x: f64| {
-            let known = match of {
-                DrawingNumber::Vertex {
-                    part,
-                    loop_index,
-                    vertex,
-                    component,
-                } => of_part(part)
-                    .and_then(|s| Some(s.loops.get(loop_index)?.get(vertex)?[component])),
-                DrawingNumber::Axis { part, component } => {
-                    of_part(part).and_then(|s| Some(s.axis?[component]))
-                }
-            };
-            known.unwrap_or(T::constant(x))
-        };
-        let pair = DrawnPair::new(parts, relation, number)?;
+        let number = |of: DrawingNumber, x: f64| number(entry, slopes, of, x);
+        let pair = drawn_pair(model, entry, slopes)?;
         let of = slopes.and_then(|s| s.requirements.get(&requirement.name));
         let is_play = matches!(form, Form::Play(_));
         let legs: Vec<Leg<T>> = (legs.iter())

@@ -55,8 +55,8 @@ pub use sensitivity::{Sensitivity, sensitivities};
 pub use solve::{Goal, Relation, Solved, Span, solve};
 pub use sweep::{Row, Sweep, Varied};
 pub use tolerance::{
-    Allocation, Band, ChangeKind, Contribution, Criterion, Extreme, LARGEST_FACTOR, Linear, Margin,
-    MonteCarlo, Station, Structural, ToleranceOptions, Tolerances, Unallocated, Variation,
-    Variations, Zone, allocate, along, tolerances,
+    Allocation, Band, Cell, ChangeKind, Contribution, Criterion, Extreme, LARGEST_FACTOR, Linear,
+    Margin, MonteCarlo, NoZones, Station, Structural, ToleranceOptions, Tolerances, Unallocated,
+    Variation, Variations, Zone, ZoneBand, Zones, allocate, along, tolerances, zones,
 };
 pub use touching::{FeaturePair, pair_of, texts, touching};

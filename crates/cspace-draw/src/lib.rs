@@ -7,6 +7,7 @@
 //!   parts     ┐
 //!   slices    ├─→  Scene  ─→  svg, png, pdf
 //!   plane     ┤
+//!   zones     ┤
 //!   motion    ┘
 //! ```
 //!
@@ -15,6 +16,7 @@
 //! | parts as drawn or at a configuration | [`parts`] |
 //! | slices of a contact space, the parts beside | [`slices`] |
 //! | the plane of motions of a pair with fixed axes | [`plane`] |
+//! | what is free, blocked, and between within tolerances | [`zones`] |
 //! | a mechanism in motion: parts, coordinates, contacts over time | [`motion`] |
 //!
 //! ```
@@ -56,6 +58,7 @@ mod svg;
 mod ticks;
 mod timeline;
 mod view;
+mod zones;
 
 pub use curves::{Curve, CurveStrip, CurvesPicture, curves};
 pub use error::PictureError;
@@ -70,3 +73,4 @@ pub use scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Step, Stroke, Text
 pub use slice::{SlicesPicture, slices};
 pub use svg::svg;
 pub use timeline::{ContactBar, ContactRow, Track, TrackCurve};
+pub use zones::{Nominal, ZonesPicture, zones};

@@ -175,6 +175,12 @@ struct Curve {
     line: Vec<Dot>,
 }
 
+/// All contact curves of a space, without names.
+pub(crate) fn draw_all_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, plot: &Plot) {
+    let curves = curves(space, &View::of(space, *plot));
+    draw_curves(items, space, &curves, plot.em);
+}
+
 /// All contact curves, in every period that is seen.
 fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
     let (u_axis, v_axis) = space.axes();

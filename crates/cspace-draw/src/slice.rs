@@ -209,15 +209,7 @@ fn panel(
         };
         inner.push(Item::filled(area.path.clone(), colour));
     }
-    for (k, (colour, _)) in KINDS.iter().enumerate() {
-        let mut path = Path::new();
-        for c in slice.curves.iter().filter(|c| kind(c.fixed, c.moving) == k) {
-            path.steps
-                .push(Step::Move(place(plot, c.geometry.point(0.0))));
-            append(&mut path, &c.geometry, plot);
-        }
-        inner.push(Item::drawn(path, *colour, 0.13 * plot.em));
-    }
+    draw_curves(&mut inner, slice, plot);
     if labels != Labels::None {
         let mut placed = Placed::new(plot.area, labels == Labels::All);
         if picture.space.free_regions().len() > 1 {
@@ -231,6 +223,19 @@ fn panel(
         area: plot.area,
         items: inner,
     });
+}
+
+/// Contact curves by kind.
+pub(crate) fn draw_curves(items: &mut Vec<Item>, slice: &Slice, plot: &Plot) {
+    for (k, (colour, _)) in KINDS.iter().enumerate() {
+        let mut path = Path::new();
+        for c in slice.curves.iter().filter(|c| kind(c.fixed, c.moving) == k) {
+            path.steps
+                .push(Step::Move(place(plot, c.geometry.point(0.0))));
+            append(&mut path, &c.geometry, plot);
+        }
+        items.push(Item::drawn(path, *colour, 0.13 * plot.em));
+    }
 }
 
 /// What a loop encloses.

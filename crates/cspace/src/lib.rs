@@ -126,10 +126,11 @@ pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Affine, Ball, Dual, Enclosure, Real, SecondOrder};
 pub use pair::{
-    ByDrawing, ByVertex, Coordinates, DrawingNumber, DrawnContact, DrawnPair, Encounter,
-    Encounters, FeatureContact, FeatureId, Leg, LinkId, LinkKind, Location, LowerPair, Metric,
-    NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, PatchId,
-    Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome, overlap_as_drawn,
+    ByDrawing, ByVertex, ConfigurationBox, Coordinates, DrawingNumber, DrawnContact, DrawnPair,
+    Encounter, Encounters, FeatureContact, FeatureId, Leg, LinkId, LinkKind, Location, LowerPair,
+    Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace,
+    PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome, Witness,
+    overlap_as_drawn,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,

@@ -45,6 +45,7 @@ mod proof;
 mod structure;
 mod study;
 mod vary;
+mod zones;
 
 use cspace::{ComputeError, Progress, space::Stage};
 use cspace_io::model::{Requirement, Setting, Template};
@@ -61,6 +62,7 @@ pub use linear::{Contribution, Linear};
 pub use monte_carlo::MonteCarlo;
 pub use structure::{ChangeKind, LARGEST_FACTOR, Margin, Structural};
 pub use vary::{Variation, Variations, Zone};
+pub use zones::{Cell, NoZones, ZoneBand, Zones, zones};
 
 use study::Study;
 

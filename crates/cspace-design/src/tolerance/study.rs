@@ -322,6 +322,20 @@ impl<'a> Study<'a> {
         deviations: &[f64],
         half: Option<&[f64]>,
     ) -> Option<Vec<Drawing<Slope>>> {
+        let (model, mut all) = self.enclosures(deviations, half)?;
+        let requirement = self.requirement_of(&model);
+        all.iter_mut().for_each(|slopes| self.hold(slopes));
+        (all.iter()
+            .map(|slopes| Drawing::new(&model, requirement, Some(slopes))))
+        .collect()
+    }
+
+    /// The model at a point, and its numbers over a box about that, with their derivatives by each parameter that varies.
+    pub(super) fn enclosures(
+        &self,
+        deviations: &[f64],
+        half: Option<&[f64]>,
+    ) -> Option<(Model, Vec<Slopes<Slope>>)> {
         let set = self.settings(deviations);
         let host = Host {
             set: &set,
@@ -333,7 +347,6 @@ impl<'a> Study<'a> {
             .filter(|(r, _)| **r > 0.0)
             .map(|(&r, v)| (v.parameter.name.clone(), -r, r))
             .collect();
-        let requirement = self.requirement_of(&model);
         let given = |name: &str, ranges: &[(String, f64, f64)]| {
             self.template.enclosures(&host, &model, name, ranges).ok()
         };
@@ -348,11 +361,8 @@ impl<'a> Study<'a> {
             .map(|v| (v.parameter.name.clone(), 0.0, 0.0))
             .collect();
         let middle = given(&list.first()?.parameter.name, &still)?;
-        let mut all = enclosed(&middle, &by, half);
-        all.iter_mut().for_each(|slopes| self.hold(slopes));
-        (all.iter()
-            .map(|slopes| Drawing::new(&model, requirement, Some(slopes))))
-        .collect()
+        let all = enclosed(&middle, &by, half);
+        Some((model, all))
     }
 
     /// The derivatives of the requirement by the parameters that vary, at a point where it has a value: those of its first contacts.

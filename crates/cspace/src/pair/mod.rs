@@ -27,7 +27,8 @@ pub use along::{SmoothMotion, SmoothOutcome};
 pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 pub use data::{LowerData, PairData};
 pub use drawn::{
-    DrawingNumber, DrawnContact, DrawnPair, Encounter, Encounters, Leg, overlap_as_drawn,
+    ConfigurationBox, DrawingNumber, DrawnContact, DrawnPair, Encounter, Encounters, Leg, Witness,
+    overlap_as_drawn,
 };
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};

@@ -196,10 +196,27 @@ fn drawn(
             limits: band.requirement.limits().map(|[lo, hi]| (lo, hi)),
             seen: None,
             curves: vec![
-                curve("as drawn", &|s| s.nominal.clone().ok()),
-                curve("smallest", &|s| s.exact[0].value.clone().ok()),
-                curve("largest", &|s| s.exact[1].value.clone().ok()),
+                curve("", &|s| s.nominal.clone().ok()),
+                curve("", &|s| s.exact[0].value.clone().ok()),
+                curve("", &|s| s.exact[1].value.clone().ok()),
             ],
+        }
+    };
+    // How far the extremes are off is seen in a strip of its own.
+    let off = |band: &Band| {
+        let curve = |label: &str, i: usize| {
+            let of = |s: &Station| Some(s.exact[i].value.clone().ok()? - s.nominal.clone().ok()?);
+            Curve {
+                label: label.to_owned(),
+                points: band.stations.iter().map(|s| (s.at, of(s))).collect(),
+            }
+        };
+        let value = strip(band);
+        CurveStrip {
+            label: format!("off by, {}", value.label),
+            limits: None,
+            curves: vec![curve("smallest", 0), curve("largest", 1)],
+            ..value
         }
     };
     let picture = CurvesPicture {
@@ -209,7 +226,7 @@ fn drawn(
             vary.name.clone()
         },
         is_angle: vary.is_angle,
-        strips: bands.iter().map(strip).collect(),
+        strips: bands.iter().flat_map(|b| [strip(b), off(b)]).collect(),
         marks: Vec::new(),
     };
     let options = (args.picture).options(Plane::Positions, model.mechanism.name.clone(), unit)?;

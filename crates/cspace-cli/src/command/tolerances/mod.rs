@@ -4,6 +4,7 @@ mod allocation;
 mod along;
 pub(crate) mod answer;
 mod text;
+mod zones;
 
 use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
 
@@ -19,7 +20,9 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let is_picture = crate::picture::format(args.result.output.as_deref()).is_some();
     if !is_picture {
         args.result.check_answer()?;
-        args.picture.refuse()?;
+        if !args.zones {
+            args.picture.refuse()?;
+        }
     }
     let output = args.result.output.as_deref();
     output::check(output)?;
@@ -58,6 +61,15 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let unit = model.mechanism.unit.as_ref();
     let unit = unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
+    if is_picture && (args.allocate.is_some() || args.samples > 0) {
+        return Err(
+            Failure::input("-o: a picture shows contact zones, or values along a motion")
+                .help("leave --allocate and --samples out, or let the name end in .txt or .json"),
+        );
+    }
+    if args.zones || is_picture && args.along.is_none() {
+        return zones::run(args, (&template, &model));
+    }
     if let Some(vary) = &args.along {
         return along::run(args, vary, (&template, &model, &variations), &options);
     }

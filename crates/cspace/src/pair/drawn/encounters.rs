@@ -1,9 +1,9 @@
 //! When features may touch along a motion, for all numbers of enclosures at once.
 
-use crate::contact::FeatureShape;
 use crate::number::{Dual, Enclosure, Real};
 
-use super::{DrawnContact, DrawnEdge, DrawnPair};
+use super::disc::Disc;
+use super::{DrawnContact, DrawnPair};
 
 /// Contact functions are evaluated so often for a motion, at most: beyond it, parts slide along each other all the time.
 const MOST: usize = 200_000;
@@ -96,8 +96,7 @@ impl<T: Enclosure> DrawnPair<T> {
             }
             search.merge();
         } else {
-            let discs = [0, 1]
-                .map(|part| -> Vec<Disc<T>> { self.edges[part].iter().map(Disc::about).collect() });
+            let discs = self.discs();
             // The beginning first: a contact that is certain ends the search.
             let mut from = 0.0;
             for doublings in (0..=DOUBLINGS).rev() {
@@ -117,30 +116,6 @@ impl<T: Enclosure> DrawnPair<T> {
         Encounters {
             list,
             complete: search.left > 0,
-        }
-    }
-}
-
-/// A disc in which an edge lies, in all drawings: about the middle of its chord, as large as half the chord or the height of the arc.
-struct Disc<T> {
-    center: [T; 2],
-    radius: f64,
-}
-
-impl<T: Enclosure> Disc<T> {
-    fn about(edge: &DrawnEdge<T>) -> Self {
-        let FeatureShape::Edge { start, end, bulge } = edge.shape else {
-            return Self {
-                center: [T::constant(0.0); 2],
-                radius: f64::INFINITY,
-            };
-        };
-        let half = T::constant(0.5);
-        let chord = (end[0] - start[0]).hypot(end[1] - start[1]);
-        let height = bulge.abs().ball().ends()[1].max(1.0);
-        Self {
-            center: [half * (start[0] + end[0]), half * (start[1] + end[1])],
-            radius: (half * chord * T::constant(height)).ball().ends()[1],
         }
     }
 }
@@ -167,16 +142,14 @@ impl<T: Enclosure> Search<'_, T> {
         }
         self.left -= 1;
         let time = T::from_to(lo, hi);
-        let (f, m) = (fixed.1, moving.1);
-        let [x, y] = self.pair.facing(self.leg.at(time)).point(m.center);
-        let [x, y] = [x - f.center[0], y - f.center[1]].map(T::ball);
-        let spread = x.radius.hypot(y.radius);
-        let touching = f.radius + m.radius;
-        if x.mid.hypot(y.mid) > (touching + spread) * (1.0 + 1e-9) {
+        let apart = fixed
+            .1
+            .apart(moving.1, &self.pair.facing(self.leg.at(time)));
+        if apart.is_certain() {
             return;
         }
         let mid = 0.5 * (lo + hi);
-        if (spread > touching || spread.is_nan()) && self.can_halve(lo, mid, hi) {
+        if apart.is_vague() && self.can_halve(lo, mid, hi) {
             self.edges(fixed, moving, lo, mid);
             self.edges(fixed, moving, mid, hi);
             return;

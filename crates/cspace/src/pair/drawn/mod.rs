@@ -4,7 +4,9 @@
 //! Two boundaries touch first where a line or an arc touches an arc, or a vertex a line or an arc: where one of these contact functions is 0
 //! and the place of contact lies on both. Vertices of two parts meet only where one meets an edge of the other.
 
+mod disc;
 mod encounters;
+mod region;
 
 use crate::contact::{Bodies, FeatureShape, Fit, Placement, contact_function, touching_place};
 use crate::feature::{FeatureKind, FeatureName};
@@ -16,6 +18,7 @@ use crate::part::{Loop, Part};
 use super::relation::Relation;
 
 pub use encounters::{Encounter, Encounters, Leg};
+pub use region::{ConfigurationBox, Witness};
 
 /// A number of the drawing of two parts: the fixed one is part 0, the moving one part 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

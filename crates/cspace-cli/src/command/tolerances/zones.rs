@@ -1,0 +1,189 @@
+//! Contact zones, in words, as JSON and as a picture.
+
+use std::fmt::Write;
+
+use cspace::{ContactSpace, Options, PairEntry, PairSpace, Slice};
+use cspace_design::{Cell, ZoneBand, Zones, zones};
+use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
+use cspace_io::Model;
+use cspace_io::model::{Coordinate, Requirement, Subject, Template};
+use serde::Serialize;
+
+use crate::args::{Format, TolerancesArgs};
+use crate::failure::Failure;
+use crate::output;
+use crate::picture::Plane;
+use crate::progress::Bar;
+
+/// The zones of a pair.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    fixed: &'a str,
+    moving: &'a str,
+    /// The names of the coordinates.
+    coordinates: [&'static str; 2],
+    /// Of a pair in the plane, in radians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    theta: Option<f64>,
+    window: Cell,
+    /// Rectangles, each the ranges of both coordinates.
+    free: &'a [Cell],
+    blocked: &'a [Cell],
+    bands: Vec<BandAnswer<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct BandAnswer<'a> {
+    features: &'a [String; 2],
+    cells: &'a [Cell],
+}
+
+/// The space of a pair as it is drawn, and what is shown of it.
+enum Drawn {
+    Plane(Box<cspace::FixedAxesSpace>),
+    Slice(std::sync::Arc<ContactSpace>, Box<Slice>),
+}
+
+pub(super) fn run(
+    args: &TolerancesArgs,
+    (template, model): (&Template, &Model),
+) -> Result<(), Failure> {
+    let (requirement, pair) = about(args, model)?;
+    let at = |of: Coordinate| match requirement.subject {
+        Subject::Pair(_, mut quantity) => of.of(*quantity.at()),
+        Subject::Motion(..) => None,
+    };
+    let output = args.result.output.as_deref();
+    let format = crate::picture::format(output);
+    let bar = Bar::new(model.mechanism.name.clone());
+    let mechanism = &model.mechanism;
+    let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &mechanism.parts[i].part);
+    let relation = mechanism.relation(&pair);
+    let options = Options {
+        window: pair.window,
+        ..Options::default()
+    };
+    let theta = args.theta.or(at(Coordinate::Theta)).unwrap_or(0.0);
+    let space = bar.watch(|bar| PairSpace::compute_with(fixed, moving, relation, &options, bar));
+    let drawn = match space.map_err(Failure::work)? {
+        PairSpace::FixedAxes(space) => Drawn::Plane(space),
+        PairSpace::Planar(space) => {
+            let slice = Box::new(space.slice(theta));
+            Drawn::Slice(space, slice)
+        }
+        PairSpace::Lower(_) => {
+            return Err(Failure::input(
+                "--zones: the parts are connected by a joint, which has no tolerances",
+            )
+            .help("name a requirement of another pair: --requirement NAME"));
+        }
+    };
+    let (nominal, plane, coordinates) = match &drawn {
+        Drawn::Plane(space) => (
+            Nominal::Plane(space),
+            Plane::Motions,
+            [Coordinate::U, Coordinate::V],
+        ),
+        Drawn::Slice(space, slice) => (
+            Nominal::Slice(space, slice),
+            Plane::Positions,
+            [Coordinate::X, Coordinate::Y],
+        ),
+    };
+    let unit = mechanism.unit.as_deref();
+    let options: PictureOptions = args.picture.options(plane, mechanism.name.clone(), unit)?;
+    let window = nominal.window(&options);
+    let found = bar.watch(|bar| {
+        zones(
+            template,
+            &args.values.set,
+            model,
+            (pair, window, theta),
+            bar,
+        )
+    });
+    let found = found.map_err(Failure::work)?;
+    if let Some(format) = format {
+        let bands = found.bands.iter();
+        let bands = bands.map(|b| (b.features.join(", "), b.cells.as_slice()));
+        let picture = ZonesPicture {
+            nominal,
+            free: &found.free,
+            blocked: &found.blocked,
+            bands: bands.collect(),
+            mark: at(coordinates[0]).zip(at(coordinates[1])),
+        };
+        return crate::picture::write(output, format, &cspace_draw::zones(&picture, &options));
+    }
+    let answer = match args.result.format() {
+        Format::Json => {
+            let band = |b: &'_ ZoneBand| -> Vec<Cell> { b.cells.clone() };
+            let cells: Vec<Vec<Cell>> = found.bands.iter().map(band).collect();
+            let bands = found.bands.iter().zip(&cells).map(|(b, cells)| BandAnswer {
+                features: &b.features,
+                cells,
+            });
+            super::super::json(&Answer {
+                fixed: fixed.name(),
+                moving: moving.name(),
+                coordinates: coordinates.map(Coordinate::name),
+                theta: matches!(drawn, Drawn::Slice(..)).then_some(theta),
+                window,
+                free: &found.free,
+                blocked: &found.blocked,
+                bands: bands.collect(),
+            })?
+        }
+        Format::Text => text(&found, window, coordinates).into_bytes(),
+    };
+    output::write(output, &answer)
+}
+
+/// The requirement of which the pair is looked at: that of a name, or else the first about a pair.
+fn about<'m>(
+    args: &TolerancesArgs,
+    model: &'m Model,
+) -> Result<(&'m Requirement, PairEntry), Failure> {
+    let mut pairs = model.requirements.iter().filter_map(|r| match r.subject {
+        Subject::Pair(pair, _) => Some((r, pair)),
+        Subject::Motion(..) => None,
+    });
+    pairs.next().ok_or_else(|| {
+        Failure::input(format_args!(
+            "{}: no requirement is about a pair of parts",
+            args.file.display()
+        ))
+        .help("--zones shows the pair of a requirement such as play, position or clearance")
+    })
+}
+
+fn text(found: &Zones, window: Cell, coordinates: [Coordinate; 2]) -> String {
+    let area = |cells: &[Cell]| -> f64 {
+        cells
+            .iter()
+            .map(|c| (c[0].1 - c[0].0) * (c[1].1 - c[1].0))
+            .sum()
+    };
+    let whole = area(&[window]);
+    let percent = |x: f64| format!("{:.3} %", 100.0 * x / whole);
+    let [a, b] = coordinates.map(Coordinate::name);
+    let mut text = format!("of the window in {a} and {b}\n");
+    let (free, blocked) = (area(&found.free), area(&found.blocked));
+    // Writing to text does not fail.
+    let _ = writeln!(text, "  {:>10}  free within all tolerances", percent(free));
+    let _ = writeln!(
+        text,
+        "  {:>10}  blocked within all tolerances",
+        percent(blocked)
+    );
+    let _ = writeln!(text, "  {:>10}  either", percent(whole - free - blocked));
+    for band in &found.bands {
+        let _ = writeln!(
+            text,
+            "  {:>10}  {}",
+            percent(area(&band.cells)),
+            band.features.join(", ")
+        );
+    }
+    text
+}

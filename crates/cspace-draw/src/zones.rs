@@ -1,0 +1,172 @@
+//! Contact zones: what is free and what is blocked within tolerances, and the bands between.
+
+use cspace::{ContactSpace, FixedAxesSpace, Slice};
+
+use crate::colour::{BLOCKED, GRID, INK, MARK, bar};
+use crate::legend::{Legend, Sign};
+use crate::options::PictureOptions;
+use crate::outline::{extent, with_margin};
+use crate::plane::{axis, draw_all_curves, seen};
+use crate::plot::{AxisLabel, Plot, title};
+use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::slice::draw_curves;
+
+/// The pair as it is drawn.
+#[derive(Debug, Clone, Copy)]
+pub enum Nominal<'a> {
+    /// Its plane of motions.
+    Plane(&'a FixedAxesSpace),
+    /// A slice of its space.
+    Slice(&'a ContactSpace, &'a Slice),
+}
+
+/// A rectangle: the ranges of both coordinates.
+type Cell = [(f64, f64); 2];
+
+/// What is shown of contact zones.
+#[derive(Debug, Clone)]
+pub struct ZonesPicture<'a> {
+    /// The pair as it is drawn, of which the contact curves are shown.
+    pub nominal: Nominal<'a>,
+    /// What is free within all tolerances.
+    pub free: &'a [Cell],
+    /// What is blocked within all tolerances.
+    pub blocked: &'a [Cell],
+    /// Bands between: what may touch there, and where.
+    pub bands: Vec<(String, &'a [Cell])>,
+    /// A configuration that is marked.
+    pub mark: Option<(f64, f64)>,
+}
+
+impl Nominal<'_> {
+    /// What is seen of both coordinates.
+    pub fn window(&self, options: &PictureOptions) -> Cell {
+        match self {
+            Self::Plane(space) => {
+                let (fixed, moving) = space.axes();
+                let [u, v] = space.extent();
+                [
+                    options.x.unwrap_or(seen(fixed, u)),
+                    options.y.unwrap_or(seen(moving, v)),
+                ]
+            }
+            Self::Slice(space, slice) => {
+                let curves = slice.curves.iter();
+                let points: Vec<_> = curves
+                    .flat_map(|c| (0..=4).map(|k| c.geometry.point(0.25 * f64::from(k))))
+                    .collect();
+                let size = space.fixed().size().max(space.moving().size());
+                // A square.
+                let [x, y] = extent(&points, 0.0);
+                let side = (x.1 - x.0).max(y.1 - y.0);
+                let square = |(lo, hi): (f64, f64)| {
+                    let more = 0.5 * (side - (hi - lo));
+                    with_margin((lo, hi), more + 0.08 * size)
+                };
+                [
+                    options.x.unwrap_or(square(x)),
+                    options.y.unwrap_or(square(y)),
+                ]
+            }
+        }
+    }
+
+    fn labels(&self, options: &PictureOptions) -> [AxisLabel; 2] {
+        let unit = options.unit.as_deref();
+        match self {
+            Self::Plane(space) => {
+                let (fixed, moving) = space.axes();
+                [
+                    axis("u", space.fixed().name(), fixed, options),
+                    axis("v", space.moving().name(), moving, options),
+                ]
+            }
+            Self::Slice(..) => ["x", "y"].map(|name| AxisLabel::length(name, unit)),
+        }
+    }
+}
+
+/// A picture of contact zones: free space white, blocked space grey, and bands between in colours by what may touch there.
+pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
+    /// In dots, if the user does not say.
+    const USUAL: (f64, f64) = (920.0, 940.0);
+    /// More bands than these are not named.
+    const MOST: usize = 10;
+    const FREE: Colour = Colour(0xff, 0xff, 0xff);
+    let ((width, height), em) = options.sized(USUAL);
+    let mut items = Vec::new();
+    title(&mut items, &options.title, width, em);
+    let mut said = vec![
+        (
+            Sign::Field(FREE, INK),
+            "free within all tolerances".to_owned(),
+        ),
+        (Sign::Field(BLOCKED, INK), "blocked within all".to_owned()),
+    ];
+    let named = picture.bands.iter().enumerate().take(MOST);
+    said.extend(named.map(|(i, (name, _))| (Sign::Field(bar(i).0, INK), name.clone())));
+    if picture.bands.len() > MOST {
+        let more = picture.bands.len() - MOST;
+        said.push((Sign::Field(GRID, INK), format!("and {more} more")));
+    }
+    let legend = Legend::new(said, width - 2.0 * em, em);
+    let foot = height - legend.height() - 0.5 * em;
+    let area = Area {
+        lo: Dot::new(Plot::LEFT * em, 2.6 * em),
+        hi: Dot::new(width - Plot::RIGHT * em, foot - Plot::BELOW * em),
+    };
+    let [x, y] = picture.nominal.window(options);
+    let plot = match picture.nominal {
+        Nominal::Plane(_) => Plot { area, x, y, em },
+        Nominal::Slice(..) => Plot::at_one_scale(area, x, y, em),
+    };
+    let [across, up] = picture.nominal.labels(options);
+    let mut inner = vec![Item::filled(Path::rectangle(area), GRID)];
+    inner.push(cells(picture.free, FREE, &plot, None));
+    inner.push(cells(picture.blocked, BLOCKED, &plot, None));
+    for (i, (name, of)) in picture.bands.iter().enumerate() {
+        inner.push(cells(of, bar(i).0, &plot, Some(name)));
+    }
+    match picture.nominal {
+        Nominal::Plane(space) => draw_all_curves(&mut inner, space, &plot),
+        Nominal::Slice(_, slice) => draw_curves(&mut inner, slice, &plot),
+    }
+    if let Some((x, y)) = picture.mark {
+        inner.push(Item::Shape {
+            path: Path::circle(plot.place(x, y), 0.42 * em),
+            fill: None,
+            stroke: Some(Stroke {
+                colour: MARK,
+                width: 0.18 * em,
+            }),
+            title: Some("where it is measured".to_owned()),
+        });
+    }
+    items.push(Item::Clipped { area, items: inner });
+    plot.frame(&mut items, [&across, &up]);
+    legend.draw(&mut items, Dot::new(em, foot));
+    Scene {
+        width,
+        height,
+        title: options.title.clone(),
+        items,
+    }
+}
+
+/// Cells in one colour; their sides, which must not be seen between them, are drawn too.
+fn cells(all: &[Cell], colour: Colour, plot: &Plot, title: Option<&str>) -> Item {
+    let mut path = Path::new();
+    for [x, y] in all {
+        let (a, b) = (plot.place(x.0, y.0), plot.place(x.1, y.1));
+        path.line_through([a, Dot::new(b.x, a.y), b, Dot::new(a.x, b.y), a]);
+    }
+    Item::Shape {
+        path,
+        fill: Some(colour),
+        stroke: Some(Stroke {
+            colour,
+            width: 0.04 * plot.em,
+        }),
+        title: title.map(str::to_owned),
+    }
+}
