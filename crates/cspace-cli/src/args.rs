@@ -1297,7 +1297,9 @@ const TOLERANCES: &str = "\
 Examples:
   cspace tolerances models/tolerances/overrunning_clutch.toml
   cspace tolerances models/tolerances/geneva_lock.toml --samples 100000
-  cspace tolerances models/tolerances/geneva_lock.toml --format json
+  cspace tolerances models/tolerances/geneva_lock.toml -o zones.svg
+  cspace tolerances models/tolerances/geneva_lock.toml --allocate 99.9%
+  cspace tolerances models/tolerances/geneva_lock.toml --along u=0deg:90deg:3
 
 Parameters have tolerances in the model: tol, plus and minus, limits, position.
 Of each requirement are printed: what each parameter contributes; the linear

@@ -1,12 +1,13 @@
 //! Tolerances of designs whose answers are known, and of random ones against configuration spaces.
 #![allow(clippy::unwrap_used)]
 
-use cspace::Silent;
+use cspace::{Configuration, Relation, Silent, overlap_as_drawn};
 use cspace_design::{
-    ChangeKind, ToleranceOptions, Tolerances, Unmeasured, Value, Variations, check, tolerances,
+    Allocation, ChangeKind, Criterion, ToleranceOptions, Tolerances, Unmeasured, Value, Variations,
+    allocate, along, check, tolerances, zones,
 };
 use cspace_io::Host;
-use cspace_io::model::Template;
+use cspace_io::model::{Coordinate, Subject, Template};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -433,4 +434,267 @@ fn random_designs_stay_within_their_extremes() {
     }
     println!("{seen} designs, {certified} extremes certified, {numbers} points");
     assert!(certified >= seen as usize, "{certified} of {seen}");
+}
+
+const KEY: &str = r#"
+[parameter]
+pin = { value = 10, tol = 0.01 }
+slot = { value = 10.1, tol = 0.04 }
+[[part]]
+name = "slot"
+loops = [[[-19, -9], [19, -9], [19, 0], ["slot/2", 0], ["slot/2", -5], ["-slot/2", -5], ["-slot/2", 0], [-19, 0]]]
+[[part]]
+name = "key"
+loops = [[["-pin/2", -4], ["pin/2", -4], ["pin/2", 4], ["-pin/2", 4]]]
+[[requirement]]
+name = "sideways"
+measure = "play"
+of = "x"
+limits = [0.04, 0.4]
+"#;
+
+/// The play is slot − pin: it falls to a limit when the tolerances together are as wide as what is between, and the parts jam where it is 0.
+#[test]
+fn a_limit_passed_before_a_jam_is_the_margin() {
+    for (tol, margin) in [("0.1", 0.6), ("100", 0.000_6)] {
+        let text = KEY
+            .replace("tol = 0.04", &format!("tol = {tol}"))
+            .replace(", tol = 0.01", "");
+        let found = analysed(
+            &template(text.replace("pin = { value = 10 }", "pin = 10")),
+            0,
+        );
+        let factor = found.margin.factor.unwrap();
+        near(factor, margin, 1e-6 * margin);
+        let jam = found.structure.iter().find(|c| c.kind == ChangeKind::Jam);
+        near(jam.unwrap().share, margin / 0.6, 1e-6 * margin);
+    }
+    // Without a value as drawn there is nothing to tell.
+    let found = analysed(&template(KEY.replace("value = 10.1", "value = 9.9")), 10);
+    assert_eq!(found.margin.factor, Some(0.0));
+    assert!(found.exact.is_none() && found.structure.is_empty() && found.monte_carlo.is_none());
+}
+
+fn allocated(text: &str, criterion: Criterion, costs: &[f64]) -> Allocation {
+    let template = template(text);
+    let model = template.model(&Host::default()).unwrap();
+    let options = ToleranceOptions::default();
+    allocate(
+        &template,
+        &[],
+        &model,
+        &options,
+        (criterion, costs),
+        &Silent,
+    )
+    .unwrap()
+}
+
+/// With costs c/f and Σ a f = b the factors √(c/a) b / Σ √(c a) cost least.
+#[test]
+fn allocated_tolerances_cost_least() {
+    for costs in [[1.0, 1.0], [4.0, 1.0]] {
+        let found = allocated(KEY, Criterion::Worst, &costs);
+        let a = [0.01, 0.04];
+        let sum: f64 = (costs.iter().zip(a)).map(|(c, a)| (c * a).sqrt()).sum();
+        for i in 0..2 {
+            let expected = (costs[i] / a[i]).sqrt() * 0.06 / sum;
+            // Rounded down to three digits of the tolerance.
+            assert!(found.factors[i] <= expected * (1.0 + 1e-9));
+            near(found.factors[i], expected, 1e-2 * expected);
+        }
+        let margin = found.tolerances[0].margin.factor.unwrap();
+        assert!((1.0..1.02).contains(&margin), "{margin}");
+        // Other factors that fill what is there cost more.
+        for share in [0.2, 0.4, 0.6, 0.8] {
+            let f = [share * 0.06 / a[0], (1.0 - share) * 0.06 / a[1]];
+            let cost = costs[0] / f[0] + costs[1] / f[1];
+            assert!(cost > 0.98 * found.cost[1], "{cost} {:?}", found.cost);
+        }
+    }
+}
+
+/// The yield that is asked for is that of the samples: of two uniform parameters that of the corners cut off, in closed form.
+#[test]
+fn a_yield_is_met_and_no_more() {
+    let found = allocated(KEY, Criterion::Yield(0.99), &[1.0, 1.0]);
+    let samples = found.tolerances[0].monte_carlo.clone().unwrap();
+    assert!(samples.met >= 0.99 - 3.0 * samples.error);
+    let [p, s] = [0.01 * found.factors[0], 0.04 * found.factors[1]];
+    // Failing are those with s x − p y < −0.06 for x, y from −1 to 1.
+    let beyond = (p + s - 0.06).max(0.0);
+    let share = 0.5 * beyond * beyond / (4.0 * p * s);
+    near(share, 0.01, 2e-3);
+}
+
+/// The lock has the same play wherever the disc stands, and a cam with a flat follower its law.
+#[test]
+fn bands_along_a_motion_are_those_of_closed_forms() {
+    let of = |text: String, coordinate, values: &[f64]| {
+        let template = template(text);
+        let model = template.model(&Host::default()).unwrap();
+        let options = ToleranceOptions::default();
+        along(
+            &template,
+            &[],
+            &model,
+            &options,
+            (coordinate, values),
+            &Silent,
+        )
+        .unwrap()
+    };
+    let turns = [0.0, 1.0, 2.5];
+    let bands = of(shipped("geneva_lock"), Coordinate::U, &turns);
+    for station in &bands[0].stations {
+        let [lo, hi] = station.exact.clone();
+        near(
+            lo.value.clone().unwrap().to_degrees(),
+            2.0 * 0.054_406_69,
+            1e-7,
+        );
+        near(
+            hi.value.clone().unwrap().to_degrees(),
+            2.0 * 0.347_202_24,
+            1e-7,
+        );
+        assert!(
+            hi.certified && (lo.certified || lo.gap.unwrap() < 1e-4),
+            "{lo:?} {hi:?}"
+        );
+    }
+    let cam = r#"
+[parameter]
+base = { value = 20, tol = 0.05 }
+off = { value = 3, tol = 0.02 }
+[[part]]
+name = "cam"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = "base", at = ["off", 0] }]
+[[part]]
+name = "follower"
+motion = { type = "prismatic", direction = [0, 1], range = [-9, 30] }
+loops = [[[-30, 20], [30, 20], [30, 24], [-30, 24]]]
+[[requirement]]
+name = "lift"
+measure = "position"
+of = "v"
+at = { u = 0, v = 16 }
+along = [0, -24]
+"#;
+    let turns: Vec<f64> = (0..9).map(|i| 0.8 * f64::from(i)).collect();
+    let bands = of(cam.to_owned(), Coordinate::U, &turns);
+    for station in &bands[0].stations {
+        // v = base + off sin u − 20.
+        let sin = station.at.sin();
+        near(station.nominal.clone().unwrap(), 3.0 * sin, 1e-9);
+        let half = 0.05 + 0.02 * sin.abs();
+        let [lo, hi] = station.exact.clone();
+        near(lo.value.unwrap(), 3.0 * sin - half, 1e-9);
+        near(hi.value.unwrap(), 3.0 * sin + half, 1e-9);
+    }
+}
+
+/// What is free or blocked within all tolerances is so in drawings by chance, and the bands of the lock end where its plays do.
+#[test]
+fn contact_zones_hold_for_every_drawing() {
+    const TRIES: usize = 1500;
+    let planar = r#"
+[parameter]
+a = { value = 5, tol = 0.05 }
+b = { value = 0.05, tol = 0.01 }
+[[part]]
+name = "slot"
+loops = [[[-9, -9], [9, -9], [9, 4], ["a/2", 4, "b"], ["a/2", -5], ["-a/2", -5], ["-a/2", 4], [-9, 4]]]
+[[part]]
+name = "key"
+loops = [[[-2, -4], ["a/2 - 0.3", -4, "b"], [2, 4], [-2, 4]]]
+[[requirement]]
+name = "sideways"
+measure = "play"
+of = "x"
+"#;
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let half = 1.0_f64.to_radians();
+    let lock = [(-3.0, 3.0), (-half, half)];
+    let cases = [
+        (shipped("geneva_lock"), lock, 0.0),
+        (planar.to_owned(), [(-1.5, 1.5), (-3.0, 8.0)], 0.02),
+    ];
+    for (text, window, theta) in cases {
+        let template = template(text);
+        let model = template.model(&Host::default()).unwrap();
+        let Subject::Pair(pair, _) = model.requirements[0].subject else {
+            panic!("a play is of a pair");
+        };
+        let found = zones(&template, &[], &model, (pair, window, theta), &Silent).unwrap();
+        let variations = Variations::of(&model);
+        let width = |r: (f64, f64)| r.1 - r.0;
+        let area = |cells: &[[(f64, f64); 2]]| -> f64 {
+            cells.iter().map(|c| width(c[0]) * width(c[1])).sum()
+        };
+        let certain = area(&found.free) + area(&found.blocked);
+        assert!(certain < area(&[window]) && found.bands.iter().all(|b| !b.cells.is_empty()));
+        let mut seen = [0; 2];
+        for _ in 0..TRIES {
+            let at = window.map(|(lo, hi)| random.random_range(lo..hi));
+            let is_in = |c: &[(f64, f64); 2]| (0..2).all(|i| c[i].0 <= at[i] && at[i] <= c[i].1);
+            let blocked = match (
+                found.free.iter().any(is_in),
+                found.blocked.iter().any(is_in),
+            ) {
+                (true, false) => false,
+                (false, true) => true,
+                (false, false) => continue,
+                (true, true) => panic!("{at:?} is free and blocked"),
+            };
+            seen[usize::from(blocked)] += 1;
+            let set = variations.settings(&[], &variations.draw(&mut random));
+            let host = Host {
+                set: &set,
+                ..Host::default()
+            };
+            let drawn = template.model(&host).unwrap();
+            let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &drawn.mechanism.parts[i].part);
+            let placed = match drawn.mechanism.relation(&pair) {
+                Relation::Axes { fixed, moving } => {
+                    let from = fixed.configuration(at[0]).inverse();
+                    from.compose(moving.configuration(at[1]))
+                }
+                _ => Configuration::new(at[0], at[1], theta),
+            };
+            assert_eq!(
+                overlap_as_drawn(fixed, moving, placed),
+                blocked,
+                "{at:?} {set:?}"
+            );
+        }
+        assert!(seen[0] > TRIES / 40 && seen[1] > TRIES / 10, "{seen:?}");
+        if window == lock {
+            let band = |cells: &[[(f64, f64); 2]]| {
+                let ends = cells.iter().flat_map(|c| [c[1].0.abs(), c[1].1.abs()]);
+                ends.fold(0.0, f64::max)
+            };
+            let cell = width(window[1]) / 512.0;
+            let outer = found
+                .bands
+                .iter()
+                .map(|b| band(&b.cells))
+                .fold(0.0, f64::max);
+            assert!(
+                (0.347_202_24_f64.to_radians()..0.347_202_24_f64.to_radians() + 2.0 * cell)
+                    .contains(&outer)
+            );
+        }
+    }
+}
+
+/// A circle that rolls out of a corner: the largest play is beside a place where a contact is just missed.
+#[test]
+fn extremes_at_a_jump_are_told() {
+    let text = include_str!("data/grazing.toml");
+    let found = analysed(&template(text), 0);
+    let [_, hi] = found.exact.unwrap();
+    near(hi.value.unwrap(), 1.908_391_295_3, 1e-9);
+    assert!(hi.jumps && hi.gap.unwrap() < 1e-4);
 }

@@ -132,7 +132,7 @@ impl<'a> Study<'a> {
     pub(super) fn held_at(mut self, held: Vec<(Coordinate, f64)>, spaces: &Spaces) -> Self {
         self.held = held;
         // There are many places.
-        self.most = MOST / 8;
+        self.most = MOST / 4;
         self.follow(spaces);
         self
     }

@@ -6,6 +6,8 @@
 //! in every drawing. The others are divided, down to the smallest, which are in a band of the contacts that may come about, as is what is free in one drawing and blocked in another all over. A band is never too
 //! narrow, and too wide by some cells.
 
+use std::sync::Arc;
+
 use cspace::{
     Configuration, ConfigurationBox, DrawnContact, DrawnPair, Edge, PairEntry, Part, Point,
     Progress, Real, Relation, Vector, Witness, overlap_as_drawn,
@@ -63,6 +65,9 @@ impl From<Interrupted> for NoZones {
 /// The first division of a window, and how often a cell is halved in both directions.
 const COARSE: usize = 16;
 const HALVINGS: u32 = 5;
+
+/// Cells are not divided where there would be more to look at.
+const MOST: usize = 40_000;
 
 /// The zones of a pair over a window: of u and v, or of x and y at an orientation θ.
 ///
@@ -224,6 +229,16 @@ fn distance(part: &Part, at: Point) -> f64 {
     distances.fold(f64::INFINITY, f64::min)
 }
 
+/// What one look at a cell tells.
+enum Looked {
+    Is(State),
+    /// Some contacts may come about, and it may help to divide.
+    Doubtful(Vec<DrawnContact>),
+}
+
+/// Contacts that cells share.
+type Rc = Arc<[DrawnContact]>;
+
 impl Search<'_> {
     fn all(&self, window: Cell) -> Result<Zones, NoZones> {
         let part = |(lo, hi): (f64, f64), i: usize| {
@@ -234,18 +249,41 @@ impl Search<'_> {
         let coarse: Vec<Cell> = coarse
             .map(|(i, j)| [part(window[0], i), part(window[1], j)])
             .collect();
-        let found: Result<Vec<Vec<(Cell, State)>>, Interrupted> = coarse
-            .into_par_iter()
-            .map(|cell| {
-                self.analysis.go_on()?;
-                let mut found = Vec::new();
-                self.divide(cell, None, HALVINGS, &mut found);
-                Ok(found)
-            })
-            .collect();
+        let mut found: Vec<(Cell, State)> = Vec::new();
+        let mut open: Vec<(Cell, Option<Rc>)> = coarse.into_iter().map(|c| (c, None)).collect();
+        for halvings in (0..=HALVINGS).rev() {
+            let states = self.states(&open, |cell, known| self.look(cell, known))?;
+            let mut doubtful = Vec::new();
+            for ((cell, _), looked) in open.iter().zip(states) {
+                match looked {
+                    Looked::Is(state) => found.push((*cell, state)),
+                    Looked::Doubtful(contacts) => doubtful.push((*cell, Some(Rc::from(contacts)))),
+                }
+            }
+            if halvings > 0 && 4 * doubtful.len() <= MOST {
+                open = (doubtful.iter())
+                    .flat_map(|(cell, known)| quarters(*cell).map(|c| (c, known.clone())))
+                    .collect();
+                continue;
+            }
+            // What is left is told by pieces of the tolerances, if there is not too much of it.
+            let by_pieces = doubtful.len() * self.pieces.len() <= 2 * MOST;
+            let last = |cell: Cell, known: &[DrawnContact]| {
+                if by_pieces {
+                    self.state_by_pieces(&self.within(cell), known)
+                } else {
+                    State::Band(known.to_vec())
+                }
+            };
+            let states = self.states(&doubtful, |cell, known| {
+                last(cell, known.unwrap_or_default())
+            })?;
+            found.extend(doubtful.iter().map(|d| d.0).zip(states));
+            break;
+        }
         let mut zones = Zones::default();
         let mut bands: Vec<(DrawnContact, Vec<Cell>)> = Vec::new();
-        for (cell, state) in found?.into_iter().flatten() {
+        for (cell, state) in found {
             match state {
                 State::Free => zones.free.push(cell),
                 State::Blocked => zones.blocked.push(cell),
@@ -278,35 +316,39 @@ impl Search<'_> {
         Ok(zones)
     }
 
-    fn divide(
+    /// What is so of each cell, of what is known of one around it.
+    fn states<S: Send>(
         &self,
-        cell: Cell,
-        among: Option<&[DrawnContact]>,
-        halvings: u32,
-        found: &mut Vec<(Cell, State)>,
-    ) {
-        let third = if self.is_planar { self.theta } else { 0.0 };
-        let middle = [mid(cell[0]), mid(cell[1]), third];
-        let half = |(lo, hi): (f64, f64)| 0.5 * (hi - lo);
-        let within = self.cell(middle, [half(cell[0]), half(cell[1])]);
-        let state = match self.state(&self.drawn, &within, among) {
-            State::Band(contacts) if halvings > 0 && !self.is_between(&within) => {
-                for v in halves(cell[1]) {
-                    for u in halves(cell[0]) {
-                        self.divide([u, v], Some(&contacts), halvings - 1, found);
-                    }
-                }
-                return;
-            }
-            State::Band(contacts) if halvings == 0 => self.state_by_pieces(&within, contacts),
-            State::Band(contacts) => {
-                // What may touch in the middle tells what the band is of.
-                let middle = self.cell(middle, [0.0; 2]);
-                State::Band(self.drawn.of.contacts_in(&middle, Some(&contacts)))
-            }
-            known => known,
+        cells: &[(Cell, Option<Rc>)],
+        of: impl Fn(Cell, Option<&[DrawnContact]>) -> S + Sync,
+    ) -> Result<Vec<S>, Interrupted> {
+        let state = |(cell, known): &(Cell, Option<Rc>)| {
+            self.analysis.go_on()?;
+            Ok(of(*cell, known.as_deref()))
         };
-        found.push((cell, state));
+        cells.par_iter().map(state).collect()
+    }
+
+    fn look(&self, cell: Cell, known: Option<&[DrawnContact]>) -> Looked {
+        let within = self.within(cell);
+        match self.state(&self.drawn, &within, known) {
+            State::Band(contacts) if self.is_between(&within) => {
+                // What may touch in the middle tells what the band is of.
+                let middle = self.cell(within.middle, [0.0; 2]);
+                Looked::Is(State::Band(
+                    self.drawn.of.contacts_in(&middle, Some(&contacts)),
+                ))
+            }
+            State::Band(contacts) => Looked::Doubtful(contacts),
+            state => Looked::Is(state),
+        }
+    }
+
+    fn within(&self, cell: Cell) -> Box {
+        let third = if self.is_planar { self.theta } else { 0.0 };
+        let half = |(lo, hi): (f64, f64)| 0.5 * (hi - lo);
+        let middle = [mid(cell[0]), mid(cell[1]), third];
+        self.cell(middle, cell.map(half))
     }
 
     /// A box about a configuration. Its coordinates are told apart from the parameters, where there are not too many of these.
@@ -352,12 +394,12 @@ impl Search<'_> {
     }
 
     /// As [`state`](Self::state), of what is in doubt, by pieces of the tolerances.
-    fn state_by_pieces(&self, within: &Box, among: Vec<DrawnContact>) -> State {
+    fn state_by_pieces(&self, within: &Box, among: &[DrawnContact]) -> State {
         let mut known: Option<State> = None;
         let mut contacts: Vec<DrawnContact> = Vec::new();
         let mut is_certain = true;
         for drawn in &self.pieces {
-            match self.state(drawn, within, Some(&among)) {
+            match self.state(drawn, within, Some(among)) {
                 State::Band(more) => {
                     is_certain = false;
                     contacts.extend(more);
@@ -371,7 +413,7 @@ impl Search<'_> {
         match known {
             Some(known) if is_certain => known,
             // Free in one piece and blocked in another: something touches between.
-            _ if contacts.is_empty() => State::Band(among),
+            _ if contacts.is_empty() => State::Band(among.to_vec()),
             _ => {
                 contacts.sort_unstable();
                 contacts.dedup();
@@ -409,6 +451,11 @@ fn area([u, v]: &Cell) -> f64 {
 
 fn mid((lo, hi): (f64, f64)) -> f64 {
     0.5 * (lo + hi)
+}
+
+fn quarters([u, v]: Cell) -> [Cell; 4] {
+    let ([a, b], [c, d]) = (halves(u), halves(v));
+    [[a, c], [b, c], [a, d], [b, d]]
 }
 
 fn halves((lo, hi): (f64, f64)) -> [(f64, f64); 2] {

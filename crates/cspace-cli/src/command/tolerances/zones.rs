@@ -165,7 +165,7 @@ fn text(found: &Zones, window: Cell, coordinates: [Coordinate; 2]) -> String {
             .sum()
     };
     let whole = area(&[window]);
-    let percent = |x: f64| format!("{:.3} %", 100.0 * x / whole);
+    let percent = |x: f64| format!("{:.3} %", 100.0 * x / whole + 0.0);
     let [a, b] = coordinates.map(Coordinate::name);
     let mut text = format!("of the window in {a} and {b}\n");
     let (free, blocked) = (area(&found.free), area(&found.blocked));
