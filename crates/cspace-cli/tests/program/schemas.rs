@@ -44,7 +44,14 @@ fn rename(object: &mut serde_json::Map<String, Value>) {
 fn leave_out(object: &mut serde_json::Map<String, Value>) {
     // A name may be missing; what the answer is about may not.
     let key = [
-        "fixed", "parts", "measure", "at", "curves", "fraction", "verdict",
+        "fixed",
+        "parts",
+        "measure",
+        "at",
+        "curves",
+        "fraction",
+        "verdict",
+        "criterion",
     ]
     .into_iter()
     .find(|k| object.contains_key(*k));
@@ -72,6 +79,11 @@ fn answers_are_as_their_schemas_say() {
         "tolerances",
         &json(&["tolerances", &lock, "--samples", "100"]),
     );
+    is_told("along", &json(&["tolerances", &lock, "--along", "u=0:1:2"]));
+    let zones = json(&["tolerances", &lock, "--zones"]);
+    is_told("zones", &zones);
+    let allocated = json(&["tolerances", &lock, "--allocate", "worst"]);
+    is_told("allocation", &allocated);
     let dir = tempfile::tempdir().unwrap();
     let moving = dir.path().join("moving.toml");
     std::fs::write(&moving, crate::info::MODEL).unwrap();
