@@ -4,6 +4,7 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use cspace_draw::{Labels, PictureFormat, PictureOptions, Scene};
+use cspace_io::model::Dimension;
 
 use crate::angle;
 use crate::failure::Failure;
@@ -44,6 +45,17 @@ pub(crate) enum LabelChoice {
     Auto,
     /// All, and numbers of vertices
     All,
+}
+
+/// What a strip of a picture is called that shows a quantity.
+pub(crate) fn strip_label(name: &str, dimension: Dimension, unit: Option<&str>) -> String {
+    match (dimension, unit) {
+        (Dimension::Angle, _) => format!("{name}, deg"),
+        (Dimension::Time, _) => format!("{name}, s"),
+        (Dimension::Truth, _) => format!("{name} (1 is yes)"),
+        (Dimension::Length, Some(unit)) => format!("{name}, {unit}"),
+        (Dimension::Length | Dimension::Number, _) => name.to_owned(),
+    }
 }
 
 /// The coordinates of a picture.

@@ -277,7 +277,8 @@ impl<T: Enclosure> Drawing<T> {
         for (found, limit) in encounters.iter().zip(&self.limits) {
             let certain = found.list.iter().filter(|e| e.certain);
             let first = certain.min_by(|a, b| a.hi.total_cmp(&b.hi))?;
-            let doubtful = |e: &Encounter| !e.certain && e.lo <= first.hi;
+            // What comes about together with the first, but for rounding, changes nothing: ends of edges that lie on each other.
+            let doubtful = |e: &Encounter| !e.certain && e.lo < first.lo * (1.0 - TOGETHER);
             if !found.complete || found.list.iter().any(doubtful) {
                 return None;
             }
@@ -292,8 +293,20 @@ impl<T: Enclosure> Drawing<T> {
     }
 }
 
+/// Contacts that come about together but for this, relative to the time, are one event.
+const TOGETHER: f64 = 1e-10;
+
 /// Ends of features and of ranges count as passed where they are farther off than this, relative to them.
 const NEAR: f64 = 1e-9;
+
+/// When a contact comes about.
+enum Root {
+    At(f64),
+    /// It does not, or beyond the ends of a feature.
+    None,
+    /// If it does, not before a time.
+    Doubtful(f64),
+}
 
 impl Drawing<f64> {
     /// The first contact of each motion, where those that may come first, and when, are known for a box of drawings with this among them;
@@ -302,6 +315,7 @@ impl Drawing<f64> {
         let mut hits = Hits::default();
         for (leg, list) in known.iter().enumerate() {
             let mut first: Option<(f64, DrawnContact)> = None;
+            let mut doubtful = f64::INFINITY;
             for encounter in list {
                 if first.is_some_and(|f| f.0 < encounter.lo) {
                     continue;
@@ -311,17 +325,23 @@ impl Drawing<f64> {
                     return None;
                 }
                 let time = if encounter.approaching {
-                    self.only_root(leg, encounter)?
+                    self.only_root(leg, encounter)
                 } else {
-                    self.first_root(leg, encounter)?
+                    self.first_root(leg, encounter)
                 };
-                if let Some(time) = time
-                    && first.is_none_or(|f| time < f.0)
-                {
-                    first = Some((time, encounter.contact));
+                match time {
+                    Root::At(time) if first.is_none_or(|f| time < f.0) => {
+                        first = Some((time, encounter.contact));
+                    }
+                    Root::At(_) | Root::None => {}
+                    Root::Doubtful(from) => doubtful = doubtful.min(from),
                 }
             }
             let (time, contact) = first?;
+            // What comes about together with the first changes nothing.
+            if doubtful < time * (1.0 - TOGETHER) {
+                return None;
+            }
             if self.limits[leg].is_some_and(|l| l <= time + NEAR * time.abs()) {
                 return None;
             }
@@ -331,37 +351,34 @@ impl Drawing<f64> {
         Some(hits)
     }
 
-    /// When a contact comes about that has one root at most; none if it does not, or beyond the ends of a feature. The outer one is
-    /// missing where that is in doubt.
-    #[allow(clippy::option_option)]
-    fn only_root(&self, leg: usize, encounter: &Encounter) -> Option<Option<f64>> {
+    /// When a contact comes about that has one root at most.
+    fn only_root(&self, leg: usize, encounter: &Encounter) -> Root {
         let Some(time) = self.root(leg, encounter) else {
-            return Some(None);
+            return Root::None;
         };
         let within = self.pair.within(encounter.contact, self.legs[leg].at(time));
         let least = within.into_iter().flatten().fold(f64::INFINITY, f64::min);
         if least > NEAR {
-            Some(Some(time))
+            Root::At(time)
         } else if least < -NEAR {
-            Some(None)
+            Root::None
         } else {
-            None
+            Root::Doubtful(time)
         }
     }
 
     /// As [`only_root`](Self::only_root), of a contact that may have several.
-    #[allow(clippy::option_option)]
-    fn first_root(&self, leg: usize, encounter: &Encounter) -> Option<Option<f64>> {
+    fn first_root(&self, leg: usize, encounter: &Encounter) -> Root {
         let enclosed = self.map(Ball::constant);
         let of = &enclosed.legs[leg];
         let found = enclosed
             .pair
             .encounters(of, encounter.hi, Some(&[*encounter]));
         match found.list.first() {
-            _ if !found.complete => None,
-            None => Some(None),
-            Some(first) if first.certain => Some(Some(0.5 * (first.lo + first.hi))),
-            Some(_) => None,
+            _ if !found.complete => Root::Doubtful(encounter.lo),
+            None => Root::None,
+            Some(first) if first.certain => Root::At(0.5 * (first.lo + first.hi)),
+            Some(first) => Root::Doubtful(first.lo),
         }
     }
 

@@ -44,7 +44,7 @@ pub enum Unallocated {
     #[error("{Interrupted}")]
     Interrupted,
     /// Nothing limits the tolerances.
-    #[error("no requirement has limits and derivatives by the parameters with tolerances")]
+    #[error("no number with limits depends on a parameter with a tolerance above 0")]
     NoLimits,
     /// A requirement is not met without any tolerances.
     #[error("requirement `{0}` is not met as drawn: change the dimensions first")]
@@ -177,7 +177,8 @@ pub fn allocate(
     let samples = match criterion {
         Criterion::Worst => options.samples,
         // As many that a hundred fail.
-        Criterion::Yield(share) => options.samples.max((100.0 / (1.0 - share)).min(1e6) as u64),
+        Criterion::Yield(share) if options.samples == 0 => (100.0 / (1.0 - share)).min(1e6) as u64,
+        Criterion::Yield(_) => options.samples,
     };
     let unsampled = ToleranceOptions {
         samples: 0,

@@ -5,6 +5,9 @@ use super::study::{Failure, Point, Study};
 /// Values nearer to each other than this, relative to them, are one.
 pub(super) const ONE: f64 = 1e-10;
 
+/// What a parameter does is rounding where it is less than this, relative to what the others do.
+const ROUNDING: f64 = 1e-11;
+
 /// Of at most so many parameters all corners are tried.
 const ALL_CORNERS: usize = 8;
 
@@ -118,7 +121,12 @@ impl Study<'_> {
             let Some(slopes) = self.slopes(&best.at, &best.point) else {
                 break;
             };
-            let slopes: Vec<f64> = slopes.iter().map(|s| sign * s).collect();
+            let weights = slopes.iter().zip(&self.variations.list);
+            let weights: Vec<f64> = weights.map(|(s, v)| (s * v.half()).abs()).collect();
+            let least = ROUNDING * weights.iter().copied().fold(0.0, f64::max);
+            let slopes = slopes.iter().zip(&weights);
+            let slopes = slopes.map(|(s, weight)| if *weight > least { sign * s } else { 0.0 });
+            let slopes: Vec<f64> = slopes.collect();
             let mut target = self.variations.farthest(&slopes, factor);
             for (k, s) in slopes.iter().enumerate() {
                 if *s == 0.0 && self.variations.zone_of(k).is_none() {

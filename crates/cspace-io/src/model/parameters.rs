@@ -330,12 +330,17 @@ impl Parameters {
                 }
                 _ => (place.clone(), Given::new(&place, node)?, None),
             };
+            // As the file writes it, whatever it is set to.
+            let (is_text, is_angle) = match given {
+                Given::Text(text) => (true, parse_angle(text).is_some()),
+                Given::Value(_) => (false, false),
+            };
             let given = setting.map_or(given, |setting| Given::Text(&setting.value));
             let mut parameter = Parameter {
                 name: name.clone(),
                 value: f64::NAN,
                 expression: None,
-                is_angle: matches!(given, Given::Text(text) if parse_angle(text).is_some()),
+                is_angle,
                 is_set: setting.is_some(),
                 deviations: None,
                 distribution: None,
@@ -368,7 +373,7 @@ impl Parameters {
             this.uses.push(Vec::new());
             this.all.push(parameter);
             expressions.push((place, given, setting, expression));
-            tolerances.extend(tolerance.map(|(table, t)| (i, table, t)));
+            tolerances.extend(tolerance.map(|(table, t)| (i, table, t, is_text)));
         }
         for i in this.order(|i| &expressions[i as usize].0)? {
             let (place, given, setting, expression) = &expressions[i as usize];
@@ -392,21 +397,27 @@ impl Parameters {
                 }
             }
         }
-        for (i, table, tolerance) in tolerances {
-            this.tolerate(i, &table, tolerance)?;
+        for (i, table, tolerance, is_text) in tolerances {
+            this.tolerate(i, &table, tolerance, is_text)?;
         }
         Ok(this)
     }
 
     /// Gives a parameter its tolerance.
-    fn tolerate(&mut self, i: usize, table: &Table<'_>, tolerance: Tolerance) -> Result<()> {
+    fn tolerate(
+        &mut self,
+        i: usize,
+        table: &Table<'_>,
+        tolerance: Tolerance,
+        is_text: bool,
+    ) -> Result<()> {
         let parameter = &self.all[i];
         let deviations = tolerance.deviations(
             table,
             Written {
                 value: parameter.value,
                 is_set: parameter.is_set,
-                may_be_angle: parameter.is_angle || parameter.expression.is_some(),
+                may_be_angle: is_text,
             },
         )?;
         if let Some(Position { with, .. }) = &tolerance.position {

@@ -144,7 +144,7 @@ pub(super) struct Written {
     pub(super) value: f64,
     /// Whether it was set in place of that of the file.
     pub(super) is_set: bool,
-    /// Whether it is an angle, or follows from others.
+    /// Whether the file has an angle, or an expression.
     pub(super) may_be_angle: bool,
 }
 

@@ -10,7 +10,7 @@ use super::table::Table;
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::interrupt::watched;
-use crate::picture::Plane;
+use crate::picture::{Plane, strip_label};
 
 /// A picture of the rows: a strip for each measure over what is varied last, with a curve for each combination of the others.
 pub(super) fn drawn(
@@ -71,13 +71,7 @@ pub(super) fn drawn(
                 }
             });
         CurveStrip {
-            label: match (dimension, unit) {
-                (Dimension::Angle, _) => format!("{name}, deg"),
-                (Dimension::Time, _) => format!("{name}, s"),
-                (Dimension::Truth, _) => format!("{name} (1 is yes)"),
-                (Dimension::Length, Some(unit)) => format!("{name}, {unit}"),
-                (Dimension::Length | Dimension::Number, _) => name.clone(),
-            },
+            label: strip_label(name, dimension, unit),
             is_angle: dimension == Dimension::Angle,
             limits: match requirement.and_then(|r| r.target) {
                 Some(Target::Limits(lo, hi)) => Some((lo, hi)),

@@ -25,7 +25,9 @@ pub(super) struct Answer {
 pub(super) fn failure(file: &dyn Display, error: Unallocated) -> Failure {
     let help = match &error {
         Unallocated::Interrupted => return Failure::work(error),
-        Unallocated::NoLimits => "give a requirement limits = [0, 0.5]",
+        Unallocated::NoLimits => {
+            "give a measure that is a number limits = [0, 0.5]; yes and no are not allocated"
+        }
         Unallocated::NotMet(_) => "see what it is with cspace check",
         Unallocated::NoYield(_) => "see what fails with cspace tolerances --samples 10000",
     };

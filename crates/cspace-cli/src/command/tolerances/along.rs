@@ -13,7 +13,7 @@ use super::text::number;
 use crate::args::{Format, TolerancesArgs, Vary};
 use crate::failure::Failure;
 use crate::output;
-use crate::picture::Plane;
+use crate::picture::{Plane, strip_label};
 use crate::progress::Bar;
 use crate::wording::{degrees, length};
 
@@ -187,11 +187,7 @@ fn drawn(
         };
         let (name, dimension) = (&band.requirement.name, band.requirement.dimension);
         CurveStrip {
-            label: match (dimension, unit) {
-                (Dimension::Angle, _) => format!("{name}, deg"),
-                (Dimension::Length, Some(unit)) => format!("{name}, {unit}"),
-                _ => name.clone(),
-            },
+            label: strip_label(name, dimension, unit),
             is_angle: dimension == Dimension::Angle,
             limits: band.requirement.limits().map(|[lo, hi]| (lo, hi)),
             seen: None,

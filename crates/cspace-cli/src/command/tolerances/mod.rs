@@ -61,6 +61,12 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let unit = model.mechanism.unit.as_ref();
     let unit = unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
+    if args.theta.is_some() && !args.zones && !is_picture {
+        return Err(
+            Failure::input("--theta is the orientation of contact zones")
+                .help("give --zones or -o OUT.svg, or leave it out"),
+        );
+    }
     if is_picture && (args.allocate.is_some() || args.samples > 0) {
         return Err(
             Failure::input("-o: a picture shows contact zones, or values along a motion")

@@ -73,7 +73,7 @@ impl Words<'_> {
             self.extreme(text, "largest", hi)?;
         }
         for change in &of.structure {
-            let beyond = if change.share > 1.0 {
+            let beyond = if change.share > 1.0 + 1e-9 {
                 ", beyond the tolerances"
             } else {
                 ""
@@ -307,6 +307,9 @@ pub(super) fn tolerance(variations: &Variations, i: usize) -> String {
 }
 
 fn share(x: f64) -> String {
+    if 0.0 < x && x < 1e-4 {
+        return format!("{x:.3e}");
+    }
     length(x)
         .trim_end_matches('0')
         .trim_end_matches('.')

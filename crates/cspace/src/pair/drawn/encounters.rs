@@ -213,8 +213,12 @@ impl<T: Enclosure> Search<'_, T> {
             -1 => self.alone(contact, lo, hi),
             // Before features part from each other they overlap: that began elsewhere.
             1 => {}
-            // Where the drawings differ by more than the times, halving these is of no use.
-            _ if self.can_halve(lo, mid, hi) && value.radius > 2.0 * at.radius => {
+            // Where the drawings differ by more than the times, halving these is of no use; unless features that slide along each other come
+            // to touch within their ends.
+            _ if self.can_halve(lo, mid, hi)
+                && (value.radius > 2.0 * at.radius
+                    || self.on_both(contact, T::constant(mid)) < 0) =>
+            {
                 self.contact(contact, lo, mid);
                 self.contact(contact, mid, hi);
             }

@@ -114,15 +114,16 @@ fn facing<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> 
 
 /// Where the moving part is in the frame of the fixed one.
 fn placed<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> {
-    let Some(axes) = axes else {
-        return Placement::new([at[0], at[1]], at[2]);
+    let facing = facing(axes, at);
+    let Some([fixed, moving]) = axes.map(|axes| axes.map(DrawnAxis::origin)) else {
+        return facing;
     };
-    let [fixed, moving] = [0, 1].map(|i| match axes[i] {
-        DrawnAxis::Fixed => Placement::identity(),
-        DrawnAxis::Revolute(center) => Placement::turn(center, at[i]),
-        DrawnAxis::Prismatic(direction) => Placement::slide(direction, at[i]),
-    });
-    fixed.inverse().compose(&moving)
+    let [x, y] = facing.vector(moving);
+    let [from_x, from_y] = facing.position;
+    Placement {
+        position: [fixed[0] + (from_x - x), fixed[1] + (from_y - y)],
+        ..facing
+    }
 }
 
 /// An edge, and the vertex at which its travel starts.
