@@ -316,7 +316,10 @@ impl Drawing<f64> {
         for (leg, list) in known.iter().enumerate() {
             let mut first: Option<(f64, DrawnContact)> = None;
             let mut doubtful = f64::INFINITY;
-            for encounter in list {
+            // Those that come about once at most tell until when the others matter.
+            let (once, often): (Vec<&Encounter>, Vec<&Encounter>) =
+                list.iter().partition(|e| e.approaching);
+            for encounter in once.into_iter().chain(often) {
                 if first.is_some_and(|f| f.0 < encounter.lo) {
                     continue;
                 }
@@ -327,7 +330,8 @@ impl Drawing<f64> {
                 let time = if encounter.approaching {
                     self.only_root(leg, encounter)
                 } else {
-                    self.first_root(leg, encounter)
+                    let until = first.map_or(f64::INFINITY, |f| f.0 * (1.0 - TOGETHER));
+                    self.first_root(leg, encounter, until)
                 };
                 match time {
                     Root::At(time) if first.is_none_or(|f| time < f.0) => {
@@ -367,13 +371,13 @@ impl Drawing<f64> {
         }
     }
 
-    /// As [`only_root`](Self::only_root), of a contact that may have several.
-    fn first_root(&self, leg: usize, encounter: &Encounter) -> Root {
+    /// As [`only_root`](Self::only_root), of a contact that may have several, before a time.
+    fn first_root(&self, leg: usize, encounter: &Encounter, until: f64) -> Root {
         let enclosed = self.map(Ball::constant);
         let of = &enclosed.legs[leg];
         let found = enclosed
             .pair
-            .encounters(of, encounter.hi, Some(&[*encounter]));
+            .encounters(of, encounter.hi.min(until), Some(&[*encounter]));
         match found.list.first() {
             _ if !found.complete => Root::Doubtful(encounter.lo),
             None => Root::None,

@@ -217,7 +217,9 @@ impl<T: Enclosure> Search<'_, T> {
             // to touch within their ends.
             _ if self.can_halve(lo, mid, hi)
                 && (value.radius > 2.0 * at.radius
-                    || self.on_both(contact, T::constant(mid)) < 0) =>
+                    || [lo, mid]
+                        .iter()
+                        .any(|t| self.on_both(contact, T::constant(*t)) < 0)) =>
             {
                 self.contact(contact, lo, mid);
                 self.contact(contact, mid, hi);
