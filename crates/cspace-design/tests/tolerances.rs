@@ -698,3 +698,46 @@ fn extremes_at_a_jump_are_told() {
     near(hi.value.unwrap(), 1.908_391_295_3, 1e-9);
     assert!(hi.jumps && hi.gap.unwrap() < 1e-4);
 }
+
+/// Angles keep being angles where they deviate: v = 10 + 3 sin(u + a) − 20.
+#[test]
+fn angles_vary_as_they_are_written() {
+    let text = r#"
+[parameter]
+a = { value = "20deg", tol = "1deg" }
+r = { value = 10, tol = 0.005 }
+[[part]]
+name = "cam"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = "r", at = ["3*cos(a)", "3*sin(a)"] }]
+[[part]]
+name = "tappet"
+motion = { type = "prismatic", direction = [0, 1] }
+loops = [[[-8, 20], [8, 20], [8, 25], [-8, 25]]]
+[[requirement]]
+name = "lift"
+measure = "position"
+at = { u = "90deg", v = 0 }
+along = [0, -30]
+"#;
+    let found = analysed(&template(text), 100);
+    let lift = |a: f64, r: f64| 3.0 * (90.0 + a).to_radians().sin() + r - 20.0;
+    let [lo, hi] = found.exact.clone().unwrap();
+    near(lo.value.unwrap(), lift(21.0, 9.995), 1e-9);
+    near(hi.value.unwrap(), lift(19.0, 10.005), 1e-9);
+    assert!(found.monte_carlo.unwrap().failures.is_empty());
+}
+
+/// A key that is flush with the mouth of its slot: edges slide along each other, and ends lie on each other. No space is needed.
+#[test]
+fn flush_parts_need_no_space() {
+    let text = KEY.replace(
+        r#"["pin/2", 4], ["-pin/2", 4]"#,
+        r#"["pin/2", 0], ["-pin/2", 0]"#,
+    );
+    let samples = analysed(&template(text), 200).monte_carlo.unwrap();
+    assert!(
+        samples.computed == 0.0 && samples.failures.is_empty(),
+        "{samples:?}"
+    );
+}
