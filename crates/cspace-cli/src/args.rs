@@ -661,7 +661,7 @@ pub(crate) struct Bounds {
 }
 
 fn bounds(text: &str) -> Result<Bounds, String> {
-    const HELP: &str = "give it as NAME=LO:HI, such as --vary play=0.05:0.3";
+    const HELP: &str = "give it as NAME=LO:HI, such as play=0.05:0.3";
     let (name, range) = text.split_once('=').ok_or(HELP)?;
     let (lo, hi) = range.split_once(':').ok_or(HELP)?;
     let (lo, hi) = (value(lo).ok_or(HELP)?, value(hi).ok_or(HELP)?);
@@ -711,7 +711,7 @@ fn wanted(text: &str) -> Result<Goal, String> {
 
 fn vary(text: &str) -> Result<Vary, String> {
     const HELP: &str =
-        "give it as NAME=LO:HI:N, such as --vary play=0.05:0.3:26 or --vary u=0deg:360deg:361";
+        "give it as NAME=LO:HI:N, such as play=0.05:0.3:26 or u=0deg:360deg:361";
     let (name, range) = text.split_once('=').ok_or(HELP)?;
     let [lo, hi, count] = range.split(':').collect::<Vec<_>>()[..] else {
         return Err(HELP.to_owned());
