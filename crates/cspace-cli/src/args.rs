@@ -710,8 +710,7 @@ fn wanted(text: &str) -> Result<Goal, String> {
 }
 
 fn vary(text: &str) -> Result<Vary, String> {
-    const HELP: &str =
-        "give it as NAME=LO:HI:N, such as play=0.05:0.3:26 or u=0deg:360deg:361";
+    const HELP: &str = "give it as NAME=LO:HI:N, such as play=0.05:0.3:26 or u=0deg:360deg:361";
     let (name, range) = text.split_once('=').ok_or(HELP)?;
     let [lo, hi, count] = range.split(':').collect::<Vec<_>>()[..] else {
         return Err(HELP.to_owned());
