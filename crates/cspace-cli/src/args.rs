@@ -915,7 +915,7 @@ fn criterion(text: &str) -> Result<Criterion, String> {
         Some(percent) => percent.trim().parse::<f64>().map(|x| x / 100.0),
         None => text.parse(),
     };
-    // Fewer than one in ten thousand of a hundred million samples would fail beyond.
+    // Beyond, fewer than a hundred of a million samples would fail.
     share
         .ok()
         .filter(|share| (0.5..=0.9999).contains(share))

@@ -317,9 +317,8 @@ impl Drawing<f64> {
             let mut first: Option<(f64, DrawnContact)> = None;
             let mut doubtful = f64::INFINITY;
             // Those that come about once at most tell until when the others matter.
-            let (once, often): (Vec<&Encounter>, Vec<&Encounter>) =
-                list.iter().partition(|e| e.approaching);
-            for encounter in once.into_iter().chain(often) {
+            let once = list.iter().filter(|e| e.approaching);
+            for encounter in once.chain(list.iter().filter(|e| !e.approaching)) {
                 if first.is_some_and(|f| f.0 < encounter.lo) {
                     continue;
                 }

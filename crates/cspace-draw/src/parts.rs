@@ -97,13 +97,8 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
     let mut items = Vec::new();
     title(&mut items, &options.title, width, em);
     let legend = Legend::new(entries(picture, options), width - 2.0 * em, em);
-    let top = 2.6 * em;
     let foot = height - legend.height() - 0.5 * em;
-    let bottom = foot - Plot::BELOW * em;
-    let area = Area {
-        lo: Dot::new(Plot::LEFT * em, top),
-        hi: Dot::new(width - Plot::RIGHT * em, bottom),
-    };
+    let area = Plot::alone(width, foot, em);
     let [x, y] = seen(picture);
     let plot = Plot::at_one_scale(area, options.x.unwrap_or(x), options.y.unwrap_or(y), em);
     let unit = options.unit.as_deref();

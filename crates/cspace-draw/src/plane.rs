@@ -11,7 +11,7 @@ use crate::legend::{Legend, Sign};
 use crate::line::{follow, simplified};
 use crate::options::{Labels, PictureOptions};
 use crate::plot::{AxisLabel, Plot, title};
-use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::scene::{Colour, Dot, Item, Path, Scene, Stroke};
 use crate::slice::short;
 use crate::strips::{Strip, strips};
 use crate::ticks::Quantity;
@@ -28,10 +28,7 @@ pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
     title(&mut items, &options.title, width, em);
     let legend = Legend::new(entries(space, options), width - 2.0 * em, em);
     let foot = height - legend.height() - 0.5 * em;
-    let area = Area {
-        lo: Dot::new(Plot::LEFT * em, 2.6 * em),
-        hi: Dot::new(width - Plot::RIGHT * em, foot - Plot::BELOW * em),
-    };
+    let area = Plot::alone(width, foot, em);
     let whole = space.extent();
     let (fixed, moving) = space.axes();
     let plot = Plot {

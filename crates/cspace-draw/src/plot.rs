@@ -37,6 +37,14 @@ impl Plot {
     pub(crate) const BELOW: f64 = 3.4;
     pub(crate) const RIGHT: f64 = 1.2;
 
+    /// The rectangle of the only plot of a picture, below the title and above what is at its foot.
+    pub(crate) fn alone(width: f64, foot: f64, em: f64) -> Area {
+        Area {
+            lo: Dot::new(Self::LEFT * em, 2.6 * em),
+            hi: Dot::new(width - Self::RIGHT * em, foot - Self::BELOW * em),
+        }
+    }
+
     /// Both coordinates at one scale: the one with room to spare shows more.
     pub(crate) fn at_one_scale(area: Area, x: (f64, f64), y: (f64, f64), em: f64) -> Self {
         let scale = ((x.1 - x.0) / area.width()).max((y.1 - y.0) / area.height());

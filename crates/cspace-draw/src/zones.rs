@@ -8,7 +8,7 @@ use crate::options::PictureOptions;
 use crate::outline::{extent, with_margin};
 use crate::plane::{axis, draw_all_curves, seen};
 use crate::plot::{AxisLabel, Plot, title};
-use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::scene::{Colour, Dot, Item, Path, Scene, Stroke};
 use crate::slice::draw_curves;
 
 /// The pair as it is drawn.
@@ -111,10 +111,7 @@ pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
     }
     let legend = Legend::new(said, width - 2.0 * em, em);
     let foot = height - legend.height() - 0.5 * em;
-    let area = Area {
-        lo: Dot::new(Plot::LEFT * em, 2.6 * em),
-        hi: Dot::new(width - Plot::RIGHT * em, foot - Plot::BELOW * em),
-    };
+    let area = Plot::alone(width, foot, em);
     let [x, y] = picture.nominal.window(options);
     let plot = match picture.nominal {
         Nominal::Plane(_) => Plot { area, x, y, em },

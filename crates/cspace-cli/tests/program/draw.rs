@@ -213,3 +213,27 @@ fn what_a_picture_does_not_have_is_refused() {
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
+
+/// Contact zones, with the features of their bands; and a requirement along a motion, with how far its extremes are off.
+#[test]
+fn tolerances_are_drawn() {
+    let lock = model("tolerances/geneva_lock");
+    let zones = svg(&["tolerances", &lock, "--v=-1deg,1deg"]);
+    for said in [
+        "free within all",
+        "blocked within all",
+        "vertex 0 of loop 0",
+        "v: wheel turns",
+    ] {
+        assert!(zones.contains(said), "{said}");
+    }
+    let along = svg(&["tolerances", &lock, "--along", "u=0:1:2"]);
+    for said in [
+        ">dwell, deg<",
+        ">off by, dwell, deg<",
+        ">smallest<",
+        ">largest<",
+    ] {
+        assert!(along.contains(said), "{said}");
+    }
+}

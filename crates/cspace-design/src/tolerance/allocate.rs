@@ -184,7 +184,10 @@ pub fn allocate(
         samples: 0,
         ..options.clone()
     };
-    let analysis = Analysis::new(template, set, model, &unsampled, progress)?;
+    let analysis = Analysis {
+        proves: false,
+        ..Analysis::new(template, set, model, &unsampled, progress)?
+    };
     let first = analysis.of(&given)?;
     if let Some(not_met) = first.iter().find(|t| t.margin.factor == Some(0.0)) {
         return Err(Unallocated::NotMet(
@@ -235,6 +238,7 @@ pub fn allocate(
     };
     let analysis = Analysis {
         options: &options,
+        proves: true,
         ..analysis
     };
     let tolerances = analysis.of(&variations)?;

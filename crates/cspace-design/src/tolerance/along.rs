@@ -137,8 +137,8 @@ impl Analysis<'_> {
         model.requirements = vec![put(requirement, &held)];
         let (template, set) = (self.template, self.set);
         let of = (variations, &model, requirement.clone());
-        let study = Study::new(template, set, of, &self.spaces, self.progress);
-        let mut study = study.held_at(held, &self.spaces);
+        let study = Study::new(template, set, of, self.progress);
+        let mut study = study.held_at(held).on(&self.spaces);
         study.know();
         let corners = study.corners(1.0).into_iter();
         let mut jams = corners.filter_map(|at| Some((study.at(&at).value.err()?.reason, at)));

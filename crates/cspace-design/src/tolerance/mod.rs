@@ -62,7 +62,7 @@ pub use linear::{Contribution, Linear};
 pub use monte_carlo::MonteCarlo;
 pub use structure::{ChangeKind, LARGEST_FACTOR, Margin, Structural};
 pub use vary::{Variation, Variations, Zone};
-pub use zones::{Cell, NoZones, ZoneBand, Zones, zones};
+pub use zones::{Cell, NoZones, ZoneBand, Zones, area, zones};
 
 use study::Study;
 
@@ -115,6 +115,8 @@ struct Analysis<'a> {
     /// With these requirements alone.
     model: Model,
     options: &'a ToleranceOptions,
+    /// Whether extremes are proved: the margin does not need it.
+    proves: bool,
     spaces: Spaces,
     progress: &'a dyn Progress,
 }
@@ -139,6 +141,7 @@ impl<'a> Analysis<'a> {
             set,
             model,
             options,
+            proves: true,
             spaces,
             progress,
         })
@@ -149,9 +152,9 @@ impl<'a> Analysis<'a> {
             self.template,
             self.set,
             (variations, &self.model, requirement.clone()),
-            &self.spaces,
             self.progress,
         )
+        .on(&self.spaces)
     }
 
     fn go_on(&self) -> Result<(), Interrupted> {
@@ -197,7 +200,8 @@ impl<'a> Analysis<'a> {
         let mut ends = [None, None];
         let exact = is_number.then(|| {
             [(-1.0, 0), (1.0, 1)].map(|(sign, i)| {
-                let (extreme, summit) = study.extreme(sign, failure.is_none() || sign > 0.0);
+                let has_end = failure.is_none() || sign > 0.0;
+                let (extreme, summit) = study.extreme(sign, self.proves && has_end);
                 ends[i] = summit;
                 extreme
             })

@@ -26,7 +26,9 @@ pub(super) struct Study<'a> {
     most: usize,
     /// Coordinates of the configuration at which it is measured, in place of the model's.
     held: Vec<(Coordinate, f64)>,
-    /// How long motions are followed, of a quantity that first contacts decide.
+    /// Whether first contacts decide the quantity.
+    is_drawn: bool,
+    /// How long motions are followed then.
     pub(super) until: Vec<f64>,
     /// What is known of all points within the tolerances.
     pub(super) known: Known,
@@ -109,7 +111,6 @@ impl<'a> Study<'a> {
         template: &'a Template,
         set: &'a [Setting],
         (variations, nominal, requirement): (&'a Variations, &'a Model, Requirement),
-        spaces: &Spaces,
         progress: &'a dyn Progress,
     ) -> Self {
         let mut study = Self {
@@ -121,24 +122,25 @@ impl<'a> Study<'a> {
             requirement,
             most: MOST,
             held: Vec::new(),
+            is_drawn: false,
             until: Vec::new(),
             known: Known::Nothing,
         };
-        study.follow(spaces);
+        let of = study.requirement_of(nominal);
+        study.is_drawn = Drawing::<Ball>::new(nominal, of, None).is_some();
         study
     }
 
     /// As this, measured at other coordinates, at which the nominal model has its requirement too.
-    pub(super) fn held_at(mut self, held: Vec<(Coordinate, f64)>, spaces: &Spaces) -> Self {
+    pub(super) fn held_at(mut self, held: Vec<(Coordinate, f64)>) -> Self {
         self.held = held;
         // There are many places.
         self.most = MOST / 4;
-        self.follow(spaces);
         self
     }
 
-    /// Finds how long motions are followed.
-    fn follow(&mut self, spaces: &Spaces) {
+    /// As this, with the spaces of the nominal model: they tell how long motions are followed.
+    pub(super) fn on(mut self, spaces: &Spaces) -> Self {
         let nominal = self.nominal;
         let of = self.requirement_of(nominal);
         let drawing = Drawing::<Ball>::new(nominal, of, None);
@@ -151,6 +153,7 @@ impl<'a> Study<'a> {
             };
             self.until = vec![until; drawing.legs.len()];
         }
+        self
     }
 
     /// The model with some values, measured where coordinates are held.
@@ -201,7 +204,7 @@ impl<'a> Study<'a> {
 
     /// Whether first contacts decide the quantity.
     pub(super) fn is_drawn(&self) -> bool {
-        !self.until.is_empty()
+        self.is_drawn
     }
 
     pub(super) fn settings(&self, deviations: &[f64]) -> Vec<Setting> {

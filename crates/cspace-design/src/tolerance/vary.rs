@@ -193,8 +193,7 @@ impl Variations {
             let value = v.parameter.value;
             let distribution = match &v.distribution {
                 Distribution::Table(rows) => {
-                    let row =
-                        |&[x, density]: &[f64; 2]| [value + factor * (x - value), density / factor];
+                    let row = |&[x, density]: &[f64; 2]| [value + factor * (x - value), density];
                     Distribution::Table(rows.iter().map(row).collect())
                 }
                 other => other.clone(),

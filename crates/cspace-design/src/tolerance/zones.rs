@@ -3,8 +3,8 @@
 //!
 //! A window is divided into cells. A cell in which no features may touch in any drawing within the tolerances, by enclosures of all contact
 //! functions, is free or blocked as a whole, as one configuration of one drawing tells; so is blocked a cell in which one point is inside both parts
-//! in every drawing. The others are divided, down to the smallest, which are in a band of the contacts that may come about, as is what is free in one drawing and blocked in another all over. A band is never too
-//! narrow, and too wide by some cells.
+//! in every drawing. The others are divided, down to the smallest, which are in a band of the contacts that may come about, as is what is free in
+//! one drawing and blocked in another all over. A band is never too narrow, and too wide by some cells.
 
 use std::sync::Arc;
 
@@ -16,9 +16,9 @@ use cspace_io::Model;
 use cspace_io::model::{Setting, Subject, Template};
 use rayon::prelude::*;
 
+use super::Variations;
 use super::study::Study;
 use super::vary::{self, middle_and_half};
-use super::{Analysis, ToleranceOptions, Variations};
 use crate::check::Interrupted;
 use crate::drawing::{Enclosed, TOLD_APART, drawn_pair};
 
@@ -44,6 +44,16 @@ pub struct ZoneBand {
 
 /// A rectangle: the ranges of both coordinates.
 pub type Cell = [(f64, f64); 2];
+
+/// The area of cells that do not overlap: of the one coordinate times the other.
+///
+/// ```
+/// assert_eq!(cspace_design::area(&[[(0.0, 2.0), (0.0, 3.0)], [(2.0, 3.0), (0.0, 1.0)]]), 7.0);
+/// ```
+pub fn area(cells: &[Cell]) -> f64 {
+    let area = |[u, v]: &Cell| (u.1 - u.0) * (v.1 - v.0);
+    cells.iter().map(area).sum()
+}
 
 /// Why there are no zones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -82,19 +92,10 @@ pub fn zones(
 ) -> Result<Zones, NoZones> {
     let variations = Variations::of(model);
     // A study of any requirement of the pair has the numbers of the drawing.
-    let options = ToleranceOptions::default();
-    let mut model = model.clone();
-    model
-        .requirements
-        .retain(|r| matches!(r.subject, Subject::Pair(p, _) if p == pair));
-    model.requirements.truncate(1);
-    let analysis = Analysis::new(template, set, &model, &options, progress)?;
-    let requirement = analysis
-        .model
-        .requirements
-        .first()
-        .ok_or(NoZones::NotDrawn)?;
-    let study = analysis.study(&variations, requirement);
+    let mut requirements = model.requirements.iter();
+    let requirement = requirements.find(|r| matches!(r.subject, Subject::Pair(p, _) if p == pair));
+    let requirement = requirement.ok_or(NoZones::NotDrawn)?.clone();
+    let study = Study::new(template, set, (&variations, model, requirement), progress);
     let whole = variations.scaled(1.0);
     let drawn_in = |ranges: &[[f64; 2]]| Drawn::new(&study, pair, ranges);
     let drawn = drawn_in(&whole).ok_or(NoZones::NotDrawn)?;
@@ -102,7 +103,7 @@ pub fn zones(
     let corners = study.corners(1.0).into_iter();
     let point = |at: Vec<f64>| drawn_in(&at.iter().map(|x| [*x, *x]).collect::<Vec<_>>());
     let search = Search {
-        analysis: &analysis,
+        study: &study,
         corners: corners.filter_map(point).collect(),
         witnesses: [0, 1].map(|part| witnesses(drawn.part(part), drawn.of.deviation(part))),
         parameters: variations.len(),
@@ -159,7 +160,7 @@ impl Drawn {
 }
 
 struct Search<'a> {
-    analysis: &'a Analysis<'a>,
+    study: &'a Study<'a>,
     /// Within all tolerances.
     drawn: Drawn,
     /// At corners of them.
@@ -175,7 +176,7 @@ struct Search<'a> {
 }
 
 /// Boxes of configurations.
-type Box = ConfigurationBox<Enclosed>;
+type Region = ConfigurationBox<Enclosed>;
 
 /// What is known of a cell.
 #[derive(PartialEq)]
@@ -237,7 +238,7 @@ enum Looked {
 }
 
 /// Contacts that cells share.
-type Rc = Arc<[DrawnContact]>;
+type Shared = Arc<[DrawnContact]>;
 
 impl Search<'_> {
     fn all(&self, window: Cell) -> Result<Zones, NoZones> {
@@ -250,14 +251,16 @@ impl Search<'_> {
             .map(|(i, j)| [part(window[0], i), part(window[1], j)])
             .collect();
         let mut found: Vec<(Cell, State)> = Vec::new();
-        let mut open: Vec<(Cell, Option<Rc>)> = coarse.into_iter().map(|c| (c, None)).collect();
+        let mut open: Vec<(Cell, Option<Shared>)> = coarse.into_iter().map(|c| (c, None)).collect();
         for halvings in (0..=HALVINGS).rev() {
             let states = self.states(&open, |cell, known| self.look(cell, known))?;
             let mut doubtful = Vec::new();
             for ((cell, _), looked) in open.iter().zip(states) {
                 match looked {
                     Looked::Is(state) => found.push((*cell, state)),
-                    Looked::Doubtful(contacts) => doubtful.push((*cell, Some(Rc::from(contacts)))),
+                    Looked::Doubtful(contacts) => {
+                        doubtful.push((*cell, Some(Shared::from(contacts))));
+                    }
                 }
             }
             if halvings > 0 && 4 * doubtful.len() <= MOST {
@@ -309,8 +312,7 @@ impl Search<'_> {
             }
         });
         zones.bands = bands.collect();
-        let area = |b: &ZoneBand| -> f64 { b.cells.iter().map(area).sum() };
-        zones.bands.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        (zones.bands).sort_by(|a, b| area(&b.cells).total_cmp(&area(&a.cells)));
         zones.free = joined(zones.free);
         zones.blocked = joined(zones.blocked);
         Ok(zones)
@@ -319,12 +321,15 @@ impl Search<'_> {
     /// What is so of each cell, of what is known of one around it.
     fn states<S: Send>(
         &self,
-        cells: &[(Cell, Option<Rc>)],
+        cells: &[(Cell, Option<Shared>)],
         of: impl Fn(Cell, Option<&[DrawnContact]>) -> S + Sync,
     ) -> Result<Vec<S>, Interrupted> {
-        let state = |(cell, known): &(Cell, Option<Rc>)| {
-            self.analysis.go_on()?;
-            Ok(of(*cell, known.as_deref()))
+        let state = |(cell, known): &(Cell, Option<Shared>)| {
+            if self.study.goes_on() {
+                Ok(of(*cell, known.as_deref()))
+            } else {
+                Err(Interrupted)
+            }
         };
         cells.par_iter().map(state).collect()
     }
@@ -344,7 +349,7 @@ impl Search<'_> {
         }
     }
 
-    fn within(&self, cell: Cell) -> Box {
+    fn within(&self, cell: Cell) -> Region {
         let third = if self.is_planar { self.theta } else { 0.0 };
         let half = |(lo, hi): (f64, f64)| 0.5 * (hi - lo);
         let middle = [mid(cell[0]), mid(cell[1]), third];
@@ -352,7 +357,7 @@ impl Search<'_> {
     }
 
     /// A box about a configuration. Its coordinates are told apart from the parameters, where there are not too many of these.
-    fn cell(&self, middle: [f64; 3], half: [f64; 2]) -> Box {
+    fn cell(&self, middle: [f64; 3], half: [f64; 2]) -> Region {
         let half = [half[0], half[1], 0.0];
         let first = self.parameters.max(TOLD_APART - 2);
         ConfigurationBox {
@@ -363,7 +368,7 @@ impl Search<'_> {
     }
 
     /// Whether some drawing is free and another is blocked in the middle of a box and at its corners: to divide it tells no more.
-    fn is_between(&self, within: &Box) -> bool {
+    fn is_between(&self, within: &Region) -> bool {
         let ([x, y, z], [a, b, _]) = (within.middle, within.half);
         let signs = [
             (0.0, 0.0),
@@ -382,7 +387,7 @@ impl Search<'_> {
         })
     }
 
-    fn state(&self, drawn: &Drawn, within: &Box, among: Option<&[DrawnContact]>) -> State {
+    fn state(&self, drawn: &Drawn, within: &Region, among: Option<&[DrawnContact]>) -> State {
         let contacts = drawn.of.contacts_in(within, among);
         let overlap = drawn.overlap(within.middle);
         match (contacts.is_empty(), overlap) {
@@ -394,7 +399,7 @@ impl Search<'_> {
     }
 
     /// As [`state`](Self::state), of what is in doubt, by pieces of the tolerances.
-    fn state_by_pieces(&self, within: &Box, among: &[DrawnContact]) -> State {
+    fn state_by_pieces(&self, within: &Region, among: &[DrawnContact]) -> State {
         let mut known: Option<State> = None;
         let mut contacts: Vec<DrawnContact> = Vec::new();
         let mut is_certain = true;
@@ -423,7 +428,7 @@ impl Search<'_> {
     }
 
     /// Whether a point is inside both parts at all configurations of a box, in every drawing.
-    fn is_inside_both(&self, drawn: &Drawn, within: &Box) -> bool {
+    fn is_inside_both(&self, drawn: &Drawn, within: &Region) -> bool {
         /// Of the points deepest in both parts so many are tried.
         const TRIED: usize = 3;
         let placed = drawn.of.placed(within.middle.map(Real::constant));
@@ -443,10 +448,6 @@ impl Search<'_> {
         let mut best = inside.iter().take(TRIED);
         best.any(|&(_, part, witness)| !drawn.of.may_pass(within, part, witness))
     }
-}
-
-fn area([u, v]: &Cell) -> f64 {
-    (u.1 - u.0) * (v.1 - v.0)
 }
 
 fn mid((lo, hi): (f64, f64)) -> f64 {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use cspace::{ContactSpace, Options, PairEntry, PairSpace, Slice};
-use cspace_design::{Cell, ZoneBand, Zones, zones};
+use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_io::Model;
 use cspace_io::model::{Coordinate, Requirement, Subject, Template};
@@ -117,11 +117,9 @@ pub(super) fn run(
     }
     let answer = match args.result.format() {
         Format::Json => {
-            let band = |b: &'_ ZoneBand| -> Vec<Cell> { b.cells.clone() };
-            let cells: Vec<Vec<Cell>> = found.bands.iter().map(band).collect();
-            let bands = found.bands.iter().zip(&cells).map(|(b, cells)| BandAnswer {
+            let bands = found.bands.iter().map(|b| BandAnswer {
                 features: &b.features,
-                cells,
+                cells: &b.cells,
             });
             super::super::json(&Answer {
                 fixed: fixed.name(),
@@ -158,12 +156,6 @@ fn about<'m>(
 }
 
 fn text(found: &Zones, window: Cell, coordinates: [Coordinate; 2]) -> String {
-    let area = |cells: &[Cell]| -> f64 {
-        cells
-            .iter()
-            .map(|c| (c[0].1 - c[0].0) * (c[1].1 - c[1].0))
-            .sum()
-    };
     let whole = area(&[window]);
     let percent = |x: f64| format!("{:.3} %", 100.0 * x / whole + 0.0);
     let [a, b] = coordinates.map(Coordinate::name);
