@@ -79,6 +79,40 @@ fn an_overrunning_clutch_has_its_published_numbers() {
     near(lo, angle(55.29 + 0.127, 22.8727, 101.6 - 0.127), 1e-9);
 }
 
+/// Form deviates like the sizes do: a roller off by ±e all around has a diameter off by ±2e, and a ring one by ∓2e.
+#[test]
+fn form_deviates_along_normals() {
+    let profiled = shipped("overrunning_clutch")
+        .replace("name = \"cage\"\n", "name = \"cage\"\nprofile = 0.02\n")
+        .replace("name = \"roller\"\n", "name = \"roller\"\nprofile = 0.01\n");
+    let found = analysed(&template(profiled), 0);
+    // The roller's centre is where the drawing has it, its own radius and the ring's are off.
+    let angle = |hub: f64, roller: f64, cage: f64, e: f64, f: f64| {
+        ((hub + roller) / (cage - 2.0 * f - roller - 2.0 * e)).acos()
+    };
+    let [lo, hi] = ends(&found);
+    near(
+        lo,
+        angle(55.29 + 0.127, 22.8727, 101.6 - 0.127, 0.01, 0.02),
+        1e-9,
+    );
+    near(
+        hi,
+        angle(55.29 - 0.127, 22.8473, 101.6 + 0.127, -0.01, -0.02),
+        1e-9,
+    );
+    let linear = found.linear.unwrap();
+    let names: Vec<&str> = linear
+        .parameters
+        .iter()
+        .map(|p| p.parameter.as_str())
+        .collect();
+    assert!(
+        names.contains(&"cage_profile") && names.contains(&"roller_profile"),
+        "{names:?}"
+    );
+}
+
 /// The play of the lock is that of its arc's ends, until the arc itself jams.
 #[test]
 fn a_geneva_lock_jams_beyond_its_tolerances() {
@@ -326,7 +360,7 @@ fn random_designs_stay_within_their_extremes() {
         given.map_or(or, |text| text.parse().unwrap())
     };
     let mut random = ChaCha8Rng::seed_from_u64(number("CSPACE_SEED", 7));
-    let (mut certified, mut seen, mut numbers) = (0, 0, 0);
+    let (mut certified, mut passed, mut seen, mut numbers) = (0, 0, 0, 0);
     while seen < number("CSPACE_PAIRS", 6) {
         let parameters = random.random_range(1..5);
         let hole = outline(&mut random, [5.0, 8.0], parameters, true);
@@ -349,7 +383,7 @@ fn random_designs_stay_within_their_extremes() {
             continue;
         }
         seen += 1;
-        let found = analysed(&template, 500);
+        let found = analysed(&template, number("CSPACE_SAMPLES", 500));
         let [lo, hi] = found.exact.clone().unwrap();
         let variations = Variations::of(&model);
         let range = found.monte_carlo.clone().unwrap().range;
@@ -371,17 +405,14 @@ fn random_designs_stay_within_their_extremes() {
             };
             numbers += 1;
             let slack = 1e-9 * value.abs().max(1.0);
-            if let Ok(lo) = lo.value {
-                assert!(
-                    value >= lo - slack,
-                    "{value} below {lo}:\n{text}{deviations:?}"
-                );
-            }
-            if let Ok(hi) = hi.value {
-                assert!(
-                    value <= hi + slack,
-                    "{value} above {hi}:\n{text}{deviations:?}"
-                );
+            for (end, sign) in [(&lo, -1.0), (&hi, 1.0)] {
+                if let (Ok(of), true) = (end.value.clone(), end.certified) {
+                    let beyond = sign * (value - of);
+                    assert!(
+                        beyond <= slack,
+                        "{value} beyond {of}:\n{text}{deviations:?}"
+                    );
+                }
             }
         }
         for (end, of) in [(&lo, range[0]), (&hi, range[1])] {
@@ -394,10 +425,15 @@ fn random_designs_stay_within_their_extremes() {
             } else {
                 of - value
             };
-            assert!(
-                beyond <= 1e-9 * value.abs().max(1.0),
-                "{of} beyond {value}:\n{text}"
-            );
+            // What is not proved may be passed, by no more than its gap.
+            let may = if end.certified {
+                0.0
+            } else {
+                end.gap.unwrap_or(f64::INFINITY)
+            };
+            let slack = 1e-9 * value.abs().max(1.0);
+            passed += usize::from(beyond > slack);
+            assert!(beyond <= may + slack, "{of} beyond {value}:\n{text}");
             // The value there, by a space of its own.
             let measured_at = |at: &[f64]| {
                 let set = variations.settings(&[], at);
@@ -432,7 +468,10 @@ fn random_designs_stay_within_their_extremes() {
             );
         }
     }
-    println!("{seen} designs, {certified} extremes certified, {numbers} points");
+    println!(
+        "{seen} designs, {certified} extremes certified, {passed} others passed, {numbers} points"
+    );
+    assert!(passed <= (seen / 20) as usize, "{passed} of {seen}");
     assert!(certified >= seen as usize, "{certified} of {seen}");
 }
 

@@ -34,6 +34,7 @@ mod offset;
 mod outlines;
 mod path_map;
 mod points;
+mod profile;
 mod read;
 mod shown;
 mod source;
@@ -50,6 +51,7 @@ pub use outlines::{
     DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
     Reading, Settings, Survey, Traced,
 };
+pub use profile::{ProfileError, profile};
 pub use read::{Format, from_bytes, is_drawing, read};
 pub use source::Source;
 pub use unit::{Conversion, Unit};

@@ -21,6 +21,7 @@ mod part_dynamics;
 mod parts;
 mod pattern;
 mod place;
+mod profile;
 mod read;
 mod relations;
 mod requirements;

@@ -56,7 +56,7 @@ pub(super) fn with_names(mut part: Part, place: &Place, node: &Node) -> Result<P
 }
 
 /// The kind, if the text names one, and the place of a feature such as `convex arc 3 of loop 0`.
-fn feature(text: &str) -> Option<(&str, PartFeature)> {
+pub(super) fn feature(text: &str) -> Option<(&str, PartFeature)> {
     let (feature, loop_index) = text.trim().split_once(" of loop ")?;
     let (kind, index) = feature.rsplit_once(' ')?;
     let (loop_index, index) = (loop_index.parse().ok()?, index.parse().ok()?);

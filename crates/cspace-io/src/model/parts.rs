@@ -12,6 +12,7 @@ use super::node::Node;
 use super::outline::read_outline;
 use super::part_dynamics::{self, read_part_dynamics};
 use super::place::Place;
+use super::profile::{self, at_profile};
 use super::suggest::nearest;
 use super::table::{Result, Table};
 use crate::shown::quoted;
@@ -61,9 +62,25 @@ fn read_part(
     node: &Node,
     setting: &mut Setting<'_>,
 ) -> Result<(PartEntry, PartDynamics)> {
-    const KEYS: [&str; 17] = [
-        "name", "loops", "dxf", "svg", "points", "names", "motion", "symmetry", "layer", "id",
-        "hatches", "pick", "trace", "scale", "join", "offset", "split",
+    const KEYS: [&str; 18] = [
+        "name",
+        "loops",
+        "dxf",
+        "svg",
+        "points",
+        "names",
+        "motion",
+        "symmetry",
+        "layer",
+        "id",
+        "hatches",
+        "pick",
+        "trace",
+        "scale",
+        "join",
+        "offset",
+        "split",
+        profile::KEY,
     ];
     // It is too like others to be suggested.
     const OTHERS: [&str; 1] = ["fit"];
@@ -90,6 +107,9 @@ fn read_part(
     part = at_offset(&table, part, setting)?;
     if let Some(names) = table.get("names") {
         part = with_names(part, &place.key("names"), names)?;
+    }
+    if let Some(node) = table.get(profile::KEY) {
+        part = at_profile(part, &place.key(profile::KEY), node)?;
     }
     let axis = match table.get("motion") {
         Some(m) => read_motion(place.key("motion").further("motion"), m)?,

@@ -12,6 +12,7 @@ use super::node::Node;
 use super::parameters::{Entry, Parameter, Parameters, Variation};
 use super::parts::read_parts;
 use super::place::Place;
+use super::profile::add_parameters;
 use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
 use super::slopes::{Slopes, slopes};
@@ -311,6 +312,7 @@ impl Template {
     /// The tree with the numbers that depend on what varies.
     fn varied(&self, host: &Host<'_>, variation: &Variation<'_>) -> Result<Node> {
         let mut tree = self.tree.clone();
+        add_parameters(&mut tree)?;
         let given = taken(&mut tree);
         let place = Place::default().key("parameter");
         let mut parameters = Parameters::read(given.as_ref(), &place, host.set, Some(variation))?;
@@ -465,6 +467,7 @@ fn taken(tree: &mut Node) -> Option<Node> {
 /// The model, and what whoever reads it should know.
 fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
     let place = Place::default().key("parameter");
+    add_parameters(&mut tree)?;
     let given = taken(&mut tree);
     let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set, None)?;
     let failures = parameters.replace(&mut tree);

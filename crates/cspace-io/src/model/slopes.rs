@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{Ball, Dual, Mechanism, Real, Vertex};
+use cspace::{Ball, Dual, Mechanism, Part, Real, Vertex};
 
 use super::error::ModelError;
 use super::loops::read_loops;
 use super::node::Node;
 use super::place::Place;
+use super::profile::{KEY, Profile};
 use super::requirements::Coordinate;
 use super::table::{Result, number};
 
@@ -41,6 +42,9 @@ pub struct RequirementSlopes<T = f64> {
     pub along: [Option<T>; 3],
 }
 
+/// A number with its derivative, and what encloses both.
+type Given = Dual<1, Ball>;
+
 /// What is wanted of a number that varies.
 pub(super) trait Slope: Copy {
     fn of(number: Dual<1, Ball>) -> Self;
@@ -65,10 +69,10 @@ pub(super) fn slopes<T: Slope>(tree: &Node, mechanism: &Mechanism) -> Result<Slo
         _ => &[],
     };
     let place = Place::default().key("part");
-    let parts = items("part").iter().enumerate().map(|(i, node)| {
-        let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
-        let words = format!("part {}", crate::shown::quoted(name));
-        part(&place.item(i).called(words), node)
+    let parts = items("part").iter().zip(&mechanism.parts).enumerate();
+    let parts = parts.map(|(i, (node, of))| {
+        let words = format!("part {}", crate::shown::quoted(of.part.name()));
+        part(&place.item(i).called(words), node, &of.part)
     });
     Ok(Slopes {
         parts: parts.collect::<Result<_>>()?,
@@ -103,7 +107,7 @@ fn varied(node: &Node) -> Option<Dual<1, Ball>> {
     }
 }
 
-fn part<T: Slope>(place: &Place, node: &Node) -> Result<PartSlopes<T>> {
+fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>> {
     // Of what is offset or drawn elsewhere, only that it depends is known.
     for key in ["offset", "scale", "trace", "join"] {
         if entry(node, key).is_some_and(depends) {
@@ -117,6 +121,7 @@ fn part<T: Slope>(place: &Place, node: &Node) -> Result<PartSlopes<T>> {
         axis: None,
         range: None,
     };
+    let mut outlines: Vec<Vec<Vertex<Given>>> = Vec::new();
     if let Some(loops @ Node::List(items)) = entry(node, "loops")
         && depends(loops)
     {
@@ -127,11 +132,30 @@ fn part<T: Slope>(place: &Place, node: &Node) -> Result<PartSlopes<T>> {
         }
         let loops = place.key("loops");
         for (i, node) in items.iter().enumerate() {
-            for drawn in read_loops::<Dual<1, Ball>>(&loops, i, node)? {
-                let of = |v: &Vertex<Dual<1, Ball>>| [v.x, v.y, v.bulge].map(T::of);
-                slopes.loops.push(drawn.vertices.iter().map(of).collect());
-            }
+            let drawn = read_loops::<Given>(&loops, i, node)?;
+            outlines.extend(drawn.into_iter().map(|l| l.vertices));
         }
+    }
+    if let Some(node) = entry(node, KEY).filter(|p| depends(p) || !outlines.is_empty()) {
+        let place = place.key(KEY);
+        let mut profile = Profile::<Given>::read(&place, node, of)?;
+        if outlines.is_empty() {
+            // The part's own are off by the values already.
+            profile = profile.beyond();
+            let given = |v: &Vertex| {
+                let [x, y, bulge] = [v.x, v.y, v.bulge].map(Given::constant);
+                Vertex::new(x, y, bulge)
+            };
+            let loops = of.loops().iter();
+            outlines = loops
+                .map(|l| l.vertices().iter().map(given).collect())
+                .collect();
+        }
+        outlines = profile.loops(&place, of, &outlines)?;
+    }
+    for outline in outlines {
+        let number = |v: &Vertex<Given>| [v.x, v.y, v.bulge].map(T::of);
+        slopes.loops.push(outline.iter().map(number).collect());
     }
     let Some(motion) = entry(node, "motion") else {
         return Ok(slopes);

@@ -152,7 +152,7 @@ pub(super) struct Written {
 const EXTENTS: [&str; 4] = ["tol", "plus", "minus", "limits"];
 
 /// Tolerances beyond this are no dimension's (the unit of the parameter).
-const LARGEST: f64 = 1e12;
+pub(super) const LARGEST: f64 = 1e12;
 
 /// Values that differ by less, relative to them, are one.
 const ROUNDING: f64 = 1e-12;

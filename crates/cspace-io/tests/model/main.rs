@@ -5,6 +5,7 @@ mod arcs;
 mod dynamics;
 mod errors;
 mod paper;
+mod profile;
 mod round_trip;
 mod schema;
 mod slips;

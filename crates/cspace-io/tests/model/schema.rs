@@ -62,7 +62,7 @@ fn whole() -> Value {
             "half": "width/2 + 0*play*n", "turned": "18deg",
         },
         "part": [
-            {"name": "plate", "motion": {"type": "fixed"},
+            {"name": "plate", "motion": {"type": "fixed"}, "profile": {"line 4 of loop 0": 0.01, "line 0 of loop 8": "play/10"},
              "names": {"line 0 of loop 0": "floor", "vertex 0 of loop 0": "corner", "convex arc 1 of loop 0": "edge"},
              "loops": [
                 [[-20, -20], [20, -20], {"fillet": 2}, {"at": ["2*half", 20], "fillet": "3"}, [-20, 20]],
@@ -70,7 +70,7 @@ fn whole() -> Value {
                 {"circle": 0.5, "at": [10, 0], "pattern": {"count": "n", "about": [0, 0]}},
                 {"path": [[14, -1], [16, -1], [15, 1]], "pattern": {"count": 3, "about": [0, 0]}},
             ]},
-            {"name": "cam", "symmetry": 1,
+            {"name": "cam", "symmetry": 1, "profile": 0.02,
              "start": "15deg", "motion": {"type": "revolute", "center": [0, 0], "range": ["-10deg", 0.5]},
              "loops": [[[0, 0, 0.25], [4, 0], {"arc_to": [0, 4], "radius": 4, "direction": "ccw", "large": false}]]},
             {"name": "slider", "density": 0.5, "inertia": 2.5, "start": -2.5, "rate": 4, "motion": {"type": "prismatic", "direction": [0, 1], "range": [-3, 4.5]},
@@ -197,6 +197,9 @@ fn broken_models_are_not() {
         ("/part/0/hatches", json!(true)),
         ("/part/0/trace", json!(true)),
         ("/part/0/offset", json!("1!")),
+        ("/part/0/profile", json!(-0.1)),
+        ("/part/0/profile", json!([0.1])),
+        ("/part/0/profile", json!({"line 0 of loop 0": [1]})),
         ("/part/0/split", json!(true)),
         ("/part/0/split", json!(1)),
         ("/part/0/dxf", json!("a.dxf")),
