@@ -58,6 +58,15 @@ impl DriveCurve {
         Self { shape }
     }
 
+    /// A part that stands where this one is at a time.
+    pub(crate) fn still(&self, time: f64) -> Self {
+        let shape = Shape::Even {
+            start: self.at(time).value,
+            rate: 0.0,
+        };
+        Self { shape }
+    }
+
     /// Where the part is at a time.
     pub fn at(&self, time: f64) -> Driven {
         let still = |value| Driven {

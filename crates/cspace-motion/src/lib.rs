@@ -58,6 +58,7 @@ mod dormand_prince;
 mod drive;
 pub mod dynamic;
 mod error;
+mod forces;
 mod inertial;
 mod kinematic;
 mod linear;

@@ -34,6 +34,8 @@ pub enum EventKind {
     Rest,
     /// A part comes to an end of its range.
     Limit,
+    /// The balance of forces ends, and parts go to the next one at once.
+    Snap,
 }
 
 /// What an event is about.
@@ -56,6 +58,11 @@ pub enum What {
         /// `upper` or `lower`.
         limit: &'static str,
     },
+    /// A part.
+    Part {
+        /// Its name.
+        part: String,
+    },
 }
 
 impl core::fmt::Display for What {
@@ -66,6 +73,7 @@ impl core::fmt::Display for What {
                 moving,
                 features: [a, b],
             } => write!(f, "{a} of {fixed} and {b} of {moving}"),
+            Self::Part { part } => f.write_str(part),
             Self::Limit { part, limit } => write!(f, "the {limit} end of the range of {part}"),
         }
     }

@@ -232,8 +232,11 @@ impl Simulation {
         let (time, every) = settings.times()?;
         let goes_on = |_| progress.stage(Stage::Graph).is_ok();
         let start = self.start.clone();
-        run(&self.system, &self.pairs, start, time, every, &goes_on)
-            .ok_or(SimulateError::Interrupted)
+        let system = match self.system.has_forces() {
+            true => &self.system.balanced(),
+            false => &self.system,
+        };
+        run(system, &self.pairs, start, time, every, &goes_on).ok_or(SimulateError::Interrupted)
     }
 }
 

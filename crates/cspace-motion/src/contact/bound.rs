@@ -17,13 +17,25 @@ pub(crate) enum Bound {
         /// Whether it is the upper end.
         upper: bool,
     },
+    /// Of a part with a brake: it holds either way.
+    Brake {
+        /// The part.
+        part: usize,
+        /// Where it stands.
+        at: f64,
+    },
 }
 
 impl Bound {
+    pub(crate) fn is_brake(&self) -> bool {
+        matches!(self, Self::Brake { .. })
+    }
+
     /// Whether it is of the same features, or the same end of a range.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Contact(a), Self::Contact(b)) => a.pair == b.pair && a.features == b.features,
+            (Self::Brake { part: a, .. }, Self::Brake { part: b, .. }) => a == b,
             _ => self == other,
         }
     }
@@ -32,6 +44,14 @@ impl Bound {
     pub(crate) fn function(&self, system: &System, pairs: &Pairs, q: &[f64]) -> Row {
         match self {
             Self::Contact(touch) => pairs.list()[touch.pair].function(touch, system, q),
+            Self::Brake { part, at } => {
+                let mut row = Row::default();
+                if let Some(i) = system.parts()[*part].indices().next() {
+                    row = Row::new(q[i] - at);
+                    row.push(i, 1.0);
+                }
+                row
+            }
             Self::Limit { part, upper } => {
                 let PartCoordinates::Axis {
                     first,
@@ -89,6 +109,20 @@ pub(crate) const SAME_PLACE: f64 = 1e-6;
 
 /// Contacts are told when they are farther away than what leaves them by this factor.
 pub(super) const REACH: f64 = 4.0;
+
+/// The brakes of parts, where they stand.
+pub(crate) fn brakes(system: &System, q: &[f64]) -> Vec<Bound> {
+    let braked = |part: &usize| system.mechanism().dynamics.part(*part).brake;
+    let all = (0..system.parts().len()).filter(braked);
+    let free = all.filter_map(|part| {
+        let i = system.parts()[part].indices().next()?;
+        system
+            .free()
+            .contains(&i)
+            .then_some(Bound::Brake { part, at: q[i] })
+    });
+    free.collect()
+}
 
 /// The contacts that touch, and the ends of ranges that are reached.
 pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {

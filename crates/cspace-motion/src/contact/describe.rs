@@ -22,6 +22,7 @@ pub(crate) fn named(system: &System, pairs: &Pairs, bound: &Bound) -> What {
                 features,
             }
         }
+        Bound::Brake { part, .. } => What::Part { part: name(*part) },
         Bound::Limit { part, upper } => What::Limit {
             part: name(*part),
             limit: if *upper { "upper" } else { "lower" },

@@ -10,7 +10,9 @@ mod path;
 mod pinch;
 mod watch;
 
-pub(crate) use bound::{Bound, SAME_PLACE, limit_tolerance, limits, nearly_touching, touching};
+pub(crate) use bound::{
+    Bound, SAME_PLACE, brakes, limit_tolerance, limits, nearly_touching, touching,
+};
 pub(crate) use corner::one_is_enough;
 pub(crate) use describe::named;
 pub(crate) use ends::{PAST_END, ends};

@@ -54,7 +54,7 @@ impl Numbers {
     pub(super) fn number(&self, bound: &Bound) -> usize {
         let mut list = self.list.borrow_mut();
         match bound {
-            Bound::Limit { .. } => list[..self.limits]
+            Bound::Limit { .. } | Bound::Brake { .. } => list[..self.limits]
                 .iter()
                 .position(|b| b == bound)
                 .unwrap_or(0),
@@ -75,7 +75,7 @@ impl Numbers {
 pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, posed: &Posed) -> Opening {
     let all = &posed.all;
     match bound {
-        Bound::Limit { .. } => {
+        Bound::Limit { .. } | Bound::Brake { .. } => {
             let row = bound.function(system, pairs, &all.q);
             let mut normal = Rates::none();
             for &(i, d) in row.entries() {

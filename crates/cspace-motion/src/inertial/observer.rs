@@ -1,12 +1,9 @@
 //! What is told of a motion with masses, as samples and events of a record.
 
-use cspace::pair::Joint;
-
 use crate::contact::{Bound, named};
 use crate::dynamic::{self, Acting, Observer, State};
-use crate::record::{
-    ContactForce, DriveForce, Event, EventKind, Forces, JointForce, MOST_TRACED, Sample,
-};
+use crate::forces::{drive_force, joint_forces};
+use crate::record::{ContactForce, Event, EventKind, Forces, MOST_TRACED, Sample};
 
 use super::bodies::All;
 use super::world::Mechanical;
@@ -23,11 +20,6 @@ pub(super) struct Gathering<'a> {
 }
 
 impl Gathering<'_> {
-    fn name(&self, part: usize) -> String {
-        let system = &self.world.bodies.system;
-        system.mechanism().parts[part].part.name().to_owned()
-    }
-
     fn forces(&self, state: &State, acting: &Acting<'_>) -> Forces {
         let all = &self.world.bodies.all(state);
         let system = &self.world.bodies.system;
@@ -39,38 +31,9 @@ impl Gathering<'_> {
                 tangential,
             })
             .collect();
-        let mut mu = acting.joints.iter().copied();
-        let mut next = || mu.next().unwrap_or(0.0);
-        let joints = (system.joint_entries().iter())
-            .map(|entry| {
-                let (a, b) = entry.parts;
-                // The first part's constraint force is the multiplier along the direction, the second's its opposite.
-                let (force, torque) = match entry.joint {
-                    Joint::Revolute { .. } => ([-next(), -next()], 0.0),
-                    Joint::Rigid => ([-next(), -next()], next() * system.size()),
-                    Joint::Prismatic { direction, .. } => {
-                        let n = direction.unit().left();
-                        let [x, y] = system.placement(a, &all.q).vector([n.x, n.y]);
-                        let across = next();
-                        ([-across * x, -across * y], next() * system.size())
-                    }
-                };
-                JointForce {
-                    parts: [self.name(a), self.name(b)],
-                    force,
-                    torque,
-                }
-            })
-            .collect();
+        let joints = joint_forces(system, &all.q, acting.joints.as_slice());
         let drives = (self.world.drive_forces(state, acting).into_iter())
-            .map(|(i, force)| {
-                let part = system.parts().iter().position(|p| p.indices().contains(&i));
-                DriveForce {
-                    part: self.name(part.unwrap_or(0)),
-                    force,
-                    power: force * all.v[i],
-                }
-            })
+            .map(|(i, force)| drive_force(system, i, force, all.v[i]))
             .collect();
         Forces {
             contacts,

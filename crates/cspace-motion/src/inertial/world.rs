@@ -66,7 +66,7 @@ impl<'a> Mechanical<'a> {
                 let place = pair.point(&touch, &self.bodies.system, q).ok();
                 place.filter(|p| p.is_finite())
             }
-            Bound::Limit { .. } => None,
+            Bound::Limit { .. } | Bound::Brake { .. } => None,
         }
     }
 
@@ -163,7 +163,7 @@ impl<'a> Mechanical<'a> {
         let system = &self.bodies.system;
         let contacts = step.bearing.iter().filter_map(|&i| match self.bound(i) {
             Bound::Contact(touch) => Some(touch),
-            Bound::Limit { .. } => None,
+            Bound::Limit { .. } | Bound::Brake { .. } => None,
         });
         let mut contacts = contacts.peekable();
         if contacts.peek().is_none() {
@@ -399,7 +399,7 @@ impl World for Mechanical<'_> {
                         .copied()
                         .unwrap_or(1.0)
                 }
-                Bound::Limit { .. } => 1.0,
+                Bound::Limit { .. } | Bound::Brake { .. } => 1.0,
             },
         }
     }
@@ -438,7 +438,7 @@ impl World for Mechanical<'_> {
                 }
             }
             // Stops bounce as all does, and nothing slides on them.
-            Bound::Limit { .. } => Surface {
+            Bound::Limit { .. } | Bound::Brake { .. } => Surface {
                 friction: 0.0,
                 restitution: dynamics.restitution,
             },

@@ -10,14 +10,15 @@ const PULL: f64 = 1e-10;
 /// Whether closed contacts push all the way, no other part is met, and no range is left.
 pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
     let pull = -PULL * to.velocity.speed;
-    if to.velocity.pushes.iter().any(|&p| p < pull) {
+    let mut pushes = to.velocity.pushes.iter().zip(&flow.held);
+    if pushes.any(|(&p, bound)| p < pull && !bound.is_brake()) {
         return false;
     }
     let leaves = |(bound, room): &(Bound, f64)| match bound {
         Bound::Limit { part, .. } => {
             *room < -limit_tolerance(flow.system, *part) && !flow.held.contains(bound)
         }
-        Bound::Contact(_) => false,
+        Bound::Contact(_) | Bound::Brake { .. } => false,
     };
     if limits(flow.system, &to.q).iter().any(leaves) {
         return false;

@@ -7,10 +7,11 @@
 
 use cspace::Point;
 
-use crate::contact::{Bound, SAME_PLACE, Watch};
+use crate::contact::{Bound, SAME_PLACE, Watch, brakes};
 use crate::pairs::Pairs;
-use crate::system::{Row, System};
+use crate::system::{Law, Row, System};
 
+use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
 use super::velocity::{Local, Nearest};
@@ -41,8 +42,28 @@ pub(crate) enum Choice<'a> {
     Undetermined,
 }
 
-/// Chooses among bounds that are reached.
+/// Chooses among bounds that are reached; brakes hold unless what is driven does not allow it.
 pub(crate) fn choose<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    bounds: &[Bound],
+    time: f64,
+    q: &[f64],
+    longest: f64,
+) -> Choice<'a> {
+    let brakes = brakes(system, q);
+    let bounds: Vec<Bound> = bounds.iter().filter(|b| !b.is_brake()).copied().collect();
+    if !brakes.is_empty() {
+        let bounds = [&bounds[..], &brakes].concat();
+        let choice = among(system, pairs, &bounds, time, q, longest);
+        if let Choice::On { .. } = choice {
+            return choice;
+        }
+    }
+    among(system, pairs, &bounds, time, q, longest)
+}
+
+fn among<'a>(
     system: &'a System,
     pairs: &'a Pairs,
     bounds: &[Bound],
@@ -62,7 +83,7 @@ pub(crate) fn choose<'a>(
         .collect();
     let place = |bound: &Bound| match bound {
         Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
-        Bound::Limit { .. } => None,
+        Bound::Limit { .. } | Bound::Brake { .. } => None,
     };
     let contacts: Vec<usize> = (0..bounds.len())
         .filter(|&i| matches!(bounds[i], Bound::Contact(_)))
@@ -94,7 +115,23 @@ pub(crate) fn choose<'a>(
                 .filter(|i| !left_out.iter().any(|&k| contacts[k] == *i))
                 .collect();
             let chosen: Vec<Row> = inside.iter().map(|&i| rows[i]).collect();
-            if let Nearest::Held { held, distance } = local.nearest(&chosen) {
+            let nearest = match system.law() {
+                Law::Speeds { .. } => {
+                    let kept = (0..inside.len()).filter(|&k| bounds[inside[k]].is_brake());
+                    Some(local.nearest_with(&chosen, &kept.collect::<Vec<_>>()))
+                }
+                Law::Balance => {
+                    let bounds: Vec<Bound> = inside.iter().map(|&i| bounds[i]).collect();
+                    let closed = Closed {
+                        system,
+                        pairs,
+                        bounds: &bounds,
+                        q,
+                    };
+                    closed.nearest(&local)
+                }
+            };
+            if let Some(Nearest::Held { held, distance }) = nearest {
                 let held: Vec<usize> = held.into_iter().map(|k| inside[k]).collect();
                 if !tried.contains(&held) {
                     tried.push(held.clone());
@@ -120,6 +157,22 @@ pub(crate) fn choose<'a>(
                 .collect(),
         ),
         Nearest::Held { .. } => Choice::Undetermined,
+    }
+}
+
+/// The bounds that carry the forces at a configuration, as far as they can.
+pub(super) fn pressing(
+    local: &Local<'_>,
+    system: &System,
+    pairs: &Pairs,
+    bounds: &[Bound],
+    q: &[f64],
+) -> Vec<Bound> {
+    let of = |b: &Bound| b.function(system, pairs, q);
+    let rows: Vec<Row> = bounds.iter().map(of).collect();
+    match local.still().nearest(&rows) {
+        Nearest::Held { held, .. } => held.into_iter().map(|i| bounds[i]).collect(),
+        Nearest::None { .. } => Vec::new(),
     }
 }
 

@@ -12,7 +12,7 @@ use super::flow::Flow;
 const STAYS: f64 = 1e-14;
 
 /// The contacts and limits that are told to be there.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Told {
     list: Vec<(Bound, Option<cspace::Point>)>,
 }
@@ -29,7 +29,7 @@ impl Told {
         let (system, q) = (flow.system, &flow.q);
         let place = |bound: &Bound| match bound {
             Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
-            Bound::Limit { .. } => None,
+            Bound::Limit { .. } | Bound::Brake { .. } => None,
         };
         let opens = STAYS * system.size();
         let stays = |bound: &Bound| {
@@ -37,7 +37,12 @@ impl Told {
             value(next) - value(q) <= opens
         };
         let now: Vec<(Bound, Option<cspace::Point>)> = (flow.held.iter())
-            .chain(bounds.iter().filter(|b| !flow.held.contains(b) && stays(b)))
+            .filter(|b| !b.is_brake())
+            .chain(
+                bounds
+                    .iter()
+                    .filter(|b| !b.is_brake() && !flow.held.contains(b) && stays(b)),
+            )
             .map(|b| (*b, place(b)))
             .collect();
         let near = SAME_PLACE * system.size();
@@ -65,7 +70,7 @@ impl Told {
             if before.iter().all(|o| !same(o, new)) {
                 let kind = match new.0 {
                     Bound::Contact(_) => EventKind::Touch,
-                    Bound::Limit { .. } => EventKind::Limit,
+                    Bound::Limit { .. } | Bound::Brake { .. } => EventKind::Limit,
                 };
                 events.push(event(system, pairs, flow.time, new, kind));
             }

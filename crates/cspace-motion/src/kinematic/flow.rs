@@ -8,12 +8,16 @@ use crate::contact::Bound;
 use crate::dormand_prince::{DIFFERENCE, STAGES};
 use crate::linear::add_scaled;
 use crate::pairs::Pairs;
-use crate::system::{Row, System};
+use crate::record::Forces;
+use crate::system::{Law, Row, System};
 
+use super::balance::Closed;
 use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
 const CLOSED: f64 = 1e-13;
+/// Forces balance to this way, relative to the size of the mechanism, once it does not become shorter.
+const BALANCED: f64 = 1e-10;
 /// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
 const ERROR: f64 = 1e-13;
 /// What is brought back moves by no more than this share of the step: more would be another solution.
@@ -78,6 +82,21 @@ impl<'a> Flow<'a> {
         })
     }
 
+    /// The forces at a configuration of the motion; none where nothing acts.
+    pub(super) fn forces(&self, time: f64, at: &Arrived) -> Option<Forces> {
+        if self.system.law() != Law::Balance {
+            return None;
+        }
+        let closed = Closed {
+            system: self.system,
+            pairs: self.pairs,
+            bounds: &self.held,
+            q: &at.q,
+        };
+        let local = Local::at(self.system, &at.q, time)?;
+        Some(closed.forces(&local, &at.velocity.rates))
+    }
+
     /// A configuration near the motion a while later, brought to where contacts and joints hold.
     pub(crate) fn brought(&self, h: f64, mut q: Vec<f64>) -> Option<Arrived> {
         let room = CORRECTION * self.system.moved(&self.q, &q) + CLOSED * self.system.size();
@@ -130,12 +149,65 @@ fn rows(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Vec<Row> {
 }
 
 fn velocity(system: &System, pairs: &Pairs, held: &[Bound], time: f64, q: &[f64]) -> Option<Held> {
-    let found = Local::at(system, q, time)?.held(&rows(system, pairs, held, q));
+    let local = Local::at(system, q, time)?;
+    let mut found = local.held(&rows(system, pairs, held, q));
+    if system.law() == Law::Balance {
+        let closed = Closed {
+            system,
+            pairs,
+            bounds: held,
+            q,
+        };
+        found = closed.follow(&local, found)?;
+    }
     found.rates.iter().all(|r| r.is_finite()).then_some(found)
 }
 
-/// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
+/// Brings a configuration to where contacts and joints hold, and forces balance where they are to, by no more than `room` (length).
 pub(crate) fn close(
+    system: &System,
+    pairs: &Pairs,
+    held: &[Bound],
+    time: f64,
+    q: &mut [f64],
+    room: f64,
+) -> Option<()> {
+    constrain(system, pairs, held, time, q, room)?;
+    if system.law() != Law::Balance {
+        return Some(());
+    }
+    let size = system.size();
+    let (mut moved, mut before) = (0.0, f64::INFINITY);
+    for _ in 0..MOST_CORRECTIONS {
+        let local = Local::at(system, q, time)?;
+        let closed = Closed {
+            system,
+            pairs,
+            bounds: held,
+            q,
+        };
+        let balance = closed.balance(&local);
+        if balance.is_lost() {
+            return None;
+        }
+        let step = local.displaced(&balance.step(local.forces.len()));
+        let far = system.speed(&step);
+        if far == 0.0 || (far > 0.25 * before && before < BALANCED * size) {
+            return Some(());
+        }
+        before = far;
+        moved += far;
+        if moved.is_nan() || moved > room {
+            return None;
+        }
+        add_scaled(q, 1.0, &step);
+        constrain(system, pairs, held, time, q, room)?;
+    }
+    (before < BALANCED * size).then_some(())
+}
+
+/// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
+fn constrain(
     system: &System,
     pairs: &Pairs,
     held: &[Bound],

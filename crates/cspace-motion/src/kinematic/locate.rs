@@ -13,8 +13,9 @@ use super::flow::{Arrived, Flow};
 const LOCATED: f64 = 1e-13;
 /// Between times within this share of a step of each other the motion is a cubic, to the fourth power of it.
 const CLOSE: f64 = 1e-3;
-/// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism.
-const NEAR_EVENT: f64 = 1e-6;
+/// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism: where edges join
+/// smoothly, contacts leave each other with the square of the way, and are told apart late.
+const NEAR_EVENT: f64 = 1e-4;
 
 /// Where a step has to stop.
 #[derive(Debug)]
@@ -145,7 +146,7 @@ fn root(
         });
     let held = flow.held.iter().filter_map(|b| match b {
         Bound::Contact(touch) => Some(touch),
-        Bound::Limit { .. } => None,
+        Bound::Limit { .. } | Bound::Brake { .. } => None,
     });
     let ending = held.flat_map(|touch| {
         let pair = &flow.pairs.list()[touch.pair];

@@ -3,13 +3,14 @@
 use crate::contact::{Bound, LONGEST, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
 use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
-use crate::system::System;
+use crate::system::{Law, System};
 
 use super::check::{goes_on, step};
 use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
+use super::settle::{Settled, Settling};
 
 /// What diverges in a step is tried again with this share of it.
 const DIVERGED: f64 = 0.2;
@@ -39,19 +40,21 @@ const TOO_STIFF: &str = "springs, loads or dampers are too stiff for their parts
 const TOO_FAST: &str = "parts move too fast to be followed; make drives slower or forces weaker, or ask for a shorter time";
 
 /// A simulation under way.
-struct Run<'a> {
-    system: &'a System,
-    pairs: &'a Pairs,
-    duration: f64,
+pub(super) struct Run<'a> {
+    pub(super) system: &'a System,
+    pub(super) pairs: &'a Pairs,
+    pub(super) duration: f64,
     samples: Samples,
     /// Times at which drives are not smooth, and the end; the next first.
     stops: Vec<f64>,
-    record: Record,
-    told: Told,
+    pub(super) record: Record,
+    pub(super) told: Told,
     /// Why the motion cannot be followed, if that has nothing to do with contacts.
     gave_up: Option<&'static str>,
     /// The rates of all coordinates at the last step.
-    rates: Vec<f64>,
+    pub(super) rates: Vec<f64>,
+    /// Where parts are on their way to a balance of forces.
+    pub(super) settling: Option<Settling<'a>>,
 }
 
 /// The times of samples.
@@ -75,43 +78,47 @@ pub(crate) fn run(
     every: f64,
     progress: &dyn Fn(f64) -> bool,
 ) -> Option<Record> {
-    let mut stops: Vec<f64> = (system.drives().iter())
-        .flat_map(|(_, curve)| curve.corners())
-        .filter(|&t| t > 0.0 && t < duration)
-        .chain([duration])
-        .collect();
-    stops.sort_by(|a, b| b.total_cmp(a));
-    stops.dedup();
-    let run = Run {
-        system,
-        pairs,
-        duration,
-        samples: Samples { every, next: 0 },
-        stops,
-        record: Record {
-            status: Status::Done,
-            until: 0.0,
-            reason: None,
-            obstacles: Vec::new(),
-            samples: Vec::new(),
-            events: Vec::new(),
-            trace: Vec::new(),
-            energy: None,
-            open: 0.0,
-        },
-        told: Told::default(),
-        gave_up: None,
-        rates: Vec::new(),
-    };
-    run.go(q, progress)
+    Run::new(system, pairs, duration, every).go(q, progress)
 }
 
 impl<'a> Run<'a> {
-    fn go(mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
+    pub(super) fn new(system: &'a System, pairs: &'a Pairs, duration: f64, every: f64) -> Self {
+        let mut stops: Vec<f64> = (system.drives().iter())
+            .flat_map(|(_, curve)| curve.corners())
+            .filter(|&t| t > 0.0 && t < duration)
+            .chain([duration])
+            .collect();
+        stops.sort_by(|a, b| b.total_cmp(a));
+        stops.dedup();
+        Self {
+            system,
+            pairs,
+            duration,
+            samples: Samples { every, next: 0 },
+            stops,
+            record: Record {
+                status: Status::Done,
+                until: 0.0,
+                reason: None,
+                obstacles: Vec::new(),
+                samples: Vec::new(),
+                events: Vec::new(),
+                trace: Vec::new(),
+                energy: None,
+                open: 0.0,
+            },
+            told: Told::default(),
+            gave_up: None,
+            rates: Vec::new(),
+            settling: None,
+        }
+    }
+
+    pub(super) fn go(&mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
         let (mut time, mut idle, mut idle_since) = (0.0, 0, 0.0);
         let mut steps = 0;
         let mut before: Vec<Bound> = Vec::new();
-        while time < self.duration {
+        while time < self.duration && !self.is_settled() {
             let mut bounds = touching(self.system, self.pairs, &q);
             add(&mut bounds, before);
             let left = self.duration - time;
@@ -120,20 +127,49 @@ impl<'a> Run<'a> {
                 add(&mut bounds, pinched(self.system, self.pairs, &q));
                 choice = choose(self.system, self.pairs, &bounds, time, &q, left);
             }
-            let (flow, next) = match choice {
+            if self.system.law() == Law::Balance && !matches!(choice, Choice::On { .. }) {
+                match self.settle(time, &q, progress) {
+                    Settled::At(settled) => {
+                        (q, before) = (settled, Vec::new());
+                        idle += 1;
+                        if idle <= MOST_IDLE {
+                            continue;
+                        }
+                    }
+                    Settled::Endless(part) => {
+                        self.endless(time, &q, part);
+                        return Some(self.take());
+                    }
+                    Settled::Lost(_) if !progress(time / self.duration) => return None,
+                    Settled::Lost(Some(reason)) => {
+                        let reason = format!("on the way to where forces balance: {reason}");
+                        self.end(time, &q, Status::Undetermined, reason);
+                        return Some(self.take());
+                    }
+                    Settled::Stands | Settled::Lost(None) => {}
+                }
+            }
+            let (mut flow, next) = match choice {
                 Choice::On { flow, next } => (flow, next),
                 Choice::Jammed(obstacles) => {
                     self.jammed(time, &q, obstacles);
-                    return Some(self.record);
+                    return Some(self.take());
                 }
                 Choice::Undetermined => {
                     self.undetermined(time, &q, &bounds);
-                    return Some(self.record);
+                    return Some(self.take());
                 }
             };
             let events = self.told.update(self.pairs, &bounds, &flow, &next);
             self.record.events.extend(events);
             self.trace_instant(&flow, &q);
+            if let Some(settling) = &mut self.settling {
+                let from = flow.q.clone();
+                if settling.is_over(&mut flow, &from) {
+                    q = flow.q;
+                    break;
+                }
+            }
             (time, q, before) = self.follow(flow, &mut steps, progress)?;
             if time > idle_since + PROGRESS * self.duration {
                 (idle, idle_since) = (0, time);
@@ -143,7 +179,7 @@ impl<'a> Run<'a> {
             if self.gave_up.is_some() || idle > MOST_IDLE {
                 let bounds = touching(self.system, self.pairs, &q);
                 self.undetermined(time, &q, &bounds);
-                return Some(self.record);
+                return Some(self.take());
             }
         }
         self.record.until = self.duration;
@@ -153,11 +189,20 @@ impl<'a> Run<'a> {
             self.record.samples.push(Sample {
                 t: self.duration,
                 coordinates: q,
-                rates: self.rates,
+                rates: core::mem::take(&mut self.rates),
                 forces: None,
             });
         }
-        Some(self.record)
+        Some(self.take())
+    }
+
+    fn is_settled(&self) -> bool {
+        self.settling.as_ref().is_some_and(Settling::is_done)
+    }
+
+    fn take(&mut self) -> Record {
+        let empty = Run::new(self.system, self.pairs, self.duration, self.samples.every).record;
+        core::mem::replace(&mut self.record, empty)
     }
 
     /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
@@ -259,11 +304,12 @@ impl<'a> Run<'a> {
             watch.taken(&step(&flow, h, &to));
             let is_corner = end == stop;
             flow.time = end;
-            flow.q = to.q;
+            let from = core::mem::replace(&mut flow.q, to.q);
             flow.velocity = to.velocity;
             self.rates.clone_from(&flow.velocity.rates);
             self.trace_step(&flow);
-            if is_corner {
+            let over = (self.settling.as_mut()).is_some_and(|s| s.is_over(&mut flow, &from));
+            if is_corner || over {
                 // Drives may jump in rate there.
                 return Some((flow.time, flow.q, flow.held));
             }
@@ -309,11 +355,12 @@ impl<'a> Run<'a> {
             let t = self.samples.time();
             // What holds to the end of a step holds before.
             if let Some(to) = flow.after((t - flow.time).max(0.0)) {
+                let forces = flow.forces(t, &to);
                 self.record.samples.push(Sample {
                     t,
                     coordinates: to.q,
                     rates: to.velocity.rates,
-                    forces: None,
+                    forces,
                 });
             }
             self.samples.next += 1;
@@ -331,6 +378,14 @@ impl<'a> Run<'a> {
             rates: vec![0.0; q.len()],
             forces: None,
         });
+    }
+
+    fn endless(&mut self, time: f64, q: &[f64], part: usize) {
+        let name = self.system.mechanism().parts[part].part.name();
+        let reason = format!(
+            "nothing stops {name}, which loads, springs or its weight push: add what it comes to rest on, or a range of its motion"
+        );
+        self.end(time, q, Status::Undetermined, reason);
     }
 
     fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {
@@ -363,6 +418,17 @@ impl<'a> Run<'a> {
 
     fn text(&self, bound: &Bound) -> String {
         named(self.system, self.pairs, bound).to_string()
+    }
+}
+
+/// Parts that stand at a time.
+pub(super) fn at(t: f64, q: Vec<f64>) -> Sample {
+    let rates = vec![0.0; q.len()];
+    Sample {
+        t,
+        coordinates: q,
+        rates,
+        forces: None,
     }
 }
 

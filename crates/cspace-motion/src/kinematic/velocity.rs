@@ -9,7 +9,7 @@
 //! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
 
 use crate::linear::{Cholesky, Rows, dot, length, nonnegative};
-use crate::system::{Row, System};
+use crate::system::{Law, Row, System};
 
 /// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
 /// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
@@ -24,15 +24,17 @@ const NOTHING: f64 = 1e-13;
 const CONTRADICTS: f64 = 1e-8;
 
 /// The linear equations of motion at one configuration and time.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Local<'a> {
     system: &'a System,
     factor: Cholesky,
     /// y of the free velocity.
-    free: Vec<f64>,
+    pub(super) free: Vec<f64>,
+    /// y of the forces: of the velocity that they would be.
+    pub(super) forces: Vec<f64>,
     /// The rates of all coordinates, of those that are free 0.
     driven: Vec<f64>,
-    joints: Vec<(Vec<f64>, f64)>,
+    pub(super) joints: Vec<(Vec<f64>, f64)>,
 }
 
 /// A velocity, and what holds it.
@@ -40,10 +42,14 @@ pub(crate) struct Local<'a> {
 pub(crate) struct Held {
     /// The rates of all coordinates.
     pub(crate) rates: Vec<f64>,
+    /// Those that are free, in y.
+    pub(super) y: Vec<f64>,
     /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
     pub(crate) pushes: Vec<f64>,
     /// The speed by the metric.
     pub(crate) speed: f64,
+    /// How many directions what holds it takes.
+    pub(super) rank: usize,
     /// Whether what holds it leaves no other velocity.
     pub(crate) determined: bool,
 }
@@ -72,15 +78,22 @@ impl<'a> Local<'a> {
             .map(|(i, j)| matrix[i * n + j])
             .collect();
         let factor = Cholesky::of(&of_free, free.len())?;
+        let share = match system.law() {
+            Law::Speeds { scale } => scale,
+            Law::Balance => 0.0,
+        };
         // Dampers between driven and free parts pull.
         let mut pull: Vec<f64> = (free.iter())
-            .map(|&i| forces[i] - dot(&matrix[i * n..(i + 1) * n], &driven))
+            .map(|&i| share * forces[i] - dot(&matrix[i * n..(i + 1) * n], &driven))
             .collect();
         factor.forward(&mut pull);
+        let mut acting: Vec<f64> = free.iter().map(|&i| forces[i]).collect();
+        factor.forward(&mut acting);
         let mut local = Self {
             system,
             factor,
             free: pull,
+            forces: acting,
             driven,
             joints: Vec::new(),
         };
@@ -88,6 +101,33 @@ impl<'a> Local<'a> {
             .map(|row| local.reduced(row))
             .collect();
         Some(local)
+    }
+
+    /// The same with drives that stand, and forces as velocities.
+    pub(super) fn still(&self) -> Self {
+        let mut still = self.clone();
+        still.driven.fill(0.0);
+        still.free.clone_from(&self.forces);
+        still.joints.iter_mut().for_each(|joint| joint.1 = 0.0);
+        still
+    }
+
+    /// A vector over all coordinates, such as a force, in y.
+    pub(super) fn reduced_force(&self, force: &[f64]) -> Vec<f64> {
+        let mut y: Vec<f64> = self.system.free().iter().map(|&i| force[i]).collect();
+        self.factor.forward(&mut y);
+        y
+    }
+
+    /// A displacement of the free coordinates, from y, as one of all.
+    pub(super) fn displaced(&self, y: &[f64]) -> Vec<f64> {
+        let mut v = y.to_vec();
+        self.factor.backward(&mut v);
+        let mut all = vec![0.0; self.system.count()];
+        for (&i, v) in self.system.free().iter().zip(v) {
+            all[i] = v;
+        }
+        all
     }
 
     /// A row in y, and the rate that drives alone give its function, negated: row · y must be that, or more.
@@ -104,7 +144,7 @@ impl<'a> Local<'a> {
     }
 
     /// The rates of all coordinates of y.
-    fn rates(&self, y: &[f64]) -> Vec<f64> {
+    pub(super) fn rates(&self, y: &[f64]) -> Vec<f64> {
         let mut v = y.to_vec();
         self.factor.backward(&mut v);
         let mut rates = self.driven.clone();
@@ -149,8 +189,10 @@ impl<'a> Local<'a> {
             .collect();
         Held {
             rates: self.rates(&y),
+            y: y.clone(),
             pushes,
             speed: length(&y).max(length(&self.free)),
+            rank: solved.rank(),
             determined: solved.rank() == self.system.free().len(),
         }
     }
@@ -183,6 +225,41 @@ impl<'a> Local<'a> {
             speeds.fold(0.0, f64::max)
         };
         !y.is_empty() && fastest(y) > MOST_AMPLIFICATION * fastest(&self.free).max(speed)
+    }
+
+    /// The velocity nearest to the free one at which no function of `rows` decreases, and some of them do not change.
+    pub(super) fn nearest_with(&self, rows: &[Row], kept: &[usize]) -> Nearest {
+        if kept.is_empty() {
+            return self.nearest(rows);
+        }
+        let mut with = self.clone();
+        with.joints
+            .extend(kept.iter().map(|&i| self.reduced(&rows[i])));
+        if with.is_stuck() {
+            return Nearest::None {
+                multipliers: vec![0.0; rows.len()],
+            };
+        }
+        let others: Vec<usize> = (0..rows.len()).filter(|i| !kept.contains(i)).collect();
+        let other: Vec<Row> = others.iter().map(|&i| rows[i]).collect();
+        match with.nearest(&other) {
+            Nearest::Held { held, distance } => {
+                let mut all = kept.to_vec();
+                all.extend(held.into_iter().map(|k| others[k]));
+                all.sort_unstable();
+                Nearest::Held {
+                    held: all,
+                    distance,
+                }
+            }
+            Nearest::None { multipliers } => {
+                let mut all = vec![0.0; rows.len()];
+                for (&i, m) in others.iter().zip(multipliers) {
+                    all[i] = m;
+                }
+                Nearest::None { multipliers: all }
+            }
+        }
     }
 
     /// The velocity nearest to the free one at which no function of `rows` decreases.

@@ -70,7 +70,11 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
                     open.retain(|&i| i != best);
                 }
             }
-            EventKind::Impact | EventKind::Stick | EventKind::Slip | EventKind::Limit => {}
+            EventKind::Impact
+            | EventKind::Stick
+            | EventKind::Slip
+            | EventKind::Limit
+            | EventKind::Snap => {}
         }
     }
     all

@@ -38,6 +38,7 @@ pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> 
             What::Contact { fixed, moving, .. } => format!(
                 "{fixed} and {moving} press on each other with at most {force} kg·{unit}/s² at the samples, at {at}"
             ),
+            What::Part { .. } => continue,
             What::Limit { part, limit } => format!(
                 "the {part} presses on the {limit} end of its range with at most {force} at the samples, at {at}"
             ),

@@ -3,6 +3,7 @@
 use cspace::mechanism::{MassProperties, PartPosition, PartVelocity};
 use cspace::{
     AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
+    Vector,
 };
 
 use super::joint;
@@ -32,6 +33,19 @@ pub struct System {
     joints: Vec<JointEntry>,
     size: f64,
     lengths: Vec<f64>,
+    law: Law,
+}
+
+/// What forces do to a motion without inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Law {
+    /// They are speeds, M v = s F: so parts come to rest, along with nothing else.
+    Speeds {
+        /// The factor s.
+        scale: f64,
+    },
+    /// They balance at every instant.
+    Balance,
 }
 
 impl System {
@@ -105,6 +119,7 @@ impl System {
         }
         Self {
             lengths,
+            law: Law::Speeds { scale: 1.0 },
             joints: mechanism.joints.iter().filter(tells).copied().collect(),
             moments: (mechanism.parts.iter()).map(|p| p.part.moments()).collect(),
             masses: (0..mechanism.parts.len())
@@ -120,6 +135,37 @@ impl System {
             drives,
             free,
         }
+    }
+
+    /// The same with forces that balance at every instant, as drives that are slow leave them.
+    pub(crate) fn balanced(&self) -> Self {
+        Self {
+            law: Law::Balance,
+            ..self.clone()
+        }
+    }
+
+    /// The same with drives that stand where they are at a time, and forces that are speeds by a factor.
+    pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
+        let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
+        Self {
+            law: Law::Speeds { scale },
+            drives: self.drives.iter().map(still).collect(),
+            ..self.clone()
+        }
+    }
+
+    pub(crate) fn law(&self) -> Law {
+        self.law
+    }
+
+    /// Whether loads, springs or weights act on anything.
+    pub(crate) fn has_forces(&self) -> bool {
+        let dynamics = &self.mechanism.dynamics;
+        let heavy = self.masses.iter().any(Option::is_some);
+        !dynamics.loads.is_empty()
+            || !dynamics.springs.is_empty()
+            || (heavy && dynamics.gravity != Vector::new(0.0, 0.0))
     }
 
     /// The mechanism.
@@ -305,6 +351,14 @@ impl System {
         let each = from.iter().zip(to).zip(&self.lengths);
         each.map(|((a, b), l)| ((a - b) * l).abs())
             .fold(0.0, f64::max)
+    }
+
+    /// The forces of loads, weights and springs on the coordinates.
+    pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
+        let n = self.count;
+        let (mut unused, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
+        self.add_forces(q, &mut forces, &mut unused);
+        forces
     }
 
     /// The mass matrix of the outlines at unit density with the resistance of dampers, n × n by rows, and the forces of

@@ -7,6 +7,7 @@ mod layout;
 mod metric;
 mod row;
 
+pub(crate) use coordinates::Law;
 pub use coordinates::System;
 pub use layout::PartCoordinates;
 pub(crate) use layout::reach;

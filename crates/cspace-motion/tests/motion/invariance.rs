@@ -83,6 +83,7 @@ pub(crate) fn about(event: &Event) -> [String; 2] {
             names.sort();
             names
         }
+        What::Part { part } => [part.clone(), String::new()],
         What::Limit { part, limit } => [part.clone(), (*limit).to_owned()],
     }
 }

@@ -92,6 +92,7 @@ pub(super) fn kind(event: &Event) -> &'static str {
         EventKind::Stick => "stick",
         EventKind::Slip => "slip",
         EventKind::Limit => "limit",
+        EventKind::Snap => "snap",
         EventKind::Rest => "rest",
     }
 }
@@ -107,6 +108,7 @@ fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
             let [fixed, moving, f, m] = [fixed, moving, f, m].map(|t| shown::text(t));
             writeln!(text, "{f} of {fixed} and {m} of {moving}")
         }
+        What::Part { part } => writeln!(text, "{}", shown::text(part)),
         What::Limit { part, limit } => writeln!(text, "{limit} end of {}", shown::text(part)),
     }
 }

@@ -1,0 +1,48 @@
+//! Forces of joints and drives as they are told.
+
+use cspace::pair::Joint;
+
+use crate::record::{DriveForce, JointForce};
+use crate::system::System;
+
+/// The forces of joints from their multipliers, those of each joint after the other.
+pub(crate) fn joint_forces(system: &System, q: &[f64], multipliers: &[f64]) -> Vec<JointForce> {
+    let name = |part: usize| system.mechanism().parts[part].part.name().to_owned();
+    let mut mu = multipliers.iter().copied();
+    let mut next = || mu.next().unwrap_or(0.0);
+    (system.joint_entries().iter())
+        .map(|entry| {
+            let (a, b) = entry.parts;
+            // The first part's constraint force is the multiplier along the direction, the second's its opposite.
+            let (force, torque) = match entry.joint {
+                Joint::Revolute { .. } => ([-next(), -next()], 0.0),
+                Joint::Rigid => ([-next(), -next()], next() * system.size()),
+                Joint::Prismatic { direction, .. } => {
+                    let n = direction.unit().left();
+                    let [x, y] = system.placement(a, q).vector([n.x, n.y]);
+                    let across = next();
+                    ([-across * x, -across * y], next() * system.size())
+                }
+            };
+            JointForce {
+                parts: [name(a), name(b)],
+                force,
+                torque,
+            }
+        })
+        .collect()
+}
+
+/// The force of the drive of a coordinate, which moves at a rate.
+pub(crate) fn drive_force(system: &System, coordinate: usize, force: f64, rate: f64) -> DriveForce {
+    let mut parts = system.parts().iter();
+    let part = parts.position(|p| p.indices().contains(&coordinate));
+    DriveForce {
+        part: system.mechanism().parts[part.unwrap_or(0)]
+            .part
+            .name()
+            .to_owned(),
+        force,
+        power: force * rate,
+    }
+}

@@ -1,0 +1,340 @@
+//! Balance of forces: loads, weights and springs against contacts, ends of ranges and joints.
+//!
+//! With the potential V of the forces F = −∇V and the closed contacts and joints fᵢ, a configuration is in balance where
+//!
+//! F + Σ λᵢ ∇fᵢ = 0 over the free coordinates, with λᵢ ≥ 0 of contacts,
+//!
+//! and it is stable where the second derivative of L = V − Σ λᵢ fᵢ is positive along the directions in which no fᵢ changes. Its eigenvectors
+//! there are the modes. While drives move, a mode of stiffness e > 0 follows them: differentiating the balance, e ż + ∂²L(mode, velocity of
+//! all else) = 0. A mode of stiffness 0 that no force acts on is not loaded: it moves only where contacts push it, the shortest way.
+//!
+//! Second derivatives of L are central differences of exact first ones. They tell how to get to the balance; that it holds is told by forces.
+
+use crate::contact::{Bound, brakes, named};
+use crate::forces::{drive_force, joint_forces};
+use crate::linear::{Rows, add_scaled, dot, eigen, length};
+use crate::pairs::Pairs;
+use crate::record::{ContactForce, Forces};
+use crate::system::{Row, System};
+
+use super::velocity::{Held, Local, Nearest};
+
+/// How far first derivatives are taken from each other, relative to the size of the mechanism: ten digits are left.
+const DIFFERENCE: f64 = 1e-6;
+/// Stiffnesses below this are none, relative to those that the forces make over the mechanism's size: what differences are right to.
+const NEUTRAL: f64 = 1e-8;
+/// A force along what has no stiffness is none below this share of all forces: rounding.
+const UNLOADED: f64 = 1e-10;
+/// A contact carries nothing if it is pressed by less than this share of all forces.
+const UNPRESSED: f64 = 1e-11;
+/// A contact is pressed by what forces a brake if its share of the speed is larger.
+const FORCED: f64 = 1e-9;
+/// A configuration is taken for one in balance if that is no farther than this, relative to the size of the mechanism.
+const IN_BALANCE: f64 = 1e-6;
+
+/// A direction in which no closed contact or joint changes.
+#[derive(Debug, Clone)]
+pub(super) struct Mode {
+    /// The direction, in y.
+    pub(super) along: Vec<f64>,
+    /// The second derivative of L.
+    pub(super) stiffness: f64,
+    /// The force along it that nothing balances.
+    pub(super) force: f64,
+}
+
+/// The forces at a configuration.
+#[derive(Debug, Clone)]
+pub(super) struct Balance {
+    /// λ of joints, then of bounds.
+    pub(super) multipliers: Vec<f64>,
+    /// How many of them are those of joints.
+    pub(super) joints: usize,
+    /// The lengths of the gradients in y.
+    lengths: Vec<f64>,
+    pub(super) modes: Vec<Mode>,
+    /// All forces that act, added up in y.
+    total: f64,
+    /// A stiffness up to this is none.
+    neutral: f64,
+}
+
+/// What is asked about: bounds that are closed, at a configuration.
+#[derive(Clone, Copy)]
+pub(super) struct Closed<'a> {
+    pub(super) system: &'a System,
+    pub(super) pairs: &'a Pairs,
+    pub(super) bounds: &'a [Bound],
+    pub(super) q: &'a [f64],
+}
+
+impl Closed<'_> {
+    fn rows(&self, q: &[f64]) -> Vec<Row> {
+        let of = |b: &Bound| b.function(self.system, self.pairs, q);
+        self.bounds.iter().map(of).collect()
+    }
+
+    /// −∇L at a configuration near.
+    fn pull(&self, multipliers: &[f64], q: &[f64]) -> Vec<f64> {
+        let mut pull = self.system.forces(q);
+        let all = self.system.joints(q).into_iter().chain(self.rows(q));
+        for (row, multiplier) in all.zip(multipliers) {
+            for &(i, d) in row.entries() {
+                pull[i] += multiplier * d;
+            }
+        }
+        pull
+    }
+
+    /// The derivative of −∇L along a displacement of all coordinates.
+    fn pull_along(&self, multipliers: &[f64], by: &[f64]) -> Vec<f64> {
+        let speed = self.system.speed(by);
+        if speed == 0.0 {
+            return vec![0.0; by.len()];
+        }
+        let step = DIFFERENCE * self.system.size() / speed;
+        let at = |s: f64| {
+            let mut q = self.q.to_vec();
+            add_scaled(&mut q, s, by);
+            self.pull(multipliers, &q)
+        };
+        // Of the fourth order.
+        let [near, far] = [step, 2.0 * step].map(|s| (at(s), at(-s), s));
+        let half = |(after, before, s): &(Vec<f64>, Vec<f64>, f64), i: usize| {
+            (after[i] - before[i]) / (2.0 * s)
+        };
+        (0..by.len())
+            .map(|i| (4.0 * half(&near, i) - half(&far, i)) / 3.0)
+            .collect()
+    }
+
+    /// The forces of what is closed, with the modes that it leaves.
+    pub(super) fn balance(&self, local: &Local<'_>) -> Balance {
+        let n = local.forces.len();
+        let rows = self.rows(self.q);
+        let vectors: Vec<Vec<f64>> = (local.joints.iter().map(|(v, _)| v.clone()))
+            .chain(
+                rows.iter()
+                    .chain(&self.released())
+                    .map(|row| local.reduced(row).0),
+            )
+            .collect();
+        let solved = Rows::of(&vectors);
+        let against: Vec<f64> = vectors.iter().map(|v| -dot(v, &local.forces)).collect();
+        let (correction, multipliers) = solved.least(&against);
+        let mut rest = local.forces.clone();
+        for (r, c) in rest.iter_mut().zip(&correction) {
+            *r += c;
+        }
+        let lengths: Vec<f64> = vectors.iter().map(|v| length(v)).collect();
+        let pressed = multipliers.iter().zip(&lengths).map(|(m, l)| m.abs() * l);
+        let total = length(&local.forces) + pressed.sum::<f64>();
+        let basis = complement(&solved, n);
+        let count = basis.len();
+        let (mut second, mut fastest) = (vec![0.0; count * count], 0.0_f64);
+        for (k, along) in basis.iter().enumerate() {
+            let by = local.displaced(along);
+            fastest = fastest.max(self.system.speed(&by));
+            let change = local.reduced_force(&self.pull_along(&multipliers, &by));
+            for (j, other) in basis.iter().enumerate() {
+                second[j * count + k] -= 0.5 * dot(other, &change);
+                second[k * count + j] -= 0.5 * dot(other, &change);
+            }
+        }
+        let stiffest = second.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
+        let neutral = NEUTRAL * stiffest.max(total * fastest / self.system.size());
+        let modes = eigen(&second, count)
+            .into_iter()
+            .map(|(stiffness, vector)| {
+                let mut along = vec![0.0; n];
+                for (share, direction) in vector.iter().zip(&basis) {
+                    add_scaled(&mut along, *share, direction);
+                }
+                let force = dot(&along, &rest);
+                Mode {
+                    along,
+                    stiffness,
+                    force,
+                }
+            });
+        Balance {
+            joints: local.joints.len(),
+            modes: modes.collect(),
+            multipliers,
+            lengths,
+            total,
+            neutral,
+        }
+    }
+
+    /// The velocity with which the balance is kept, while drives move; `None` if it is not stable.
+    pub(super) fn follow(&self, local: &Local<'_>, held: Held) -> Option<Held> {
+        let balance = self.balance(local);
+        if balance.is_lost() {
+            return None;
+        }
+        let mut found = held;
+        let stiff = || balance.modes.iter().filter(|m| balance.is_stiff(m));
+        if stiff().next().is_some() {
+            for mode in stiff() {
+                let along = dot(&mode.along, &found.y);
+                add_scaled(&mut found.y, -along, &mode.along);
+            }
+            let moves = local.rates(&found.y);
+            let change = local.reduced_force(&self.pull_along(&balance.multipliers, &moves));
+            for mode in stiff() {
+                add_scaled(
+                    &mut found.y,
+                    dot(&mode.along, &change) / mode.stiffness,
+                    &mode.along,
+                );
+            }
+            found.rates = local.rates(&found.y);
+            found.speed = found.speed.max(length(&found.y));
+        }
+        found.determined = found.rank + stiff().count() == found.y.len();
+        let slips = !self.released().is_empty();
+        let speed = if found.speed > 0.0 { found.speed } else { 1.0 };
+        for (k, push) in found.pushes.iter_mut().enumerate() {
+            // A brake that slips withstands more than loads do.
+            if let Some(share) = balance
+                .push(k)
+                .filter(|_| !slips || push.abs() < FORCED * speed)
+            {
+                *push = share * speed;
+            }
+        }
+        Some(found)
+    }
+
+    /// The nearest velocity at which what touches lets the balance be kept; `None` if it cannot be, or there is none.
+    pub(super) fn nearest(&self, local: &Local<'_>) -> Option<Nearest> {
+        let rows = self.rows(self.q);
+        let kept = self.kept();
+        let mut still = local.still();
+        let released = self.released();
+        still
+            .joints
+            .extend(released.iter().map(|row| (local.reduced(row).0, 0.0)));
+        let Nearest::Held { held: carrying, .. } = still.nearest_with(&rows, &kept) else {
+            return None;
+        };
+        let bounds: Vec<Bound> = carrying.iter().map(|&i| self.bounds[i]).collect();
+        let carried = Closed {
+            bounds: &bounds,
+            ..*self
+        };
+        let balance = carried.balance(local);
+        if balance.is_lost()
+            || balance.distance(self.system, local) > IN_BALANCE * self.system.size()
+        {
+            return None;
+        }
+        let chosen: Vec<Row> = carrying.iter().map(|&i| rows[i]).collect();
+        let mut with = local.clone();
+        with.free = carried.follow(local, local.held(&chosen))?.y;
+        Some(with.nearest_with(&rows, &carrying))
+    }
+
+    /// The forces of contacts, joints and drives, at rates of all coordinates.
+    pub(super) fn forces(&self, local: &Local<'_>, rates: &[f64]) -> Forces {
+        let balance = self.balance(local);
+        let (joints, bounds) = balance.multipliers.split_at(balance.joints);
+        let place = |bound: &Bound| match bound {
+            Bound::Contact(touch) => {
+                let at = self.pairs.list()[touch.pair].point(touch, self.system, self.q);
+                at.ok().filter(|p| p.is_finite()).map(|p| [p.x, p.y])
+            }
+            Bound::Limit { .. } | Bound::Brake { .. } => None,
+        };
+        let contacts = self.bounds.iter().zip(bounds);
+        let contacts = contacts.filter(|(b, _)| !b.is_brake());
+        let pull = self.pull(&balance.multipliers, self.q);
+        let drives = self.system.drives().iter();
+        Forces {
+            contacts: contacts
+                .map(|(bound, &normal)| ContactForce {
+                    what: named(self.system, self.pairs, bound),
+                    at: place(bound),
+                    normal: normal.max(0.0),
+                    tangential: 0.0,
+                })
+                .collect(),
+            joints: joint_forces(self.system, self.q, joints),
+            drives: drives
+                .map(|(i, _)| drive_force(self.system, *i, -pull[*i], rates[*i]))
+                .collect(),
+        }
+    }
+
+    /// Which of the bounds are brakes.
+    fn kept(&self) -> Vec<usize> {
+        let all = 0..self.bounds.len();
+        all.filter(|&i| self.bounds[i].is_brake()).collect()
+    }
+
+    /// Brakes that are not among the bounds: parts that what is driven forces on. No load moves them all the same.
+    fn released(&self) -> Vec<Row> {
+        let all = brakes(self.system, self.q).into_iter();
+        let rest = all.filter(|b| self.bounds.iter().all(|other| !b.is_same(other)));
+        rest.map(|b| b.function(self.system, self.pairs, self.q))
+            .collect()
+    }
+}
+
+impl Balance {
+    pub(super) fn is_stiff(&self, mode: &Mode) -> bool {
+        mode.stiffness > self.neutral
+    }
+
+    /// Whether the forces do not balance, or not stably.
+    pub(super) fn is_lost(&self) -> bool {
+        self.modes.iter().any(|mode| {
+            mode.stiffness < -self.neutral
+                || (!self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
+        })
+    }
+
+    /// The way to the balance, in y: Newton's step.
+    pub(super) fn step(&self, n: usize) -> Vec<f64> {
+        let mut step = vec![0.0; n];
+        for mode in self.modes.iter().filter(|m| self.is_stiff(m)) {
+            add_scaled(&mut step, mode.force / mode.stiffness, &mode.along);
+        }
+        step
+    }
+
+    /// How far the balance is.
+    pub(super) fn distance(&self, system: &System, local: &Local<'_>) -> f64 {
+        system.speed(&local.displaced(&self.step(local.forces.len())))
+    }
+
+    /// The force of a bound as a share of all; `None` if it carries none.
+    fn push(&self, bound: usize) -> Option<f64> {
+        let k = self.joints + bound;
+        let push = self.multipliers[k] * self.lengths[k];
+        (push.abs() > UNPRESSED * self.total).then(|| push / self.total)
+    }
+}
+
+/// An orthonormal basis of what rows leave of n dimensions.
+fn complement(rows: &Rows, n: usize) -> Vec<Vec<f64>> {
+    let mut all = rows.clone();
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    while rows.rank() + basis.len() < n {
+        let rest = (0..n).map(|i| {
+            let mut unit = vec![0.0; n];
+            unit[i] = 1.0;
+            all.take_out(&mut unit);
+            unit
+        });
+        let Some(mut longest) = rest.max_by(|a, b| length(a).total_cmp(&length(b))) else {
+            break;
+        };
+        let long = length(&longest);
+        longest.iter_mut().for_each(|x| *x /= long);
+        all.push(&longest);
+        basis.push(longest);
+    }
+    basis
+}

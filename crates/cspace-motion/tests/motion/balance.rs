@@ -1,0 +1,240 @@
+//! Forces in balance while drives move, against statics.
+
+use core::f64::consts::PI;
+
+use cspace_motion::{EventKind, Record, Status, What};
+
+use crate::helpers::{model, near, read, run};
+
+fn kinds(record: &Record) -> Vec<EventKind> {
+    record.events.iter().map(|e| e.kind).collect()
+}
+
+/// An arm with a roller on an eccentric. The angle at the arm's pivot follows from the sides of a triangle.
+#[test]
+fn a_follower_does_not_depend_on_its_load() {
+    let of = |load: &str| {
+        read(&format!(
+            r#"
+[[part]]
+name = "cam"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [{{ circle = 10, at = [0, 3] }}]
+[[part]]
+name = "arm"
+motion = {{ type = "revolute", center = [-30, 14] }}
+loops = [{{ circle = 2, at = [0, 15] }}]
+[[drive]]
+part = "cam"
+rate = "360deg"
+[[load]]
+part = "arm"
+torque = {load}
+"#
+        ))
+    };
+    let angle = |phi: f64| {
+        let (cx, cy) = (3.0 * (phi + PI / 2.0).cos(), 3.0 * (phi + PI / 2.0).sin());
+        let (dx, dy) = (cx + 30.0, cy - 14.0);
+        let (d, arm, reach) = (dx.hypot(dy), 901.0_f64.sqrt(), 12.0);
+        dy.atan2(dx) + ((d * d + arm * arm - reach * reach) / (2.0 * d * arm)).acos()
+    };
+    let mut first: Option<Vec<u64>> = None;
+    for load in ["-1e-6", "-1", "-1000", "-1e9"] {
+        let (_, record) = run(&of(load), 1.0, 0.01);
+        assert_eq!(record.status, Status::Done);
+        for sample in &record.samples {
+            let lift = angle(sample.coordinates[0]) - angle(0.0);
+            let off = (sample.coordinates[1] - lift).abs();
+            assert!(off < 1e-12, "{load} {}: {off:e}", sample.t);
+        }
+        let all = record.samples.iter().flat_map(|s| &s.coordinates);
+        let bits: Vec<u64> = all.map(|x| x.to_bits()).collect();
+        assert_eq!(*first.get_or_insert_with(|| bits.clone()), bits, "{load}");
+    }
+}
+
+/// A lever that a soft spring turns over the dead point of a stiff one: V = k/2 (θ − φ)² + K/2 (l(θ) − l₀)².
+#[test]
+fn a_toggle_snaps_where_its_balance_ends() {
+    let (soft, stiff, free) = (8.0, 30.0, 1.2);
+    let text = format!(
+        r#"
+[[part]]
+name = "knob"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [{{ circle = 0.1, at = [0, 0] }}]
+start = -1.2
+[[part]]
+name = "lever"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [[[-0.1, 0.2], [0.1, 0.2], [0, 1]]]
+start = -0.9
+[[pair]]
+fixed = "knob"
+moving = "lever"
+[[drive]]
+part = "knob"
+rate = 1
+[[spring]]
+parts = ["lever", "knob"]
+type = "torsion"
+stiffness = {soft}
+angle = 0
+[[spring]]
+parts = ["lever"]
+at = [[0, 1], [0, 2]]
+stiffness = {stiff}
+length = {free}
+"#
+    );
+    let text = text.replace("[[pair]]\nfixed = \"knob\"\nmoving = \"lever\"\n", "");
+    let text = text.replace("circle = 0.1, at = [0, 0]", "circle = 0.05, at = [0, -5]");
+    let (_, record) = run(&read(&text), 2.4, 0.01);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    // The end of the lever is at (−sin θ, cos θ): l² = 5 − 4 cos θ.
+    let force = |theta: f64, phi: f64| {
+        let l = (5.0 - 4.0 * theta.cos()).sqrt();
+        soft * (theta - phi) + stiff * (l - free) * 2.0 * theta.sin() / l
+    };
+    let stiffness = |theta: f64| {
+        let e = 1e-6;
+        (force(theta + e, 0.0) - force(theta - e, 0.0)) / (2.0 * e)
+    };
+    // Where it vanishes, on the side from which the lever comes.
+    let (mut lo, mut hi) = (-1.2, 0.0);
+    assert!(stiffness(lo) > 0.0 && stiffness(hi) < 0.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (lo + hi);
+        if stiffness(middle) > 0.0 {
+            lo = middle;
+        } else {
+            hi = middle;
+        }
+    }
+    let phi = force(lo, 0.0) / soft;
+    let snaps: Vec<f64> = (record.events.iter())
+        .filter(|e| e.kind == EventKind::Snap && e.t > 0.0)
+        .map(|e| e.t - 1.2)
+        .collect();
+    assert_eq!(snaps.len(), 1, "{:?}", record.events);
+    near("the angle at which it snaps", snaps[0], phi, 1e-9);
+    for sample in &record.samples {
+        let off = force(sample.coordinates[1], sample.coordinates[0]);
+        assert!(off.abs() < 1e-9 * soft, "{}: {off:e}", sample.t);
+        let after = sample.t - 1.2 > phi;
+        assert_eq!(sample.coordinates[1] > 0.0, after, "{}", sample.t);
+    }
+}
+
+/// A stiff hook on a torsion spring is pushed over a nose: what the drive gives is what statics say.
+#[test]
+fn a_hook_is_pushed_in_with_the_force_of_statics() {
+    let (_, record) = run(&model("snap_in"), 2.5, 0.0125);
+    assert_eq!(record.status, Status::Done);
+    let end = record.samples.last().unwrap();
+    near("the hook at the end", end.coordinates[3], 0.0, 1e-12);
+    let stiffness = 2.25 * 2000.0 * 2.6 * 6.0_f64.powi(0) / 10.0;
+    let _ = stiffness;
+    let (mut most, mut work) = (0.0_f64, 0.0);
+    for pair in record.samples.windows(2) {
+        let force = |s: &cspace_motion::Sample| s.forces.as_ref().unwrap().drives[0].force;
+        most = most.max(force(&pair[0]).abs());
+        work += 0.5
+            * (force(&pair[0]) + force(&pair[1]))
+            * (pair[1].coordinates[0] - pair[0].coordinates[0]);
+    }
+    assert!(most > 1.0, "{most}");
+    // In and out again without friction takes no work.
+    near("the work of the drive", work / most, 0.0, 1e-2);
+}
+
+/// A disc on two supports, and an arm that leans on it: the forces are those of statics.
+#[test]
+fn contacts_carry_what_statics_say() {
+    let text = r#"
+gravity = [0, -10]
+[[part]]
+name = "trough"
+motion = { type = "fixed" }
+loops = [[[0, 0], [-4, 3], [-5, 0]], [[0.5, 0], [4.5, 0], [4, 2.0207259421636903]]]
+[[part]]
+name = "disc"
+start = [0.2, 6, 0]
+mass = 2
+loops = [{ circle = 1, at = [0, 0] }]
+[[part]]
+name = "knob"
+motion = { type = "revolute", center = [20, 0] }
+loops = [{ circle = 1, at = [20, 0] }]
+[[drive]]
+part = "knob"
+rate = 1
+"#;
+    let (_, record) = run(&read(text), 1.0, 0.5);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let forces = record.samples.last().unwrap().forces.as_ref().unwrap();
+    let normals: Vec<f64> = forces.contacts.iter().map(|c| c.normal).collect();
+    assert_eq!(normals.len(), 2, "{:?}", forces.contacts);
+    // Slopes of atan(3/4) falling and 30 degrees rising: sin a / sin(a + b) of the weight on each other's side.
+    let (a, b) = (0.75_f64.atan(), PI / 6.0);
+    let expected = [a.sin(), b.sin()].map(|s| 20.0 * s / (a + b).sin());
+    for wanted in expected {
+        assert!(
+            normals.iter().any(|n| (n - wanted).abs() < 1e-9),
+            "{normals:?} {expected:?}"
+        );
+    }
+    assert!(kinds(&record).contains(&EventKind::Snap));
+}
+
+/// A load that nothing stops is told by the name of its part.
+#[test]
+fn what_nothing_stops_is_told() {
+    let text = r#"
+[[part]]
+name = "wheel"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 1, at = [0, 0] }]
+[[part]]
+name = "knob"
+motion = { type = "revolute", center = [20, 0] }
+loops = [{ circle = 1, at = [20, 0] }]
+[[drive]]
+part = "knob"
+rate = 1
+[[load]]
+part = "wheel"
+torque = 3
+"#;
+    let (_, record) = run(&read(text), 1.0, 0.5);
+    assert_eq!(record.status, Status::Undetermined);
+    assert!(record.reason.unwrap().starts_with("nothing stops wheel"));
+    // A brake does.
+    let braked = text.replacen("name = \"wheel\"", "name = \"wheel\"\nbrake = true", 1);
+    let (_, record) = run(&read(&braked), 1.0, 0.5);
+    assert_eq!(record.status, Status::Done);
+    assert_eq!(record.samples.last().unwrap().coordinates[0], 0.0);
+}
+
+/// The wheel goes on by a tooth a turn, the pawl drops behind it at once, and nothing turns back.
+#[test]
+fn a_pawl_drops() {
+    let (simulation, record) = run(&model("ratchet_mechanism"), 3.0, 0.01);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let wheel = simulation.system().parts()[4].indices().start;
+    let turned: Vec<f64> = record
+        .samples
+        .iter()
+        .map(|s| s.coordinates[wheel])
+        .collect();
+    assert!(turned.windows(2).all(|w| w[1] >= w[0] - 1e-12));
+    let drops = record.events.iter().filter(|e| {
+        e.t > 0.0
+            && e.kind == EventKind::Snap
+            && matches!(&e.what, What::Part { part } if part == "pawl")
+    });
+    let times: Vec<f64> = drops.map(|e| e.t).collect();
+    assert_eq!(times.len(), 3, "{times:?}");
+    near("from drop to drop", times[2] - times[1], 1.0, 1e-9);
+}
