@@ -756,7 +756,7 @@ pub(crate) struct SimulateArgs {
     /// Tell the rates of all coordinates as well
     #[arg(long)]
     pub(crate) rates: bool,
-    /// Tell the forces at contacts, in joints and of drives as well; dynamic mode
+    /// Tell the forces at contacts, in joints and of drives as well
     #[arg(long)]
     pub(crate) forces: bool,
     #[command(flatten)]
@@ -773,7 +773,7 @@ pub(crate) struct SimulateArgs {
 pub(crate) enum Mode {
     /// Masses move by forces
     Dynamic,
-    /// Drives move; the rest goes only where contacts, springs and loads push it
+    /// Drives move slowly; forces of loads, springs and weights balance at every instant
     Kinematic,
 }
 
@@ -1376,17 +1376,17 @@ and which contacts last how long. -o OUT.csv writes the samples beside it,
 motion and the contacts over time, the way in the plane of each pair on axes.
 
 The model says what moves it: [[drive]], [[load]] and [[spring]]. In the
-kinematic mode drives move; other parts go only where contacts, springs and
-loads push them, and stay otherwise.
+kinematic mode drives move slowly, and loads, springs and weights balance at
+every instant; other parts go only where contacts push them.
 
   done          it came to the end
   jammed        what is driven cannot go on: no velocity is allowed by the
                 contacts that are told
   undetermined  it cannot be told how it goes on, and why
 
-Events are contacts that come (touch) and go (release), and ends of ranges that
-are reached (limit). Their times do not depend on --every. All are answers, so
-the exit code is 0.
+Events are contacts that come (touch) and go (release), ends of ranges that are
+reached (limit), and balances that end (snap). Their times do not depend on
+--every. All are answers, so the exit code is 0.
 
 -o OUT.csv writes the samples: t, then NAME.u of each part that turns or
 slides, NAME.x, NAME.y, NAME.theta of others, and with --rates NAME.du or

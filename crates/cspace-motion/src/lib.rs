@@ -5,14 +5,15 @@
 //!
 //! # Kinematic motion
 //!
-//! [`Simulation::kinematic`] follows motion without inertia: at each instant the velocity is the one nearest to the free velocity
-//! that drives, joints, ranges and contacts allow,
+//! [`Simulation::kinematic`] follows motion without inertia while drives move slowly: forces balance at every instant,
 //!
-//! min ½ |v − M⁻¹ F|²_M  subject to  J v = drives,  ∇fᵢ · v ≥ 0 for every closed contact i,
+//! F + Σ λᵢ ∇fᵢ = 0 over all that is not driven, with λᵢ ≥ 0 for every closed contact i,
 //!
-//! with the mass matrix M of the outlines at unit density, to which dampers add, and the forces F of loads, weights and springs. It is a
-//! projection on a convex cone, so the answer is unique. If there is none the mechanism is jammed, and multipliers prove it.
-//! At a convex corner of the parts, where either of two contacts will do, the nearer of the two velocities is taken.
+//! stably, that is with a second derivative of V − Σ λᵢ fᵢ that is positive along what the closed contacts leave, V being the potential of
+//! loads, weights and springs. Where that ends, parts go at once to the next balance: a [`EventKind::Snap`]. What no force acts on moves as
+//! it is pushed: with the velocity nearest to rest, in the mass matrix of the outlines at unit density, that J v = drives, ∇fᵢ · v ≥ 0 allow. If
+//! there is none the mechanism is jammed, and multipliers prove it. At a convex corner of the parts, where either of two contacts will do, the nearer
+//! of the two velocities is taken.
 //!
 //! Contact functions fᵢ are those of [`cspace::FeatureContact`], in the model's unit of length; angles are in radians, times in
 //! seconds.

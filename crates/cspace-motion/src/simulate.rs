@@ -212,7 +212,7 @@ impl Simulation {
         }
     }
 
-    /// Kinematic motion: drives move, other parts go only where contacts, springs and loads push them.
+    /// Kinematic motion: drives move slowly, and loads, springs and weights balance at every instant.
     ///
     /// # Errors
     /// If times make no sense.

@@ -209,22 +209,7 @@ fn forces_and_pictures_are_refused_where_they_make_no_sense() {
     fails(
         run(&["--forces"]),
         2,
-        &["--forces", "dynamic mode", "a mass"],
-    );
-    let (_heavy, heavy) = file(&JAM.replace("name = \"block\"", "name = \"block\"\nmass = 1"));
-    let args = [
-        "simulate",
-        &heavy,
-        "--time",
-        "1",
-        "--mode",
-        "kinematic",
-        "--forces",
-    ];
-    fails(
-        cspace(&args),
-        2,
-        &["--forces", "leave out --mode kinematic"],
+        &["--forces", "loads, springs and weights", "[[load]]"],
     );
     fails(
         run(&["--size", "800x600"]),

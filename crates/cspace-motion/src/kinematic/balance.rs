@@ -287,12 +287,13 @@ impl Balance {
         mode.stiffness > self.neutral
     }
 
-    /// Whether the forces do not balance, or not stably.
+    /// Whether the forces do not balance, or not stably, or are beyond all numbers.
     pub(super) fn is_lost(&self) -> bool {
-        self.modes.iter().any(|mode| {
-            mode.stiffness < -self.neutral
-                || (!self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
-        })
+        !self.total.is_finite()
+            || self.modes.iter().any(|mode| {
+                mode.stiffness < -self.neutral
+                    || (!self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
+            })
     }
 
     /// The way to the balance, in y: Newton's step.

@@ -1,4 +1,4 @@
-//! First-order motion: the velocity nearest to the free one that no contact forbids.
+//! Motion without inertia: forces in balance while drives move, and what no force acts on as it is pushed.
 
 mod balance;
 mod check;

@@ -188,8 +188,8 @@ impl<'a> Run<'a> {
             self.record
                 .events
                 .extend(record.events.into_iter().map(now));
-            let path = record.trace.into_iter().map(|s| at(time, s.coordinates));
-            self.record.trace.extend(path);
+            // Where they were; where they are is told once it goes on.
+            self.record.trace.push(at(time, begun));
         }
         Settled::At(end)
     }

@@ -79,7 +79,7 @@ impl<'a> Local<'a> {
             .collect();
         let factor = Cholesky::of(&of_free, free.len())?;
         let share = match system.law() {
-            Law::Speeds { scale } => scale,
+            Law::Speeds { scale, .. } => scale,
             Law::Balance => 0.0,
         };
         // Dampers between driven and free parts pull.

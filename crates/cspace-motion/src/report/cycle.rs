@@ -230,7 +230,16 @@ fn repeats(
     let (mut since, mut difference) = (start, 0.0_f64);
     let here = trajectory.back_from(start, 0.0);
     let next = trajectory.back_from(start, period);
-    for t in merged(here, next).take_while(|t| *t >= 0.0) {
+    // Where parts go to another place at once, they are at both.
+    let near = SAME * record.until;
+    let snaps = record.events.iter().filter(|e| e.kind == EventKind::Snap);
+    let snaps: Vec<f64> = snaps.map(|e| e.t).collect();
+    let is_torn = |t: f64| {
+        let at = |time: f64| snaps.iter().any(|s| (s - time).abs() <= near);
+        at(t) || at(t + period)
+    };
+    let moments = merged(here, next).take_while(|t| *t >= 0.0);
+    for t in moments.filter(|t| !is_torn(*t)) {
         let here = off(&advance, t);
         if here > most {
             break;

@@ -5,6 +5,7 @@ use cspace::AxisMotion;
 use super::contacts::{ContactInterval, together};
 use super::cycle::Cycle;
 use super::trajectory::Trajectory;
+use crate::record::{Event, EventKind, Record, What};
 use crate::system::{PartCoordinates, System};
 
 /// What takes no more than this share of a cycle is a drop; what takes longer is a time apart.
@@ -49,8 +50,9 @@ pub(super) fn find(
     trajectory: &Trajectory<'_>,
     contacts: &[ContactInterval],
     cycle: &Cycle,
-    until: f64,
+    record: &Record,
 ) -> Vec<Drop> {
+    let until = record.until;
     let mechanism = system.mechanism();
     let mut drops = Vec::new();
     for pair in &mechanism.pairs {
@@ -60,8 +62,8 @@ pub(super) fn find(
         };
         let names = parts.map(|i| mechanism.parts[i].part.name());
         let touching = together(contacts, names, until, NEAR * until);
-        for gap in touching.windows(2) {
-            let (leaves, lands) = (gap[0].1, gap[1].0);
+        let gaps = touching.windows(2).map(|gap| (gap[0].1, gap[1].0));
+        for (leaves, lands) in gaps.chain(snaps(record, mechanism.parts[part].part.name(), names)) {
             let is_last = lands > until - cycle.period * (1.0 - 1e-9);
             if is_last && lands - leaves < QUICK * cycle.period {
                 drops.push(Drop {
@@ -76,6 +78,26 @@ pub(super) fn find(
     }
     drops.sort_by(|a, b| a.leaves.total_cmp(&b.leaves));
     drops
+}
+
+/// When a part of a pair goes at once to another place on the other part.
+fn snaps<'r>(
+    record: &'r Record,
+    part: &'r str,
+    names: [&'r str; 2],
+) -> impl Iterator<Item = (f64, f64)> + 'r {
+    let events = record.events.iter();
+    let of_part = move |e: &&Event| matches!(&e.what, What::Part { part: p } if p == part);
+    let snaps = events.filter(|e| e.kind == EventKind::Snap).filter(of_part);
+    let happens = move |kind: EventKind, t: f64| {
+        record.events.iter().any(|e| {
+            let of_pair = matches!(&e.what, What::Contact { fixed, moving, .. } if [fixed.as_str(), moving.as_str()] == names);
+            e.t == t && e.kind == kind && of_pair
+        })
+    };
+    let drops =
+        move |e: &&Event| happens(EventKind::Release, e.t) && happens(EventKind::Touch, e.t);
+    snaps.filter(drops).map(|e| (e.t, e.t))
 }
 
 /// Which of two parts loads, springs or weight act on, and the other. Of two such the second.

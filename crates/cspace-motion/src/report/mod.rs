@@ -57,7 +57,7 @@ impl Report {
         let contacts = contacts::intervals(record);
         let cycle = cycle::find(system, record, &trajectory);
         let drops = (cycle.as_ref()).map_or(Vec::new(), |cycle| {
-            drops::find(system, &trajectory, &contacts, cycle, record.until)
+            drops::find(system, &trajectory, &contacts, cycle, record)
         });
         let found = summary::Found {
             contacts: &contacts,

@@ -280,12 +280,14 @@ impl Teller<'_> {
         (report.drops.iter())
             .map(|d| {
                 let mut text = format!(
-                    "the {} drops off the {} at {} and lands at {}",
+                    "the {} drops off the {} at {}",
                     self.name(d.part),
                     self.name(d.off),
                     self.clock.at(d.leaves),
-                    self.clock.again(d.lands)
                 );
+                if d.lands > d.leaves {
+                    text += &format!(" and lands at {}", self.clock.again(d.lands));
+                }
                 if let Some(swing) = d.swing {
                     let carrier = self.name(swing.part);
                     let more = self.amount(swing.part, swing.goes_on);

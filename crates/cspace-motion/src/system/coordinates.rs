@@ -36,6 +36,9 @@ pub struct System {
     law: Law,
 }
 
+/// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
+const DRAG: f64 = 0.1;
+
 /// What forces do to a motion without inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Law {
@@ -43,6 +46,8 @@ pub(crate) enum Law {
     Speeds {
         /// The factor s.
         scale: f64,
+        /// Springs resist by this times their stiffness, s: so that the stiff ones do not make the way a long one.
+        drag: f64,
     },
     /// They balance at every instant.
     Balance,
@@ -119,7 +124,10 @@ impl System {
         }
         Self {
             lengths,
-            law: Law::Speeds { scale: 1.0 },
+            law: Law::Speeds {
+                scale: 1.0,
+                drag: 0.0,
+            },
             joints: mechanism.joints.iter().filter(tells).copied().collect(),
             moments: (mechanism.parts.iter()).map(|p| p.part.moments()).collect(),
             masses: (0..mechanism.parts.len())
@@ -149,7 +157,10 @@ impl System {
     pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
         let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
         Self {
-            law: Law::Speeds { scale },
+            law: Law::Speeds {
+                scale,
+                drag: DRAG * scale,
+            },
             drives: self.drives.iter().map(still).collect(),
             ..self.clone()
         }
@@ -357,7 +368,7 @@ impl System {
     pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
         let n = self.count;
         let (mut unused, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
-        self.add_forces(q, &mut forces, &mut unused);
+        self.add_forces(q, 0.0, &mut forces, &mut unused);
         forces
     }
 
@@ -369,7 +380,11 @@ impl System {
         for (part, moments) in self.parts.iter().zip(&self.moments) {
             metric::add_outline(&mut matrix, n, part, moments, q);
         }
-        self.add_forces(q, &mut forces, &mut matrix);
+        let drag = match self.law {
+            Law::Speeds { drag, .. } => drag,
+            Law::Balance => 0.0,
+        };
+        self.add_forces(q, drag, &mut forces, &mut matrix);
         (matrix, forces)
     }
 }

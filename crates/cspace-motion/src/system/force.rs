@@ -21,8 +21,9 @@ fn push(forces: &mut [f64], row: &Row, force: f64) {
 }
 
 impl System {
-    /// The forces on all coordinates, and the resistances that dampers add to `matrix`, n × n by rows.
-    pub(crate) fn add_forces(&self, q: &[f64], forces: &mut [f64], matrix: &mut [f64]) {
+    /// The forces on all coordinates, and the resistances that dampers add to `matrix`, n × n by rows; springs resist, too, by `drag` times
+    /// their stiffness.
+    pub(crate) fn add_forces(&self, q: &[f64], drag: f64, forces: &mut [f64], matrix: &mut [f64]) {
         for load in &self.mechanism().dynamics.loads {
             self.add_load(load, q, forces);
         }
@@ -35,7 +36,7 @@ impl System {
             }
         }
         for spring in &self.mechanism().dynamics.springs {
-            self.add_spring(spring, q, forces, matrix);
+            self.add_spring(spring, q, drag, forces, matrix);
         }
     }
 
@@ -55,7 +56,14 @@ impl System {
         }
     }
 
-    fn add_spring(&self, spring: &Spring, q: &[f64], forces: &mut [f64], matrix: &mut [f64]) {
+    fn add_spring(
+        &self,
+        spring: &Spring,
+        q: &[f64],
+        drag: f64,
+        forces: &mut [f64],
+        matrix: &mut [f64],
+    ) {
         let ground = PartCoordinates::Fixed;
         let first = &self.parts()[spring.part];
         let second = spring.other.map_or(&ground, |i| &self.parts()[i]);
@@ -76,7 +84,11 @@ impl System {
                 let along = Row::new(0.0)
                     .plus(x.value / distance, &x)
                     .plus(y.value / distance, &y);
-                (along, -stiffness * (distance - length), damping)
+                (
+                    along,
+                    -stiffness * (distance - length),
+                    damping + drag * stiffness,
+                )
             }
             SpringKind::Torsion {
                 stiffness,
@@ -92,7 +104,11 @@ impl System {
                     row
                 };
                 let between = turned(first).plus(-1.0, &turned(second));
-                (between, -stiffness * (between.value - angle), damping)
+                (
+                    between,
+                    -stiffness * (between.value - angle),
+                    damping + drag * stiffness,
+                )
             }
         };
         push(forces, &row, force);

@@ -210,9 +210,9 @@ fn parts_that_overlap_at_the_start() {
     refused(&still, &["wheel", "stands still"]);
 }
 
-/// A part that flies away is followed for as long as is wanted, in steps as long as nothing is near.
+/// A part that a load drives away is told, soon.
 #[test]
-fn what_flies_away_is_far_soon() {
+fn what_flies_away_is_told_soon() {
     let load = "[[load]]\npart = \"block\"\nforce = [1e12, 1e12]\n";
     let text = scene("", "", "", &format!("{DRIVE}{load}"));
     let simulation = Simulation::new(&read(&text).unwrap()).unwrap();
@@ -223,11 +223,9 @@ fn what_flies_away_is_far_soon() {
     let begun = Instant::now();
     let record = simulation.kinematic(&settings).unwrap();
     assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
-    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
-    // A force over the area of 4, for 2 seconds.
-    let end = &record.samples.last().unwrap().coordinates;
-    assert!((end[1] / 5e11 - 1.0).abs() < 1e-12, "{end:?}");
-    assert!((end[0] - 2.0).abs() < 1e-14, "{end:?}");
+    assert_eq!(record.status, Status::Undetermined);
+    let reason = record.reason.unwrap();
+    assert!(reason.starts_with("nothing stops block"), "{reason}");
 }
 
 /// What may be written and cannot be followed ends with a reason, and soon.

@@ -140,17 +140,24 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
         None if has_mass => Mode::Dynamic,
         None => Mode::Kinematic,
     };
-    if args.forces && mode == Mode::Kinematic {
-        let why = if has_mass {
-            "leave out --mode kinematic, or --forces"
-        } else {
-            "give parts a mass or a density, or leave --forces out"
-        };
+    let braked = model.dynamics.parts.iter().position(|p| p.brake);
+    if let (Mode::Dynamic, Some(part)) = (mode, braked) {
         return Err(Failure::input(format_args!(
-            "{}: --forces is about the dynamic mode; in the kinematic mode parts have no inertia, and forces no meaning",
+            "{}: {} has a brake, which the dynamic mode does not know",
+            path.display(),
+            model.parts[part].part.name()
+        ))
+        .help("remove the brake, or ask for --mode kinematic"));
+    }
+    let dynamics = &model.dynamics;
+    let weighs = has_mass && dynamics.gravity != cspace::Vector::ZERO;
+    let is_loaded = weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty();
+    if args.forces && mode == Mode::Kinematic && !is_loaded {
+        return Err(Failure::input(format_args!(
+            "{}: --forces tells the forces of loads, springs and weights, and the model has none",
             path.display()
         ))
-        .help(why));
+        .help("add a [[load]] or a [[spring]], or leave --forces out"));
     }
     Ok(mode)
 }
