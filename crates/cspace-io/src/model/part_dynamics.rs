@@ -8,14 +8,13 @@ use super::node::Node;
 use super::table::{Result, Table};
 
 /// The keys of a part that are read here.
-pub(super) const KEYS: [&str; 7] = [
+pub(super) const KEYS: [&str; 6] = [
     "mass",
     "density",
     "inertia",
     "center_of_mass",
     "start",
     "rate",
-    "brake",
 ];
 
 /// What the table of a part says of its mass and motion; `axis` is how it moves.
@@ -38,19 +37,7 @@ pub(super) fn read_part_dynamics(table: &Table<'_>, axis: Option<Axis>) -> Resul
         rate: (table.get("rate"))
             .map(|node| rate(table, node, axis))
             .transpose()?,
-        brake: brake(table, axis)?,
     })
-}
-
-fn brake(table: &Table<'_>, axis: Option<Axis>) -> Result<bool> {
-    let brake = table.flag("brake")?;
-    if brake && axis.is_none_or(|a| a.motion == AxisMotion::Fixed) {
-        let error = table.error("brake", "the part neither turns nor slides on an axis");
-        return Err(
-            error.with_help("give it a motion that is revolute or prismatic, or remove the brake")
-        );
-    }
-    Ok(brake)
 }
 
 fn start(table: &Table<'_>, node: &Node, axis: Option<Axis>) -> Result<PartPosition> {

@@ -52,7 +52,6 @@ pub(super) fn of_part(part: &PartDynamics) -> String {
         ("mass", mass.map(number)),
         ("density", density.map(number)),
         ("inertia", part.inertia.map(number)),
-        ("brake", part.brake.then(|| "true".to_owned())),
         ("center_of_mass", part.center_of_mass.map(point)),
         (
             "start",

@@ -33,7 +33,7 @@ fn all_of_it() -> String {
         [
             "mass = 3",
             "density = 0.5\nstart = \"90deg\"",
-            "rate = -2.5\nbrake = true\nstart = 1\nmass = 0.2\ninertia = 0.75\ncenter_of_mass = [8, 0.25]",
+            "rate = -2.5\nstart = 1\nmass = 0.2\ninertia = 0.75\ncenter_of_mass = [8, 0.25]",
             "mass = 0.076\nstart = [1, 2, \"180deg\"]\nrate = [3, 4, \"0.5turn\"]",
         ],
         "[[pair]]\nfixed = \"frame\"\nmoving = \"pawl\"\nfriction = 0.3\n\
@@ -96,7 +96,6 @@ fn every_key_is_read() {
                 center_of_mass: Some(Point::new(8.0, 0.25)),
                 start: Some(PartPosition::Axis(1.0)),
                 rate: Some(PartVelocity::Axis(-2.5)),
-                brake: true,
             },
             PartDynamics {
                 mass: Some(Mass::Total(0.076)),

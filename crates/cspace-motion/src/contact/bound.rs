@@ -1,5 +1,7 @@
 //! What must not become negative: contact functions, and the distances to the ends of ranges.
 
+use cspace::mechanism::SpringKind;
+
 use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
 
@@ -110,16 +112,30 @@ pub(crate) const SAME_PLACE: f64 = 1e-6;
 /// Contacts are told when they are farther away than what leaves them by this factor.
 pub(super) const REACH: f64 = 4.0;
 
-/// The brakes of parts, where they stand.
+/// The brakes of parts, where they stand: dampers without stiffness between the ground and a part on an axis.
 pub(crate) fn brakes(system: &System, q: &[f64]) -> Vec<Bound> {
-    let braked = |part: &usize| system.mechanism().dynamics.part(*part).brake;
+    let springs = &system.mechanism().dynamics.springs;
+    let braked = |part: &usize| {
+        springs.iter().any(|spring| {
+            let (SpringKind::Linear {
+                stiffness, damping, ..
+            }
+            | SpringKind::Torsion {
+                stiffness, damping, ..
+            }) = spring.kind;
+            spring.part == *part && spring.other.is_none() && stiffness == 0.0 && damping > 0.0
+        })
+    };
     let all = (0..system.parts().len()).filter(braked);
     let free = all.filter_map(|part| {
-        let i = system.parts()[part].indices().next()?;
+        let PartCoordinates::Axis { first, .. } = system.parts()[part] else {
+            return None;
+        };
+        let at = q[first];
         system
             .free()
-            .contains(&i)
-            .then_some(Bound::Brake { part, at: q[i] })
+            .contains(&first)
+            .then_some(Bound::Brake { part, at })
     });
     free.collect()
 }

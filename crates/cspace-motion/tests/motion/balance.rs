@@ -134,8 +134,6 @@ fn a_hook_is_pushed_in_with_the_force_of_statics() {
     assert_eq!(record.status, Status::Done);
     let end = record.samples.last().unwrap();
     near("the hook at the end", end.coordinates[3], 0.0, 1e-12);
-    let stiffness = 2.25 * 2000.0 * 2.6 * 6.0_f64.powi(0) / 10.0;
-    let _ = stiffness;
     let (mut most, mut work) = (0.0_f64, 0.0);
     for pair in record.samples.windows(2) {
         let force = |s: &cspace_motion::Sample| s.forces.as_ref().unwrap().drives[0].force;
@@ -147,6 +145,59 @@ fn a_hook_is_pushed_in_with_the_force_of_statics() {
     assert!(most > 1.0, "{most}");
     // In and out again without friction takes no work.
     near("the work of the drive", work / most, 0.0, 1e-2);
+}
+
+/// A wedge lifts the round end of a lever against a torsion spring: the drive's force is k θ dθ/du, by virtual work.
+#[test]
+fn a_drive_gives_what_statics_say() {
+    for stiffness in [1e-4, 1.0, 1e7] {
+        let text = format!(
+            r#"
+[[part]]
+name = "wedge"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [[[-30, -6], [-2, -6], [-30, 8]]]
+[[part]]
+name = "lever"
+motion = {{ type = "revolute", center = [20, 0] }}
+loops = [{{ circle = 1, at = [0, 0] }}]
+[[drive]]
+part = "wedge"
+rate = 1
+[[spring]]
+parts = ["lever"]
+type = "torsion"
+stiffness = {stiffness}
+angle = 0
+"#
+        );
+        let (_, record) = run(&read(&text), 24.0, 0.25);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        let normal = [0.447_213_595_499_957_94, 0.894_427_190_999_915_9];
+        let mut seen = 0;
+        for sample in &record.samples {
+            let [u, theta] = [sample.coordinates[0], sample.coordinates[1]];
+            let forces = sample.forces.as_ref().unwrap();
+            let force = forces.drives[0].force;
+            // The disc's centre turns about (20, 0) at a distance of 20; from there to the slope it is 1 where they touch.
+            let center = [20.0 - 20.0 * theta.cos(), -20.0 * theta.sin()];
+            let apart = normal[0] * (center[0] - u + 2.0) + normal[1] * (center[1] + 6.0) - 1.0;
+            if forces.contacts.is_empty() {
+                assert!(apart > -1e-9 && theta.abs() < 1e-12 && force.abs() < 1e-12 * stiffness);
+                continue;
+            }
+            seen += 1;
+            let turned = [20.0 * theta.sin(), -20.0 * theta.cos()];
+            let by_theta = normal[0] * turned[0] + normal[1] * turned[1];
+            let expected = stiffness * theta * normal[0] / by_theta;
+            assert!(apart.abs() < 1e-11, "{u}: {apart:e}");
+            assert!(
+                (force - expected).abs() < 1e-9 * stiffness,
+                "{u}: {force} {expected}"
+            );
+        }
+        assert!(seen > 20, "{seen}");
+    }
 }
 
 /// A disc on two supports, and an arm that leans on it: the forces are those of statics.
@@ -211,7 +262,8 @@ torque = 3
     assert_eq!(record.status, Status::Undetermined);
     assert!(record.reason.unwrap().starts_with("nothing stops wheel"));
     // A brake does.
-    let braked = text.replacen("name = \"wheel\"", "name = \"wheel\"\nbrake = true", 1);
+    let braked =
+        format!("{text}[[spring]]\nparts = [\"wheel\"]\ntype = \"torsion\"\ndamping = 1\n");
     let (_, record) = run(&read(&braked), 1.0, 0.5);
     assert_eq!(record.status, Status::Done);
     assert_eq!(record.samples.last().unwrap().coordinates[0], 0.0);

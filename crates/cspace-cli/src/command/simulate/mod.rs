@@ -140,15 +140,6 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
         None if has_mass => Mode::Dynamic,
         None => Mode::Kinematic,
     };
-    let braked = model.dynamics.parts.iter().position(|p| p.brake);
-    if let (Mode::Dynamic, Some(part)) = (mode, braked) {
-        return Err(Failure::input(format_args!(
-            "{}: {} has a brake, which the dynamic mode does not know",
-            path.display(),
-            model.parts[part].part.name()
-        ))
-        .help("remove the brake, or ask for --mode kinematic"));
-    }
     let dynamics = &model.dynamics;
     let weighs = has_mass && dynamics.gravity != cspace::Vector::ZERO;
     let is_loaded = weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty();

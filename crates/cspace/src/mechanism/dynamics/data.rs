@@ -62,12 +62,6 @@ pub struct PartDynamics {
     pub start: Option<PartPosition>,
     /// How fast it moves at the start; it rests if that is not given.
     pub rate: Option<PartVelocity>,
-    /// Whether the part has a brake: without inertia it stands wherever what is driven does not force it on. For parts on an axis.
-    #[cfg_attr(
-        feature = "serde",
-        serde(default, skip_serializing_if = "core::ops::Not::not")
-    )]
-    pub brake: bool,
 }
 
 /// What happens where the parts of a pair touch.
