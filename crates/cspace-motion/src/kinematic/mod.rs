@@ -6,9 +6,10 @@ mod choose;
 mod events;
 mod flow;
 mod locate;
+mod rest;
 mod run;
 mod settle;
 mod velocity;
 
 pub(crate) use flow::close;
-pub(crate) use run::run;
+pub(crate) use settle::run;

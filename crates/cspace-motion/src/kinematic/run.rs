@@ -3,14 +3,14 @@
 use crate::contact::{Bound, LONGEST, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
 use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
-use crate::system::{Law, System};
+use crate::system::System;
 
 use super::check::{goes_on, step};
 use super::choose::{Choice, choose};
 use super::events::Told;
 use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
-use super::settle::{Settled, Settling};
+use super::rest::Settling;
 
 /// What diverges in a step is tried again with this share of it.
 const DIVERGED: f64 = 0.2;
@@ -69,16 +69,47 @@ impl Samples {
     }
 }
 
-/// Follows the motion from a configuration for some time.
-pub(crate) fn run(
-    system: &System,
-    pairs: &Pairs,
-    q: Vec<f64>,
-    duration: f64,
-    every: f64,
-    progress: &dyn Fn(f64) -> bool,
-) -> Option<Record> {
-    Run::new(system, pairs, duration, every).go(q, progress)
+/// Where a simulation has come to.
+pub(super) struct State {
+    pub(super) time: f64,
+    pub(super) q: Vec<f64>,
+    /// What was closed on the way there.
+    pub(super) before: Vec<Bound>,
+    /// Events in a row without progress in time, and since when.
+    idle: usize,
+    idle_since: f64,
+    steps: usize,
+}
+
+/// Why it does not go on.
+pub(super) enum Stop {
+    /// It has come to its end.
+    Over,
+    /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
+    Jammed(Vec<(Bound, f64)>),
+    /// What is allowed leads nowhere, with these bounds.
+    Undetermined(Vec<Bound>),
+}
+
+impl State {
+    pub(super) fn new(q: Vec<f64>) -> Self {
+        Self {
+            time: 0.0,
+            q,
+            before: Vec::new(),
+            idle: 0,
+            idle_since: 0.0,
+            steps: 0,
+        }
+    }
+
+    /// Goes on from another place at the same time; whether that is not too often.
+    pub(super) fn moved(&mut self, q: Vec<f64>) -> bool {
+        self.q = q;
+        self.before.clear();
+        self.idle += 1;
+        self.idle <= MOST_IDLE
+    }
 }
 
 impl<'a> Run<'a> {
@@ -114,74 +145,59 @@ impl<'a> Run<'a> {
         }
     }
 
-    pub(super) fn go(&mut self, mut q: Vec<f64>, progress: &dyn Fn(f64) -> bool) -> Option<Record> {
-        let (mut time, mut idle, mut idle_since) = (0.0, 0, 0.0);
-        let mut steps = 0;
-        let mut before: Vec<Bound> = Vec::new();
-        while time < self.duration && !self.is_settled() {
-            let mut bounds = touching(self.system, self.pairs, &q);
-            add(&mut bounds, before);
+    /// Goes on until it stops, and why; `None` if the user wants no more.
+    pub(super) fn go(&mut self, state: &mut State, progress: &dyn Fn(f64) -> bool) -> Option<Stop> {
+        while state.time < self.duration && !self.is_settled() {
+            let (time, q) = (state.time, &state.q);
+            let mut bounds = touching(self.system, self.pairs, q);
+            add(&mut bounds, core::mem::take(&mut state.before));
             let left = self.duration - time;
-            let mut choice = choose(self.system, self.pairs, &bounds, time, &q, left);
+            let mut choice = choose(self.system, self.pairs, &bounds, time, q, left);
             if let Choice::Undetermined = choice {
-                add(&mut bounds, pinched(self.system, self.pairs, &q));
-                choice = choose(self.system, self.pairs, &bounds, time, &q, left);
-            }
-            if self.system.law() == Law::Balance && !matches!(choice, Choice::On { .. }) {
-                match self.settle(time, &q, progress) {
-                    Settled::At(settled) => {
-                        (q, before) = (settled, Vec::new());
-                        idle += 1;
-                        if idle <= MOST_IDLE {
-                            continue;
-                        }
-                    }
-                    Settled::Endless(part) => {
-                        self.endless(time, &q, part);
-                        return Some(self.take());
-                    }
-                    Settled::Lost(_) if !progress(time / self.duration) => return None,
-                    Settled::Lost(Some(reason)) => {
-                        let reason = format!("on the way to where forces balance: {reason}");
-                        self.end(time, &q, Status::Undetermined, reason);
-                        return Some(self.take());
-                    }
-                    Settled::Stands | Settled::Lost(None) => {}
-                }
+                add(&mut bounds, pinched(self.system, self.pairs, q));
+                choice = choose(self.system, self.pairs, &bounds, time, q, left);
             }
             let (mut flow, next) = match choice {
                 Choice::On { flow, next } => (flow, next),
-                Choice::Jammed(obstacles) => {
-                    self.jammed(time, &q, obstacles);
-                    return Some(self.take());
-                }
-                Choice::Undetermined => {
-                    self.undetermined(time, &q, &bounds);
-                    return Some(self.take());
-                }
+                Choice::Jammed(obstacles) => return Some(Stop::Jammed(obstacles)),
+                Choice::Undetermined => return Some(Stop::Undetermined(bounds)),
             };
             let events = self.told.update(self.pairs, &bounds, &flow, &next);
             self.record.events.extend(events);
-            self.trace_instant(&flow, &q);
+            self.trace_instant(&flow, q);
             if let Some(settling) = &mut self.settling {
                 let from = flow.q.clone();
                 if settling.is_over(&mut flow, &from) {
-                    q = flow.q;
-                    break;
+                    state.q = flow.q;
+                    return Some(Stop::Over);
                 }
             }
-            (time, q, before) = self.follow(flow, &mut steps, progress)?;
-            if time > idle_since + PROGRESS * self.duration {
-                (idle, idle_since) = (0, time);
+            (state.time, state.q, state.before) = self.follow(flow, &mut state.steps, progress)?;
+            if state.time > state.idle_since + PROGRESS * self.duration {
+                (state.idle, state.idle_since) = (0, state.time);
             } else {
-                idle += 1;
+                state.idle += 1;
             }
-            if self.gave_up.is_some() || idle > MOST_IDLE {
-                let bounds = touching(self.system, self.pairs, &q);
-                self.undetermined(time, &q, &bounds);
-                return Some(self.take());
+            if self.gave_up.is_some() || state.idle > MOST_IDLE {
+                let bounds = touching(self.system, self.pairs, &state.q);
+                return Some(Stop::Undetermined(bounds));
             }
         }
+        Some(Stop::Over)
+    }
+
+    /// The record of a simulation that does not go on.
+    pub(super) fn stopped(mut self, state: State, stop: Stop) -> Record {
+        let State { time, q, .. } = state;
+        match stop {
+            Stop::Over => self.over(q),
+            Stop::Jammed(obstacles) => self.jammed(time, &q, obstacles),
+            Stop::Undetermined(bounds) => self.undetermined(time, &q, &bounds),
+        }
+        self.record
+    }
+
+    fn over(&mut self, q: Vec<f64>) {
         self.record.until = self.duration;
         // The end is a sample, also where it is none of the even times, or misses one by rounding.
         let rounding = 1e-12 * self.duration;
@@ -193,16 +209,10 @@ impl<'a> Run<'a> {
                 forces: None,
             });
         }
-        Some(self.take())
     }
 
     fn is_settled(&self) -> bool {
         self.settling.as_ref().is_some_and(Settling::is_done)
-    }
-
-    fn take(&mut self) -> Record {
-        let empty = Run::new(self.system, self.pairs, self.duration, self.samples.every).record;
-        core::mem::replace(&mut self.record, empty)
     }
 
     /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
@@ -367,7 +377,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn end(&mut self, time: f64, q: &[f64], status: Status, reason: String) {
+    pub(super) fn end(&mut self, time: f64, q: &[f64], status: Status, reason: String) {
         self.record.until = time;
         self.record.status = status;
         self.record.reason = Some(reason);
@@ -378,14 +388,6 @@ impl<'a> Run<'a> {
             rates: vec![0.0; q.len()],
             forces: None,
         });
-    }
-
-    fn endless(&mut self, time: f64, q: &[f64], part: usize) {
-        let name = self.system.mechanism().parts[part].part.name();
-        let reason = format!(
-            "nothing stops {name}, which loads, springs or its weight push: add what it comes to rest on, or a range of its motion"
-        );
-        self.end(time, q, Status::Undetermined, reason);
     }
 
     fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {

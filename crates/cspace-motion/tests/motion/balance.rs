@@ -173,7 +173,7 @@ angle = 0
         );
         let (_, record) = run(&read(&text), 24.0, 0.25);
         assert_eq!(record.status, Status::Done, "{:?}", record.reason);
-        let normal = [0.447_213_595_499_957_94, 0.894_427_190_999_915_9];
+        let normal = [0.447_213_595_499_957_9, 0.894_427_190_999_915_9];
         let mut seen = 0;
         for sample in &record.samples {
             let [u, theta] = [sample.coordinates[0], sample.coordinates[1]];

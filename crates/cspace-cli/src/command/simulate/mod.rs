@@ -143,6 +143,9 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
     let dynamics = &model.dynamics;
     let weighs = has_mass && dynamics.gravity != cspace::Vector::ZERO;
     let is_loaded = weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty();
+    if mode == Mode::Kinematic && !is_loaded && dynamics.drives.is_empty() {
+        note("nothing moves: the model has no [[drive]], [[load]] or [[spring]]");
+    }
     if args.forces && mode == Mode::Kinematic && !is_loaded {
         return Err(Failure::input(format_args!(
             "{}: --forces tells the forces of loads, springs and weights, and the model has none",
