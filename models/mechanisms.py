@@ -90,8 +90,7 @@ def cam_roller():
 The plate cam of cam_follower.toml on its shaft, a roller that rides on it, and the stem that carries the roller in its guide.
 
 The roller, of diameter {2 * disc:g}, turns on a pin in the stem's fork, which lies in front of the cam. A spring of {rate / 1e3:g} N/mm between a collar on
-the stem and the guide above presses it down, by {(preload - rate * (lift + gap)) / 1e3:.0f} N at the least: without masses parts
-follow forces slowly, and a softer spring would leave the roller behind.
+the stem and the guide above presses it down, by {(preload - rate * (lift + gap)) / 1e3:.0f} N at the least.
 
 Drawn with the cam's dwell on top and the roller {gap:g} above it. To be seen: the roller comes down on the dwell, then on each turn of
 the cam falls along the straight flank to the base circle, {lift:g} below, and rises along the flank R60. Without friction it does not turn.
