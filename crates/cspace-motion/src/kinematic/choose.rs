@@ -85,8 +85,14 @@ fn among<'a>(
         Bound::Contact(touch) => pairs.list()[touch.pair].point(touch, system, q).ok(),
         Bound::Limit { .. } | Bound::Brake { .. } => None,
     };
+    // Where forces balance, what is pushed off the end of its range may be carried by either.
+    let balances = system.law() == Law::Balance;
     let contacts: Vec<usize> = (0..bounds.len())
-        .filter(|&i| matches!(bounds[i], Bound::Contact(_)))
+        .filter(|&i| match bounds[i] {
+            Bound::Contact(_) => true,
+            Bound::Limit { .. } => balances,
+            Bound::Brake { .. } => false,
+        })
         .collect();
     let places: Vec<Option<Point>> = contacts.iter().map(|&i| place(&bounds[i])).collect();
     let near = SAME_PLACE * system.size();

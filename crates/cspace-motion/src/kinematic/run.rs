@@ -77,6 +77,8 @@ pub(super) struct State {
     pub(super) before: Vec<Bound>,
     /// Events in a row without progress in time, and since when.
     idle: usize,
+    /// Moves to another place in a row without such progress.
+    moves: usize,
     idle_since: f64,
     steps: usize,
 }
@@ -98,6 +100,7 @@ impl State {
             q,
             before: Vec::new(),
             idle: 0,
+            moves: 0,
             idle_since: 0.0,
             steps: 0,
         }
@@ -107,8 +110,9 @@ impl State {
     pub(super) fn moved(&mut self, q: Vec<f64>) -> bool {
         self.q = q;
         self.before.clear();
-        self.idle += 1;
-        self.idle <= MOST_IDLE
+        self.idle = 0;
+        self.moves += 1;
+        self.moves <= MOST_IDLE
     }
 }
 
@@ -174,7 +178,7 @@ impl<'a> Run<'a> {
             }
             (state.time, state.q, state.before) = self.follow(flow, &mut state.steps, progress)?;
             if state.time > state.idle_since + PROGRESS * self.duration {
-                (state.idle, state.idle_since) = (0, state.time);
+                (state.idle, state.moves, state.idle_since) = (0, 0, state.time);
             } else {
                 state.idle += 1;
             }
@@ -190,25 +194,11 @@ impl<'a> Run<'a> {
     pub(super) fn stopped(mut self, state: State, stop: Stop) -> Record {
         let State { time, q, .. } = state;
         match stop {
-            Stop::Over => self.over(q),
+            Stop::Over => self.record.until = self.duration,
             Stop::Jammed(obstacles) => self.jammed(time, &q, obstacles),
             Stop::Undetermined(bounds) => self.undetermined(time, &q, &bounds),
         }
         self.record
-    }
-
-    fn over(&mut self, q: Vec<f64>) {
-        self.record.until = self.duration;
-        // The end is a sample, also where it is none of the even times, or misses one by rounding.
-        let rounding = 1e-12 * self.duration;
-        if (self.record.samples.last()).is_none_or(|s| s.t < self.duration - rounding) {
-            self.record.samples.push(Sample {
-                t: self.duration,
-                coordinates: q,
-                rates: core::mem::take(&mut self.rates),
-                forces: None,
-            });
-        }
     }
 
     fn is_settled(&self) -> bool {
@@ -359,21 +349,29 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Samples up to a time, which has been reached.
+    /// Samples up to a time, which has been reached. The end is a sample, also where it is none of the even times, or misses one by rounding.
     fn sample(&mut self, flow: &Flow<'_>, end: f64) {
         while self.samples.time() <= end && self.samples.time() <= self.duration {
             let t = self.samples.time();
-            // What holds to the end of a step holds before.
-            if let Some(to) = flow.after((t - flow.time).max(0.0)) {
-                let forces = flow.forces(t, &to);
-                self.record.samples.push(Sample {
-                    t,
-                    coordinates: to.q,
-                    rates: to.velocity.rates,
-                    forces,
-                });
-            }
+            self.sample_at(flow, t);
             self.samples.next += 1;
+        }
+        let last = self.record.samples.last();
+        if end >= self.duration && last.is_none_or(|s| s.t < self.duration * (1.0 - 1e-12)) {
+            self.sample_at(flow, self.duration);
+        }
+    }
+
+    fn sample_at(&mut self, flow: &Flow<'_>, t: f64) {
+        // What holds to the end of a step holds before.
+        if let Some(to) = flow.after((t - flow.time).max(0.0)) {
+            let forces = flow.forces(t, &to);
+            self.record.samples.push(Sample {
+                t,
+                coordinates: to.q,
+                rates: to.velocity.rates,
+                forces,
+            });
         }
     }
 
@@ -382,11 +380,13 @@ impl<'a> Run<'a> {
         self.record.status = status;
         self.record.reason = Some(reason);
         self.record.samples.retain(|s| s.t < time);
+        // They are those before.
+        let forces = (self.record.samples.last()).and_then(|s| s.forces.clone());
         self.record.samples.push(Sample {
             t: time,
             coordinates: q.to_vec(),
             rates: vec![0.0; q.len()],
-            forces: None,
+            forces,
         });
     }
 

@@ -148,51 +148,59 @@ impl<'a> Run<'a> {
         Some(Settled::At(end))
     }
 
-    /// Places beside one at which the forces balance on an edge, from which they lead away.
+    /// Places beside one at which the forces balance on an edge, from which they lead away: with all that touches there closed, or all but
+    /// one, where a contact passes from one feature to the next.
     fn nudged(&self, steady: &System, time: f64, q: &[f64]) -> Vec<Vec<f64>> {
-        let (system, pairs) = (self.system, self.pairs);
-        let bounds = touching(system, pairs, q);
-        let Some(local) = Local::at(system, q, time) else {
+        let Some(local) = Local::at(self.system, q, time) else {
             return Vec::new();
         };
-        let held: Vec<Bound> = pressing(&local, system, pairs, &bounds, q);
+        let bounds = touching(self.system, self.pairs, q);
+        let without = (0..bounds.len()).map(|left_out| {
+            let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
+            rest.map(|(_, b)| *b).collect()
+        });
+        let sets = core::iter::once(bounds.clone()).chain(without);
+        sets.filter_map(|set| self.nudge(steady, &local, time, q, &set))
+            .collect()
+    }
+
+    fn nudge(
+        &self,
+        steady: &System,
+        local: &Local<'_>,
+        time: f64,
+        q: &[f64],
+        bounds: &[Bound],
+    ) -> Option<Vec<f64>> {
+        let (system, pairs) = (self.system, self.pairs);
+        let held: Vec<Bound> = pressing(local, system, pairs, bounds, q);
         let closed = Closed {
             system,
             pairs,
             bounds: &held,
             q,
         };
-        let modes = closed.balance(&local).modes;
+        let modes = closed.balance(local).modes;
         let softest = modes
             .iter()
-            .min_by(|a, b| a.stiffness.total_cmp(&b.stiffness));
-        let Some(softest) = softest else {
-            return Vec::new();
-        };
+            .min_by(|a, b| a.stiffness.total_cmp(&b.stiffness))?;
         let by = local.displaced(&softest.along);
-        let speed = system.speed(&by);
-        let lengths = system.lengths();
-        let onward: f64 = (0..q.len())
-            .map(|i| by[i] * self.rates.get(i).unwrap_or(&0.0) * lengths[i])
-            .sum();
+        let (speed, lengths) = (system.speed(&by), system.lengths());
+        let rate = |i: usize| self.rates.get(i).copied().unwrap_or(0.0);
+        let onward: f64 = (0..q.len()).map(|i| by[i] * rate(i) * lengths[i]).sum();
         let first = if onward < 0.0 { -1.0 } else { 1.0 };
-        let mut places = Vec::new();
-        for share in NUDGES {
-            for side in [first, -first] {
-                let far = side * share * system.size() / speed;
-                let beside: Vec<f64> = q.iter().zip(&by).map(|(q, b)| q + far * b).collect();
-                let Some(flow) = Flow::new(steady, pairs, held.clone(), time, &beside) else {
-                    continue;
-                };
-                let still = vec![0.0; q.len()];
-                let path = Path::new((q, &still), (&flow.q, &still), 1.0);
-                let leads = side * dot(&by, &flow.velocity.rates) > 0.0;
-                if leads && Watch::new(system, pairs).check(&held, &path).is_none() {
-                    places.push(flow.q);
-                    return places;
-                }
-            }
-        }
-        places
+        let sides = NUDGES
+            .iter()
+            .flat_map(|share| [first, -first].map(|side| side * share));
+        sides.into_iter().find_map(|share| {
+            let far = share * system.size() / speed;
+            let beside: Vec<f64> = q.iter().zip(&by).map(|(q, b)| q + far * b).collect();
+            let flow = Flow::new(steady, pairs, held.clone(), time, &beside)?;
+            let still = vec![0.0; q.len()];
+            let path = Path::new((q, &still), (&flow.q, &still), 1.0);
+            let leads = share * dot(&by, &flow.velocity.rates) > 0.0;
+            let is_free = Watch::new(system, pairs).check(&held, &path).is_none();
+            (leads && is_free).then_some(flow.q)
+        })
     }
 }

@@ -45,7 +45,7 @@ pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> 
         });
     }
     for found in &drives {
-        let (most, at) = (digits(found.value, 4), clock.at(found.t));
+        let (most, at) = (digits(found.value + 0.0, 4), clock.at(found.t));
         all.push(format!(
             "the drive of the {} gives at most {most} kg·{unit}²/s³ at the samples, at {at}",
             found.of

@@ -290,3 +290,128 @@ fn a_pawl_drops() {
     assert_eq!(times.len(), 3, "{times:?}");
     near("from drop to drop", times[2] - times[1], 1.0, 1e-9);
 }
+
+/// A lever between two springs folds over at 50.18170634°, with the slide at 8.717103086970, however stiff the ends of its range and fast the drive.
+#[test]
+fn a_fold_is_passed_at_any_rate() {
+    for (rate, coupling) in [(1.0, 0.2), (7.0, 0.1), (10.0, 0.2), (30.0, 0.25)] {
+        let text = format!(
+            r#"
+[[part]]
+name = "in"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [{{ circle = 1, at = [-100, 0] }}]
+[[part]]
+name = "lever"
+motion = {{ type = "revolute", center = [0, 0], range = ["-60deg", "60deg"] }}
+loops = [[[-0.5, -1], [0.5, -1], [0.5, 20], [-0.5, 20]]]
+start = "30deg"
+[[drive]]
+part = "in"
+rate = {rate}
+[[spring]]
+parts = ["lever"]
+at = [[0, 20], [0, -10]]
+stiffness = {}
+length = 20
+[[spring]]
+parts = ["lever", "in"]
+at = [[0, 20], [0, 20]]
+stiffness = {coupling}
+"#,
+            10.0 * coupling
+        );
+        let (_, record) = run(&read(&text), 60.0 / rate, 1.0 / rate);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        let snaps: Vec<f64> = (record.events.iter())
+            .filter(|e| e.kind == EventKind::Snap && e.t > 0.0)
+            .map(|e| e.t * rate)
+            .collect();
+        assert_eq!(snaps.len(), 1, "{rate}: {:?}", record.events);
+        near("the slide", snaps[0], 8.717_103_086_970, 1e-9);
+    }
+}
+
+/// A sprung roller in the sides of a hexagon that is turned by a spring: it comes over a corner once a second, whatever the unit of force.
+#[test]
+fn a_detent_snaps_over_each_corner() {
+    for unit in [1e-9, 1.0, 1e6] {
+        let text = format!(
+            r#"
+[[part]]
+name = "wheel"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [[{{ repeat = 6, about = [0, 0], path = [[20, 0]] }}]]
+[[part]]
+name = "input"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [{{ circle = 1, at = [0, 0] }}]
+[[part]]
+name = "plunger"
+motion = {{ type = "prismatic", direction = [0, 1] }}
+loops = [{{ circle = 2, at = [0, 25] }}]
+[[pair]]
+fixed = "wheel"
+moving = "plunger"
+[[drive]]
+part = "input"
+rate = "60deg"
+[[spring]]
+type = "torsion"
+parts = ["wheel", "input"]
+stiffness = {}
+[[spring]]
+parts = ["plunger"]
+at = [[0, 27], [0, 60]]
+stiffness = {}
+length = 50
+"#,
+            150.0 * unit,
+            3.0 * unit
+        );
+        let (_, record) = run(&read(&text), 10.0, 0.05);
+        assert_eq!(record.status, Status::Done, "{unit}: {:?}", record.reason);
+        let snaps: Vec<f64> = (record.events.iter())
+            .filter(|e| e.kind == EventKind::Snap && e.t > 0.0)
+            .map(|e| e.t)
+            .collect();
+        assert!(snaps.len() >= 6, "{unit}: {snaps:?}");
+        for pair in snaps.windows(2) {
+            near("between snaps", pair[1] - pair[0], 1.0, 1e-8);
+        }
+    }
+}
+
+/// A load holds a block on the end of its range until something driven takes it off.
+#[test]
+fn what_rests_on_the_end_of_its_range_is_pushed_off_it() {
+    for load in [-50.0, -10.0, -0.5] {
+        let text = format!(
+            r#"
+[[part]]
+name = "block"
+motion = {{ type = "prismatic", direction = [1, 0], range = [0, 30] }}
+loops = [{{ circle = 3, at = [0, 0] }}]
+[[part]]
+name = "push"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [{{ circle = 1, at = [-5, 0] }}]
+[[drive]]
+part = "push"
+rate = 1
+[[load]]
+part = "block"
+force = [{load}, 0]
+"#
+        );
+        let (_, record) = run(&read(&text), 8.0, 0.3);
+        assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+        for sample in &record.samples {
+            let block = (sample.coordinates[1] - 1.0).max(0.0);
+            near("the block", sample.coordinates[0], block, 1e-12);
+            let force = sample.forces.as_ref().unwrap().drives[0].force;
+            let expected = if sample.t > 1.0 { -load } else { 0.0 };
+            near("the drive's force", force, expected, 1e-9);
+        }
+    }
+}
