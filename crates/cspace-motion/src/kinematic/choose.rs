@@ -176,7 +176,10 @@ pub(super) fn pressing(
 ) -> Vec<Bound> {
     let of = |b: &Bound| b.function(system, pairs, q);
     let rows: Vec<Row> = bounds.iter().map(of).collect();
-    match local.still().nearest(&rows) {
+    let kept: Vec<usize> = (0..bounds.len())
+        .filter(|&i| bounds[i].is_brake())
+        .collect();
+    match local.still().nearest_with(&rows, &kept) {
         Nearest::Held { held, .. } => held.into_iter().map(|i| bounds[i]).collect(),
         Nearest::None { .. } => Vec::new(),
     }

@@ -7,7 +7,7 @@ use super::flow::{Flow, close};
 
 /// Parts that go farther than this, relative to the size of the mechanism, are stopped by nothing.
 const ENDLESS: f64 = 50.0;
-/// Parts are at rest if they are slower than this share of the fastest before.
+/// Parts are at rest if they are slower than this share of the fastest before, or of what forces would give.
 const REST: f64 = 1e-10;
 /// A balance is looked for once they are slower than this share,
 const SLOW: f64 = 0.5;
@@ -20,6 +20,8 @@ pub(super) struct Settling<'a> {
     /// The system with forces that balance, and the time at which the drives stand.
     balanced: &'a System,
     time: f64,
+    /// The speed that forces would give to what nothing holds, and the largest so far.
+    forced: f64,
     fastest: f64,
     /// How far each coordinate has gone.
     gone: Vec<f64>,
@@ -29,11 +31,12 @@ pub(super) struct Settling<'a> {
 }
 
 impl<'a> Settling<'a> {
-    /// Of a system with forces that balance, at a time.
-    pub(super) fn new(balanced: &'a System, time: f64) -> Self {
+    /// Of a system with forces that balance, at a time; and the speed that forces would give to what nothing holds.
+    pub(super) fn new(balanced: &'a System, time: f64, forced: f64) -> Self {
         Self {
             balanced,
             time,
+            forced,
             fastest: 0.0,
             gone: vec![0.0; balanced.count()],
             rests: false,
@@ -71,7 +74,7 @@ impl<'a> Settling<'a> {
             self.endless = true;
             return true;
         }
-        if speed <= REST * self.fastest {
+        if speed <= REST * self.fastest.max(self.forced) {
             self.rests = true;
         } else if speed < SLOW * self.fastest {
             let mut q = flow.q.clone();

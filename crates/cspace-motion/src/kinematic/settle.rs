@@ -3,7 +3,7 @@
 //! They go as they would in heavy oil, M v = s F: a balance that is lost is left in the direction in which it is lost, and what is met on
 //! the way is met as in any motion. The factor s is of no consequence. Once the way to a balance is short, Newton's step leads there.
 
-use crate::contact::{Bound, Path, Watch, touching};
+use crate::contact::{Bound, Path, Watch, brakes, touching};
 use crate::linear::dot;
 use crate::pairs::Pairs;
 use crate::record::{Event, EventKind, Record, Status, What};
@@ -80,7 +80,7 @@ impl<'a> Run<'a> {
         let steady = self.system.settling(time, scale);
         let starts = core::iter::once(q.to_vec()).chain(self.nudged(&steady, time, q));
         for start in starts {
-            match self.settled(&steady, time, start, progress)? {
+            match self.settled(&steady, time, start, scale * speed, progress)? {
                 Settled::At(end) if self.system.moved(q, &end) <= STANDS * self.system.size() => {}
                 other => return Some(other),
             }
@@ -93,11 +93,12 @@ impl<'a> Run<'a> {
         steady: &System,
         time: f64,
         start: Vec<f64>,
+        forced: f64,
         progress: &dyn Fn(f64) -> bool,
     ) -> Option<Settled> {
         let mut run = Run::new(steady, self.pairs, DURATION, f64::INFINITY);
         run.told = self.told.clone();
-        run.settling = Some(Settling::new(self.system, time));
+        run.settling = Some(Settling::new(self.system, time, forced));
         let begun = start.clone();
         let mut state = State::new(start);
         let stop = run.go(&mut state, &|_| progress(time / self.duration))?;
@@ -155,11 +156,13 @@ impl<'a> Run<'a> {
             return Vec::new();
         };
         let bounds = touching(self.system, self.pairs, q);
+        let brakes = brakes(self.system, q);
         let without = (0..bounds.len()).map(|left_out| {
             let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
             rest.map(|(_, b)| *b).collect()
         });
         let sets = core::iter::once(bounds.clone()).chain(without);
+        let sets = sets.map(|set: Vec<Bound>| [set, brakes.clone()].concat());
         sets.filter_map(|set| self.nudge(steady, &local, time, q, &set))
             .collect()
     }

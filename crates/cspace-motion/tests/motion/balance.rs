@@ -415,3 +415,50 @@ force = [{load}, 0]
         }
     }
 }
+
+/// A block that is pushed over the edge of a table tips when its middle passes the edge; on a slope the pusher itself jams.
+#[test]
+fn a_block_is_pushed_until_it_tips() {
+    let scene = |table: &str| {
+        format!(
+            r#"
+[[part]]
+name = "table"
+motion = {{ type = "fixed" }}
+loops = [{table}]
+[[part]]
+name = "block"
+start = [0, 1, 0]
+loops = [[[-2, -1], [2, -1], [2, 1], [-2, 1]]]
+[[part]]
+name = "pusher"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [{{ circle = 0.7, at = [-4, 1] }}]
+[[drive]]
+part = "pusher"
+rate = 5
+[[load]]
+part = "block"
+force = [0, -10]
+"#
+        )
+    };
+    let table = "[[-50, -20], [60, -20], [60, -10], [20, -10], [20, 0], [-50, 0]]";
+    let (_, record) = run(&read(&scene(table)), 8.0, 0.1);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let snaps: Vec<f64> = (record.events.iter())
+        .filter(|e| e.kind == EventKind::Snap)
+        .map(|e| e.t)
+        .collect();
+    assert_eq!(snaps.len(), 1, "{:?}", record.events);
+    // The middle is 2.7 before the pusher's, which begins at -4.
+    near("when it tips", snaps[0], (20.0 - 2.7 + 4.0) / 5.0, 1e-9);
+    let end = &record.samples.last().unwrap().coordinates;
+    near("it lies below", end[1], -8.0, 1e-9);
+    let slope = "[[-50, -20], [90, -20], [90, 8], [40, 8], [20, 0], [-50, 0]]";
+    let (_, record) = run(&read(&scene(slope)), 8.0, 0.1);
+    assert_eq!(record.status, Status::Jammed, "{:?}", record.reason);
+    // The pusher's disc meets the slope, 2 up for 5 along: its centre is 0.7 from it.
+    let along = 20.0 + 2.5 - 0.7 * 29.0_f64.sqrt() / 2.0;
+    near("when it jams", record.until, (along + 4.0) / 5.0, 1e-9);
+}
