@@ -1,9 +1,25 @@
-//! Forces of joints and drives as they are told.
+//! Whether forces act, and those of joints and drives as they are told.
 
 use cspace::pair::Joint;
+use cspace::{Mechanism, Vector};
 
 use crate::record::{DriveForce, JointForce};
 use crate::system::System;
+
+/// Whether loads, springs or weights act on anything of a mechanism.
+///
+/// ```
+/// use cspace::mechanism::{Load, LoadKind, Mechanism};
+/// let mut mechanism = Mechanism::new("wheel");
+/// assert!(!cspace_motion::has_forces(&mechanism));
+/// mechanism.dynamics.loads.push(Load { part: 0, kind: LoadKind::Torque(2.0) });
+/// assert!(cspace_motion::has_forces(&mechanism));
+/// ```
+pub fn has_forces(mechanism: &Mechanism) -> bool {
+    let dynamics = &mechanism.dynamics;
+    let weighs = mechanism.has_masses() && dynamics.gravity != Vector::ZERO;
+    weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty()
+}
 
 /// The forces of joints from their multipliers, those of each joint after the other.
 pub(crate) fn joint_forces(system: &System, q: &[f64], multipliers: &[f64]) -> Vec<JointForce> {

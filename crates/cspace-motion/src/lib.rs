@@ -72,6 +72,7 @@ mod system;
 
 pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
+pub use forces::has_forces;
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
     ContactForce, DriveForce, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED, Obstacle,

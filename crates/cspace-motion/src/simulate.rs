@@ -4,6 +4,7 @@ use cspace::{Mechanism, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
 use crate::error::SimulateError;
+use crate::forces::has_forces;
 use crate::inertial::{self, Scheme};
 use crate::kinematic::run;
 use crate::linear::Rows;
@@ -232,7 +233,7 @@ impl Simulation {
         let (time, every) = settings.times()?;
         let goes_on = |_| progress.stage(Stage::Graph).is_ok();
         let start = self.start.clone();
-        let system = match self.system.has_forces() {
+        let system = match has_forces(self.system.mechanism()) {
             true => &self.system.balanced(),
             false => &self.system,
         };

@@ -1,7 +1,5 @@
 //! What must not become negative: contact functions, and the distances to the ends of ranges.
 
-use cspace::mechanism::SpringKind;
-
 use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
 
@@ -112,32 +110,14 @@ pub(crate) const SAME_PLACE: f64 = 1e-6;
 /// Contacts are told when they are farther away than what leaves them by this factor.
 pub(super) const REACH: f64 = 4.0;
 
-/// The brakes of parts, where they stand: dampers without stiffness between the ground and a part on an axis.
+/// The brakes of parts, where they stand.
 pub(crate) fn brakes(system: &System, q: &[f64]) -> Vec<Bound> {
-    let springs = &system.mechanism().dynamics.springs;
-    let braked = |part: &usize| {
-        springs.iter().any(|spring| {
-            let (SpringKind::Linear {
-                stiffness, damping, ..
-            }
-            | SpringKind::Torsion {
-                stiffness, damping, ..
-            }) = spring.kind;
-            spring.part == *part && spring.other.is_none() && stiffness == 0.0 && damping > 0.0
-        })
+    let braked = system.braked().iter().copied();
+    let brake = |part: usize| {
+        let at = q[system.parts()[part].indices().start];
+        Bound::Brake { part, at }
     };
-    let all = (0..system.parts().len()).filter(braked);
-    let free = all.filter_map(|part| {
-        let PartCoordinates::Axis { first, .. } = system.parts()[part] else {
-            return None;
-        };
-        let at = q[first];
-        system
-            .free()
-            .contains(&first)
-            .then_some(Bound::Brake { part, at })
-    });
-    free.collect()
+    braked.map(brake).collect()
 }
 
 /// The contacts that touch, and the ends of ranges that are reached.

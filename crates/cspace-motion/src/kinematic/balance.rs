@@ -207,18 +207,30 @@ impl Closed<'_> {
         Some(found)
     }
 
-    /// The nearest velocity at which what touches lets the balance be kept; `None` if it cannot be, or there is none.
-    pub(super) fn nearest(&self, local: &Local<'_>) -> Option<Nearest> {
-        let rows = self.rows(self.q);
-        let kept = self.kept();
+    /// The bounds that carry the forces, as far as they can; `None` if parts cannot stand.
+    fn carrying(&self, local: &Local<'_>, rows: &[Row]) -> Option<Vec<usize>> {
         let mut still = local.still();
         let released = self.released();
         still
             .joints
             .extend(released.iter().map(|row| (local.reduced(row).0, 0.0)));
-        let Nearest::Held { held: carrying, .. } = still.nearest_with(&rows, &kept) else {
-            return None;
-        };
+        match still.nearest_with(rows, &self.kept()) {
+            Nearest::Held { held, .. } => Some(held),
+            Nearest::None { .. } => None,
+        }
+    }
+
+    /// As [`carrying`](Self::carrying), by themselves; none if parts cannot stand.
+    pub(super) fn pressed(&self, local: &Local<'_>) -> Vec<Bound> {
+        let carrying = self.carrying(local, &self.rows(self.q));
+        let all = carrying.into_iter().flatten();
+        all.map(|i| self.bounds[i]).collect()
+    }
+
+    /// The nearest velocity at which what touches lets the balance be kept; `None` if it cannot be, or there is none.
+    pub(super) fn nearest(&self, local: &Local<'_>) -> Option<Nearest> {
+        let rows = self.rows(self.q);
+        let carrying = self.carrying(local, &rows)?;
         let bounds: Vec<Bound> = carrying.iter().map(|&i| self.bounds[i]).collect();
         let carried = Closed {
             bounds: &bounds,

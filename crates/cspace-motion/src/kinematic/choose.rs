@@ -166,25 +166,6 @@ fn among<'a>(
     }
 }
 
-/// The bounds that carry the forces at a configuration, as far as they can.
-pub(super) fn pressing(
-    local: &Local<'_>,
-    system: &System,
-    pairs: &Pairs,
-    bounds: &[Bound],
-    q: &[f64],
-) -> Vec<Bound> {
-    let of = |b: &Bound| b.function(system, pairs, q);
-    let rows: Vec<Row> = bounds.iter().map(of).collect();
-    let kept: Vec<usize> = (0..bounds.len())
-        .filter(|&i| bounds[i].is_brake())
-        .collect();
-    match local.still().nearest_with(&rows, &kept) {
-        Nearest::Held { held, .. } => held.into_iter().map(|i| bounds[i]).collect(),
-        Nearest::None { .. } => Vec::new(),
-    }
-}
-
 /// Sets of so many contacts to be left out, the smaller first.
 fn left_out(contacts: usize) -> Vec<Vec<usize>> {
     if contacts > MOST_CONTACTS {

@@ -74,7 +74,7 @@ pub(super) struct State {
     pub(super) time: f64,
     pub(super) q: Vec<f64>,
     /// What was closed on the way there.
-    pub(super) before: Vec<Bound>,
+    before: Vec<Bound>,
     /// Events in a row without progress in time, and since when.
     idle: usize,
     /// Moves to another place in a row without such progress.
@@ -423,18 +423,8 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Parts that stand at a time.
-pub(super) fn at(t: f64, q: Vec<f64>) -> Sample {
-    let rates = vec![0.0; q.len()];
-    Sample {
-        t,
-        coordinates: q,
-        rates,
-        forces: None,
-    }
-}
-
-fn moment(t: f64, q: &[f64], rates: Vec<f64>) -> Sample {
+/// Coordinates and rates at a time.
+pub(super) fn moment(t: f64, q: &[f64], rates: Vec<f64>) -> Sample {
     Sample {
         t,
         coordinates: q.to_vec(),

@@ -10,10 +10,9 @@ use crate::record::{Event, EventKind, Record, Status, What};
 use crate::system::{Law, System};
 
 use super::balance::Closed;
-use super::choose::pressing;
 use super::flow::Flow;
 use super::rest::Settling;
-use super::run::{Run, State, Stop, at};
+use super::run::{Run, State, Stop, moment};
 use super::velocity::Local;
 
 /// How long parts take to settle, in units of the time in which the forces at the beginning would move them by the mechanism's size.
@@ -144,7 +143,8 @@ impl<'a> Run<'a> {
                 .events
                 .extend(record.events.into_iter().map(now));
             // Where they were; where they are is told once it goes on.
-            self.record.trace.push(at(time, begun));
+            let still = vec![0.0; begun.len()];
+            self.record.trace.push(moment(time, &begun, still));
         }
         Some(Settled::At(end))
     }
@@ -176,12 +176,16 @@ impl<'a> Run<'a> {
         bounds: &[Bound],
     ) -> Option<Vec<f64>> {
         let (system, pairs) = (self.system, self.pairs);
-        let held: Vec<Bound> = pressing(local, system, pairs, bounds, q);
-        let closed = Closed {
+        let touching = Closed {
             system,
             pairs,
-            bounds: &held,
+            bounds,
             q,
+        };
+        let held = touching.pressed(local);
+        let closed = Closed {
+            bounds: &held,
+            ..touching
         };
         let modes = closed.balance(local).modes;
         let softest = modes

@@ -1,9 +1,8 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::mechanism::{MassProperties, PartPosition, PartVelocity};
+use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
 use cspace::{
     AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
-    Vector,
 };
 
 use super::joint;
@@ -29,6 +28,8 @@ pub struct System {
     /// The prescribed coordinates.
     drives: Vec<(usize, DriveCurve)>,
     free: Vec<usize>,
+    /// Parts with a brake.
+    braked: Vec<usize>,
     /// Joints that are not already what the parts' own axes say.
     joints: Vec<JointEntry>,
     size: f64,
@@ -107,6 +108,23 @@ impl System {
         let free = (0..count)
             .filter(|i| drives.iter().all(|d| d.0 != *i))
             .collect();
+        // A brake is a damper without stiffness between the ground and a part on an axis that is not driven.
+        let brakes = (mechanism.dynamics.springs.iter()).filter(|spring| {
+            let (SpringKind::Linear {
+                stiffness, damping, ..
+            }
+            | SpringKind::Torsion {
+                stiffness, damping, ..
+            }) = spring.kind;
+            spring.other.is_none() && stiffness == 0.0 && damping > 0.0
+        });
+        let is_free = |part: &usize| match parts[*part] {
+            PartCoordinates::Axis { first, .. } => drives.iter().all(|d| d.0 != first),
+            _ => false,
+        };
+        let mut braked: Vec<usize> = brakes.map(|spring| spring.part).filter(is_free).collect();
+        braked.sort_unstable();
+        braked.dedup();
         // A joint with the ground of a part that has an axis is that axis.
         let tells = |j: &&JointEntry| {
             let is = |i: usize| parts[i];
@@ -142,6 +160,7 @@ impl System {
             count,
             drives,
             free,
+            braked,
         }
     }
 
@@ -170,13 +189,9 @@ impl System {
         self.law
     }
 
-    /// Whether loads, springs or weights act on anything.
-    pub(crate) fn has_forces(&self) -> bool {
-        let dynamics = &self.mechanism.dynamics;
-        let heavy = self.masses.iter().any(Option::is_some);
-        !dynamics.loads.is_empty()
-            || !dynamics.springs.is_empty()
-            || (heavy && dynamics.gravity != Vector::new(0.0, 0.0))
+    /// The parts with a brake: a damper without stiffness between the ground and a part on an axis that is not driven.
+    pub(crate) fn braked(&self) -> &[usize] {
+        &self.braked
     }
 
     /// The mechanism.
@@ -366,9 +381,8 @@ impl System {
 
     /// The forces of loads, weights and springs on the coordinates.
     pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
-        let n = self.count;
-        let (mut unused, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
-        self.add_forces(q, 0.0, &mut forces, &mut unused);
+        let mut forces = vec![0.0; self.count];
+        self.add_forces(q, &mut forces, |_, _, _| {});
         forces
     }
 
@@ -384,7 +398,14 @@ impl System {
             Law::Speeds { drag, .. } => drag,
             Law::Balance => 0.0,
         };
-        self.add_forces(q, drag, &mut forces, &mut matrix);
+        self.add_forces(q, &mut forces, |along, stiffness, damping| {
+            let resistance = damping + drag * stiffness;
+            for &(i, a) in along.entries() {
+                for &(j, b) in along.entries() {
+                    matrix[i * n + j] += resistance * a * b;
+                }
+            }
+        });
         (matrix, forces)
     }
 }

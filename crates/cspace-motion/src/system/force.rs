@@ -1,4 +1,4 @@
-//! Forces on the coordinates: loads, weights and springs; and dampers, which resist rates.
+//! Forces on the coordinates: loads, weights and springs; and springs, whose dampers resist rates.
 
 use cspace::mechanism::{Load, LoadKind, Spring, SpringKind};
 use cspace::{Point, Real};
@@ -21,9 +21,13 @@ fn push(forces: &mut [f64], row: &Row, force: f64) {
 }
 
 impl System {
-    /// The forces on all coordinates, and the resistances that dampers add to `matrix`, n × n by rows; springs resist, too, by `drag` times
-    /// their stiffness.
-    pub(crate) fn add_forces(&self, q: &[f64], drag: f64, forces: &mut [f64], matrix: &mut [f64]) {
+    /// The forces on all coordinates; `spring` learns of each spring by its length or angle, its stiffness and its damping.
+    pub(crate) fn add_forces(
+        &self,
+        q: &[f64],
+        forces: &mut [f64],
+        mut spring: impl FnMut(&Row, f64, f64),
+    ) {
         for load in &self.mechanism().dynamics.loads {
             self.add_load(load, q, forces);
         }
@@ -35,8 +39,11 @@ impl System {
                 push(forces, &y, mass.mass * gravity.y);
             }
         }
-        for spring in &self.mechanism().dynamics.springs {
-            self.add_spring(spring, q, drag, forces, matrix);
+        for one in &self.mechanism().dynamics.springs {
+            if let Some((row, force, stiffness, damping)) = self.pull(one, q) {
+                push(forces, &row, force);
+                spring(&row, stiffness, damping);
+            }
         }
     }
 
@@ -56,18 +63,12 @@ impl System {
         }
     }
 
-    fn add_spring(
-        &self,
-        spring: &Spring,
-        q: &[f64],
-        drag: f64,
-        forces: &mut [f64],
-        matrix: &mut [f64],
-    ) {
+    /// The length or angle of a spring, the force along it, its stiffness and its damping.
+    fn pull(&self, spring: &Spring, q: &[f64]) -> Option<(Row, f64, f64, f64)> {
         let ground = PartCoordinates::Fixed;
         let first = &self.parts()[spring.part];
         let second = spring.other.map_or(&ground, |i| &self.parts()[i]);
-        let (row, force, damping) = match spring.kind {
+        Some(match spring.kind {
             SpringKind::Linear {
                 at: (p, r),
                 stiffness,
@@ -79,16 +80,12 @@ impl System {
                 let distance = x.value.hypot(y.value);
                 if distance == 0.0 {
                     // It has no direction there, and pulls nowhere.
-                    return;
+                    return None;
                 }
                 let along = Row::new(0.0)
                     .plus(x.value / distance, &x)
                     .plus(y.value / distance, &y);
-                (
-                    along,
-                    -stiffness * (distance - length),
-                    damping + drag * stiffness,
-                )
+                (along, -stiffness * (distance - length), stiffness, damping)
             }
             SpringKind::Torsion {
                 stiffness,
@@ -107,16 +104,10 @@ impl System {
                 (
                     between,
                     -stiffness * (between.value - angle),
-                    damping + drag * stiffness,
+                    stiffness,
+                    damping,
                 )
             }
-        };
-        push(forces, &row, force);
-        let n = self.count();
-        for &(i, a) in row.entries() {
-            for &(j, b) in row.entries() {
-                matrix[i * n + j] += damping * a * b;
-            }
-        }
+        })
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use cspace::mechanism::{Drive, DriveMotion, Load, LoadKind, PartPosition, Spring, SpringKind};
-use cspace::{Axis, Part, PartEntry, Point, Vector};
+use cspace::{Axis, Mechanism, Part, PartEntry, Point, Vector};
 use cspace_motion::{EventKind, Status, What};
 
 use crate::helpers::{at, driven, mechanism, polygon, run};
@@ -113,25 +113,30 @@ fn a_fixed_part_jams() {
     );
 }
 
+/// A block that slides on a spring, 4 from where that is at rest.
+fn sprung(stiffness: f64, damping: f64) -> Mechanism {
+    let block = Part::rectangle("block", (0.0, 0.0), 2.0, 3.0).unwrap();
+    let mut mechanism = mechanism(vec![PartEntry::prismatic(block, (1.0, 0.0))]);
+    mechanism.dynamics.part_mut(0).start = Some(PartPosition::Axis(4.0));
+    mechanism.dynamics.springs.push(Spring {
+        part: 0,
+        other: None,
+        kind: SpringKind::Linear {
+            at: (Point::ORIGIN, Point::new(-10.0, 0.0)),
+            stiffness,
+            length: 10.0,
+            damping,
+        },
+    });
+    mechanism
+}
+
 /// A part on a spring goes at once to where the spring is at rest, whatever its damper.
 #[test]
 fn springs_relax() {
     for damping in [0.0, 7.0] {
         for stiffness in [5.0, 1e-9, 1e12] {
-            let block = Part::rectangle("block", (0.0, 0.0), 2.0, 3.0).unwrap();
-            let mut mechanism = mechanism(vec![PartEntry::prismatic(block, (1.0, 0.0))]);
-            mechanism.dynamics.part_mut(0).start = Some(PartPosition::Axis(4.0));
-            mechanism.dynamics.springs.push(Spring {
-                part: 0,
-                other: None,
-                kind: SpringKind::Linear {
-                    at: (Point::ORIGIN, Point::new(-10.0, 0.0)),
-                    stiffness,
-                    length: 10.0,
-                    damping,
-                },
-            });
-            let (_, record) = run(&mechanism, 3.0, 0.1);
+            let (_, record) = run(&sprung(stiffness, damping), 3.0, 0.1);
             assert_eq!(record.status, Status::Done, "{:?}", record.reason);
             for sample in &record.samples {
                 assert!(sample.coordinates[0].abs() < 1e-12, "{}", sample.t);
@@ -170,20 +175,7 @@ fn a_table_pushes_and_lets_go() {
 #[test]
 fn hostile_springs_are_told() {
     for stiffness in [1e300, f64::MAX] {
-        let block = Part::rectangle("block", (0.0, 0.0), 2.0, 3.0).unwrap();
-        let mut mechanism = mechanism(vec![PartEntry::prismatic(block, (1.0, 0.0))]);
-        mechanism.dynamics.part_mut(0).start = Some(PartPosition::Axis(4.0));
-        mechanism.dynamics.springs.push(Spring {
-            part: 0,
-            other: None,
-            kind: SpringKind::Linear {
-                at: (Point::ORIGIN, Point::new(-10.0, 0.0)),
-                stiffness,
-                length: 10.0,
-                damping: 0.0,
-            },
-        });
-        let (_, record) = run(&mechanism, 3.0, 0.1);
+        let (_, record) = run(&sprung(stiffness, 0.0), 3.0, 0.1);
         let rests = record.samples.last().unwrap().coordinates[0].abs() < 1e-9;
         let is_done = record.status == Status::Done;
         assert!(rests || !is_done, "{stiffness}");

@@ -140,10 +140,8 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
         None if has_mass => Mode::Dynamic,
         None => Mode::Kinematic,
     };
-    let dynamics = &model.dynamics;
-    let weighs = has_mass && dynamics.gravity != cspace::Vector::ZERO;
-    let is_loaded = weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty();
-    if mode == Mode::Kinematic && !is_loaded && dynamics.drives.is_empty() {
+    let is_loaded = cspace_motion::has_forces(model);
+    if mode == Mode::Kinematic && !is_loaded && model.dynamics.drives.is_empty() {
         note("nothing moves: the model has no [[drive]], [[load]] or [[spring]]");
     }
     if args.forces && mode == Mode::Kinematic && !is_loaded {
