@@ -4,7 +4,7 @@ use cspace::mechanism::MechanismError;
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
     PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation, Slice,
-    contact_function,
+    contact_function, touching_place,
 };
 use rayon::prelude::*;
 
@@ -32,6 +32,8 @@ pub struct MovingPair {
     pub space: PairSpace,
     /// The parts touch if they are no farther apart, in the model's unit of length.
     pub touch: f64,
+    /// The coefficient of friction between them.
+    pub friction: f64,
     ranges: [Option<(f64, f64)>; 2],
 }
 
@@ -45,9 +47,31 @@ pub struct Touch {
     /// The features of the fixed and of the moving part.
     pub features: (FeatureId, FeatureId),
     contact: FeatureContact,
+    /// What friction does there, where this is known.
+    pub(crate) grip: Grip,
+}
+
+/// What friction does at a contact that is closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Grip {
+    /// Nothing.
+    #[default]
+    Smooth,
+    /// It keeps the features from sliding.
+    Sticks,
+    /// The features slide: forwards if the moving part goes to the left of the normal, which points from the fixed part to it.
+    Slides {
+        /// Whether they slide forwards.
+        forward: bool,
+    },
 }
 
 impl Touch {
+    /// The same contact with another grip.
+    pub(crate) fn with(self, grip: Grip) -> Self {
+        Self { grip, ..self }
+    }
+
     /// The contact of the features, by which its function is evaluated.
     pub fn contact(&self) -> &FeatureContact {
         &self.contact
@@ -116,6 +140,7 @@ impl MovingPair {
             fixed: pair.fixed,
             moving: pair.moving,
             touch: (TOUCHING * size).max(RESOLUTIONS * space.resolution()),
+            friction: (mechanism.dynamics).friction_between(pair.fixed, pair.moving),
             space,
             ranges,
         })
@@ -238,6 +263,7 @@ impl MovingPair {
             patch,
             features: of.features()?,
             contact: of.contact()?,
+            grip: Grip::Smooth,
         })
     }
 
@@ -250,6 +276,27 @@ impl MovingPair {
         system.row([self.fixed, self.moving], q, |a, b| {
             contact_function(&fixed, &moving, &a.inverse().compose(b))
         })
+    }
+
+    /// How fast two features that touch slide on each other: t · (v_moving − v_fixed) of the points that touch, with the unit vector t to the
+    /// left of the normal from the fixed to the moving part. The derivatives of a function that is 0 where the parts are; in the model's unit of
+    /// length.
+    pub(crate) fn sliding(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
+        let [a, b] = [self.fixed, self.moving].map(|i| system.placement(i, q));
+        let place = touching_place(
+            &touch.contact.fixed,
+            &touch.contact.moving,
+            &a.inverse().compose(&b),
+        );
+        let n = a.vector(place.normal).map(cspace::Real::constant);
+        let on_moving = b.inverse().point(a.point(place.on_moving));
+        let constant = |p: [f64; 2]| p.map(cspace::Real::constant);
+        let (on_fixed, on_moving) = (constant(place.on_fixed), constant(on_moving));
+        let row = system.row([self.fixed, self.moving], q, |a, b| {
+            let (p, r) = (a.point(on_fixed), b.point(on_moving));
+            (r[1] - p[1]) * n[0] - (r[0] - p[0]) * n[1]
+        });
+        row.plus(-1.0, &Row::new(row.value))
     }
 
     /// Where two features touch, in the assembly's frame.

@@ -433,7 +433,7 @@ impl World for Mechanical<'_> {
             Bound::Contact(touch) => {
                 let pair = &self.pairs.list()[touch.pair];
                 Surface {
-                    friction: dynamics.friction_between(pair.fixed, pair.moving),
+                    friction: pair.friction,
                     restitution: dynamics.restitution_between(pair.fixed, pair.moving),
                 }
             }

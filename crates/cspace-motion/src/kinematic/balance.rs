@@ -12,17 +12,17 @@
 
 use crate::contact::{Bound, brakes, named};
 use crate::forces::{drive_force, joint_forces};
-use crate::linear::{Rows, add_scaled, dot, eigen, length};
+use crate::linear::{Pushing, Rows, add_scaled, dot, length};
 use crate::pairs::Pairs;
 use crate::record::{ContactForce, Forces};
 use crate::system::{Row, System};
 
+use super::friction::{Holding, tangential};
+use super::modes::{Mode, modes};
 use super::velocity::{Held, Local, Nearest};
 
 /// How far first derivatives are taken from each other, relative to the size of the mechanism: ten digits are left.
 const DIFFERENCE: f64 = 1e-6;
-/// Stiffnesses below this are none, relative to those that the forces make over the mechanism's size: what differences are right to.
-const NEUTRAL: f64 = 1e-8;
 /// A force along what has no stiffness is none below this share of all forces: rounding.
 const UNLOADED: f64 = 1e-10;
 /// A contact carries nothing if it is pressed by less than this share of all forces.
@@ -32,17 +32,6 @@ const FORCED: f64 = 1e-9;
 /// A configuration is taken for one in balance if that is no farther than this, relative to the size of the mechanism.
 const IN_BALANCE: f64 = 1e-6;
 
-/// A direction in which no closed contact or joint changes.
-#[derive(Debug, Clone)]
-pub(super) struct Mode {
-    /// The direction, in y.
-    pub(super) along: Vec<f64>,
-    /// The second derivative of L.
-    pub(super) stiffness: f64,
-    /// The force along it that nothing balances.
-    pub(super) force: f64,
-}
-
 /// The forces at a configuration.
 #[derive(Debug, Clone)]
 pub(super) struct Balance {
@@ -50,9 +39,12 @@ pub(super) struct Balance {
     pub(super) multipliers: Vec<f64>,
     /// How many of them are those of joints.
     pub(super) joints: usize,
-    /// The lengths of the gradients in y.
+    /// The lengths in y of the directions in which they push.
     lengths: Vec<f64>,
+    pushing: Pushing,
     pub(super) modes: Vec<Mode>,
+    /// Whether small displacements along the modes come back.
+    is_stable: bool,
     /// All forces that act, added up in y.
     total: f64,
     /// A stiffness up to this is none.
@@ -74,11 +66,23 @@ impl Closed<'_> {
         self.bounds.iter().map(of).collect()
     }
 
+    /// What holds, with the brakes that do not.
+    fn holding(&self, q: &[f64]) -> Holding {
+        let mut holding = Holding::of(self.system, self.pairs, self.bounds, q);
+        let released = self.released();
+        if let Some(along) = &mut holding.along {
+            along.extend(&released);
+        }
+        holding.rows.extend(released);
+        holding
+    }
+
     /// −∇L at a configuration near.
     fn pull(&self, multipliers: &[f64], q: &[f64]) -> Vec<f64> {
         let mut pull = self.system.forces(q);
-        let all = self.system.joints(q).into_iter().chain(self.rows(q));
-        for (row, multiplier) in all.zip(multipliers) {
+        let holding = self.holding(q);
+        let joints = self.system.joints(q);
+        for (row, multiplier) in joints.iter().chain(holding.pushes()).zip(multipliers) {
             for &(i, d) in row.entries() {
                 pull[i] += multiplier * d;
             }
@@ -108,71 +112,45 @@ impl Closed<'_> {
             .collect()
     }
 
-    /// The forces of what is closed, with the modes that it leaves.
-    pub(super) fn balance(&self, local: &Local<'_>) -> Balance {
+    /// The forces of what is closed, with the modes that it leaves; `None` if what slides cannot push so that anything holds.
+    pub(super) fn balance(&self, local: &Local<'_>) -> Option<Balance> {
         let n = local.forces.len();
-        let rows = self.rows(self.q);
-        let vectors: Vec<Vec<f64>> = (local.joints.iter().map(|(v, _)| v.clone()))
-            .chain(
-                rows.iter()
-                    .chain(&self.released())
-                    .map(|row| local.reduced(row).0),
-            )
-            .collect();
-        let solved = Rows::of(&vectors);
-        let against: Vec<f64> = vectors.iter().map(|v| -dot(v, &local.forces)).collect();
-        let (correction, multipliers) = solved.least(&against);
-        let mut rest = local.forces.clone();
-        for (r, c) in rest.iter_mut().zip(&correction) {
-            *r += c;
-        }
-        let lengths: Vec<f64> = vectors.iter().map(|v| length(v)).collect();
+        let pushing = local.pushing(&self.holding(self.q))?;
+        let (rest, multipliers) = pushing.hold(&local.forces)?;
+        let lengths = pushing.lengths();
         let pressed = multipliers.iter().zip(&lengths).map(|(m, l)| m.abs() * l);
         let total = length(&local.forces) + pressed.sum::<f64>();
-        let basis = complement(&solved, n);
-        let count = basis.len();
-        let (mut second, mut fastest) = (vec![0.0; count * count], 0.0_f64);
-        for (k, along) in basis.iter().enumerate() {
+        let basis = complement(pushing.rows(), n);
+        let mut fastest = 0.0_f64;
+        let mut changes = Vec::new();
+        for along in &basis {
             let by = local.displaced(along);
             fastest = fastest.max(self.system.speed(&by));
             let change = local.reduced_force(&self.pull_along(&multipliers, &by));
-            for (j, other) in basis.iter().enumerate() {
-                second[j * count + k] -= 0.5 * dot(other, &change);
-                second[k * count + j] -= 0.5 * dot(other, &change);
-            }
-        }
-        let stiffest = second.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
-        let neutral = NEUTRAL * stiffest.max(total * fastest / self.system.size());
-        let modes = eigen(&second, count)
-            .into_iter()
-            .map(|(stiffness, vector)| {
-                let mut along = vec![0.0; n];
-                for (share, direction) in vector.iter().zip(&basis) {
-                    add_scaled(&mut along, *share, direction);
-                }
-                let force = dot(&along, &rest);
-                Mode {
-                    along,
-                    stiffness,
-                    force,
-                }
+            changes.push(if pushing.is_smooth() {
+                change
+            } else {
+                pushing.hold(&change)?.0
             });
-        Balance {
+        }
+        let of_forces = total * fastest / self.system.size();
+        let (modes, is_stable, neutral) =
+            modes(&basis, &changes, &rest, of_forces, pushing.is_smooth());
+        Some(Balance {
             joints: local.joints.len(),
-            modes: modes.collect(),
+            modes,
+            is_stable,
             multipliers,
             lengths,
+            pushing,
             total,
             neutral,
-        }
+        })
     }
 
     /// The velocity with which the balance is kept, while drives move; `None` if it is not stable.
     pub(super) fn follow(&self, local: &Local<'_>, held: Held) -> Option<Held> {
-        let balance = self.balance(local);
-        if balance.is_lost() {
-            return None;
-        }
+        let balance = self.balance(local).filter(|b| !b.is_lost())?;
         let mut found = held;
         let stiff = || balance.modes.iter().filter(|m| balance.is_stiff(m));
         if stiff().next().is_some() {
@@ -181,13 +159,13 @@ impl Closed<'_> {
                 add_scaled(&mut found.y, -along, &mode.along);
             }
             let moves = local.rates(&found.y);
-            let change = local.reduced_force(&self.pull_along(&balance.multipliers, &moves));
+            let mut change = local.reduced_force(&self.pull_along(&balance.multipliers, &moves));
+            if !balance.pushing.is_smooth() {
+                change = balance.pushing.hold(&change)?.0;
+            }
             for mode in stiff() {
-                add_scaled(
-                    &mut found.y,
-                    dot(&mode.along, &change) / mode.stiffness,
-                    &mode.along,
-                );
+                let far = dot(&mode.against, &change) / mode.stiffness;
+                add_scaled(&mut found.y, far, &mode.along);
             }
             found.rates = local.rates(&found.y);
             found.speed = found.speed.max(length(&found.y));
@@ -195,13 +173,11 @@ impl Closed<'_> {
         found.determined = found.rank + stiff().count() == found.y.len();
         let slips = !self.released().is_empty();
         let speed = if found.speed > 0.0 { found.speed } else { 1.0 };
+        let holding = self.holding(self.q);
         for (k, push) in found.pushes.iter_mut().enumerate() {
             // A brake that slips withstands more than loads do.
-            if let Some(share) = balance
-                .push(k)
-                .filter(|_| !slips || push.abs() < FORCED * speed)
-            {
-                *push = share * speed;
+            if balance.is_pressed(holding.bound(k)) && (!slips || push.abs() < FORCED * speed) {
+                *push = balance.push(k) * speed;
             }
         }
         Some(found)
@@ -236,21 +212,24 @@ impl Closed<'_> {
             bounds: &bounds,
             ..*self
         };
-        let balance = carried.balance(local);
-        if balance.is_lost()
-            || balance.distance(self.system, local) > IN_BALANCE * self.system.size()
-        {
-            return None;
-        }
-        let chosen: Vec<Row> = carrying.iter().map(|&i| rows[i]).collect();
         let mut with = local.clone();
-        with.free = carried.follow(local, local.held(&chosen))?.y;
+        with.free = carried.kept_by(local)?.y;
         Some(with.nearest_with(&rows, &carrying))
     }
 
+    /// The velocity with which what holds keeps the balance; `None` where there is none.
+    pub(super) fn kept_by(&self, local: &Local<'_>) -> Option<Held> {
+        let balance = self.balance(local).filter(|b| !b.is_lost())?;
+        if balance.distance(self.system, local) > IN_BALANCE * self.system.size() {
+            return None;
+        }
+        let holding = Holding::of(self.system, self.pairs, self.bounds, self.q);
+        self.follow(local, local.held(&holding)?)
+    }
+
     /// The forces of contacts, joints and drives, at rates of all coordinates.
-    pub(super) fn forces(&self, local: &Local<'_>, rates: &[f64]) -> Forces {
-        let balance = self.balance(local);
+    pub(super) fn forces(&self, local: &Local<'_>, rates: &[f64]) -> Option<Forces> {
+        let balance = self.balance(local)?;
         let (joints, bounds) = balance.multipliers.split_at(balance.joints);
         let place = |bound: &Bound| match bound {
             Bound::Contact(touch) => {
@@ -259,24 +238,25 @@ impl Closed<'_> {
             }
             Bound::Limit { .. } | Bound::Brake { .. } => None,
         };
-        let contacts = self.bounds.iter().zip(bounds);
+        let tangential = tangential(self.pairs, self.bounds, bounds);
+        let contacts = self.bounds.iter().zip(bounds.iter().zip(tangential));
         let contacts = contacts.filter(|(b, _)| !b.is_brake());
         let pull = self.pull(&balance.multipliers, self.q);
         let drives = self.system.drives().iter();
-        Forces {
+        Some(Forces {
             contacts: contacts
-                .map(|(bound, &normal)| ContactForce {
+                .map(|(bound, (&normal, tangential))| ContactForce {
                     what: named(self.system, self.pairs, bound),
                     at: place(bound),
                     normal: normal.max(0.0),
-                    tangential: 0.0,
+                    tangential,
                 })
                 .collect(),
             joints: joint_forces(self.system, self.q, joints),
             drives: drives
                 .map(|(i, _)| drive_force(self.system, *i, -pull[*i], rates[*i]))
                 .collect(),
-        }
+        })
     }
 
     /// Which of the bounds are brakes.
@@ -302,10 +282,9 @@ impl Balance {
     /// Whether the forces do not balance, or not stably, or are beyond all numbers.
     pub(super) fn is_lost(&self) -> bool {
         !self.total.is_finite()
-            || self.modes.iter().any(|mode| {
-                mode.stiffness < -self.neutral
-                    || (!self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
-            })
+            || !self.is_stable
+            || (self.modes.iter())
+                .any(|mode| !self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
     }
 
     /// The way to the balance, in y: Newton's step.
@@ -322,11 +301,15 @@ impl Balance {
         system.speed(&local.displaced(&self.step(local.forces.len())))
     }
 
-    /// The force of a bound as a share of all; `None` if it carries none.
-    fn push(&self, bound: usize) -> Option<f64> {
-        let k = self.joints + bound;
-        let push = self.multipliers[k] * self.lengths[k];
-        (push.abs() > UNPRESSED * self.total).then(|| push / self.total)
+    /// The force of a row as a share of all.
+    fn push(&self, row: usize) -> f64 {
+        let k = self.joints + row;
+        self.multipliers[k] * self.lengths[k] / self.total
+    }
+
+    /// Whether a bound carries forces.
+    fn is_pressed(&self, bound: usize) -> bool {
+        self.total > 0.0 && self.push(bound).abs() > UNPRESSED
     }
 }
 

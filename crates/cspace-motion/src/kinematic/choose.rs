@@ -14,7 +14,8 @@ use crate::system::{Law, Row, System};
 use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::velocity::{Local, Nearest};
+use super::friction::{Holding, cones, friction, states};
+use super::velocity::{Held, Local, Nearest};
 
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
 const MOST_CONTACTS: usize = 10;
@@ -26,6 +27,9 @@ const MOST_FARTHER: f64 = 10.0;
 /// Otherwise its time is shortened by this, so many times at most: down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: usize = 16;
+/// A contact that pulls by more than this share of the speed is not tried.
+const ROUGHLY: f64 = 1e-6;
+
 /// What goes on at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
@@ -42,25 +46,109 @@ pub(crate) enum Choice<'a> {
     Undetermined,
 }
 
-/// Chooses among bounds that are reached; brakes hold unless what is driven does not allow it.
+/// Chooses among bounds that are reached; brakes hold unless what is driven does not allow it. `before` is what held last.
 pub(crate) fn choose<'a>(
     system: &'a System,
     pairs: &'a Pairs,
     bounds: &[Bound],
+    before: &[Bound],
     time: f64,
     q: &[f64],
     longest: f64,
 ) -> Choice<'a> {
     let brakes = brakes(system, q);
     let bounds: Vec<Bound> = bounds.iter().filter(|b| !b.is_brake()).copied().collect();
+    let rubs = bounds.iter().any(|b| friction(pairs, b) > 0.0);
+    let choice = |brakes: &[Bound]| {
+        if rubs {
+            return rubbing(system, pairs, [&bounds, brakes, before], time, q, longest);
+        }
+        let bounds = [&bounds[..], brakes].concat();
+        among(system, pairs, &bounds, time, q, longest)
+    };
     if !brakes.is_empty() {
-        let bounds = [&bounds[..], &brakes].concat();
-        let choice = among(system, pairs, &bounds, time, q, longest);
+        let choice = choice(&brakes);
         if let Choice::On { .. } = choice {
             return choice;
         }
     }
-    among(system, pairs, &bounds, time, q, longest)
+    choice(&[])
+}
+
+/// As [`among`], where friction acts.
+fn rubbing<'a>(
+    system: &'a System,
+    pairs: &'a Pairs,
+    [bounds, brakes, before]: [&[Bound]; 3],
+    time: f64,
+    q: &[f64],
+    longest: f64,
+) -> Choice<'a> {
+    let Some(local) = Local::at(system, q, time) else {
+        return Choice::Undetermined;
+    };
+    if local.is_stuck() {
+        return Choice::Jammed(Vec::new());
+    }
+    let states = states(pairs, bounds, before).into_iter();
+    let possible: Vec<Vec<Bound>> = states
+        .map(|state| [&state, brakes].concat())
+        .filter(|held| is_possible(system, pairs, held, &local, q))
+        .collect();
+    for scale in TRIALS {
+        for held in &possible {
+            if let Some((flow, next)) = tries(system, pairs, held.clone(), time, q, scale, longest)
+            {
+                return Choice::On { flow, next };
+            }
+        }
+    }
+    // What is driven cannot go on if forces within the cones of friction withstand it, however large they have to be.
+    let cones = cones(system, pairs, bounds, q);
+    let rows: Vec<Row> = cones.iter().map(|cone| cone.1).collect();
+    match local.nearest(&rows) {
+        Nearest::None { multipliers } => {
+            let mut obstacles: Vec<(Bound, f64)> = Vec::new();
+            for ((bound, _), m) in cones.iter().zip(multipliers).filter(|(_, m)| *m > 0.0) {
+                match obstacles.iter_mut().find(|o| o.0.is_same(bound)) {
+                    Some(obstacle) => obstacle.1 += m,
+                    None => obstacles.push((*bound, m)),
+                }
+            }
+            Choice::Jammed(obstacles)
+        }
+        Nearest::Held { .. } => Choice::Undetermined,
+    }
+}
+
+/// Whether bounds could hold at a configuration: forces within cones of friction, and balanced where they are to.
+fn is_possible(
+    system: &System,
+    pairs: &Pairs,
+    held: &[Bound],
+    local: &Local<'_>,
+    q: &[f64],
+) -> bool {
+    let Some(moved) = local.held(&Holding::of(system, pairs, held, q)) else {
+        return false;
+    };
+    let pulls = |v: &Held, k: usize| v.pushes[k] < -ROUGHLY * v.speed;
+    let all = || (0..held.len()).filter(|&k| !held[k].is_brake());
+    match system.law() {
+        Law::Speeds { .. } => all().all(|k| !pulls(&moved, k)),
+        Law::Balance => {
+            let closed = Closed {
+                system,
+                pairs,
+                bounds: held,
+                q,
+            };
+            // What only begins to be pressed is pressed by rounding, either way.
+            closed
+                .kept_by(local)
+                .is_some_and(|kept| all().all(|k| !pulls(&kept, k) || !pulls(&moved, k)))
+        }
+    }
 }
 
 fn among<'a>(

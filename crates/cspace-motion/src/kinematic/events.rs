@@ -1,7 +1,7 @@
 //! Contacts that come and go, as they are told.
 
 use crate::contact::{Bound, SAME_PLACE};
-use crate::pairs::Pairs;
+use crate::pairs::{Grip, Pairs};
 use crate::record::{Event, EventKind};
 use crate::system::System;
 
@@ -11,11 +11,17 @@ use super::flow::Flow;
 /// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
 const STAYS: f64 = 1e-14;
 
+/// Features slide if they do so by more than this share of the largest rate.
+const SLIDES: f64 = 1e-9;
+
 /// The contacts and limits that are told to be there.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Told {
-    list: Vec<(Bound, Option<cspace::Point>)>,
+    list: Vec<Seen>,
 }
+
+/// A contact or limit, where it is, and whether its features slide against friction; `None` without friction.
+type Seen = (Bound, Option<cspace::Point>, Option<bool>);
 
 impl Told {
     /// What has changed, when `bounds` are those that are reached and the motion goes on, to `next` in a very little while.
@@ -36,17 +42,26 @@ impl Told {
             let value = |q: &[f64]| bound.function(system, pairs, q).value;
             value(next) - value(q) <= opens
         };
-        let now: Vec<(Bound, Option<cspace::Point>)> = (flow.held.iter())
+        let holds = |bound: &Bound| flow.held.iter().any(|other| bound.is_same(other));
+        let fastest = system.speed(&flow.velocity.rates);
+        let slides = |bound: &Bound| match bound {
+            Bound::Contact(touch) if touch.grip != Grip::Smooth => {
+                let rate = pairs.list()[touch.pair].sliding(touch, system, q);
+                Some(rate.rate(&flow.velocity.rates).abs() > SLIDES * fastest)
+            }
+            _ => None,
+        };
+        let now: Vec<Seen> = (flow.held.iter())
             .filter(|b| !b.is_brake())
             .chain(
                 bounds
                     .iter()
-                    .filter(|b| !b.is_brake() && !flow.held.contains(b) && stays(b)),
+                    .filter(|b| !b.is_brake() && !holds(b) && stays(b)),
             )
-            .map(|b| (*b, place(b)))
+            .map(|b| (*b, place(b), slides(b)))
             .collect();
         let near = SAME_PLACE * system.size();
-        let same = |a: &(Bound, Option<cspace::Point>), b: &(Bound, Option<cspace::Point>)| {
+        let same = |a: &Seen, b: &Seen| {
             let (Bound::Contact(s), Bound::Contact(t)) = (a.0, b.0) else {
                 return a.0 == b.0;
             };
@@ -54,24 +69,30 @@ impl Told {
             s.pair == t.pair && (s.features == t.features || a.1.zip(b.1).is_some_and(close))
         };
         // Where contacts were is told for where they are now.
-        let before: Vec<(Bound, Option<cspace::Point>)> =
-            self.list.iter().map(|(b, _)| (*b, place(b))).collect();
+        let before = self.list.iter().map(|(b, _, s)| (*b, place(b), *s));
+        let before: Vec<Seen> = before.collect();
         let mut events = Vec::new();
         for old in before.iter().filter(|o| now.iter().all(|n| !same(o, n))) {
             if let Bound::Contact(_) = old.0 {
                 events.push(event(system, pairs, flow.time, old, EventKind::Release));
             }
         }
-        let mut told: Vec<(Bound, Option<cspace::Point>)> = Vec::new();
+        let mut told: Vec<Seen> = Vec::new();
         for new in &now {
             if told.iter().any(|t| same(t, new)) {
                 continue;
             }
-            if before.iter().all(|o| !same(o, new)) {
-                let kind = match new.0 {
-                    Bound::Contact(_) => EventKind::Touch,
-                    Bound::Limit { .. } | Bound::Brake { .. } => EventKind::Limit,
-                };
+            let old = before.iter().find(|o| same(o, new));
+            let kind = match (old, new.0) {
+                (None, Bound::Contact(_)) => Some(EventKind::Touch),
+                (None, _) => Some(EventKind::Limit),
+                (Some(old), _) => match (old.2, new.2) {
+                    (Some(true), Some(false)) => Some(EventKind::Stick),
+                    (Some(false), Some(true)) => Some(EventKind::Slip),
+                    _ => None,
+                },
+            };
+            if let Some(kind) = kind {
                 events.push(event(system, pairs, flow.time, new, kind));
             }
             told.push(*new);
@@ -81,13 +102,7 @@ impl Told {
     }
 }
 
-fn event(
-    system: &System,
-    pairs: &Pairs,
-    t: f64,
-    (bound, at): &(Bound, Option<cspace::Point>),
-    kind: EventKind,
-) -> Event {
+fn event(system: &System, pairs: &Pairs, t: f64, (bound, at, _): &Seen, kind: EventKind) -> Event {
     let at = at.filter(|p| p.is_finite()).map(|p| [p.x, p.y]);
     let what = crate::contact::named(system, pairs, bound);
     Event { t, kind, what, at }

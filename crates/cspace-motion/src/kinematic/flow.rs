@@ -9,9 +9,10 @@ use crate::dormand_prince::{DIFFERENCE, STAGES};
 use crate::linear::add_scaled;
 use crate::pairs::Pairs;
 use crate::record::Forces;
-use crate::system::{Law, Row, System};
+use crate::system::{Law, System};
 
 use super::balance::Closed;
+use super::friction::Holding;
 use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
@@ -94,7 +95,7 @@ impl<'a> Flow<'a> {
             q: &at.q,
         };
         let local = Local::at(self.system, &at.q, time)?;
-        Some(closed.forces(&local, &at.velocity.rates))
+        closed.forces(&local, &at.velocity.rates)
     }
 
     /// A configuration near the motion a while later, brought to where contacts and joints hold.
@@ -144,13 +145,9 @@ impl<'a> Flow<'a> {
     }
 }
 
-fn rows(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Vec<Row> {
-    held.iter().map(|b| b.function(system, pairs, q)).collect()
-}
-
 fn velocity(system: &System, pairs: &Pairs, held: &[Bound], time: f64, q: &[f64]) -> Option<Held> {
     let local = Local::at(system, q, time)?;
-    let mut found = local.held(&rows(system, pairs, held, q));
+    let mut found = local.held(&Holding::of(system, pairs, held, q))?;
     if system.law() == Law::Balance {
         let closed = Closed {
             system,
@@ -186,10 +183,7 @@ pub(crate) fn close(
             bounds: held,
             q,
         };
-        let balance = closed.balance(&local);
-        if balance.is_lost() {
-            return None;
-        }
+        let balance = closed.balance(&local).filter(|b| !b.is_lost())?;
         let step = local.displaced(&balance.step(local.forces.len()));
         let far = system.speed(&step);
         if far == 0.0 || (far > 0.25 * before && before < BALANCED * size) {
@@ -220,7 +214,7 @@ fn constrain(
     let (mut moved, mut before) = (0.0, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
         let joints = system.joints(q);
-        let rows = rows(system, pairs, held, q);
+        let rows = Holding::of(system, pairs, held, q).rows;
         let changes: Vec<f64> = joints.iter().chain(&rows).map(|r| -r.value).collect();
         let off = changes.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         if off == 0.0 || (off < CLOSED * system.size() && off > 0.25 * before) {

@@ -154,12 +154,15 @@ impl<'a> Run<'a> {
         while state.time < self.duration && !self.is_settled() {
             let (time, q) = (state.time, &state.q);
             let mut bounds = touching(self.system, self.pairs, q);
-            add(&mut bounds, core::mem::take(&mut state.before));
+            let before = core::mem::take(&mut state.before);
+            add(&mut bounds, before.clone());
             let left = self.duration - time;
-            let mut choice = choose(self.system, self.pairs, &bounds, time, q, left);
+            let (system, pairs) = (self.system, self.pairs);
+            let chosen = |bounds: &[Bound]| choose(system, pairs, bounds, &before, time, q, left);
+            let mut choice = chosen(&bounds);
             if let Choice::Undetermined = choice {
-                add(&mut bounds, pinched(self.system, self.pairs, q));
-                choice = choose(self.system, self.pairs, &bounds, time, q, left);
+                add(&mut bounds, pinched(system, pairs, q));
+                choice = chosen(&bounds);
             }
             let (mut flow, next) = match choice {
                 Choice::On { flow, next } => (flow, next),

@@ -11,12 +11,15 @@ use crate::system::{Law, System};
 
 use super::balance::Closed;
 use super::flow::Flow;
+use super::friction::friction;
 use super::rest::Settling;
 use super::run::{Run, State, Stop, moment};
 use super::velocity::Local;
 
 /// How long parts take to settle, in units of the time in which the forces at the beginning would move them by the mechanism's size.
 const DURATION: f64 = 1e6;
+/// What is slower by far than forces at the beginning would make it, as what friction nearly holds, is made faster by this.
+const RUSHES: [f64; 3] = [1.0, 1e5, 1e10];
 /// Who stands on an edge is pushed by this, relative to the size of the mechanism, the first that leads on: an edge is left the more slowly the nearer.
 const NUDGES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-3];
 /// Parts go equally far if ways differ by no more than this share.
@@ -30,6 +33,8 @@ enum Settled {
     At(Vec<f64>),
     /// They have not moved.
     Stands,
+    /// They are still on the way.
+    Slow,
     /// They come to none, for this reason.
     Lost(String),
 }
@@ -58,7 +63,7 @@ pub(crate) fn run(
                     run.end(state.time, &state.q, Status::Undetermined, reason);
                     return Some(run.record);
                 }
-                Settled::Stands => {}
+                Settled::Stands | Settled::Slow => {}
             }
         }
         return Some(run.stopped(state, stop));
@@ -76,12 +81,24 @@ impl<'a> Run<'a> {
             s if s > 0.0 => (self.system.size() / s).log2().round().exp2(),
             _ => 1.0,
         };
-        let steady = self.system.settling(time, scale);
-        let starts = core::iter::once(q.to_vec()).chain(self.nudged(&steady, time, q));
-        for start in starts {
-            match self.settled(&steady, time, start, scale * speed, progress)? {
-                Settled::At(end) if self.system.moved(q, &end) <= STANDS * self.system.size() => {}
-                other => return Some(other),
+        for rush in RUSHES {
+            let scale = rush * scale;
+            let steady = self.system.settling(time, scale);
+            let starts = core::iter::once(q.to_vec()).chain(self.nudged(&steady, time, q));
+            let mut slow = false;
+            for start in starts {
+                match self.settled(&steady, time, start, scale * speed, progress)? {
+                    Settled::At(end)
+                        if self.system.moved(q, &end) <= STANDS * self.system.size() => {}
+                    Settled::Slow => slow = true,
+                    other => return Some(other),
+                }
+                if slow {
+                    break;
+                }
+            }
+            if !slow {
+                break;
             }
         }
         Some(Settled::Stands)
@@ -106,6 +123,9 @@ impl<'a> Run<'a> {
         let told = core::mem::take(&mut run.told);
         let end = state.q.clone();
         let name = |i: usize| self.system.mechanism().parts[i].part.name();
+        if is_over && !over.as_ref().is_some_and(Settling::is_done) {
+            return Some(Settled::Slow);
+        }
         if is_over && !over.as_ref().is_some_and(Settling::rests) {
             let part = over.and_then(|o| o.farthest()).map_or("", name);
             return Some(Settled::Lost(format!(
@@ -156,6 +176,10 @@ impl<'a> Run<'a> {
             return Vec::new();
         };
         let bounds = touching(self.system, self.pairs, q);
+        // Friction holds on edges, too.
+        if bounds.iter().any(|b| friction(self.pairs, b) > 0.0) {
+            return Vec::new();
+        }
         let brakes = brakes(self.system, q);
         let without = (0..bounds.len()).map(|left_out| {
             let rest = bounds.iter().enumerate().filter(|(i, _)| *i != left_out);
@@ -187,7 +211,7 @@ impl<'a> Run<'a> {
             bounds: &held,
             ..touching
         };
-        let modes = closed.balance(local).modes;
+        let modes = closed.balance(local)?.modes;
         let softest = modes
             .iter()
             .min_by(|a, b| a.stiffness.total_cmp(&b.stiffness))?;

@@ -8,8 +8,10 @@
 //!
 //! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
 
-use crate::linear::{Cholesky, Rows, dot, length, nonnegative};
+use crate::linear::{Cholesky, Pushing, Rows, dot, length, nonnegative};
 use crate::system::{Law, Row, System};
+
+use super::friction::Holding;
 
 /// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
 /// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
@@ -46,6 +48,8 @@ pub(crate) struct Held {
     pub(super) y: Vec<f64>,
     /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
     pub(crate) pushes: Vec<f64>,
+    /// The lengths of the directions in which they push.
+    pub(super) lengths: Vec<f64>,
     /// The speed by the metric.
     pub(crate) speed: f64,
     /// How many directions what holds it takes.
@@ -170,31 +174,41 @@ impl<'a> Local<'a> {
         v
     }
 
-    /// The velocity that keeps some functions as they are, and joints.
-    pub(crate) fn held(&self, rows: &[Row]) -> Held {
-        let all: Vec<(Vec<f64>, f64)> = (self.joints.iter().cloned())
-            .chain(rows.iter().map(|row| self.reduced(row)))
-            .collect();
-        let vectors: Vec<Vec<f64>> = all.iter().map(|(v, _)| v.clone()).collect();
-        let solved = Rows::of(&vectors);
-        let missing: Vec<f64> = all.iter().map(|(v, b)| b - dot(v, &self.free)).collect();
-        let (correction, lambda) = solved.least(&missing);
+    /// Joints and what holds as equations in y, and along what they push.
+    pub(super) fn pushing(&self, holding: &Holding) -> Option<Pushing> {
+        let joints = || self.joints.iter().map(|(row, _)| row.clone());
+        let reduced = |rows: &[Row]| -> Vec<Vec<f64>> {
+            let rows = rows.iter().map(|row| self.reduced(row).0);
+            joints().chain(rows).collect()
+        };
+        let along = holding.along.as_deref().map(reduced);
+        Pushing::of(reduced(&holding.rows), along)
+    }
+
+    /// The velocity that keeps some functions as they are, and joints; `None` if what pushes cannot.
+    pub(crate) fn held(&self, holding: &Holding) -> Option<Held> {
+        let pushing = self.pushing(holding)?;
+        let rates = (self.joints.iter().cloned())
+            .chain(holding.rows.iter().map(|row| self.reduced(row)))
+            .map(|(v, b)| b - dot(&v, &self.free));
+        let (correction, lambda) = pushing.meet(&rates.collect::<Vec<f64>>())?;
         let mut y = self.free.clone();
         for (y, c) in y.iter_mut().zip(&correction) {
             *y += c;
         }
-        let pushes = (lambda[self.joints.len()..].iter())
-            .zip(&vectors[self.joints.len()..])
-            .map(|(l, v)| l * length(v))
-            .collect();
-        Held {
+        let joints = self.joints.len();
+        let lengths = pushing.lengths()[joints..].to_vec();
+        let pushes = lambda[joints..].iter().zip(&lengths).map(|(m, l)| m * l);
+        let rank = pushing.rows().rank();
+        Some(Held {
             rates: self.rates(&y),
-            y: y.clone(),
-            pushes,
+            pushes: pushes.collect(),
+            lengths,
             speed: length(&y).max(length(&self.free)),
-            rank: solved.rank(),
-            determined: solved.rank() == self.system.free().len(),
-        }
+            y,
+            rank,
+            determined: rank == self.system.free().len(),
+        })
     }
 
     /// Whether what is driven contradicts the joints, or comes to a dead point of theirs.

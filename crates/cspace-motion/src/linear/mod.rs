@@ -2,12 +2,14 @@
 
 mod cholesky;
 mod nonnegative;
+mod pushing;
 mod rows;
 mod square;
 mod symmetric;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use nonnegative::nonnegative;
+pub(crate) use pushing::Pushing;
 pub(crate) use rows::Rows;
 pub(crate) use square::Square;
 pub(crate) use symmetric::eigen;

@@ -13,6 +13,7 @@ mod dynamic_joints;
 mod dynamic_models;
 mod dynamic_seams;
 mod free_space;
+mod friction;
 mod helpers;
 mod hostile;
 mod invariance;

@@ -168,17 +168,3 @@ fn a_stiff_hook_is_not_lost() {
     let most = (record.samples.iter()).fold(0.0_f64, |m, s| m.max(s.coordinates[3].abs()));
     assert!(most < 2e-4, "{most}");
 }
-
-/// Nothing rubs, so that nothing holds the sleeve on its pole.
-#[test]
-fn a_sleeve_without_friction_slides_off_its_pole() {
-    let simulation = cspace_motion::Simulation::new(&model("woodpecker")).unwrap();
-    let settings = cspace_motion::Settings {
-        time: 2.5,
-        every: None,
-    };
-    let record = simulation.kinematic(&settings).unwrap();
-    assert_eq!(record.status, Status::Undetermined);
-    let reason = record.reason.unwrap();
-    assert!(reason.starts_with("nothing stops"), "{reason}");
-}

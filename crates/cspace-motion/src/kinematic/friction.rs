@@ -1,0 +1,200 @@
+//! Coulomb's friction where forces balance: |λ_t| ≤ μ λ_n at a contact that sticks, λ_t = ∓μ λ_n against the sliding at one that slides.
+//!
+//! A contact that sticks is one equation more, of its rate of sliding; one that slides pushes along n ∓ μ t instead of its normal n. What
+//! contacts do is found by trying: few contacts first, and of each what friction can do.
+
+use crate::contact::Bound;
+use crate::pairs::{Grip, Pairs};
+use crate::system::{Row, System};
+
+use super::velocity::Held;
+
+/// A force outside its cone of friction by no more than this share of all forces is inside: rounding.
+const OUTSIDE: f64 = 1e-10;
+/// What slides the wrong way by no more than this share of the largest rate does not slide: rounding.
+const BACKWARDS: f64 = 1e-10;
+/// With no more contacts than that, all that they can do is tried.
+const MOST_CONTACTS: usize = 5;
+/// Of more contacts, so many may change what they do at once.
+const MOST_CHANGES: usize = 2;
+
+/// What holds: functions that do not change, and along what each of them pushes.
+#[derive(Debug, Clone)]
+pub(crate) struct Holding {
+    /// Of the bounds, then the rates of sliding of those that stick.
+    pub(super) rows: Vec<Row>,
+    /// Along what they push; their own gradients if it is not told.
+    pub(super) along: Option<Vec<Row>>,
+    /// The bounds that stick.
+    sticks: Vec<usize>,
+}
+
+impl Holding {
+    pub(super) fn of(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Self {
+        let rows = held.iter().map(|b| b.function(system, pairs, q));
+        let mut rows: Vec<Row> = rows.collect();
+        let (mut along, mut sticks) = (rows.clone(), Vec::new());
+        for (i, bound) in held.iter().enumerate() {
+            match sliding(system, pairs, bound, q) {
+                Some((Grip::Sticks, _, rate)) => {
+                    sticks.push(i);
+                    rows.push(rate);
+                    along.push(rate);
+                }
+                Some((Grip::Slides { forward }, friction, rate)) => {
+                    along[i] = rows[i].plus(if forward { -friction } else { friction }, &rate);
+                }
+                _ => {}
+            }
+        }
+        let rubs = held.iter().any(|b| grip(b) != Grip::Smooth);
+        Self {
+            rows,
+            along: rubs.then_some(along),
+            sticks,
+        }
+    }
+
+    /// Along what everything pushes.
+    pub(super) fn pushes(&self) -> &[Row] {
+        self.along.as_ref().unwrap_or(&self.rows)
+    }
+
+    /// The bound of a row.
+    pub(super) fn bound(&self, row: usize) -> usize {
+        let bounds = self.rows.len() - self.sticks.len();
+        match row.checked_sub(bounds) {
+            Some(k) => self.sticks[k],
+            None => row,
+        }
+    }
+}
+
+/// What friction does at a bound.
+pub(super) fn grip(bound: &Bound) -> Grip {
+    match bound {
+        Bound::Contact(touch) => touch.grip,
+        Bound::Limit { .. } | Bound::Brake { .. } => Grip::Smooth,
+    }
+}
+
+/// The coefficient of friction of a bound.
+pub(super) fn friction(pairs: &Pairs, bound: &Bound) -> f64 {
+    match bound {
+        Bound::Contact(touch) => pairs.list()[touch.pair].friction,
+        Bound::Limit { .. } | Bound::Brake { .. } => 0.0,
+    }
+}
+
+fn sliding(system: &System, pairs: &Pairs, bound: &Bound, q: &[f64]) -> Option<(Grip, f64, Row)> {
+    match bound {
+        Bound::Contact(touch) if touch.grip != Grip::Smooth => {
+            let pair = &pairs.list()[touch.pair];
+            Some((touch.grip, pair.friction, pair.sliding(touch, system, q)))
+        }
+        _ => None,
+    }
+}
+
+/// Whether forces are within their cones of friction, and what slides goes on to do so.
+pub(super) fn agrees(
+    system: &System,
+    pairs: &Pairs,
+    held: &[Bound],
+    q: &[f64],
+    velocity: &Held,
+) -> bool {
+    let mut sticks = held.len()..;
+    let force = |row: usize| velocity.pushes[row] / velocity.lengths[row];
+    let fastest = system.speed(&velocity.rates);
+    held.iter()
+        .enumerate()
+        .all(|(i, bound)| match sliding(system, pairs, bound, q) {
+            Some((Grip::Sticks, friction, _)) => {
+                let row = sticks.next().unwrap_or(i);
+                let outside = force(row).abs() - friction * force(i);
+                outside * velocity.lengths[i] <= OUTSIDE * velocity.speed
+            }
+            Some((Grip::Slides { forward }, _, rate)) => {
+                let rate = rate.rate(&velocity.rates);
+                let onward = if forward { rate } else { -rate };
+                onward >= -BACKWARDS * fastest
+            }
+            _ => true,
+        })
+}
+
+/// The sides of the cones of friction of bounds that touch, as functions whose gradients they are.
+pub(super) fn cones(
+    system: &System,
+    pairs: &Pairs,
+    bounds: &[Bound],
+    q: &[f64],
+) -> Vec<(Bound, Row)> {
+    let sides = |bound: &Bound| {
+        let row = bound.function(system, pairs, q);
+        match bound {
+            Bound::Contact(touch) if friction(pairs, bound) > 0.0 => {
+                let pair = &pairs.list()[touch.pair];
+                let along = pair.sliding(touch, system, q);
+                let side = |sign: f64| (*bound, row.plus(sign * pair.friction, &along));
+                vec![side(1.0), side(-1.0)]
+            }
+            _ => vec![(*bound, row)],
+        }
+    };
+    bounds.iter().flat_map(sides).collect()
+}
+
+/// The tangential force of each bound, of the multipliers of all rows.
+pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> Vec<f64> {
+    let mut sticks = multipliers.get(held.len()..).unwrap_or_default().iter();
+    held.iter()
+        .zip(multipliers)
+        .map(|(bound, normal)| match grip(bound) {
+            Grip::Smooth => 0.0,
+            Grip::Sticks => sticks.next().copied().unwrap_or(0.0),
+            Grip::Slides { forward } => {
+                friction(pairs, bound) * if forward { -normal } else { *normal }
+            }
+        })
+        .collect()
+}
+
+/// What bounds can do, those first in which few of them hold: each is left out, or holds by one of its grips. `before` is what held last.
+pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<Vec<Bound>> {
+    let choices = |bound: &Bound| -> Vec<Option<Bound>> {
+        let Bound::Contact(touch) = bound else {
+            return vec![None, Some(*bound)];
+        };
+        if friction(pairs, bound) == 0.0 {
+            return vec![None, Some(*bound)];
+        }
+        let grips = [
+            Grip::Sticks,
+            Grip::Slides { forward: true },
+            Grip::Slides { forward: false },
+        ];
+        let held = grips.map(|grip| Some(Bound::Contact(touch.with(grip))));
+        core::iter::once(None).chain(held).collect()
+    };
+    let all: Vec<Vec<Option<Bound>>> = bounds.iter().map(choices).collect();
+    let last = |bound: &Bound| before.iter().find(|b| b.is_same(bound)).copied();
+    let few = bounds.len() <= MOST_CONTACTS;
+    // Each with how many differ from what held last.
+    let mut states: Vec<(Vec<Bound>, usize)> = vec![(Vec::new(), 0)];
+    for (bound, choices) in bounds.iter().zip(&all) {
+        let last = last(bound);
+        let extended = states.iter().flat_map(|(state, changes)| {
+            choices.iter().filter_map(move |choice| {
+                let same = choice.map(|b| grip(&b)) == last.as_ref().map(grip);
+                let changes = changes + usize::from(!same);
+                let state = state.iter().copied().chain(*choice).collect();
+                (few || changes <= MOST_CHANGES).then_some((state, changes))
+            })
+        });
+        states = extended.collect();
+    }
+    states.sort_by_key(|(state, changes)| if few { state.len() } else { *changes });
+    states.into_iter().map(|s| s.0).collect()
+}

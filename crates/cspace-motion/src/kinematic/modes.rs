@@ -1,0 +1,90 @@
+//! The modes that closed contacts and joints leave: directions in which forces change by themselves.
+
+use nalgebra::DMatrix;
+
+use crate::linear::{add_scaled, dot, eigen};
+
+/// Stiffnesses below this are none, relative to those that the forces make over the mechanism's size: what differences are right to.
+const NEUTRAL: f64 = 1e-8;
+
+/// A direction in which no closed contact or joint changes.
+#[derive(Debug, Clone)]
+pub(super) struct Mode {
+    /// The direction, in y.
+    pub(super) along: Vec<f64>,
+    /// The direction of the force that grows by a displacement, against it; the same without friction.
+    pub(super) against: Vec<f64>,
+    /// How much it grows: without friction the second derivative of L.
+    pub(super) stiffness: f64,
+    /// The force along it that nothing balances.
+    pub(super) force: f64,
+}
+
+/// Modes over an orthonormal basis, of the changes of force along each of its directions; whether displacements along them come back, and up to
+/// which stiffness there is none. Without friction changes are symmetric. With it they are not: what is displaced comes back if all
+/// eigenvalues have positive real parts, and S = Σ against · stiffness · alongᵀ is their singular value decomposition.
+pub(super) fn modes(
+    basis: &[Vec<f64>],
+    changes: &[Vec<f64>],
+    rest: &[f64],
+    of_forces: f64,
+    smooth: bool,
+) -> (Vec<Mode>, bool, f64) {
+    let n = basis.len();
+    let entry = |j: usize, k: usize| -dot(&basis[j], &changes[k]);
+    let combined = |shares: &mut dyn Iterator<Item = f64>| {
+        let mut all = vec![0.0; rest.len()];
+        for (share, direction) in shares.zip(basis) {
+            add_scaled(&mut all, share, direction);
+        }
+        all
+    };
+    if smooth {
+        let mut second = vec![0.0; n * n];
+        for k in 0..n {
+            for j in 0..n {
+                second[j * n + k] += 0.5 * entry(j, k);
+                second[k * n + j] += 0.5 * entry(j, k);
+            }
+        }
+        let stiffest = second.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
+        let neutral = NEUTRAL * stiffest.max(of_forces);
+        let modes: Vec<Mode> = eigen(&second, n)
+            .into_iter()
+            .map(|(stiffness, vector)| {
+                let along = combined(&mut vector.into_iter());
+                let force = dot(&along, rest);
+                let against = along.clone();
+                Mode {
+                    along,
+                    against,
+                    stiffness,
+                    force,
+                }
+            })
+            .collect();
+        let is_stable = modes.iter().all(|m| m.stiffness >= -neutral);
+        return (modes, is_stable, neutral);
+    }
+    let matrix = DMatrix::from_fn(n, n, entry);
+    let neutral = NEUTRAL * matrix.amax().max(of_forces);
+    if n == 0 || matrix.iter().any(|x| !x.is_finite()) {
+        return (Vec::new(), n == 0, neutral);
+    }
+    let is_stable = (matrix.complex_eigenvalues().iter()).all(|value| value.re >= -neutral);
+    let svd = matrix.svd(true, true);
+    let modes = (svd.u.iter().zip(&svd.v_t)).flat_map(|(u, v)| {
+        (0..n).map(|k| {
+            let along = combined(&mut v.row(k).iter().copied());
+            let against = combined(&mut u.column(k).iter().copied());
+            let force = dot(&against, rest);
+            Mode {
+                along,
+                against,
+                stiffness: svd.singular_values[k],
+                force,
+            }
+        })
+    });
+    (modes.collect(), is_stable, neutral)
+}
