@@ -231,6 +231,100 @@ angle = 0
     }
 }
 
+/// A peg in a compliant grip is pushed down a slope and onto a floor: springs, forces of contacts and cones of friction balance about any point.
+#[test]
+fn a_compliant_peg_is_in_balance_on_a_chamfer() {
+    // Where the springs hold the peg, and where the grip holds them at zero motion.
+    let springs = [
+        ([-2.0, 8.0], [-12.0, 8.0], 40.0),
+        ([2.0, 8.0], [12.0, 8.5], 30.0),
+        ([0.0, 10.0], [0.3, 20.0], 25.0),
+        ([-2.0, 4.0], [-12.0, 3.0], 20.0),
+    ];
+    for friction in [0.0, 0.05, 0.2, 0.6] {
+        let mut text = format!(
+            r#"
+friction = {friction}
+[[part]]
+name = "grip"
+motion = {{ type = "prismatic", direction = [0, 1] }}
+loops = [{{ circle = 0.5, at = [0, 40] }}]
+[[part]]
+name = "hole"
+motion = {{ type = "fixed" }}
+loops = [[[-30, -9], [30, -9], [30, 0], [3, -6], [3, -7], [-3, -7], [-3, -6], [-30, 0]]]
+[[part]]
+name = "peg"
+loops = [[[-2, 0.5], [-1.5, 0], [1.5, 0], [2, 0.5], [2, 10], [-2, 10]]]
+[[drive]]
+part = "grip"
+rate = -1
+"#
+        );
+        for (at, from, stiffness) in springs {
+            let length = f64::hypot(at[0] - from[0], at[1] - from[1]);
+            text += &format!(
+                "[[spring]]\nparts = [\"peg\", \"grip\"]\nat = [{at:?}, {from:?}]\nstiffness = {stiffness:?}\nlength = {length:?}\n"
+            );
+        }
+        let (_, record) = run(&read(&text), 9.0, 0.05);
+        assert_eq!(
+            record.status,
+            Status::Done,
+            "{friction}: {:?}",
+            record.reason
+        );
+        let mut pressed = 0;
+        for sample in &record.samples {
+            let [grip, x, y, theta] = sample.coordinates[..] else {
+                panic!("{:?}", sample.coordinates)
+            };
+            let (mut sum, mut largest) = ([0.0; 3], 1.0_f64);
+            let mut add = |[px, py]: [f64; 2], [fx, fy]: [f64; 2]| {
+                for (sum, f) in sum.iter_mut().zip([fx, fy, px * fy - py * fx]) {
+                    *sum += f;
+                    largest = largest.max(f.abs());
+                }
+            };
+            for (at, from, stiffness) in springs {
+                let (s, c) = theta.sin_cos();
+                let p = [x + c * at[0] - s * at[1], y + s * at[0] + c * at[1]];
+                let to = [from[0] - p[0], from[1] + grip - p[1]];
+                let length = f64::hypot(at[0] - from[0], at[1] - from[1]);
+                let pull = stiffness * (1.0 - length / to[0].hypot(to[1]));
+                add(p, to.map(|d| pull * d));
+            }
+            // Normals of the hole from those of its sides; the tip of the peg lies on them.
+            for contact in contacts(sample) {
+                pressed += 1;
+                let at = contact.at.unwrap();
+                let n = match at {
+                    [px, py] if py < -6.999_999 && px.abs() < 3.0 => [0.0, 1.0],
+                    [px, py] if px.abs() < 3.000_001 && py < -6.0 => [-px.signum(), 0.0],
+                    [px, _] => {
+                        let l = f64::hypot(6.0, 27.0);
+                        [-px.signum() * 6.0 / l, 27.0 / l]
+                    }
+                };
+                assert!(contact.tangential.abs() <= friction * contact.normal * (1.0 + 1e-9));
+                let t = [-n[1], n[0]];
+                add(
+                    at,
+                    [0, 1].map(|k| n[k] * contact.normal + t[k] * contact.tangential),
+                );
+            }
+            for sum in sum {
+                assert!(
+                    sum.abs() < 1e-8 * largest,
+                    "{friction} {}: {sum:e}",
+                    sample.t
+                );
+            }
+        }
+        assert!(pressed > 40, "{pressed}");
+    }
+}
+
 /// A sleeve hangs on its pole by friction, and slides off without.
 #[test]
 fn a_sleeve_hangs_on_its_pole_by_friction() {
