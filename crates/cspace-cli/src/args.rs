@@ -197,7 +197,7 @@ impl ResultArgs {
     /// As it was asked for, or as the file's name says.
     pub(crate) fn format(&self) -> Format {
         let named_json = (self.output.as_deref())
-            .and_then(|o| o.extension())
+            .and_then(crate::output::extension)
             .is_some_and(|e| e.eq_ignore_ascii_case("json"));
         self.format.unwrap_or(if named_json {
             Format::Json
@@ -747,6 +747,9 @@ pub(crate) struct SimulateArgs {
     /// Whether inertia plays a part [default: dynamic if a part has a mass, otherwise kinematic]
     #[arg(long, value_enum)]
     pub(crate) mode: Option<Mode>,
+    /// Go on where the motion of a record ends: what `cspace simulate` wrote with -o RECORD.json or .json.gz, of the same model
+    #[arg(long, value_name = "RECORD.json")]
+    pub(crate) resume: Option<PathBuf>,
     /// How the dynamic mode goes on
     #[arg(long, value_enum, default_value_t = Scheme::Event)]
     pub(crate) scheme: Scheme,

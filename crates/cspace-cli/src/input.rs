@@ -101,7 +101,7 @@ pub(crate) fn drawing(
     Ok(cspace_drawing::read(path, source))
 }
 
-/// The bytes of a regular file, of at most `limit` bytes; `help` says what the file is to be.
+/// The bytes of a regular file, of at most `limit` bytes, also once they are not compressed any more; `help` says what the file is to be.
 ///
 /// A pipe might never say anything, a device might never end.
 pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
@@ -118,10 +118,19 @@ pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Fail
     if meta.len() > limit {
         return Err(too_large());
     }
-    taken(file, limit)
+    let bytes = taken(file, limit)
         .map_err(unreadable)?
+        .ok_or_else(too_large)?;
+    if !bytes.starts_with(&GZIP) {
+        return Ok(bytes);
+    }
+    taken(flate2::read::GzDecoder::new(&bytes[..]), limit)
+        .map_err(|e| wrong(format!("what is compressed in it cannot be read: {e}")))?
         .ok_or_else(too_large)
 }
+
+/// How compressed files begin.
+const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// The bytes of standard input, of at most `limit`; `help` says what to do if there are more.
 pub(crate) fn stdin(limit: u64, help: &str) -> Result<Vec<u8>, Failure> {

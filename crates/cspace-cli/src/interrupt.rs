@@ -10,6 +10,8 @@ use crate::output;
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// Whether an interrupt is how the work comes to its end.
 static ENDLESS: AtomicBool = AtomicBool::new(false);
+/// Whether what is done is kept.
+static KEEPS: AtomicBool = AtomicBool::new(false);
 /// Whether a computation is going on that looks at [`INTERRUPTED`].
 static WATCHED: AtomicBool = AtomicBool::new(false);
 
@@ -29,6 +31,11 @@ pub(crate) fn is_interrupted() -> bool {
 /// From here on the work has no end but an interrupt, which is none that failed.
 pub(crate) fn until_interrupted() {
     ENDLESS.store(true, Ordering::Relaxed);
+}
+
+/// From here on the first interrupt ends the work, of which what is done is kept; the second ends the process.
+pub(crate) fn keep() {
+    KEEPS.store(true, Ordering::Relaxed);
 }
 
 /// Does work that ends soon after an interrupt by itself.
@@ -53,6 +60,9 @@ fn interrupted() {
         std::process::exit(0);
     }
     let is_first = !INTERRUPTED.swap(true, Ordering::Relaxed);
+    if is_first && KEEPS.load(Ordering::Relaxed) {
+        return;
+    }
     if is_first && WATCHED.load(Ordering::Relaxed) {
         std::thread::sleep(GRACE);
     }

@@ -4,6 +4,9 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use flate2::Compression;
+use flate2::write::GzEncoder;
+
 use crate::failure::Failure;
 
 /// What stands for standard input as FILE, and for standard output after `-o`.
@@ -17,9 +20,30 @@ fn file(path: Option<&Path>) -> Option<&Path> {
 /// Writes to the file, or to standard output if there is none.
 pub(crate) fn write(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
     match file(path) {
+        Some(path) if is_compressed(path) => {
+            let failed = |e: std::io::Error| Failure::writing(path, &e);
+            let mut packed = GzEncoder::new(Vec::new(), Compression::default());
+            packed.write_all(bytes).map_err(failed)?;
+            write_file(path, &packed.finish().map_err(failed)?)
+        }
         Some(path) => write_file(path, bytes),
         None => write_stdout(bytes),
     }
+}
+
+/// Whether what is written to a file is compressed, as its name says.
+fn is_compressed(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("gz"))
+}
+
+/// The extension of a file's name, without one that says it is compressed.
+pub(crate) fn extension(path: &Path) -> Option<&str> {
+    let name = match is_compressed(path) {
+        true => Path::new(path.file_stem()?),
+        false => path,
+    };
+    name.extension()?.to_str()
 }
 
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {

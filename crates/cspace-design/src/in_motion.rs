@@ -115,7 +115,9 @@ impl Motion {
 
     fn ends_early(&self) -> Unmeasured {
         let why = match self.record.status {
-            Status::Done | Status::Undetermined => "how it goes on is not determined",
+            Status::Done | Status::Undetermined | Status::Interrupted => {
+                "how it goes on is not determined"
+            }
             Status::Jammed => "the mechanism jams",
             Status::Inconsistent => "no forces satisfy the laws of contact and friction",
         };

@@ -110,6 +110,16 @@ pub enum SimulateError {
         /// By how much, in the model's unit of length.
         gap: f64,
     },
+    /// A state is not one of the mechanism.
+    #[error(
+        "a state has {found} coordinates, and the mechanism has {count}: it is of another model"
+    )]
+    Count {
+        /// Those of the state.
+        found: usize,
+        /// Those of the mechanism.
+        count: usize,
+    },
     /// It was interrupted.
     #[error("interrupted")]
     Interrupted,

@@ -75,9 +75,9 @@ pub use error::SimulateError;
 pub use forces::has_forces;
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
-    ContactForce, DriveForce, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED, Obstacle,
-    Record, Sample, Status, What,
+    ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED,
+    Obstacle, Record, Sample, Status, What,
 };
 pub use report::{ContactInterval, Cycle, Drop, PartCycle, Report, Swing, Trajectory};
-pub use simulate::{Freedom, Settings, Simulation};
+pub use simulate::{Freedom, Settings, Simulation, Way};
 pub use system::{PartCoordinates, Row, System};

@@ -1,9 +1,9 @@
 //! What is told of a motion: samples and events.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// How a simulation ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// It came to the end of its time.
@@ -14,10 +14,12 @@ pub enum Status {
     Undetermined,
     /// No accelerations and forces satisfy the laws of contact and friction.
     Inconsistent,
+    /// The user wanted no more of it.
+    Interrupted,
 }
 
 /// What happens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
     /// Two parts strike each other: their rates change at once.
@@ -38,8 +40,27 @@ pub enum EventKind {
     Snap,
 }
 
+/// An end of a range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum End {
+    /// The smallest value.
+    Lower,
+    /// The largest.
+    Upper,
+}
+
+impl core::fmt::Display for End {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Lower => "lower",
+            Self::Upper => "upper",
+        })
+    }
+}
+
 /// What an event is about.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum What {
     /// Two features.
@@ -55,8 +76,8 @@ pub enum What {
     Limit {
         /// Its name.
         part: String,
-        /// `upper` or `lower`.
-        limit: &'static str,
+        /// Which end.
+        limit: End,
     },
     /// A part.
     Part {
@@ -80,7 +101,7 @@ impl core::fmt::Display for What {
 }
 
 /// Something that happens.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Event {
     /// When, in seconds.
     pub t: f64,
@@ -90,7 +111,7 @@ pub struct Event {
     #[serde(flatten)]
     pub what: What,
     /// Where, in the assembly's frame; limits are nowhere.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,
 }
 
@@ -108,7 +129,7 @@ pub struct Sample {
 }
 
 /// The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s².
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Forces {
     /// Of each closed contact and each end of a range that is reached.
     pub contacts: Vec<ContactForce>,
@@ -119,13 +140,13 @@ pub struct Forces {
 }
 
 /// The force at a contact.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
     /// Which.
     #[serde(flatten)]
     pub what: What,
     /// Where, in the assembly's frame; limits are nowhere.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,
     /// The force with which the parts press on each other, 0 or more.
     pub normal: f64,
@@ -134,7 +155,7 @@ pub struct ContactForce {
 }
 
 /// The force in a joint: what it does to the second of its parts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointForce {
     /// The names of its two parts.
     pub parts: [String; 2],
@@ -145,7 +166,7 @@ pub struct JointForce {
 }
 
 /// What a drive does.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DriveForce {
     /// The name of the driven part.
     pub part: String,
@@ -156,7 +177,7 @@ pub struct DriveForce {
 }
 
 /// What became of the energy, in kg·unit²/s²: the end's is the start's and the work of drives less what is lost, but for `drift`.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energy {
     /// Kinetic energy, and the potential energy of weights, loads and springs, at the start.
     pub start: f64,
@@ -208,4 +229,52 @@ pub struct Record {
     pub energy: Option<Energy>,
     /// How far closed contacts and joints were open at most after a step, before it was corrected, in the model's unit of length.
     pub open: f64,
+}
+
+/// Contacts and ends of ranges that begin within this share of the time after a motion is taken up were there before.
+const TAKEN_UP: f64 = 1e-9;
+
+impl Record {
+    /// All coordinates and rates where it ends.
+    pub fn last(&self) -> Option<&Sample> {
+        self.trace.last().or(self.samples.last())
+    }
+
+    /// The record of a motion that was taken up where another ended, with that before it.
+    pub fn after(self, mut earlier: Self) -> Self {
+        let (from, near) = (earlier.until, TAKEN_UP * self.until);
+        // The end of what was before is a sample only if it is one of the whole.
+        let early = |s: &Sample| s.t > from + near;
+        if let [first, second, ..] = &self.samples[..] {
+            let every = second.t - first.t;
+            let is_even = |s: &Sample| s.t < first.t - every * (1.0 - TAKEN_UP);
+            earlier.samples.retain(is_even);
+        }
+        earlier.samples.extend(self.samples);
+        earlier.trace.extend(self.trace.into_iter().filter(early));
+        let again =
+            |e: &Event| e.t <= from + near && matches!(e.kind, EventKind::Touch | EventKind::Limit);
+        let events = self.events.into_iter().filter(|e| !again(e));
+        earlier.events.extend(events);
+        let energy = self.energy.map(|now| match earlier.energy {
+            None => now,
+            Some(before) => Energy {
+                start: before.start,
+                end: now.end,
+                drives: before.drives + now.drives,
+                friction: before.friction + now.friction,
+                impacts: before.impacts + now.impacts,
+                drift: before.drift + now.drift,
+            },
+        });
+        Self {
+            status: self.status,
+            until: self.until,
+            reason: self.reason,
+            obstacles: self.obstacles,
+            energy,
+            open: self.open.max(earlier.open),
+            ..earlier
+        }
+    }
 }

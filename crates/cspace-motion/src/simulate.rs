@@ -9,7 +9,7 @@ use crate::inertial::{self, Scheme};
 use crate::kinematic::run;
 use crate::linear::Rows;
 use crate::pairs::Pairs;
-use crate::record::Record;
+use crate::record::{Record, Sample, Status};
 use crate::system::{PartCoordinates, System};
 
 /// Samples there are unless other times are asked for.
@@ -36,6 +36,19 @@ pub struct Simulation {
     system: System,
     pairs: Pairs,
     start: Vec<f64>,
+    /// Where a motion is taken up: its time, and the rates.
+    taken_up: Option<(f64, Vec<f64>)>,
+}
+
+/// How a motion is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Way {
+    /// Without inertia, as [`Simulation::kinematic`].
+    Kinematic,
+    /// With masses from event to event, as [`Simulation::dynamic`].
+    Dynamic,
+    /// With masses in steps no longer than this, in seconds, as [`Simulation::stepping`].
+    Stepping(f64),
 }
 
 /// What joints between parts that move leave free.
@@ -93,7 +106,91 @@ impl Simulation {
             system,
             pairs,
             start,
+            taken_up: None,
         })
+    }
+
+    /// The same mechanism, taken up where a motion of it has come to: at its time, coordinates and rates.
+    ///
+    /// # Errors
+    /// If the numbers are not those of the mechanism's coordinates, or parts overlap there.
+    pub fn taken_up(mut self, at: &Sample) -> Result<Self, SimulateError> {
+        let count = self.system.count();
+        if at.coordinates.len() != count || at.rates.len() != count {
+            return Err(SimulateError::Count {
+                found: at.coordinates.len(),
+                count,
+            });
+        }
+        check_ranges(&self.system, &at.coordinates)?;
+        for pair in self.pairs.list() {
+            pair.check_start(&self.system, &at.coordinates)?;
+        }
+        self.start.clone_from(&at.coordinates);
+        self.taken_up = Some((at.t, at.rates.clone()));
+        Ok(self)
+    }
+
+    /// The motion as far as it comes: what `progress` ends is kept, with [`Status::Interrupted`].
+    ///
+    /// # Errors
+    /// As [`kinematic`](Self::kinematic), [`dynamic`](Self::dynamic) and [`stepping`](Self::stepping).
+    pub fn kept_with(
+        &self,
+        way: Way,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        let (time, every) = settings.times()?;
+        let from = self.taken_up.as_ref().map_or(0.0, |t| t.0);
+        if from >= time {
+            return Err(SimulateError::Time {
+                what: "the time from where the motion is taken up",
+                value: time - from,
+            });
+        }
+        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
+        let scheme = match way {
+            Way::Kinematic => {
+                let system = match has_forces(self.system.mechanism()) {
+                    true => &self.system.balanced(),
+                    false => &self.system,
+                };
+                let start = self.start.clone();
+                return Ok(run(
+                    system,
+                    &self.pairs,
+                    start,
+                    [from, time],
+                    every,
+                    &goes_on,
+                ));
+            }
+            Way::Dynamic => Scheme::Events,
+            Way::Stepping(step) => Scheme::Steps(steps(time - from, step)?),
+        };
+        let system = System::about_masses(self.system.mechanism());
+        let rates = match &self.taken_up {
+            Some((_, rates)) => rates.clone(),
+            None => self.system.start_rates(),
+        };
+        let start = (self.start.clone(), rates);
+        let times = ([from, time], every);
+        inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
+    }
+
+    /// As [`kept_with`](Self::kept_with); what `progress` ends is not kept.
+    fn whole(
+        &self,
+        way: Way,
+        settings: &Settings,
+        progress: &dyn Progress,
+    ) -> Result<Record, SimulateError> {
+        let record = self.kept_with(way, settings, progress)?;
+        match record.status {
+            Status::Interrupted => Err(SimulateError::Interrupted),
+            _ => Ok(record),
+        }
     }
 
     /// The coordinates.
@@ -149,12 +246,7 @@ impl Simulation {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Record, SimulateError> {
-        let (time, every) = settings.times()?;
-        let system = System::about_masses(self.system.mechanism());
-        let start = (self.start.clone(), self.system.start_rates());
-        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        let times = (time, every);
-        inertial::run(system, &self.pairs, start, times, Scheme::Events, &goes_on)
+        self.whole(Way::Dynamic, settings, progress)
     }
 
     /// Dynamic motion by Moreau–Jean time stepping, in steps no longer than `step`, in seconds: a check of [`dynamic`](Self::dynamic) that
@@ -177,24 +269,7 @@ impl Simulation {
         step: f64,
         progress: &dyn Progress,
     ) -> Result<Record, SimulateError> {
-        let (time, every) = settings.times()?;
-        if !(step > 0.0 && step.is_finite()) {
-            let what = "the step";
-            return Err(SimulateError::Time { what, value: step });
-        }
-        // One that is longer by rounding is no shorter step more.
-        let steps = (time / step - STEP_ROUNDING).ceil().max(1.0);
-        if steps > MOST_STEPS {
-            return Err(SimulateError::TooManySteps {
-                steps,
-                most: MOST_STEPS,
-            });
-        }
-        let system = System::about_masses(self.system.mechanism());
-        let start = (self.start.clone(), self.system.start_rates());
-        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        let (times, scheme) = ((time, every), Scheme::Steps(steps as usize));
-        inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
+        self.whole(Way::Stepping(step), settings, progress)
     }
 
     /// [Dynamic](Self::dynamic_with) motion if a part has a mass, otherwise [kinematic](Self::kinematic_with).
@@ -230,14 +305,7 @@ impl Simulation {
         settings: &Settings,
         progress: &dyn Progress,
     ) -> Result<Record, SimulateError> {
-        let (time, every) = settings.times()?;
-        let goes_on = |_| progress.stage(Stage::Graph).is_ok();
-        let start = self.start.clone();
-        let system = match has_forces(self.system.mechanism()) {
-            true => &self.system.balanced(),
-            false => &self.system,
-        };
-        run(system, &self.pairs, start, time, every, &goes_on).ok_or(SimulateError::Interrupted)
+        self.whole(Way::Kinematic, settings, progress)
     }
 }
 
@@ -260,6 +328,23 @@ impl Settings {
         }
         Ok((time, every))
     }
+}
+
+/// How many steps no longer than one there are in a time.
+fn steps(time: f64, step: f64) -> Result<usize, SimulateError> {
+    if !(step > 0.0 && step.is_finite()) {
+        let what = "the step";
+        return Err(SimulateError::Time { what, value: step });
+    }
+    // One that is longer by rounding is no shorter step more.
+    let steps = (time / step - STEP_ROUNDING).ceil().max(1.0);
+    if steps > MOST_STEPS {
+        return Err(SimulateError::TooManySteps {
+            steps,
+            most: MOST_STEPS,
+        });
+    }
+    Ok(steps as usize)
 }
 
 /// That all parts are within their ranges.

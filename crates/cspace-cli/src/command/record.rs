@@ -14,7 +14,7 @@ use crate::input;
 const LARGEST: u64 = 1 << 27;
 
 /// A record that is wrong.
-fn wrong(file: &Path, what: &str, help: &str) -> Failure {
+pub(super) fn wrong(file: &Path, what: &str, help: &str) -> Failure {
     Failure::input(format_args!("{}: {what}", file.display())).help(help)
 }
 

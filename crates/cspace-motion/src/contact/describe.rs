@@ -1,7 +1,7 @@
 //! Contacts and limits by name.
 
 use crate::pairs::Pairs;
-use crate::record::What;
+use crate::record::{End, What};
 use crate::system::System;
 
 use super::bound::Bound;
@@ -25,7 +25,7 @@ pub(crate) fn named(system: &System, pairs: &Pairs, bound: &Bound) -> What {
         Bound::Brake { part, .. } => What::Part { part: name(*part) },
         Bound::Limit { part, upper } => What::Limit {
             part: name(*part),
-            limit: if *upper { "upper" } else { "lower" },
+            limit: if *upper { End::Upper } else { End::Lower },
         },
     }
 }

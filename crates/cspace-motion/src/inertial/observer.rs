@@ -12,6 +12,8 @@ use super::world::Mechanical;
 pub(super) struct Gathering<'a> {
     pub(super) world: &'a Mechanical<'a>,
     pub(super) every: f64,
+    /// The number of the first sample: those before are of a motion that is taken up.
+    pub(super) first: usize,
     pub(super) duration: f64,
     pub(super) samples: Vec<Sample>,
     pub(super) events: Vec<Event>,
@@ -57,7 +59,7 @@ impl Gathering<'_> {
 
 impl Observer for Gathering<'_> {
     fn next(&self) -> f64 {
-        let next = self.samples.len() as f64 * self.every;
+        let next = (self.first + self.samples.len()) as f64 * self.every;
         if next <= self.duration {
             next
         } else {

@@ -26,7 +26,7 @@ pub(crate) fn run(
     system: System,
     pairs: &Pairs,
     (mut q, mut v): (Vec<f64>, Vec<f64>),
-    (duration, every): (f64, f64),
+    ([from, duration], every): ([f64; 2], f64),
     scheme: Scheme,
     progress: &dyn Fn(f64) -> bool,
 ) -> Result<Record, SimulateError> {
@@ -34,7 +34,7 @@ pub(crate) fn run(
     let bodies = Bodies::new(system)?;
     let world = Mechanical::new(&bodies, pairs);
     let start = State {
-        t: 0.0,
+        t: from,
         q: bodies.free(&q),
         v: bodies.free(&v),
     };
@@ -45,6 +45,7 @@ pub(crate) fn run(
     let mut gathering = Gathering {
         world: &world,
         every,
+        first: (from / every).ceil() as usize,
         duration,
         samples: Vec::new(),
         events: Vec::new(),
@@ -126,7 +127,7 @@ pub(crate) fn run(
                     .to_owned(),
             ),
         ),
-        Ended::Interrupted => return Err(SimulateError::Interrupted),
+        Ended::Interrupted => (Status::Interrupted, None),
     };
     let until = motion.last.t;
     let end = gathering.told(&motion.last, None);

@@ -55,6 +55,8 @@ pub(super) struct Run<'a> {
     pub(super) rates: Vec<f64>,
     /// Where parts are on their way to a balance of forces.
     pub(super) settling: Option<Settling<'a>>,
+    /// Where it was when the user wanted no more.
+    interrupted: Option<(f64, Vec<f64>)>,
 }
 
 /// The times of samples.
@@ -64,6 +66,12 @@ struct Samples {
 }
 
 impl Samples {
+    /// The next that is not before a time.
+    fn after(time: f64, every: f64) -> Self {
+        let next = (time / every).ceil() as usize;
+        Self { every, next }
+    }
+
     fn time(&self) -> f64 {
         self.next as f64 * self.every
     }
@@ -94,14 +102,14 @@ pub(super) enum Stop {
 }
 
 impl State {
-    pub(super) fn new(q: Vec<f64>) -> Self {
+    pub(super) fn new(time: f64, q: Vec<f64>) -> Self {
         Self {
-            time: 0.0,
+            time,
             q,
             before: Vec::new(),
             idle: 0,
             moves: 0,
-            idle_since: 0.0,
+            idle_since: time,
             steps: 0,
         }
     }
@@ -117,10 +125,16 @@ impl State {
 }
 
 impl<'a> Run<'a> {
-    pub(super) fn new(system: &'a System, pairs: &'a Pairs, duration: f64, every: f64) -> Self {
+    /// From one time to another.
+    pub(super) fn new(
+        system: &'a System,
+        pairs: &'a Pairs,
+        [from, duration]: [f64; 2],
+        every: f64,
+    ) -> Self {
         let mut stops: Vec<f64> = (system.drives().iter())
             .flat_map(|(_, curve)| curve.corners())
-            .filter(|&t| t > 0.0 && t < duration)
+            .filter(|&t| t > from && t < duration)
             .chain([duration])
             .collect();
         stops.sort_by(|a, b| b.total_cmp(a));
@@ -129,7 +143,7 @@ impl<'a> Run<'a> {
             system,
             pairs,
             duration,
-            samples: Samples { every, next: 0 },
+            samples: Samples::after(from, every),
             stops,
             record: Record {
                 status: Status::Done,
@@ -146,6 +160,7 @@ impl<'a> Run<'a> {
             gave_up: None,
             rates: Vec::new(),
             settling: None,
+            interrupted: None,
         }
     }
 
@@ -204,6 +219,15 @@ impl<'a> Run<'a> {
         self.record
     }
 
+    /// The record of a simulation of which the user wants no more.
+    pub(super) fn stopped_short(mut self, state: State) -> Record {
+        let (time, q) = self.interrupted.take().unwrap_or((state.time, state.q));
+        let still = vec![0.0; q.len()];
+        self.record.trace.push(moment(time, &q, still));
+        self.end(time, &q, Status::Interrupted, None);
+        self.record
+    }
+
     fn is_settled(&self) -> bool {
         self.settling.as_ref().is_some_and(Settling::is_done)
     }
@@ -221,6 +245,7 @@ impl<'a> Run<'a> {
         loop {
             *steps += 1;
             if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
+                self.interrupted = Some((flow.time, flow.q));
                 return None;
             }
             while self.stops.last().is_some_and(|&s| s <= flow.time) {
@@ -321,8 +346,9 @@ impl<'a> Run<'a> {
 
     /// Where contacts may have changed: the rates before, and those with which it goes on.
     fn trace_instant(&mut self, flow: &Flow<'_>, q: &[f64]) {
-        if flow.time > 0.0 {
-            let rates = self.rates.clone();
+        if !self.record.trace.is_empty() {
+            let mut rates = self.rates.clone();
+            rates.resize(q.len(), 0.0);
             self.record.trace.push(moment(flow.time, q, rates));
         }
         let after = moment(flow.time, &flow.q, flow.velocity.rates.clone());
@@ -378,10 +404,10 @@ impl<'a> Run<'a> {
         }
     }
 
-    pub(super) fn end(&mut self, time: f64, q: &[f64], status: Status, reason: String) {
+    pub(super) fn end(&mut self, time: f64, q: &[f64], status: Status, reason: Option<String>) {
         self.record.until = time;
         self.record.status = status;
-        self.record.reason = Some(reason);
+        self.record.reason = reason;
         self.record.samples.retain(|s| s.t < time);
         // They are those before.
         let forces = (self.record.samples.last()).and_then(|s| s.forces.clone());
@@ -406,7 +432,7 @@ impl<'a> Run<'a> {
                 multiplier: *multiplier,
             })
             .collect();
-        self.end(time, q, Status::Jammed, reason);
+        self.end(time, q, Status::Jammed, Some(reason));
     }
 
     fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
@@ -418,7 +444,7 @@ impl<'a> Run<'a> {
         } else {
             format!("no set of these contacts leads on: {}", list.join("; "))
         };
-        self.end(time, q, Status::Undetermined, reason);
+        self.end(time, q, Status::Undetermined, Some(reason));
     }
 
     fn text(&self, bound: &Bound) -> String {

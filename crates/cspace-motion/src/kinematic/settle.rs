@@ -39,34 +39,39 @@ enum Settled {
     Lost(String),
 }
 
-/// Follows the motion from a configuration for some time. `None` if the user wants no more.
+/// Follows the motion from a configuration, from one time to another.
 pub(crate) fn run(
     system: &System,
     pairs: &Pairs,
     q: Vec<f64>,
-    duration: f64,
+    times: [f64; 2],
     every: f64,
     progress: &dyn Fn(f64) -> bool,
-) -> Option<Record> {
-    let mut run = Run::new(system, pairs, duration, every);
-    let mut state = State::new(q);
+) -> Record {
+    let mut run = Run::new(system, pairs, times, every);
+    let mut state = State::new(times[0], q);
     loop {
-        let stop = run.go(&mut state, progress)?;
+        let Some(stop) = run.go(&mut state, progress) else {
+            return run.stopped_short(state);
+        };
         if system.law() == Law::Balance && !matches!(stop, Stop::Over) {
-            match run.settle(state.time, &state.q, progress)? {
+            let Some(settled) = run.settle(state.time, &state.q, progress) else {
+                return run.stopped_short(state);
+            };
+            match settled {
                 Settled::At(q) => {
                     if state.moved(q) {
                         continue;
                     }
                 }
                 Settled::Lost(reason) => {
-                    run.end(state.time, &state.q, Status::Undetermined, reason);
-                    return Some(run.record);
+                    run.end(state.time, &state.q, Status::Undetermined, Some(reason));
+                    return run.record;
                 }
                 Settled::Stands | Settled::Slow => {}
             }
         }
-        return Some(run.stopped(state, stop));
+        return run.stopped(state, stop);
     }
 }
 
@@ -112,11 +117,11 @@ impl<'a> Run<'a> {
         forced: f64,
         progress: &dyn Fn(f64) -> bool,
     ) -> Option<Settled> {
-        let mut run = Run::new(steady, self.pairs, DURATION, f64::INFINITY);
+        let mut run = Run::new(steady, self.pairs, [0.0, DURATION], f64::INFINITY);
         run.told = self.told.clone();
         run.settling = Some(Settling::new(self.system, time, forced));
         let begun = start.clone();
-        let mut state = State::new(start);
+        let mut state = State::new(0.0, start);
         let stop = run.go(&mut state, &|_| progress(time / self.duration))?;
         let is_over = matches!(stop, Stop::Over);
         let over = run.settling.take();
@@ -162,9 +167,12 @@ impl<'a> Run<'a> {
             self.record
                 .events
                 .extend(record.events.into_iter().map(now));
-            // Where they were; where they are is told once it goes on.
+            // The way there; where they are is told once it goes on.
             let still = vec![0.0; begun.len()];
-            self.record.trace.push(moment(time, &begun, still));
+            let way = record.trace.into_iter().map(|at| at.coordinates);
+            let way = core::iter::once(begun).chain(way);
+            let told = way.map(|q| moment(time, &q, still.clone()));
+            self.record.trace.extend(told);
         }
         Some(Settled::At(end))
     }

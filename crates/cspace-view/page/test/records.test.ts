@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
-import { RecordError, partsAt, pathAt, readRecord, readRecordText } from "../src/ui/records.js";
+import { RecordError, pathAt, readRecord, readRecordText, stateAt } from "../src/ui/records.js";
 
 const path = [
   { x: 0, y: 0, theta: 0 },
@@ -48,14 +48,30 @@ describe("planned paths", () => {
 });
 
 describe("simulations", () => {
-  it("are told between samples", () => {
+  it("stand at a known state between samples", () => {
     const record = readRecord("s", simulation);
     assert.ok(record.kind === "simulation");
     assert.equal(record.duration, 3);
-    assert.deepEqual([...partsAt(record, 0.25)], [["wheel", 0.5], ["pawl", { x: 0.25, y: -0.5, theta: 2 }]]);
-    assert.deepEqual([...partsAt(record, 2)], [["wheel", 2.5], ["pawl", { x: 1, y: -2, theta: 8 }]]);
-    assert.deepEqual([...partsAt(record, 99)], [["wheel", 3], ["pawl", { x: 1, y: -2, theta: 8 }]]);
+    const parts = (t: number) => [...(stateAt(record, t)?.parts ?? [])];
+    assert.deepEqual(parts(0.25), [["wheel", 0], ["pawl", { x: 0, y: 0, theta: 0 }]]);
+    assert.deepEqual(parts(2), [["wheel", 2], ["pawl", { x: 1, y: -2, theta: 8 }]]);
+    assert.deepEqual(parts(99), [["wheel", 3], ["pawl", { x: 1, y: -2, theta: 8 }]]);
     assert.equal(record.summary, "jammed: a and b");
+  });
+
+  it("show what happens at once", () => {
+    const way = [0, 1, 2, 3, 4].map((x) => [1, x, x, 0, 0]);
+    const states = [[0, 0, 0, 0, 0], ...way, [3, 4, 4, 0, 0]];
+    const record = readRecord("s", { ...simulation, states, events: [{ t: 1, kind: "snap", part: "pawl" }, { t: 2, kind: "rest" }] });
+    assert.ok(record.kind === "simulation");
+    assert.ok(Math.abs(record.duration - 3.4) < 1e-12);
+    assert.deepEqual(record.ticks.map((t) => t.t), [1, 2.4]);
+    for (const [played, time, wheel] of [[0.9, 0, 0], [1, 1, 0], [1.25, 1, 2], [1.45, 1, 4], [3.4, 3, 4]] as const) {
+      const state = stateAt(record, played);
+      assert.equal(state?.time, time);
+      assert.equal(state?.parts.get("wheel"), wheel);
+    }
+    assert.throws(() => readRecord("s", { ...simulation, states: [[0, 0, 0]] }), /states\[0\]\[3\]/);
   });
 
   it("have their events as ticks", () => {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use cspace::Mechanism;
 use cspace_motion::{
     ContactInterval, Cycle, Energy, Event, Forces, Obstacle, PartCoordinates, Record, Report,
-    Sample, Status, System,
+    Sample, Status, System, Trajectory,
 };
 use serde::Serialize;
 
@@ -14,6 +14,8 @@ use serde::Serialize;
 pub(super) struct Wanted {
     pub(super) rates: bool,
     pub(super) forces: bool,
+    /// The states between samples, too.
+    pub(super) states: bool,
 }
 
 /// The whole answer.
@@ -28,6 +30,9 @@ pub(super) struct Told {
     /// Those that can move.
     pub(super) parts: Vec<String>,
     pub(super) samples: Vec<Row>,
+    /// Of a record that is kept: the states on the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) states: Option<States>,
     pub(super) events: Vec<Event>,
     pub(super) contacts: Vec<ContactInterval>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -36,6 +41,24 @@ pub(super) struct Told {
     pub(super) energy: Option<Energy>,
     pub(super) summary: Vec<String>,
     pub(super) seconds: f64,
+}
+
+/// All states of a motion that are known: each is its time, then the coordinates of all parts in their order, then their rates. Where contacts
+/// come and go there are several of one time; what goes at once from one balance to another passes through them.
+#[derive(Debug, Serialize)]
+#[serde(transparent)]
+pub(super) struct States(Vec<Vec<f64>>);
+
+impl States {
+    fn of(record: &Record) -> Self {
+        let trajectory = Trajectory::of(record);
+        let knots = trajectory.knots().iter();
+        let state = |s: &&Sample| {
+            let numbers = s.coordinates.iter().chain(&s.rates).copied();
+            core::iter::once(s.t).chain(numbers).collect()
+        };
+        Self(knots.map(state).collect())
+    }
 }
 
 /// All parts at a time.
@@ -148,6 +171,7 @@ impl Told {
             until: record.until,
             parts: moving(model, system).map(|(n, _)| n.to_owned()).collect(),
             samples: record.samples.iter().map(row).collect(),
+            states: wanted.states.then(|| States::of(record)),
             events: record.events.clone(),
             contacts: report.contacts.clone(),
             cycle: report.cycle.as_ref().map(|c| Period::of(model, c)),

@@ -130,7 +130,7 @@ mod tests {
         let limit = ContactForce {
             what: What::Limit {
                 part: "b".to_owned(),
-                limit: "upper",
+                limit: cspace_motion::End::Upper,
             },
             at: None,
             normal: 7.0,

@@ -4,6 +4,7 @@ mod answer;
 mod force;
 mod frames;
 mod picture;
+mod resume;
 mod scheme;
 mod table;
 mod text;
@@ -13,11 +14,11 @@ use std::time::Instant;
 
 use cspace::Mechanism;
 use cspace_io::shown;
-use cspace_motion::{Report, Settings, SimulateError, Simulation};
+use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
 
 use crate::args::{Format, Mode, SimulateArgs};
 use crate::failure::{Failure, note};
-use crate::interrupt::catch_interrupts;
+use crate::interrupt::{catch_interrupts, keep};
 use crate::output;
 use crate::picture::format;
 use crate::progress::Bar;
@@ -50,17 +51,29 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         time: args.time,
         every: args.every,
     };
-    let (simulation, record) = Bar::new(shown::text(&model.name).into_owned())
+    let way = match (mode, step) {
+        (Mode::Kinematic, _) => Way::Kinematic,
+        (Mode::Dynamic, None) => Way::Dynamic,
+        (Mode::Dynamic, Some(step)) => Way::Stepping(step),
+    };
+    let earlier = match &args.resume {
+        Some(file) => Some(resume::record(file, &model, args.time)?),
+        None => None,
+    };
+    let (simulation, mut record) = Bar::new(shown::text(&model.name).into_owned())
         .watch(|bar| {
-            let simulation = Simulation::new_with(&model, bar)?;
-            let record = match (mode, step) {
-                (Mode::Kinematic, _) => simulation.kinematic_with(&settings, bar)?,
-                (Mode::Dynamic, None) => simulation.dynamic_with(&settings, bar)?,
-                (Mode::Dynamic, Some(step)) => simulation.stepping_with(&settings, step, bar)?,
-            };
+            let mut simulation = Simulation::new_with(&model, bar)?;
+            if let Some(last) = earlier.as_ref().and_then(Record::last) {
+                simulation = simulation.taken_up(last)?;
+            }
+            keep();
+            let record = simulation.kept_with(way, &settings, bar)?;
             Ok((simulation, record))
         })
         .map_err(failed)?;
+    if let Some(earlier) = earlier {
+        record = record.after(earlier);
+    }
     for (a, b) in simulation.pairs().apart() {
         let name = |i: &usize| shown::quoted(model.parts[*i].part.name());
         note(format_args!("{} and {} never meet", name(a), name(b)));
@@ -79,6 +92,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let wanted = Wanted {
         rates: args.rates,
         forces: args.forces,
+        states: output.is_some_and(|o| args.result.format() == Format::Json && !is_csv(Some(o))),
     };
     let told = Told::of(
         &model,
@@ -99,19 +113,37 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     if let Some(format) = drawn {
         let scene = picture::scene(&simulation, &record, &report, &options)?;
         crate::picture::write(output, format, &scene)?;
+        output::write(None, &answer)?;
     } else if is_csv(output) {
         let csv = table::csv(&model, &simulation, &record, wanted)?;
         output::write(output, &csv)?;
+        output::write(None, &answer)?;
     } else {
-        return output::write(output, &answer);
+        output::write(output, &answer)?;
     }
-    output::write(None, &answer)
+    match record.status {
+        Status::Interrupted => Err(interrupted(args, record.until, wanted.states)),
+        _ => Ok(()),
+    }
+}
+
+/// That the motion was interrupted, and how to go on.
+fn interrupted(args: &SimulateArgs, until: f64, is_kept: bool) -> Failure {
+    let failure = Failure::work(format_args!("interrupted at {until:.6} s of {}", args.time));
+    match &args.result.output {
+        Some(record) if is_kept => failure.help(format_args!(
+            "what is done is in {0}: go on with --resume {0}",
+            record.display()
+        )),
+        _ => failure
+            .help("with -o RECORD.json what is done is kept, and --resume RECORD.json goes on"),
+    }
 }
 
 /// Refuses a name that does not say what is written, samples, answer or picture.
 fn check_name(path: Option<&Path>) -> Result<(), Failure> {
     const KNOWN: [&str; 3] = ["csv", "json", "txt"];
-    let Some((path, extension)) = path.and_then(|p| Some((p, p.extension()?))) else {
+    let Some((path, extension)) = path.and_then(|p| Some((p, output::extension(p)?))) else {
         return Ok(());
     };
     if KNOWN.iter().any(|k| extension.eq_ignore_ascii_case(k)) {
@@ -121,11 +153,11 @@ fn check_name(path: Option<&Path>) -> Result<(), Failure> {
         "{}: the extension does not tell what to write",
         path.display()
     ))
-    .help("let the name end in .csv for the samples, in .json or .txt for the answer, or in .svg, .png or .pdf for a picture"))
+    .help("let the name end in .csv for the samples, in .json or .txt for the answer (.gz after it to compress them), or in .svg, .png or .pdf for a picture"))
 }
 
 fn is_csv(path: Option<&Path>) -> bool {
-    (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
+    (path.and_then(output::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
 }
 
 /// Without masses the mode is kinematic, unless another is asked for.

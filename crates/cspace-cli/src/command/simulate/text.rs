@@ -19,6 +19,7 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt
         Status::Done => writeln!(text, "done: {until} s")?,
         Status::Jammed => writeln!(text, "jammed at {until:.9} s")?,
         Status::Undetermined => writeln!(text, "undetermined from {until:.9} s on")?,
+        Status::Interrupted => writeln!(text, "interrupted at {until:.9} s")?,
         Status::Inconsistent => writeln!(text, "inconsistent at {until:.9} s")?,
     }
     if let Some(reason) = &told.reason {

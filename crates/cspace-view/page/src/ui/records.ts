@@ -14,7 +14,10 @@ export type PlayableRecord =
   | { kind: "simulation"; name: string; duration: number; ticks: Tick[]; summary: string; parts: string[]; steps: Sample[] };
 
 export interface Sample {
+  /** When it is played, in seconds. */
   t: number;
+  /** When it was: what goes from one balance to another at once is played in some time. */
+  time: number;
   /** Coordinates by the names of parts: a placement, or the motion of a part with one degree of freedom. */
   parts: Map<string, Placement | number>;
 }
@@ -24,6 +27,10 @@ export class RecordError extends Error {}
 
 /** A planned path has no times: it is played in this many seconds. */
 const PATH_SECONDS = 6;
+/** And so is what goes from one balance to another at once. */
+const SNAP_SECONDS = 0.4;
+/** Where contacts come and go there are two states of one time; with more, parts go somewhere. */
+const OF_ONE_TIME = 4;
 
 type Json = Record<string, unknown>;
 
@@ -86,7 +93,7 @@ function configuration(name: string, c: unknown, index: number): Configuration {
 
 function readSimulation(name: string, record: Json): PlayableRecord {
   const parts = array(name, record["parts"], "parts").map(String);
-  const steps = array(name, record["samples"], "samples").map((row, i): Sample => {
+  const samples = array(name, record["samples"], "samples").map((row, i): Sample => {
     if (!isObject(row)) throw new RecordError(`${name}: samples[${i}] is no object`);
     const at = parts.map((part): [string, Placement | number] => {
       const value = row[part];
@@ -94,17 +101,64 @@ function readSimulation(name: string, record: Json): PlayableRecord {
       if (!Array.isArray(value)) return [part, number(name, value, place)];
       return [part, { x: number(name, value[0], place), y: number(name, value[1], place), theta: number(name, value[2], place) }];
     });
-    return { t: number(name, row["t"], `samples[${i}].t`), parts: new Map(at) };
+    const t = number(name, row["t"], `samples[${i}].t`);
+    return { t, time: t, parts: new Map(at) };
   });
-  if (steps.length === 0) throw new RecordError(`${name}: it has no samples`);
-  if (steps.some((s, i) => s.t < (steps[i - 1]?.t ?? -Infinity))) throw new RecordError(`${name}: the times of samples do not ascend`);
+  const first = samples[0];
+  if (!first) throw new RecordError(`${name}: it has no samples`);
+  const steps = "states" in record ? readStates(name, record["states"], first) : samples;
+  if (steps.some((s, i) => s.time < (steps[i - 1]?.time ?? -Infinity))) throw new RecordError(`${name}: the times of samples do not ascend`);
+  pace(steps);
   const ticks = array(name, record["events"] ?? [], "events").map((event, i) => {
     if (!isObject(event)) throw new RecordError(`${name}: events[${i}] is no object`);
-    return { t: number(name, event["t"], `events[${i}].t`), text: eventText(event) };
+    const t = number(name, event["t"], `events[${i}].t`);
+    return { t: played(steps, t), text: eventText(event) };
   });
   const reason = typeof record["reason"] === "string" ? `: ${record["reason"]}` : "";
   const duration = steps[steps.length - 1]?.t ?? 0;
   return { kind: "simulation", name, duration, ticks, summary: `${String(record["status"] ?? "done")}${reason}`, parts, steps };
+}
+
+/** States of all parts: each is its time, their coordinates in order, and more that is not looked at. */
+function readStates(name: string, states: unknown, first: Sample): Sample[] {
+  return array(name, states, "states").map((row, i): Sample => {
+    const numbers = array(name, row, `states[${i}]`);
+    let next = 0;
+    const take = () => number(name, numbers[next], `states[${i}][${next++}]`);
+    const time = take();
+    const parts = new Map<string, Placement | number>();
+    for (const [part, like] of first.parts) parts.set(part, typeof like === "number" ? take() : { x: take(), y: take(), theta: take() });
+    return { t: time, time, parts };
+  });
+}
+
+/** When a time of the motion is played: what happens at once begins then. */
+function played(steps: readonly Sample[], time: number): number {
+  let [lo, hi] = [0, steps.length];
+  while (lo < hi) {
+    const middle = (lo + hi) >> 1;
+    if ((steps[middle]?.time ?? Infinity) < time) lo = middle + 1;
+    else hi = middle;
+  }
+  const before = steps[lo - 1];
+  return time + (before ? before.t - before.time : 0);
+}
+
+/** Gives what happens at once some time to be seen. */
+function pace(steps: Sample[]): void {
+  let shift = 0;
+  for (let from = 0; from < steps.length; ) {
+    const time = steps[from]?.time;
+    let to = from + 1;
+    while (steps[to]?.time === time) to++;
+    const lasts = to - from > OF_ONE_TIME ? SNAP_SECONDS : 0;
+    for (let i = from; i < to; i++) {
+      const step = steps[i];
+      if (step) step.t = step.time + shift + (lasts * (i - from)) / Math.max(1, to - from - 1);
+    }
+    shift += lasts;
+    from = to;
+  }
 }
 
 function eventText(event: Json): string {
@@ -139,19 +193,10 @@ export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Co
   return null;
 }
 
-/** The coordinates of all parts of a simulation at a time. */
-export function partsAt(record: PlayableRecord & { kind: "simulation" }, t: number): Map<string, Placement | number> {
-  const [i, f] = between(record.steps, t);
-  const a = record.steps[i]?.parts ?? new Map<string, Placement | number>();
-  const b = record.steps[i + 1]?.parts ?? a;
-  const result = new Map<string, Placement | number>();
-  for (const [name, from] of a) {
-    const to = b.get(name) ?? from;
-    if (typeof from === "number") result.set(name, typeof to === "number" ? mix(from, to, f) : from);
-    else if (typeof to === "number") result.set(name, from);
-    else result.set(name, { x: mix(from.x, to.x, f), y: mix(from.y, to.y, f), theta: mix(from.theta, to.theta, f) });
-  }
-  return result;
+/** The last state of a simulation that is not after a time of its playing: between states nothing is known, and a straight line between two
+ * would lead through parts. */
+export function stateAt(record: PlayableRecord & { kind: "simulation" }, t: number): Sample | null {
+  return record.steps[between(record.steps, t)[0]] ?? null;
 }
 
 function isObject(value: unknown): value is Json {

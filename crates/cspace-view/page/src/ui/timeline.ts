@@ -3,7 +3,7 @@
 import { html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { short } from "./numbers.js";
-import { RecordError, partsAt, pathAt, readRecord, readRecordText } from "./records.js";
+import { RecordError, pathAt, readRecord, readRecordText, stateAt } from "./records.js";
 import type { PlayableRecord } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
@@ -141,7 +141,8 @@ export class Timeline {
     if (!record || !(changed.has("time") || changed.has("record"))) return;
     this.#scrub.value = String(state.time);
     const told = [...record.ticks].reverse().find((t) => t.t <= state.time);
-    say(this.#text, `${short(Number(state.time.toFixed(3)))} s of ${short(record.duration)} s · ${told ? told.text : record.summary}`);
+    const [now, end] = record.kind === "plan" ? [state.time, record.duration] : [stateAt(record, state.time)?.time ?? 0, record.steps.at(-1)?.time ?? 0];
+    say(this.#text, `${short(Number(now.toFixed(3)))} s of ${short(end)} s · ${told ? told.text : record.summary}`);
     if (changed.has("time")) this.#show(record, state.time);
   }
 
@@ -157,7 +158,8 @@ export class Timeline {
 
   #show(record: PlayableRecord, time: number): void {
     if (record.kind === "simulation") {
-      this.#session.setPlacements(this.#session.placementsBy(partsAt(record, time)));
+      const state = stateAt(record, time);
+      if (state) this.#session.setPlacements(this.#session.placementsBy(state.parts));
       return;
     }
     const c = pathAt(record, time);
@@ -173,7 +175,7 @@ export class Timeline {
     const named = record.ticks.length <= NAMED_TICKS;
     this.#ticks.replaceChildren(
       ...record.ticks.map(({ t, text }) => {
-        const tick = html("i", named ? { title: `${short(t)} s: ${text}` } : {});
+        const tick = html("i", named ? { title: text } : {});
         tick.style.left = `${record.duration > 0 ? (100 * t) / record.duration : 0}%`;
         return tick;
       }),
