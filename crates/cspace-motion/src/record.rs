@@ -38,6 +38,8 @@ pub enum EventKind {
     Limit,
     /// The balance of forces ends, and parts go to the next one at once.
     Snap,
+    /// What is driven cannot go on: a contact or an end of a range that forbids it.
+    Jam,
 }
 
 /// An end of a range.

@@ -93,7 +93,6 @@ impl Observer for Gathering<'_> {
             (Kind::Touch, Bound::Limit { .. }) => EventKind::Limit,
             (Kind::Impact, _) => EventKind::Impact,
             (Kind::Touch, _) => EventKind::Touch,
-            (Kind::Release, Bound::Limit { .. }) => return,
             (Kind::Release, _) => EventKind::Release,
             (Kind::Stick, _) => EventKind::Stick,
             (Kind::Slip, _) => EventKind::Slip,

@@ -4,7 +4,7 @@ use crate::contact::named;
 use crate::dynamic::{self, Ended, Options, State};
 use crate::error::SimulateError;
 use crate::pairs::Pairs;
-use crate::record::{Energy, Record, Status};
+use crate::record::{Energy, Event, EventKind, Record, Status};
 use crate::system::System;
 
 use super::bodies::Bodies;
@@ -130,6 +130,16 @@ pub(crate) fn run(
         Ended::Interrupted => (Status::Interrupted, None),
     };
     let until = motion.last.t;
+    if let Ended::Jammed { contacts } = &motion.ended {
+        let q = bodies.all(&motion.last).q;
+        let jams = contacts.iter().map(|&i| Event {
+            t: until,
+            kind: EventKind::Jam,
+            what: named(&bodies.system, pairs, &world.bound(i)),
+            at: world.place(i, &q).map(|p| [p.x, p.y]),
+        });
+        gathering.events.extend(jams);
+    }
     let end = gathering.told(&motion.last, None);
     let mut samples = gathering.samples;
     // The end is a sample, also where it is none of the even times, or misses one by rounding.

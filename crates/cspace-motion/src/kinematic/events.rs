@@ -73,9 +73,7 @@ impl Told {
         let before: Vec<Seen> = before.collect();
         let mut events = Vec::new();
         for old in before.iter().filter(|o| now.iter().all(|n| !same(o, n))) {
-            if let Bound::Contact(_) = old.0 {
-                events.push(event(system, pairs, flow.time, old, EventKind::Release));
-            }
+            events.push(event(system, pairs, flow.time, old, EventKind::Release));
         }
         let mut told: Vec<Seen> = Vec::new();
         for new in &now {

@@ -2,7 +2,7 @@
 
 use crate::contact::{Bound, LONGEST, Watch, named, pinched, touching};
 use crate::pairs::Pairs;
-use crate::record::{MOST_TRACED, Obstacle, Record, Sample, Status};
+use crate::record::{Event, EventKind, MOST_TRACED, Obstacle, Record, Sample, Status};
 use crate::system::System;
 
 use super::check::{goes_on, step};
@@ -432,6 +432,22 @@ impl<'a> Run<'a> {
                 multiplier: *multiplier,
             })
             .collect();
+        for (bound, _) in &obstacles {
+            let at = match bound {
+                Bound::Contact(touch) => {
+                    let pair = &self.pairs.list()[touch.pair];
+                    let at = pair.point(touch, self.system, q).ok();
+                    at.filter(|p| p.is_finite()).map(|p| [p.x, p.y])
+                }
+                Bound::Limit { .. } | Bound::Brake { .. } => None,
+            };
+            self.record.events.push(Event {
+                t: time,
+                kind: EventKind::Jam,
+                what: named(self.system, self.pairs, bound),
+                at,
+            });
+        }
         self.end(time, q, Status::Jammed, Some(reason));
     }
 

@@ -74,7 +74,8 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
             | EventKind::Stick
             | EventKind::Slip
             | EventKind::Limit
-            | EventKind::Snap => {}
+            | EventKind::Snap
+            | EventKind::Jam => {}
         }
     }
     all

@@ -81,7 +81,7 @@ fn the_end_of_a_range_jams() {
     assert!((record.until - 3.5).abs() < 1e-9, "{}", record.until);
     let limit = What::Limit {
         part: "block".to_owned(),
-        limit: "upper",
+        limit: cspace_motion::End::Upper,
     };
     assert!(record.obstacles.iter().any(|o| o.what == limit));
     assert!(

@@ -84,7 +84,7 @@ pub(crate) fn about(event: &Event) -> [String; 2] {
             names
         }
         What::Part { part } => [part.clone(), String::new()],
-        What::Limit { part, limit } => [part.clone(), (*limit).to_owned()],
+        What::Limit { part, limit } => [part.clone(), limit.to_string()],
     }
 }
 

@@ -94,6 +94,7 @@ pub(super) fn kind(event: &Event) -> &'static str {
         EventKind::Slip => "slip",
         EventKind::Limit => "limit",
         EventKind::Snap => "snap",
+        EventKind::Jam => "jam",
         EventKind::Rest => "rest",
     }
 }
