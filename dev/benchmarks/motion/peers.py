@@ -1,0 +1,41 @@
+"""What both comparisons need of their peers: compiled equations, and the order at which errors fall."""
+
+import ctypes
+import math
+import os
+import pathlib
+import subprocess
+
+
+def compiled(source, folder, name, numbers):
+    """Compiles `source` into a library in `folder`, writes the numbers into its global variable `name`; the library and its path."""
+    path = str(pathlib.Path(folder) / f"{source.stem}.so")
+    subprocess.run([os.environ.get("CC", "cc"), "-O2", "-shared", "-fPIC", "-o", path, source, "-lm"], check=True)
+    library = ctypes.CDLL(path)
+    (ctypes.c_double * len(numbers)).in_dll(library, name)[:] = numbers
+    return library, path
+
+
+def spent():
+    """Seconds of processor time so far, of this process and of the programs that it ran: others on the machine do not change them."""
+    return sum(os.times()[:4])
+
+
+def cost(runs, wanted):
+    """Of runs (step, error, seconds), the smallest step last: in words the order of the error, and the seconds that the wanted error takes.
+
+    The order is the slope of a straight line through the logarithms of all runs. Time grows as steps become more: the seconds are those of the first run that
+    reached the error, or extrapolated from the last run by the order.
+    """
+    points = [(math.log(step), math.log(error)) for step, error, _ in runs if error > 0]
+    if len(points) < 2:
+        return "order unknown: two runs at least are needed"
+    mx, my = (sum(values) / len(points) for values in zip(*points))
+    order = sum((x - mx) * (y - my) for x, y in points) / sum((x - mx) ** 2 for x, _ in points)
+    reached = [seconds for _, error, seconds in runs if error <= wanted]
+    if reached:
+        return f"order {order:.2f}, {wanted:g} in {reached[0]:.3g} s"
+    if order < 0.5:
+        return f"order {order:.2f}: {wanted:g} is out of reach"
+    _, error, seconds = runs[-1]
+    return f"order {order:.2f}, {wanted:g} in {seconds * (error / wanted) ** (1 / order):.3g} s (extrapolated)"
