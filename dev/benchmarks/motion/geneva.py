@@ -10,9 +10,9 @@ while the pin drives it. Where that is follows from a triangle: the pin's middle
 wheel's inertia, holds the wheel where nothing pushes it, as in the kinematic mode of `cspace simulate`.
 
 - `pymunk` moves convex polygons: outlines become chords that are nowhere farther from the arcs than `--chord`, cut into convex pieces by pymunk itself.
-  The driver is a kinematic body of constant rate, the brake a motor. Settings are given as pymunk has them, and tightened: contacts
+  The driver is a kinematic body of constant rate, the brake a motor. Settings are as pymunk has them, and in `tightened` contacts
   that may overlap by 1e-5 and not by 0.1, 30 iterations and not 10.
-- `siconos` has the arcs: geneva.c tells its MoreauJeanOSI the gap between each circle of the driver and the wheel's outline. The
+- `siconos` has the arcs: its MoreauJeanOSI calls geneva.c for the gap between each circle of the driver and the wheel's outline. The
   driver turns by an inertia of 1e20, and the brake is a damper that stops the wheel within milliseconds.
 
 Timed is processor time: of the peers that of the steps, without the making of their pieces; of cspace that of the whole process: reading the
@@ -177,7 +177,7 @@ def by_cspace(program, file, turns):
     """The same."""
     begun = peers.spent()
     command = [program, "simulate", file, "--time", str(turns + 1), "--every", "0.02", "--format", "json"]
-    answer = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
     seconds = peers.spent() - begun
     samples = answer["samples"]
     return [math.degrees(samples[round(50 * (turn + when))]["wheel"]) for turn in range(turns + 1) for when in TIMES], seconds
@@ -204,7 +204,7 @@ def refine(name, follow, steps):
     for step in steps:
         angles, seconds = follow(step)
         runs.append((step, *errors(angles), seconds))
-        print(f"{name:<22}{step:>10g}{runs[-1][1]:>14.3g}{runs[-1][2]:>14.3g}{seconds:>12.2f}", flush=True)
+        print(f"{name:<10}{step:>10g}{runs[-1][1]:>14.3g}{runs[-1][2]:>14.3g}{seconds:>12.2f}", flush=True)
     turn, place = (peers.cost([(run[0], run[which], run[3]) for run in runs], WANTED) for which in (1, 2))
     print(f"  of a turn: {turn}; of the place: {place}", flush=True)
 
@@ -213,26 +213,27 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--cspace", default="cspace")
     parser.add_argument("--turns", type=int, default=2)
+    parser.add_argument("--peers", nargs="+", choices=["siconos", "pymunk", "tightened"], default=["siconos", "pymunk", "tightened"])
     parser.add_argument("--steps", type=float, nargs="+", default=[1e-3, 1e-4, 1e-5])
     parser.add_argument("--chord", type=float, default=1e-2)
     options = parser.parse_args()
     file = pathlib.Path(__file__).resolve().parents[3] / "models" / "geneva.toml"
     model = tomllib.loads(file.read_text())
     print(f"{options.turns} turns after the first; errors in degrees")
-    print(f"{'program':<22}{'step, s':>10}{'of a turn':>14}{'of the place':>14}{'seconds':>12}")
+    print(f"{'program':<10}{'step, s':>10}{'of a turn':>14}{'of the place':>14}{'seconds':>12}")
     angles, seconds = by_cspace(options.cspace, str(file), options.turns)
     turn, place = errors(angles)
-    print(f"{'cspace':<22}{'':>10}{turn:>14.3g}{place:>14.3g}{seconds:>12.2f}", flush=True)
+    print(f"{'cspace':<10}{'':>10}{turn:>14.3g}{place:>14.3g}{seconds:>12.2f}", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         _, plugin = peers.compiled(pathlib.Path(__file__).with_suffix(".c"), folder, "drive", numbers(model))
         followed = {
             "siconos": lambda step: by_siconos(plugin, options.turns, step),
             "pymunk": lambda step: by_pymunk(model, options.turns, step, options.chord, False),
-            "pymunk tightened": lambda step: by_pymunk(model, options.turns, step, options.chord, True),
+            "tightened": lambda step: by_pymunk(model, options.turns, step, options.chord, True),
         }
-        for name, follow in followed.items():
+        for name in options.peers:
             try:
-                refine(name, follow, options.steps)
+                refine(name, followed[name], options.steps)
             except ImportError as missing:
                 print(f"{name} is left out: {missing}", file=sys.stderr)
 

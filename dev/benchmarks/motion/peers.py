@@ -10,7 +10,11 @@ import subprocess
 def compiled(source, folder, name, numbers):
     """Compiles `source` into a library in `folder`, writes the numbers into its global variable `name`; the library and its path."""
     path = str(pathlib.Path(folder) / f"{source.stem}.so")
-    subprocess.run([os.environ.get("CC", "cc"), "-O2", "-shared", "-fPIC", "-o", path, source, "-lm"], check=True)
+    compiler = os.environ.get("CC", "cc")
+    try:
+        subprocess.run([compiler, "-O2", "-shared", "-fPIC", "-o", path, source, "-lm"], check=True)
+    except FileNotFoundError:
+        raise SystemExit(f"{source.name} needs a C compiler, and there is no {compiler}: install one, or set CC to its name") from None
     library = ctypes.CDLL(path)
     (ctypes.c_double * len(numbers)).in_dll(library, name)[:] = numbers
     return library, path
@@ -29,7 +33,7 @@ def cost(runs, wanted):
     """
     points = [(math.log(step), math.log(error)) for step, error, _ in runs if error > 0]
     if len(points) < 2:
-        return "order unknown: two runs at least are needed"
+        return "order unknown: that takes two runs with an error"
     mx, my = (sum(values) / len(points) for values in zip(*points))
     order = sum((x - mx) * (y - my) for x, y in points) / sum((x - mx) ** 2 for x, _ in points)
     reached = [seconds for _, error, seconds in runs if error <= wanted]

@@ -157,7 +157,7 @@ def by_pymunk(toy, step, seconds):
 
 def by_cspace(program, file, seconds):
     command = [program, "simulate", file, "--time", str(seconds), "--format", "json"]
-    answer = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
     return [event["t"] for event in answer["events"] if event["kind"] == "impact" and event["moving"] == "bird"]
 
 
@@ -211,8 +211,8 @@ def main():
                 continue  # bodies turn: it has no linear equations
             try:
                 refine(name, lambda step: followed[name](toy, step, seconds), options, reference)
-            except ImportError as missing:
-                print(f"{name} is left out: {missing}", file=sys.stderr)
+            except (ImportError, RuntimeError) as why:
+                print(f"{name} is left out: {why}", file=sys.stderr)
 
 
 if __name__ == "__main__":
