@@ -1,9 +1,11 @@
 """What both comparisons need of their peers: compiled equations, and the order at which errors fall."""
 
 import ctypes
+import itertools
 import math
 import os
 import pathlib
+import statistics
 import subprocess
 
 
@@ -28,17 +30,16 @@ def spent():
 def cost(runs, wanted):
     """Of runs (step, error, seconds), the smallest step last: in words the order of the error, and the seconds that the wanted error takes.
 
-    The order is the slope of a straight line through the logarithms of all runs. Time grows as steps become more: the seconds are those of the first run that
-    reached the error, or extrapolated from the last run by the order.
+    The order is the median of the slopes between every two runs, in logarithms: a run whose error vanishes by chance does not move it much. The seconds are those of the
+    first run from which on all reached the error, or extrapolated from the last run by the order.
     """
     points = [(math.log(step), math.log(error)) for step, error, _ in runs if error > 0]
     if len(points) < 2:
         return "order unknown: that takes two runs with an error"
-    mx, my = (sum(values) / len(points) for values in zip(*points))
-    order = sum((x - mx) * (y - my) for x, y in points) / sum((x - mx) ** 2 for x, _ in points)
-    reached = [seconds for _, error, seconds in runs if error <= wanted]
+    order = statistics.median((b[1] - a[1]) / (b[0] - a[0]) for a, b in itertools.combinations(points, 2))
+    reached = list(itertools.takewhile(lambda run: run[1] <= wanted, reversed(runs)))
     if reached:
-        return f"order {order:.2f}, {wanted:g} in {reached[0]:.3g} s"
+        return f"order {order:.2f}, {wanted:g} in {reached[-1][2]:.3g} s"
     if order < 0.5:
         return f"order {order:.2f}: {wanted:g} is out of reach"
     _, error, seconds = runs[-1]

@@ -5,20 +5,19 @@
     dev/benchmarks/motion/run woodpecker --budget 20 --peers moreau siconos
     dev/benchmarks/motion/run woodpecker --glocker
 
-The toy of models/woodpecker.toml comes into a cycle, each 0.31 times as far from it as the one before, on the other side. Every program starts where the model starts
-and follows the toy for 1.6 s; its period is the mean of the last four. Peers begin with the step `--first`, in seconds, and divide it by 4 while the run is
-expected to take less than `--budget` seconds.
+The toy of models/woodpecker.toml comes into a cycle: each period is 0.31 times as far from the limit as the one before, on the other side. Every program starts where the model starts and follows the toy for 1.6 s; its period is the mean of the last four. Peers begin with
+the step `--first`, in seconds, and divide it by 4 while the run is expected to take less than `--budget` seconds.
 
 - `moreau` is woodpecker.c: the equations of motion written out by hand from the model's dimensions, and the scheme of Moreau for them.
 - `siconos` is its MoreauJeanOSI of the same equations, which it calls as a plug-in, with Lemke's method for the impulses.
 - `pymunk` moves two bodies with a pivot and a rotary spring: the two sides of the sleeve's bore as boxes, the beak as a circle.
 
-Peers count a period from one fall of the bird's angle through -0.3 to the next, cspace from one stroke of the beak to the next. Errors are those against
-cspace over 4 s. That would hide an error of cspace; so the limit of each peer is printed as well: its periods, of first order in the step, extrapolated
-from the two smallest steps to a step of 0.
+Peers count a period from one fall of the bird's angle through -0.3 to the next, cspace from one stroke of the beak to the next. Errors are relative,
+against cspace over 4 s. That would hide an error of cspace; so the limit of each peer is printed as well: its periods, taken to be of
+first order in the step, extrapolated from the two smallest steps to a step of 0.
 
-Timed is processor time: of the peers that of the steps, of cspace that of the whole process. Below the runs of each peer stand the order at which its error falls with the step, and the
-seconds that 1e-6 takes: measured where a run reached it, otherwise extrapolated from the last run by that order.
+Timed is processor time: of the peers that of the steps, of cspace that of the whole process. Below the runs of each peer stand the order at which its
+error falls with the step, and the seconds that 1e-6 takes: measured where a run reached it, otherwise extrapolated from the last run.
 
 With `--glocker` peers follow Glocker's own equations, linear in the angles, for 6 s. No model file has these. The period that is compared
 with is the one in crates/cspace-motion/tests/dynamic.rs, by the code of cspace that goes from event to event.
@@ -127,6 +126,7 @@ def by_pymunk(toy, step, seconds):
 
     space = pymunk.Space()
     space.gravity = (0, -toy.gravity)
+    # With 30 iterations the impulses of the wedged sleeve do not converge, and the period is 0.128 s for every step.
     space.iterations, space.collision_slop, space.collision_bias = 300, 1e-7, 0.0
     pole = pymunk.Poly(space.static_body, [(x, y) for x, y in toy.model["part"][0]["loops"][0]])
     pole.friction = pole.elasticity = 1  # those of two shapes are multiplied
