@@ -30,12 +30,12 @@ def spent():
 def cost(runs, wanted):
     """Of runs (step, error, seconds), the smallest step last: in words the order of the error, and the seconds that the wanted error takes.
 
-    The order is the median of the slopes between every two runs, in logarithms: a run whose error vanishes by chance does not move it much. The seconds are those of the
-    first run from which on all reached the error, or extrapolated from the last run by the order.
+    The order is the median of the slopes between every two runs, in logarithms: a run whose error vanishes by chance does not move it much. The seconds
+    are those of the first run from which on all reached the error, or extrapolated from the last run by the order.
     """
     points = [(math.log(step), math.log(error)) for step, error, _ in runs if error > 0]
-    if len(points) < 2:
-        return "order unknown: that takes two runs with an error"
+    if len(points) < 3:
+        return "order unknown: that takes three steps"
     order = statistics.median((b[1] - a[1]) / (b[0] - a[0]) for a, b in itertools.combinations(points, 2))
     reached = list(itertools.takewhile(lambda run: run[1] <= wanted, reversed(runs)))
     if reached:

@@ -5,8 +5,9 @@
     dev/benchmarks/motion/run woodpecker --budget 20 --peers moreau siconos
     dev/benchmarks/motion/run woodpecker --glocker
 
-The toy of models/woodpecker.toml comes into a cycle: each period is 0.31 times as far from the limit as the one before, on the other side. Every program starts where the model starts and follows the toy for 1.6 s; its period is the mean of the last four. Peers begin with
-the step `--first`, in seconds, and divide it by 4 while the run is expected to take less than `--budget` seconds.
+The toy of models/woodpecker.toml comes into a cycle: each period is 0.31 times as far from the limit as the one before, on the other side. Every
+program starts where the model starts and follows the toy for 1.6 s; its period is the mean of the last four. Peers begin with the step
+`--first`, in seconds, and divide it by 4 while the run is expected to take less than `--budget` seconds.
 
 - `moreau` is woodpecker.c: the equations of motion written out by hand from the model's dimensions, and the scheme of Moreau for them.
 - `siconos` is its MoreauJeanOSI of the same equations, which it calls as a plug-in, with Lemke's method for the impulses.
