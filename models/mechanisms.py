@@ -18,8 +18,7 @@ from draw import (
     ANCHOR_PIVOT, ESCAPE, LIFT, LIP, SWING, cam_profile, catch_section, gear_outline, wheel_and_anchor,
 )
 from drawing import Model, Outline, circle, meet_circles, moved, number, polar, rounded_polygon, unit, write_or_check
-
-GRAVITY = 9810.0  # mm/s²
+from forces import GRAVITY
 
 
 def mechanism(file, name, text):
