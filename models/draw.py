@@ -17,7 +17,7 @@ from drawing import (
     Model, Outline, circle, circle_through, meet_circles, meet_line_circle, meet_lines, moved, nearest, number,
     polar, rounded_polygon, unit, write_or_check,
 )
-from forces import GRAVITY, STEEL, placed
+from forces import GRAVITY, PLASTIC, STEEL, placed
 
 # ---------------------------------------------------------------- the models
 
@@ -62,7 +62,7 @@ def ratchet_and_pawl():
     return ratchet, pen.closed()
 
 
-def ratchet_mechanism():
+def ratchet_mechanism(spring="1e6", brake="1e8"):
     ratchet, pawl = ratchet_and_pawl()
     shaft, throw, disc, play = -100j, 19.5, 26.0, 0.1
     fork = disc + play  # half the fork's width
@@ -130,7 +130,7 @@ for them.
     m.pair("driver", "link", "Fixed axes: u is the driver's turn, v the link's.")
     m.pair("ratchet", "pawl", "Symmetric, 20-fold.")
     m.drive("driver", "360deg", "What moves it: the driver turns, a spring lays the pawl on the wheel, a brake holds the wheel.")
-    m.torque("pawl", "1e6").brake("ratchet", "1e8")
+    m.torque("pawl", spring).brake("ratchet", brake)
     return m
 
 
@@ -454,7 +454,6 @@ Both parts have their origin in the axis of the round pin, or of the bore: (x, y
     return m
 
 
-PLASTIC = "density = 1.05e-5 # ABS, 10 thick"
 LIP = -8.0  # of the catch: how far below the wall's face
 
 

@@ -5,6 +5,7 @@ Lengths are in mm, masses in kg and times in s, so forces are in mN, torques in 
 
 GRAVITY = 9810.0  # mm/s²
 STEEL = "density = 7.85e-5 # steel, 10 thick"
+PLASTIC = "density = 1.05e-5 # ABS, 10 thick"
 
 
 def placed(x, y, degrees=0.0):
@@ -29,6 +30,18 @@ class Forces:
         for key, value in (("gravity", pull), ("friction", friction), ("restitution", restitution)):
             if value is not None:
                 self.out += f"{key} = {value}\n"
+        return self
+
+    def weighed(self, file, text, world, masses):
+        """The same model under another name, with masses: `world` are lines that go for all parts, `masses` lines of parts by name."""
+        self.file, self.name = file, f"{self.name}, with masses"
+        head, parts = self.out.split('\nname = "', 1)
+        parts = parts.split('"\n', 1)[1].replace('unit = "mm"\n', 'unit = "mm"\n' + "".join(f"{line}\n" for line in world), 1)
+        for part, lines in masses.items():
+            before = f'[[part]]\nname = "{part}"\n'
+            assert parts.count(before) == 1, f"no part {part}"
+            parts = parts.replace(before, before + "".join(f"{line}\n" for line in lines))
+        self.out = f'{head}#\n{comment(text)}\nname = "{self.name}"\n{parts}'
         return self
 
     def drive(self, part, rate, text=""):
