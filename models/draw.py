@@ -189,7 +189,7 @@ middle of a space of the pinion.
     m.part("pinion", "", [("10 teeth", gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18))], symmetry=10, keys=[STEEL, placed(44, 0)])
     m.mounted("gear", [0j], 1e5, 100, text="The bearings, 44 apart, give way: both gears move a little aside.")
     m.mounted("pinion", [0j], 1e5, 100, 44)
-    m.torque("gear", 1200, "Set going from rest: the teeth meet, bounce, and from then on bear on one flank.")
+    m.torque("gear", 1200, "Set going from rest: the teeth meet, bounce in their backlash, and take each other along.")
     m.brake("pinion", 100, "What is driven: its resistance grows with the speed.")
     return m
 
@@ -573,7 +573,7 @@ inside and outside.
     m.part("clip", "", [("outline", pen.closed())], keys=[STEEL])
     m.part("ball", "", [("diameter 20", circle(0, 10.0))], keys=[STEEL, "rate = [300, 0, 0]"])
     m.mounted("clip", [-16 - 12j, -16 + 12j], 1e5, 100,
-              text="The clip on its stem. The ball, thrown at the mouth, is caught by the lips and comes to rest on the clip's bottom.")
+              text="The clip on its stem. The ball, thrown at the mouth, is caught by the lips and rolls to and fro on the clip's bottom.")
     return m
 
 
@@ -667,7 +667,7 @@ touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to abo
     m.part("tibia", "", [("outline", tibia)], keys=[BONE])
     m.mounted("femur", [-12 + 100j, 12 + 100j], 1e6, 1000, text="The rig holds the femur.")
     m.spring(("tibia", "femur"), (-12j, c_back), 3000, 20, 20, text="The ligaments hold the tibia to the condyle; they end in the middle of its back arc.")
-    m.torque("tibia", -120000, "The flexor: the tibia swings back, and rests bent by some 50 deg, where torque, weight and ligaments balance.")
+    m.torque("tibia", -120000, "The flexor: the tibia swings back, and rests bent by some 55 deg, where torque, weight and ligaments balance.")
     m.torsion(["tibia", "femur"], 0, damping=60000, text="What the tissue about the joint takes.")
     return m
 
