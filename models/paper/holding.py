@@ -78,6 +78,6 @@ At (x, y, theta) = (0, 0, 0) the tongue is snapped in, {gap:g} below the lip and
 """)
     m.part("socket", "The mouth's edge is the origin.", [("outline", socket)], keys=[STEEL])
     m.part("tongue", "Drawn snapped in.", [("outline", hook)], keys=["mass = 0.3 # with what it carries", "inertia = 60"])
-    m.mounted("socket", [-6 - 20j, 14 - 20j], 1e6, 500, text="The sheet of the socket, held at its foot.")
-    m.spring("tongue", (2 + 12j, 12 + 32j), 100, 0, 30, text="A pull askew: the tongue tilts in the mouth, its barb bears on the lip, and it holds.")
+    m.mounted("socket", [-6 - 20j, 14 - 20j], 1e6, 3000, text="The sheet of the socket, held at its foot.")
+    m.spring("tongue", (2 + 12j, 12 + 32j), 100, 0, 300, text="A pull askew: the tongue tilts in the mouth, its barb bears on the lip, and it holds.")
     return m.picture({})
