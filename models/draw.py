@@ -667,7 +667,7 @@ touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to abo
     m.part("tibia", "", [("outline", tibia)], keys=[BONE])
     m.mounted("femur", [-12 + 100j, 12 + 100j], 1e6, 1000, text="The rig holds the femur.")
     m.spring(("tibia", "femur"), (-12j, c_back), 3000, 20, 20, text="The ligaments hold the tibia to the condyle; they end in the middle of its back arc.")
-    m.torque("tibia", -120000, "The flexor: the tibia swings back, and rests bent by some 55 deg, where torque, weight and ligaments balance.")
+    m.torque("tibia", -120000, "The flexor: the tibia swings back, and rests bent by some 56 deg, where torque, weight and ligaments balance.")
     m.torsion(["tibia", "femur"], 0, damping=60000, text="What the tissue about the joint takes.")
     return m
 

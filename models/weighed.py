@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws models of this folder once more, with masses, friction and restitution: what drives and loads them is the same, or as told.
+"""Draws models of this folder once more, with masses, friction and restitution: what drives and loads them is the same, or the comment of the file gives the difference.
 
     python3 models/weighed.py            write every model file
     python3 models/weighed.py NAME ...   write these only (geneva_dynamic, ...)
