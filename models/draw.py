@@ -17,6 +17,7 @@ from drawing import (
     Model, Outline, circle, circle_through, meet_circles, meet_line_circle, meet_lines, moved, nearest, number,
     polar, rounded_polygon, unit, write_or_check,
 )
+from forces import GRAVITY, PLASTIC, STEEL, placed
 
 # ---------------------------------------------------------------- the models
 
@@ -61,7 +62,7 @@ def ratchet_and_pawl():
     return ratchet, pen.closed()
 
 
-def ratchet_mechanism():
+def ratchet_mechanism(spring="1e6", brake="1e8"):
     ratchet, pawl = ratchet_and_pawl()
     shaft, throw, disc, play = -100j, 19.5, 26.0, 0.1
     fork = disc + play  # half the fork's width
@@ -129,7 +130,7 @@ for them.
     m.pair("driver", "link", "Fixed axes: u is the driver's turn, v the link's.")
     m.pair("ratchet", "pawl", "Symmetric, 20-fold.")
     m.drive("driver", "360deg", "What moves it: the driver turns, a spring lays the pawl on the wheel, a brake holds the wheel.")
-    m.torque("pawl", "1e6").brake("ratchet", "1e8")
+    m.torque("pawl", spring).brake("ratchet", brake)
     return m
 
 
@@ -183,8 +184,13 @@ def gears():
 Each is drawn about its own axis. At the centre distance of 44, (x, y, theta) = (44, 0, 0), a tooth of the gear stands in the
 middle of a space of the pinion.
 """)
-    m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))], symmetry=12)
-    m.part("pinion", "", [("10 teeth", gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18))], symmetry=10)
+    m.world(friction=0.1, restitution=0.3)
+    m.part("gear", "", [("12 teeth", gear_outline(12, 4.0, 25, 1.25, 0.1, 1.0, 0))], symmetry=12, keys=[STEEL])
+    m.part("pinion", "", [("10 teeth", gear_outline(10, 4.0, 25, 1.25, 0.1, 1.0, 18))], symmetry=10, keys=[STEEL, placed(44, 0)])
+    m.mounted("gear", [0j], 1e5, 100, text="The bearings, 44 apart, give way: both gears move a little aside.")
+    m.mounted("pinion", [0j], 1e5, 100, 44)
+    m.torque("gear", 1200, "Set going from rest: the teeth meet, bounce in their backlash, and take each other along.")
+    m.brake("pinion", 100, "What is driven: its resistance grows with the speed.")
     return m
 
 
@@ -267,8 +273,16 @@ across, its stem 12.
 The cam has its axis at the origin and its dwell on top; the tappet has its origin where its axis meets the face, its stem
 up. At (x, y, theta) = (0, 34, 0) the tappet stands on the dwell; turned and shifted it may go anywhere about the cam.
 """)
-    m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)])
-    m.part("follower", "Origin in the middle of the face, stem to +y.", [("outline", pen.closed())])
+    m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
+    m.part("cam", "Axis at the origin, dwell to +y.", [("profile", cam)], keys=[
+        "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])
+    m.part("follower", "Origin in the middle of the face, stem to +y.", [("outline", pen.closed())], keys=[STEEL, placed(0, 34.1)])
+    m.mounted("cam", [0j], 1e6, 800, text="The cam's bearing: the cam turns, five times a second, and lifts the follower by 12.")
+    m.torque("cam", 1e5, "The motor.").brake("cam", 2000, "The motor's speed falls under load.")
+    for y in (15, 45):  # stays so long that the follower goes up and down between them
+        m.spring("follower", (complex(stem, y), complex(1000, y + 22)), 1e5, 1000 - stem, 10,
+                 text="The guide of the stem: two stays from far away." if y == 15 else "")
+    m.spring("follower", (55j, 109j), 2000, 40, 5, text="The valve's spring, from the stem's end up; 40 long when free.")
     return m
 
 
@@ -326,6 +340,8 @@ Drawn with the plate as far right as it works and the pin in the middle of the s
            f'{{ type = "prismatic", direction = [-1, 0], range = [-5, {length + 5:g}] }}')
     m.part("pin", "Slides to +y, with the rod that is to be lifted.", [(f"diameter {2 * pin:g}", circle(0, pin))],
            f'{{ type = "prismatic", direction = [0, 1], range = [-5, {lift + 5:g}] }}')
+    m.table("plate", [(0, 0), (0.75, length - 5), (1.5, 0), (2.25, length - 5), (3, 0)], "To and fro: the slot lifts the pin and lets it down.")
+    m.force("pin", (0, -50000), f"The weight of 5 kg on the rod: the pin rides on the slot's lower side, {play:g} below its middle.")
     return m
 
 
@@ -423,14 +439,18 @@ from being laid in turned over or end for end.
 
 Both parts have their origin in the axis of the round pin, or of the bore: (x, y, theta) = (0, 0, 0) is the plate in place.
 """)
+    m.world(friction=0.05, restitution=0.3)
     m.part("fixture", "Four pins that stand apart; the ground plate below them is not in this plane.", [
         ("round pin, diameter 10", circle(0, 5.0)),
         ("diamond pin, diameter 8, lands 2.4 wide", diamond),
         ("guard pin in the notch, diameter 12", circle(30 + 23j, 6.0)),
         ("guard pin at the chamfer, diameter 10", circle(corner, 5.0)),
-    ])
+    ], keys=["mass = 20", "inertia = 40000"])
     m.part("plate", "100 x 56, corners R6.", [
-        ("outline", plate), ("bore, diameter 10.1", circle(0, 5.05)), ("slot, 8.1 x 12.1", slot)])
+        ("outline", plate), ("bore, diameter 10.1", circle(0, 5.05)), ("slot, 8.1 x 12.1", slot)], keys=[STEEL, placed(0, 0, 180)])
+    m.mounted("fixture", [-20 - 40j, 80 - 40j, 30 + 60j], 2e6, 4000, text="The machine's table, on which the fixture is clamped.")
+    m.torque("plate", 3e4, "Laid in the wrong way round, the bore on the round pin, and turned: the guard pin of 12 stops the corner at -89 deg.")
+    m.brake("plate", 1e4, "Oil below the plate.")
     return m
 
 
@@ -471,8 +491,13 @@ Both are drawn engaged: at (x, y, theta) = (0, 0.05, 0) the hook is free, at (0,
         (10 + 0j, 0.3, "flange"), (10 + 4j, 1.0, "flange, top"),
     ])
     catch = catch_section()
-    m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch)])
-    m.part("hook", "Drawn engaged.", [("outline", hook)])
+    m.world(friction=0.15, restitution=0.3)
+    m.part("catch", "The wall's face is the x axis, the mouth reaches from 0 to 3.9.", [("section", catch)], keys=[PLASTIC])
+    m.part("hook", "Drawn engaged.", [("outline", hook)], keys=[
+        "mass = 0.3 # with its cover", "inertia = 60", "center_of_mass = [2, 4]", placed(0, 16)])
+    m.mounted("catch", [-6 - 19j, 13 - 19j], 1e6, 100, text="The housing, which gives way a little.")
+    m.mounted("hook", [-2 + 4j, 6 + 4j], 100, 10, 3j,
+              text="A soft hand pushes the hook in. Its head goes aside at the chamfer and into the mouth, but it is stiff: it stays there.")
     return m
 
 
@@ -497,8 +522,10 @@ The shank is 18 long, with an end chamfer 1.5 x 30 deg and a fillet R0.6 under t
 The block has its origin in the middle of the mouth, the peg in the middle of the collar's underside: (x, y, theta) = (0, 0, 0)
 is the seated peg, (0, 18, 0) the peg with its end in the mouth.
 """)
-    m.part("block", "40 x 32, corners R2.", [("section", block)])
-    m.part("peg", "Shank to -y.", [("outline", peg)])
+    m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
+    m.part("block", "40 x 32, corners R2.", [("section", block)], keys=[STEEL])
+    m.part("peg", "Shank to -y.", [("outline", peg)], keys=[STEEL, placed(0.4, 24, 2)])
+    m.mounted("block", [-16 - 30j, 16 - 30j], 1e6, 1000, text="The block stands on the bench. The peg falls askew, finds the chamfer, and comes to rest on its collar.")
     return m
 
 
@@ -519,10 +546,14 @@ The lid lies on the block, with one end under a lip of the box and the other und
 right wall. The keeper is a piece of the box: what joins the two lies before and behind the section. Parts touch where they bear on
 each other, and are drawn so.
 """)
+    m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
     m.part("box", "96 x 62.", [("section", box), ("keeper", keeper)], '{ type = "fixed" }')
-    m.part("block", "60 x 34.", [("outline", block)])
-    m.part("lid", "78 x 6, 1 clear at both ends.", [("outline", lid)])
-    m.part("bolt", "30 x 6.", [("outline", bolt)])
+    m.part("block", "60 x 34.", [("outline", block)], keys=[STEEL])
+    m.part("lid", "78 x 6, 1 clear at both ends.", [("outline", lid)], keys=[STEEL])
+    m.part("bolt", "30 x 6.", [("outline", bolt)], keys=[STEEL, placed(25, 0)])
+    m.mounted("bolt", [76 + 43j, 100 + 43j], 300, 3, 27, text="A hand has drawn the bolt out of the keeper, which it fills, and holds it.")
+    m.spring("lid", (79 + 40j, 75 + 95j), 60, 20, 30,
+             text="A spring with a damper lifts the lid's free end: it turns on the block, its other end goes down, and it stays open at some 29 deg.")
     return m
 
 
@@ -538,8 +569,11 @@ The clip has R12 inside and R20 outside and is open over 50 deg to +x; its lips 
 mouth of some 11, so the ball, with play of 2 all round, cannot leave: at every orientation its free space is in two pieces,
 inside and outside.
 """)
-    m.part("clip", "", [("outline", pen.closed())])
-    m.part("ball", "", [("diameter 20", circle(0, 10.0))])
+    m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
+    m.part("clip", "", [("outline", pen.closed())], keys=[STEEL])
+    m.part("ball", "", [("diameter 20", circle(0, 10.0))], keys=[STEEL, "rate = [300, 0, 0]"])
+    m.mounted("clip", [-16 - 12j, -16 + 12j], 1e5, 100,
+              text="The clip on its stem. The ball, thrown at the mouth, is caught by the lips and rolls to and fro on the clip's bottom.")
     return m
 
 
@@ -584,6 +618,9 @@ wheel by 60 deg the other way. The crank's arm lies below the wheel and is not i
     return m
 
 
+BONE = "density = 5.7e-5 # bone, 30 thick"
+
+
 def knee():
     # The femur's condyle: from the back, arcs whose radii grow and shrink again, each tangent to the next.
     distal, back, front = 36.0, 21.0, 27.0
@@ -625,8 +662,13 @@ out in front. Front is +x.
 The femur has its origin in the lowest point of the condyle, the tibia in the lowest point of the plateau: in extension they
 touch at (x, y, theta) = (0, 0, 0); in flexion the tibia turns clockwise, to about -110 deg.
 """)
-    m.part("femur", "", [("outline", femur)])
-    m.part("tibia", "", [("outline", tibia)])
+    m.world(gravity=(0, -GRAVITY), friction=0.02)
+    m.part("femur", "", [("outline", femur)], keys=[BONE])
+    m.part("tibia", "", [("outline", tibia)], keys=[BONE])
+    m.mounted("femur", [-12 + 100j, 12 + 100j], 1e6, 1000, text="The rig holds the femur.")
+    m.spring(("tibia", "femur"), (-12j, c_back), 3000, 20, 20, text="The ligaments hold the tibia to the condyle; they end in the middle of its back arc.")
+    m.torque("tibia", -120000, "The flexor: the tibia swings back, and rests bent by some 56 deg, where torque, weight and ligaments balance.")
+    m.torsion(["tibia", "femur"], 0, damping=60000, text="What the tissue about the joint takes.")
     return m
 
 

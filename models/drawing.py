@@ -11,6 +11,7 @@ import re
 import sys
 from pathlib import Path
 
+from forces import Forces, comment, number
 from picture import svg
 
 # ---------------------------------------------------------------- points and intersections
@@ -197,26 +198,10 @@ def rounded_polygon(corners):
 # ---------------------------------------------------------------- model files
 
 
-def number(x):
-    return repr(0.0 if abs(x) < 1e-14 else float(x))
-
-
-def comment(text, indent=""):
-    return "".join(f"{indent}# {line}".rstrip() + "\n" for line in text.strip("\n").splitlines())
-
-
-class Model:
+class Model(Forces):
     def __init__(self, file, name, text):
         self.file, self.name, self.parts, self.pictures = file, name, [], []
         self.out = comment(text) + f'\nname = "{name}"\nunit = "mm"\n'
-
-    def world(self, gravity=None, friction=None, restitution=None):
-        """What goes for all parts. Comes before them."""
-        pull = f"[{gravity[0]:g}, {gravity[1]:g}]" if gravity else None
-        for key, value in (("gravity", pull), ("friction", friction), ("restitution", restitution)):
-            if value is not None:
-                self.out += f"{key} = {value}\n"
-        return self
 
     def part(self, name, text, loops, motion=None, symmetry=None, keys=()):
         """`loops` is a list of (what it is, edges), `keys` are lines such as `mass = 0.3`."""
@@ -255,40 +240,6 @@ class Model:
 
     def pair(self, fixed, moving, text=""):
         self.out += "\n" + comment(text) + f'[[pair]]\nfixed = "{fixed}"\nmoving = "{moving}"\n'
-        return self
-
-    def drive(self, part, rate, text=""):
-        self.out += "\n" + comment(text) + f'[[drive]]\npart = "{part}"\nrate = "{rate}"\n'
-        return self
-
-    def table(self, part, points, text=""):
-        rows = ", ".join(f"[{t:g}, {u}]" for t, u in points)
-        self.out += "\n" + comment(text) + f'[[drive]]\npart = "{part}"\ntable = [{rows}]\n'
-        return self
-
-    def force(self, part, force, text=""):
-        self.out += "\n" + comment(text) + f'[[load]]\npart = "{part}"\nforce = [{force[0]}, {force[1]}]\n'
-        return self
-
-    def torque(self, part, torque, text=""):
-        self.out += "\n" + comment(text) + f'[[load]]\npart = "{part}"\ntorque = {torque}\n'
-        return self
-
-    def spring(self, part, at, stiffness, length, damping=0, text=""):
-        """From a point of a part to a point of the ground."""
-        points = ", ".join(f"[{number(p.real)}, {number(p.imag)}]" for p in at)
-        self.out += "\n" + comment(text) + f'[[spring]]\nparts = ["{part}"]\nat = [{points}]\nstiffness = {stiffness:g}\n'
-        self.out += f"length = {number(length)}\n" + (f"damping = {damping:g}\n" if damping else "")
-        return self
-
-    def torsion(self, parts, stiffness, angle="0deg", damping=0, text=""):
-        names = ", ".join(f'"{p}"' for p in parts)
-        self.out += "\n" + comment(text) + f'[[spring]]\ntype = "torsion"\nparts = [{names}]\nstiffness = {stiffness:g}\n'
-        self.out += f'angle = "{angle}"\n' + (f"damping = {damping:g}\n" if damping else "")
-        return self
-
-    def brake(self, part, damping, text=""):
-        self.out += "\n" + comment(text) + f'[[spring]]\ntype = "torsion"\nparts = ["{part}"]\ndamping = {damping}\n'
         return self
 
 

@@ -18,8 +18,7 @@ from draw import (
     ANCHOR_PIVOT, ESCAPE, LIFT, LIP, SWING, cam_profile, catch_section, gear_outline, wheel_and_anchor,
 )
 from drawing import Model, Outline, circle, meet_circles, moved, number, polar, rounded_polygon, unit, write_or_check
-
-GRAVITY = 9810.0  # mm/s²
+from forces import GRAVITY
 
 
 def mechanism(file, name, text):
@@ -181,7 +180,7 @@ To be seen: twice a turn the contact goes to the other flank and back again, eac
     return m
 
 
-def snap_in():
+def snap_in(damping=0):
     slope = math.tan(math.radians(10))
     right, barb, hinge = 3.7, 5.1, 1.95 - 1.5j
     top = LIP - 0.15 - (right - 3.9) * slope
@@ -220,7 +219,7 @@ again, because there is no friction here: with more than tan 10 deg it would hol
     way = [(k / steps, away + (seat - away) * pushed(k / steps)) for k in range(steps + 1)]
     way += [(1 + 0.5 * k / 5, seat) for k in range(1, 5)] + [(2.5 - t, u) for t, u in reversed(way)]
     m.table("cover", [(t, f"{u:.6f}") for t, u in way], "In, a rest, and out.")
-    m.torsion(["hook", "cover"], 4e6, text="The beam's stiffness.")
+    m.torsion(["hook", "cover"], 4e6, damping=damping, text="The beam's stiffness.")
     return m
 
 

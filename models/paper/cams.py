@@ -5,6 +5,7 @@ import math
 
 from common import RECONSTRUCTION, rectangle, stadium
 from drawing import Model, Outline, circle, dot, moved, polar, rounded_polygon, unit
+from forces import GRAVITY, STEEL, number, placed as start
 
 
 def cam():
@@ -34,8 +35,17 @@ axis, the face stands at 8 + 24 cos u while it is on the nose, up to u = {side:g
 
 The follower's origin is in the middle of its face: (x, y, theta) = (0, 32, 0) is the full lift.
 """)
-    m.part("cam", "Axis at the origin, nose to +y.", [("profile", plate)])
-    m.part("follower", "Stem to +y.", [("outline", follower)])
+    m.world(gravity=(0, -GRAVITY), friction=0.05, restitution=0.2)
+    m.part("cam", "Axis at the origin, nose to +y.", [("profile", plate)], keys=[
+        "mass = 2 # with its shaft and flywheel", "inertia = 2000", "rate = [0, 0, 31.4]"])
+    m.part("follower", "Stem to +y.", [("outline", follower)], keys=[STEEL, start(0, 32.1)])
+    m.mounted("cam", [0j], 1e6, 800, text="The cam's bearing: the cam turns, five times a second, and lifts the follower by 12.")
+    m.torque("cam", 1e5, "The motor.").brake("cam", 2000, "The motor's speed falls under load.")
+    for y in (15, 50):  # stays so long that the follower goes up and down between them
+        m.spring("follower", (complex(stem, y), complex(1000, y + 20)), 1e5, 1000 - stem, 10,
+                 text="The guide of the stem: two stays from far away." if y == 15 else "")
+    m.spring("follower", (complex(0, length), complex(0, length + 52)), 2000, 40, 5,
+             text="The follower's spring, from the stem's end up; 40 long when free.")
     return m.picture({"follower": (0, 32j)})
 
 
@@ -64,8 +74,13 @@ its middle, away from the side that bears.
 
 The block's origin is in its middle: at ({low + r:g}, 0, 0) it is at the inner end of the slot, at ({high - r:g}, 0, 0) at the outer.
 """)
-    m.part("crank", "Axis at the origin, slot to +x.", [("outline", bar), ("slot", slot), ("bore", circle(0, 8.0))])
-    m.part("slider", "", [("block", die), ("bore", circle(2j, 3.5))])
+    m.world(gravity=(0, -GRAVITY), friction=0.15)
+    m.part("crank", "Axis at the origin, slot to +x.", [("outline", bar), ("slot", slot), ("bore", circle(0, 8.0))],
+           keys=[STEEL, "rate = [0, 0, 6]"])
+    m.part("slider", "", [("block", die), ("bore", circle(2j, 3.5))], keys=[STEEL, start(40, 0), "rate = [0, 240, 6]"])
+    m.mounted("crank", [0j], 1e6, 500, text="The crank's bearing.")
+    m.torque("crank", 6e5, "The motor turns the crank about once a second; the block slides down the slot each time it points down.")
+    m.brake("crank", 1e5, "The motor's speed falls under load.")
     return m.picture({"slider": (0, 70)})
 
 
@@ -122,8 +137,16 @@ withdraws, and goes back up.
 The frame's origin is in the middle of the window, the cam's in the middle of the triangle. The cam's orientation in
 the window settles its position, but for {play:g} to any side: ({placed(0).real:g}, {placed(0).imag:.6f}, 0) is one of them.
 """)
-    m.part("frame", "Claw to +x.", loops)
-    m.part("cam", "A corner to +y.", [("three lobes", lobes)], symmetry=3)
+    shaft = corners[0] + placed(0)
+    m.world(friction=0.1, restitution=0.2)
+    m.part("frame", "Claw to +x.", loops, keys=[STEEL])
+    m.part("cam", "A corner to +y.", [("three lobes", lobes)], symmetry=3, keys=[
+        "mass = 1 # with its shaft and flywheel", "inertia = 500", f"center_of_mass = [0, {number(corners[0].imag)}]",
+        start(placed(0).real, placed(0).imag), f"rate = [{number(-6 * corners[0].imag)}, 0, -6]"])
+    m.spring("cam", (corners[0], shaft), 1e6, 0, 1000, text="The bearing of the shaft.")
+    m.torque("cam", -12000, "The motor turns the cam once a second: it carries the frame around a square of 19.")
+    m.brake("cam", 2000, "The motor's speed falls under load.")
+    m.torsion(["frame"], 1e7, damping=10000, text="The guide slots keep the frame from turning.")
     turn, film, hole, apart = 75.0, edge + arm - 3.0, 1.98, 4.75
     webs = [rectangle(complex(film, low + hole), complex(film + 0.6, low + apart))
             for low in (edge - claw - 0.05 + apart * k for k in range(-4, 1))]

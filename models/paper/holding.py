@@ -2,6 +2,7 @@
 
 from common import RECONSTRUCTION, rectangle
 from drawing import Model, rounded_polygon
+from forces import GRAVITY, STEEL, placed
 
 
 def blocks():
@@ -19,8 +20,11 @@ which clears the fillet: with this corner in the angle it seats on bed and fence
 
 At (x, y, theta) = (0, 0, 0) the block is seated.
 """)
-    m.part("angle", "The corner of the angle is the origin.", [("outline", seat)])
-    m.part("block", "The rounded corner is at the origin.", [("outline", block)])
+    m.world(gravity=(0, -GRAVITY), friction=0.15, restitution=0.3)
+    m.part("angle", "The corner of the angle is the origin.", [("outline", seat)], keys=[STEEL])
+    m.part("block", "The rounded corner is at the origin.", [("outline", block)], keys=[STEEL, placed(12, 6, -8)])
+    m.mounted("angle", [-15 - 15j, 45 - 15j], 1e6, 1000, text="The angle stands on the bench.")
+    m.force("block", (-150, 0), "The block is dropped, pushed to the fence, and comes to rest seated.")
     return m.picture({})
 
 
@@ -42,8 +46,12 @@ place and one direction. The pads are ground square, 12 x 12; the workpiece is a
 
 At (x, y, theta) = (0, 0, 0) the workpiece lies on all three pads.
 """)
-    m.part("fixture", "Pads that stand apart; the plate that carries them is not in this plane.", pads)
-    m.part("workpiece", "The located corner is the origin.", [("outline", work)])
+    m.world(friction=0.15, restitution=0.3)
+    m.part("fixture", "Pads that stand apart; the plate that carries them is not in this plane.", pads, keys=["mass = 10", "inertia = 20000"])
+    m.part("workpiece", "The located corner is the origin.", [("outline", work)], keys=[STEEL, placed(5, 8, 5)])
+    m.mounted("fixture", [-10 - 10j, 70 - 10j], 2e6, 4000, text="The machine's table, on which the fixture is clamped.")
+    m.spring("workpiece", (38 + 24j, -12 - 36j), 100, 0, 5,
+             text="The clamp pulls the workpiece, laid in askew, against all three pads; it comes to rest located.")
     return m.picture({})
 
 
@@ -68,6 +76,8 @@ floor, and parts that do not bend cannot come apart. The sheet is cut with sharp
 
 At (x, y, theta) = (0, 0, 0) the tongue is snapped in, {gap:g} below the lip and as much above the floor.
 """)
-    m.part("socket", "The mouth's edge is the origin.", [("outline", socket)])
-    m.part("tongue", "Drawn snapped in.", [("outline", hook)])
+    m.part("socket", "The mouth's edge is the origin.", [("outline", socket)], keys=[STEEL])
+    m.part("tongue", "Drawn snapped in.", [("outline", hook)], keys=["mass = 0.3 # with what it carries", "inertia = 60"])
+    m.mounted("socket", [-6 - 20j, 14 - 20j], 1e6, 3000, text="The sheet of the socket, held at its foot.")
+    m.spring("tongue", (2 + 12j, 12 + 32j), 100, 0, 300, text="A pull askew: the tongue tilts in the mouth, its barb bears on the lip, and it holds.")
     return m.picture({})

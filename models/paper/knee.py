@@ -2,6 +2,9 @@
 
 from common import RECONSTRUCTION
 from drawing import Edge, Model, Outline, meet_line_circle, meet_lines, nearest, polar, rounded_polygon
+from forces import placed
+
+BONE = "density = 5.7e-5 # bone, 30 thick"
 
 
 def chain(start, heading, steps):
@@ -92,8 +95,13 @@ The femur's origin is the lowest point of its condyle, the tibia's the lowest po
 (x, y, theta) = (0, 0, 0). Flexed by theta, up to 115 deg, the femur slides in the dish, and its arcs come to
 bear one after the other.
 """)
-    m.part("tibia", "Plateau on top.", [("outline", tibia), ("marrow", canals[1])])
-    m.part("femur", "Condyle below.", [("outline", femur), ("marrow", canals[0])])
+    m.world(friction=0.02)
+    m.part("tibia", "Plateau on top.", [("outline", tibia), ("marrow", canals[1])], keys=[BONE])
+    m.part("femur", "Condyle below.", [("outline", femur), ("marrow", canals[0])], keys=[BONE, placed(0, 0.5, 5)])
+    m.mounted("tibia", [-12 - 90j, 10 - 90j], 1e6, 1000, text="The tibia is held.")
+    m.spring(("femur", "tibia"), (-8 + 24j, -4 - 12j), 3000, 20, 20, text="The ligaments hold the condyle to the plateau.")
+    m.torque("femur", 60000, "The flexor: the femur rolls and slides in the dish and comes to rest bent, where the extensor balances it.")
+    m.torsion(["femur", "tibia"], 40000, damping=30000, text="The extensor.")
     flexed, joint = 60.0, -90.0
     centre, before, left = 0j, 0.0, flexed  # of the arc that bears on the lowest point of the dish
     for radius, degrees in FEMUR_BACK:
@@ -126,6 +134,9 @@ lateral is -x.
 
 At (x, y, theta) = (0, 0, 0) both facets lie on the sides of the groove, which holds the patella sideways.
 """)
-    m.part("femur", "The sides of the groove meet in the origin.", [("section", femur)])
-    m.part("patella", "The facets meet in the origin.", [("section", patella)])
+    m.part("femur", "The sides of the groove meet in the origin.", [("section", femur)], keys=[BONE])
+    m.part("patella", "The facets meet in the origin.", [("section", patella)], keys=[BONE, placed(-8, 8, 15)])
+    m.mounted("femur", [-20 - 40j, 20 - 40j], 1e6, 1000, text="The femur is held.")
+    m.spring("patella", (10j, -30j), 500, 20, 30,
+             text="The tendon pulls the patella, displaced to the side, back into the groove, where it comes to rest.")
     return m.picture({})

@@ -7,6 +7,7 @@ from common import RECONSTRUCTION
 from drawing import (
     Model, Outline, circle, dot, meet_circles, meet_line_circle, moved, nearest, polar, unit,
 )
+from forces import STEEL, placed
 
 
 def tangent_line(c, r, e, s):
@@ -64,10 +65,15 @@ clockwise the face of a tooth meets the pawl's nose and locks. The pawl has a ta
 The pawl's frame has its origin in the pivot, which stands at (42, 56) from the wheel's axis: at (x, y, theta) = (42, 56, 0)
 the pawl is engaged, 0.05 clear of the face of the tooth at the top.
 """)
-    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [(f"{teeth} teeth", ratchet)], symmetry=teeth)
+    m.world(restitution=0.3)
+    m.part("ratchet", "Axis at the origin; tooth 1 has its tip on the x axis.", [(f"{teeth} teeth", ratchet)], symmetry=teeth,
+           keys=["mass = 2 # with its drum", "inertia = 3000", "rate = [0, 0, 4]"])
     m.part("pawl", "Pivot at the origin; the nose points to -x.", [
         ("outline", moved(pen.closed(), 1, -pivot)), ("pivot hole", circle(0, 4.0)), ("spring hole", circle(end - pivot, 1.2)),
-        ("lifting hole", circle((end - pivot) * 0.6, 1.5))])
+        ("lifting hole", circle((end - pivot) * 0.6, 1.5))], keys=[STEEL, placed(pivot.real, pivot.imag)])
+    m.mounted("ratchet", [0j], 1e6, 1000, text="The bearings of wheel and pawl.").mounted("pawl", [0j], 1e6, 300, pivot)
+    m.torque("ratchet", -20000, "The load: the wheel, set going against it, turns some teeth on, comes back, and the pawl catches it.")
+    m.torque("pawl", 3000, "The spring lays the pawl on the wheel.")
     return m.picture({"pawl": (0, pivot)})
 
 
@@ -114,9 +120,14 @@ that carries the pin is screwed on below; it is not in the plane of the wheel, s
 Each part has its origin in its axis. Wheel turned by w, driver by d: (x, y) is ({distance:.3f}, 0) turned by -w, theta = d - w. With
 w = 0 and d = 0 the disc holds a locking arc and the pin is on the far side.
 """)
-    m.part("wheel", "Slots at 45 deg to the axes.", [("four slots, four locking arcs", wheel)], symmetry=4)
+    m.world(friction=0.1, restitution=0.2)
+    m.part("wheel", "Slots at 45 deg to the axes.", [("four slots, four locking arcs", wheel)], symmetry=4, keys=[STEEL])
     m.part("driver", "Pin to +x.", [
-        ("locking disc", body), (f"pin, diameter {2 * pin:g}", circle(crank, pin)), ("bore with keyway", bore), *holes])
+        ("locking disc", body), (f"pin, diameter {2 * pin:g}", circle(crank, pin)), ("bore with keyway", bore), *holes], keys=[
+            "mass = 1 # with its shaft and flywheel", "inertia = 2000", "center_of_mass = [0, 0]", placed(distance, 0), "rate = [0, 0, 6.28]"])
+    m.mounted("wheel", [0j], 3e6, 2000, text="The bearings.").mounted("driver", [0j], 3e6, 2000, distance)
+    m.torque("driver", 62800, "The motor turns the driver once a second, and the driver steps the wheel by 90 deg a turn.")
+    m.brake("driver", 10000, "The motor's speed falls under load.")
     d = math.radians(-30)  # the pin's way to go until it is half way
     w = -math.degrees(math.atan2(crank * math.sin(d), distance - crank * math.cos(d))) - 45
     return m.picture({"wheel": (w, 0), "driver": (180 + math.degrees(d), distance)})
@@ -164,6 +175,14 @@ The link is cut in the middle of the rollers: two hollow pins, bushes and roller
 the wheel. The link's origin is half way between the pins, which are on its x axis: at ({circle_of_pitch * math.cos(math.pi / teeth):.6f}, 0) turned by a right
 angle it is seated in two gaps.
 """)
-    m.part("wheel", "Axis at the origin; a tooth points to +x.", loops, symmetry=teeth)
-    m.part("link", "", link)
+    seat_at = circle_of_pitch * math.cos(math.pi / teeth)
+    m.world(friction=0.1, restitution=0.2)
+    m.part("wheel", "Axis at the origin; a tooth points to +x.", loops, symmetry=teeth, keys=[STEEL])
+    m.part("link", "", link, keys=[STEEL, placed(seat_at + 9, 2, 80)])
+    m.mounted("wheel", [0j], 1e6, 500, text="The wheel's bearing.")
+    m.torsion(["wheel"], 1e5, damping=1000, text="What the wheel drives.")
+    for side in (-1, 1):  # the next pins of the chain lie one tooth on
+        strand = polar(1, side * (90 + 360 / teeth))
+        m.spring("link", (complex(side * pitch / 2), complex(seat_at, side * pitch / 2) + strand * 30), 20, 10, 0.5,
+                 text="The strands of the chain pull the link, laid on askew, into its two gaps." if side < 0 else "")
     return m.picture({"link": (90, circle_of_pitch * math.cos(math.pi / teeth))})

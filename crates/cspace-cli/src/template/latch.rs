@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::page::{Page, about, length, number};
+use super::page::{Page, STEEL, about, length, number};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -86,6 +86,7 @@ Ask it:     cspace compute FILE
             si = number(side),
         );
         let mut page = Page::new(&comment, "bolt in a catch", wall.max(-foot));
+        page.world("friction = 0.15\nrestitution = 0.3");
         page.parameters();
         page.parameter("head", head, "diameter of the bolt's round head");
         page.parameter("rim", rim, "thickness of the head above its round");
@@ -97,7 +98,7 @@ Ask it:     cspace compute FILE
         page.derived("pocket", "max(head, mouth)/2 + side");
         page.derived("shoulder", "-lip - play/2");
         page.derived("bottom", "-lip - play - rim - head/2");
-        page.part("The first part of a pair is fixed.", "catch", "");
+        page.part_with("The first part of a pair is fixed.", "catch", "", &[STEEL]);
         page.begin_loop("section");
         page.corner("-pocket - lip", "bottom - lip", "foot");
         page.corner("pocket + lip", "bottom - lip", "");
@@ -113,7 +114,7 @@ Ask it:     cspace compute FILE
         page.corner("-pocket - lip", "0", "");
         page.end_loop();
         page.end_part();
-        page.part("The second part moves.", "bolt", "");
+        page.part_with("The second part moves.", "bolt", "", &[STEEL]);
         page.begin_loop("outline");
         page.corner("-head/2", "shoulder - rim", "head");
         page.bow("head/2", "shoulder - rim", "head/2", "a half circle");
@@ -129,6 +130,24 @@ Ask it:     cspace compute FILE
             "What `cspace check FILE` tells, also with --set mouth=10.",
             "name = \"held\"\nmeasure = \"caged\"",
         );
+        page.mount(
+            "`cspace simulate FILE --time 3`: a soft spring pulls at the bolt's end, askew. A bolt that is held comes to\nrest with its head at the lips, another comes out.",
+            "bolt",
+            [["0", "2*lip"], ["mouth/2", "2*lip + 5*head"]],
+            "0.07*head^2",
+            "0.001*head^2",
+        );
+        for (x, comment) in [
+            ("-pocket - lip", "The catch stands on springs."),
+            ("pocket + lip", ""),
+        ] {
+            let foot = [x, "bottom - lip"];
+            let (stiffness, damping) = (
+                "20*(pocket + lip)*(lip - bottom)",
+                "0.04*(pocket + lip)*(lip - bottom)",
+            );
+            page.mount(comment, "catch", [foot, foot], stiffness, damping);
+        }
         page.finish()
     }
 }

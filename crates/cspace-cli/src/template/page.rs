@@ -9,6 +9,9 @@ const NOTHING: f64 = 1e-13;
 /// another, and numbers are written without exponents.
 const LENGTHS: (f64, f64) = (1e-3, 1e6);
 
+/// The line of a part of steel, 10 mm thick.
+pub(super) const STEEL: &str = "density = 7.85e-5";
+
 /// A model as text, part by part.
 pub(super) struct Page {
     text: String,
@@ -32,6 +35,11 @@ impl Page {
             self.text += format!("# {line}").trim_end();
             self.text.push('\n');
         }
+    }
+
+    /// Lines that go for the whole model, such as gravity. They come before the names of the dimensions.
+    pub(super) fn world(&mut self, lines: &str) {
+        self.text += &format!("{lines}\n");
     }
 
     /// Begins the names of the model's dimensions.
@@ -59,11 +67,19 @@ impl Page {
 
     /// Begins a part; `motion` is what stands behind `motion =`, empty for a part that moves freely.
     pub(super) fn part(&mut self, comment: &str, name: &str, motion: &str) {
+        self.part_with(comment, name, motion, &[]);
+    }
+
+    /// Begins a part as [`Page::part`] does; `keys` are further lines, such as its mass or its start.
+    pub(super) fn part_with(&mut self, comment: &str, name: &str, motion: &str, keys: &[&str]) {
         self.text.push('\n');
         self.comment(comment);
         self.text += &format!("[[part]]\nname = \"{name}\"\n");
         if !motion.is_empty() {
             self.text += &format!("motion = {motion}\n");
+        }
+        for key in keys {
+            self.text += &format!("{key}\n");
         }
         self.text += "loops = [\n";
     }
@@ -102,6 +118,24 @@ impl Page {
         self.text.push('\n');
         self.comment(comment);
         self.text += &format!("[[load]]\npart = \"{part}\"\n{line}\n");
+    }
+
+    /// A spring without length from a point of a part to a point of the ground, both in expressions of the dimensions.
+    pub(super) fn mount(
+        &mut self,
+        comment: &str,
+        part: &str,
+        at: [[&str; 2]; 2],
+        stiffness: &str,
+        damping: &str,
+    ) {
+        self.text.push('\n');
+        self.comment(comment);
+        let [from, to] = at.map(|[x, y]| format!("[{}, {}]", value(x), value(y)));
+        let (stiffness, damping) = (value(stiffness), value(damping));
+        self.text += &format!(
+            "[[spring]]\nparts = [\"{part}\"]\nat = [{from}, {to}]\nstiffness = {stiffness}\nlength = 0\ndamping = {damping}\n"
+        );
     }
 
     /// A vertex that a line leads to.

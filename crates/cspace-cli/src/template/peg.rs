@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::page::{Page, about, length, length_or_none, number};
+use super::page::{Page, STEEL, about, length, length_or_none, number};
 use crate::failure::Failure;
 
 #[derive(Debug, Args)]
@@ -61,6 +61,7 @@ Ask it:     cspace compute FILE
             m = number(0.5 * depth),
         );
         let mut page = Page::new(&comment, "peg in hole", side);
+        page.world("gravity = [0, -9810]\nfriction = 0.15\nrestitution = 0.3");
         page.parameters();
         page.parameter("diameter", diameter, "of the peg");
         page.parameter("clearance", clearance, "the hole is wider by this");
@@ -69,7 +70,7 @@ Ask it:     cspace compute FILE
         page.derived("hole", "(diameter + clearance)/2");
         page.derived("side", "hole + chamfer + diameter");
         page.derived("top", "depth + max(diameter, depth/2)");
-        page.part("The first part of a pair is fixed.", "block", "");
+        page.part_with("The first part of a pair is fixed.", "block", "", &[STEEL]);
         page.begin_loop("section");
         page.corner("-side", "0", "face");
         if chamfer > 0.0 {
@@ -89,7 +90,15 @@ Ask it:     cspace compute FILE
         page.corner("-side", "-depth - diameter/2", "");
         page.end_loop();
         page.end_part();
-        page.part("The second part moves.", "peg", "");
+        page.part_with(
+            "The second part moves.",
+            "peg",
+            "",
+            &[
+                STEEL,
+                "start = [\"clearance/4 + chamfer/2\", \"diameter/2\", 0]",
+            ],
+        );
         page.begin_loop("outline");
         page.corner("-diameter/2", "0", "end");
         page.corner("diameter/2", "0", "side");
@@ -103,6 +112,20 @@ Ask it:     cspace compute FILE
             "What `cspace check FILE` measures: how far the peg tilts half way down.",
             "name = \"tilt\"\nmeasure = \"play\"\nof = \"theta\"\nat = { y = \"-depth/2\" }",
         );
+        for (x, comment) in [
+            (
+                "-side",
+                "`cspace simulate FILE --time 1`: the peg falls, finds the chamfer, and comes to rest on the bottom of the\nhole. The block stands on springs.",
+            ),
+            ("side", ""),
+        ] {
+            let foot = [x, "-depth - diameter/2"];
+            let (stiffness, damping) = (
+                "20*side*(depth + diameter/2)",
+                "0.04*side*(depth + diameter/2)",
+            );
+            page.mount(comment, "block", [foot, foot], stiffness, damping);
+        }
         page.finish()
     }
 }

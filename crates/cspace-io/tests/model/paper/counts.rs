@@ -108,7 +108,7 @@ fn bands_with_symmetry_are_those_without() {
 /// The files are what the drawing programs draw. Says nothing where there is no Python.
 #[test]
 fn files_are_as_drawn() {
-    for program in ["draw.py", "mechanisms.py", "paper/draw.py"] {
+    for program in ["draw.py", "mechanisms.py", "weighed.py", "paper/draw.py"] {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models");
         let run = Command::new("python3")
             .arg("-B")
