@@ -21,7 +21,8 @@ fn push(forces: &mut [f64], row: &Row, force: f64) {
 }
 
 impl System {
-    /// The forces on all coordinates; `spring` learns of each spring by its length or angle, its stiffness and its damping.
+    /// The forces on all coordinates; `spring` learns of each spring by its length or angle, its stiffness and its damping; and across its length
+    /// by the stiffness with which what pulls resists there.
     pub(crate) fn add_forces(
         &self,
         q: &[f64],
@@ -40,7 +41,7 @@ impl System {
             }
         }
         for one in &self.mechanism().dynamics.springs {
-            if let Some((row, force, stiffness, damping)) = self.pull(one, q) {
+            for (row, force, stiffness, damping) in self.pull(one, q).into_iter().flatten() {
                 push(forces, &row, force);
                 spring(&row, stiffness, damping);
             }
@@ -63,12 +64,13 @@ impl System {
         }
     }
 
-    /// The length or angle of a spring, the force along it, its stiffness and its damping.
-    fn pull(&self, spring: &Spring, q: &[f64]) -> Option<(Row, f64, f64, f64)> {
+    /// The length or angle of a spring, the force along it, its stiffness and its damping; and the same across its length: with K of the spring
+    /// and L without force, stiffness K (1 − L/l) at length l, where that is positive.
+    fn pull(&self, spring: &Spring, q: &[f64]) -> [Option<(Row, f64, f64, f64)>; 2] {
         let ground = PartCoordinates::Fixed;
         let first = &self.parts()[spring.part];
         let second = spring.other.map_or(&ground, |i| &self.parts()[i]);
-        Some(match spring.kind {
+        match spring.kind {
             SpringKind::Linear {
                 at: (p, r),
                 stiffness,
@@ -79,13 +81,18 @@ impl System {
                 let (x, y) = (px.plus(-1.0, &rx), py.plus(-1.0, &ry));
                 let distance = x.value.hypot(y.value);
                 if distance == 0.0 {
-                    // It has no direction there, and pulls nowhere.
-                    return None;
+                    // It has no direction there, and pulls nowhere; without a length it is as stiff in all directions.
+                    let each = |row| (length == 0.0).then_some((row, 0.0, stiffness, damping));
+                    return [x, y].map(each);
                 }
-                let along = Row::new(0.0)
-                    .plus(x.value / distance, &x)
-                    .plus(y.value / distance, &y);
-                (along, -stiffness * (distance - length), stiffness, damping)
+                let (c, s) = (x.value / distance, y.value / distance);
+                let along = Row::new(0.0).plus(c, &x).plus(s, &y);
+                let across = Row::new(0.0).plus(-s, &x).plus(c, &y);
+                let sideways = stiffness * (1.0 - length / distance);
+                [
+                    Some((along, -stiffness * (distance - length), stiffness, damping)),
+                    (sideways > 0.0).then_some((across, 0.0, sideways, 0.0)),
+                ]
             }
             SpringKind::Torsion {
                 stiffness,
@@ -101,13 +108,9 @@ impl System {
                     row
                 };
                 let between = turned(first).plus(-1.0, &turned(second));
-                (
-                    between,
-                    -stiffness * (between.value - angle),
-                    stiffness,
-                    damping,
-                )
+                let torque = -stiffness * (between.value - angle);
+                [Some((between, torque, stiffness, damping)), None]
             }
-        })
+        }
     }
 }
