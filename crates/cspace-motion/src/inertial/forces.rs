@@ -52,6 +52,17 @@ pub(super) fn forces(bodies: &Bodies, posed: &Posed) -> (Vec<f64>, f64) {
                 };
                 let apart = first - second;
                 let distance = apart.length();
+                if length == 0.0 && stiffness > 0.0 {
+                    // It pulls towards a point from all sides, and is damped in all directions.
+                    let rate = moves - other;
+                    damped += damping * rate.dot(rate);
+                    let force = apart * -stiffness - rate * damping;
+                    pushing.push(spring.part, p, force);
+                    if let Some(i) = spring.other {
+                        pushing.push(i, r, -force);
+                    }
+                    continue;
+                }
                 if distance == 0.0 {
                     // It has no direction there, and pulls nowhere.
                     continue;

@@ -81,8 +81,9 @@ impl System {
                 let (x, y) = (px.plus(-1.0, &rx), py.plus(-1.0, &ry));
                 let distance = x.value.hypot(y.value);
                 if distance == 0.0 {
-                    // It has no direction there, and pulls nowhere; without a length it is as stiff in all directions.
-                    let each = |row| (length == 0.0).then_some((row, 0.0, stiffness, damping));
+                    // It has no direction there, and pulls nowhere; without a length it resists in all directions.
+                    let to_a_point = length == 0.0 && stiffness > 0.0;
+                    let each = |row| to_a_point.then_some((row, 0.0, stiffness, damping));
                     return [x, y].map(each);
                 }
                 let (c, s) = (x.value / distance, y.value / distance);
@@ -91,7 +92,12 @@ impl System {
                 let sideways = stiffness * (1.0 - length / distance);
                 [
                     Some((along, -stiffness * (distance - length), stiffness, damping)),
-                    (sideways > 0.0).then_some((across, 0.0, sideways, 0.0)),
+                    (sideways > 0.0).then_some((
+                        across,
+                        0.0,
+                        sideways,
+                        if length == 0.0 { damping } else { 0.0 },
+                    )),
                 ]
             }
             SpringKind::Torsion {
