@@ -53,7 +53,7 @@ pub(crate) fn overlaps(simulation: &Simulation, record: &Record, slack: f64) -> 
         });
         let (depth, t) = depths.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
         let names = (fixed.name(), moving.name());
-        (depth > pair.touch)
+        (depth > pair.touch.max(slack))
             .then(|| format!("{} and {} overlap by {depth:.2e} at {t}", names.0, names.1))
     };
     simulation
