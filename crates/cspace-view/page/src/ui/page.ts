@@ -166,7 +166,7 @@ function noSpace(session: Session): string | null {
 }
 
 function chooseFile(take: (file: File) => void): void {
-  const input = html("input", { type: "file", accept: ".json,application/json" });
+  const input = html("input", { type: "file", accept: ".json,.gz,application/json" });
   input.addEventListener("change", () => {
     const file = input.files?.[0];
     if (file) take(file);

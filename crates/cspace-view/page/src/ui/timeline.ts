@@ -58,8 +58,13 @@ export class Timeline {
 
   /** Reads a file that the user opens or drops. */
   async open(file: File): Promise<void> {
-    const text = await file.text();
-    this.#open(() => readRecordText(file.name, text));
+    const packed = file.name.toLowerCase().endsWith(".gz");
+    const bytes = packed ? file.stream().pipeThrough(new DecompressionStream("gzip")) : file;
+    const text = await new Response(bytes).text().catch(() => null);
+    this.#open(() => {
+      if (text === null) throw new RecordError(`${file.name}: what is compressed in it cannot be read`);
+      return readRecordText(file.name, text);
+    });
   }
 
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
