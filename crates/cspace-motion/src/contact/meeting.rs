@@ -37,10 +37,6 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
-    /// How far each part's coordinates move its points at most.
-    pub(super) levers: &'m [[f64; 3]],
-    /// The largest distance of points of the moving part from its origin.
-    pub(super) reach: f64,
 }
 
 impl Meeting<'_> {
@@ -53,7 +49,7 @@ impl Meeting<'_> {
     fn way(&self, from: &[f64], to: &[f64]) -> f64 {
         let of = |part: usize| -> f64 {
             let indices = self.system.parts()[part].indices();
-            let each = indices.zip(self.levers[part]);
+            let each = indices.zip(self.system.levers()[part]);
             each.map(|(i, lever)| lever * (to[i] - from[i]).abs()).sum()
         };
         LONGER * (of(self.pair.fixed) + of(self.pair.moving))
@@ -91,9 +87,9 @@ impl Meeting<'_> {
 
     /// How far a change of the pair's configuration moves points of the moving part at most, or both parts on their axes.
     fn length(&self, change: Coordinates) -> f64 {
-        let [fixed, moving] = [self.pair.fixed, self.pair.moving].map(|part| self.levers[part]);
+        let [fixed, moving] = [self.pair.fixed, self.pair.moving].map(|part| self.system.levers()[part]);
         match change {
-            Coordinates::Planar(c) => c.x.hypot(c.y) + self.reach * c.theta.abs(),
+            Coordinates::Planar(c) => c.x.hypot(c.y) + self.system.reach(self.pair.moving) * c.theta.abs(),
             Coordinates::Axes { u, v } => fixed[0] * u.abs() + moving[0] * v.abs(),
         }
     }

@@ -1,9 +1,9 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, PairSpace, PatchId, Point, QueryError};
+use cspace::{Classification, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
-use crate::system::{System, reach};
+use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
 use super::ends::{PAST_END, ends};
@@ -35,27 +35,17 @@ pub(crate) struct Watch<'a> {
     room: Vec<f64>,
     /// How far each pair's parts are apart at most: as far as they were, and as far as they have moved since.
     ceiling: Vec<f64>,
-    /// How far each part's coordinates move its points at most.
-    levers: Vec<[f64; 3]>,
-    /// The largest distance of each part's points from its origin.
-    reaches: Vec<f64>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
 }
 
 impl<'a> Watch<'a> {
     pub(crate) fn new(system: &'a System, pairs: &'a Pairs) -> Self {
-        let entries = &system.mechanism().parts;
-        let parts = system.parts().iter().zip(entries);
         Self {
             system,
             pairs,
             room: vec![0.0; pairs.list().len()],
             ceiling: vec![f64::INFINITY; pairs.list().len()],
-            levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
-            reaches: (entries.iter())
-                .map(|p| reach(&p.part, Point::ORIGIN))
-                .collect(),
             patches: vec![Vec::new(); pairs.list().len()],
         }
     }
@@ -67,8 +57,6 @@ impl<'a> Watch<'a> {
             pair,
             index,
             path,
-            levers: &self.levers,
-            reach: self.reaches[pair.moving],
         }
     }
 
@@ -85,13 +73,13 @@ impl<'a> Watch<'a> {
         }
         for (bound, room) in limits(self.system, q) {
             if let Bound::Limit { part, .. } = bound {
-                let lever = self.levers[part][0];
+                let lever = self.system.levers()[part][0];
                 rooms[part] = rooms[part].min(SHARE * lever * room.max(0.0));
             }
         }
         let mut all = vec![f64::INFINITY; q.len()];
         for (part, room) in rooms.into_iter().enumerate() {
-            for (i, lever) in parts[part].indices().zip(self.levers[part]) {
+            for (i, lever) in parts[part].indices().zip(self.system.levers()[part]) {
                 all[i] = room / lever * self.system.lengths()[i];
             }
         }

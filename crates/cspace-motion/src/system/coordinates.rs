@@ -6,7 +6,7 @@ use cspace::{
 };
 
 use super::joint;
-use super::layout::{Derived, PartCoordinates, row_of};
+use super::layout::{PartCoordinates, Placed, reach, rows_of};
 use super::metric;
 use super::row::Row;
 use crate::drive::DriveCurve;
@@ -34,6 +34,10 @@ pub struct System {
     joints: Vec<JointEntry>,
     size: f64,
     lengths: Vec<f64>,
+    /// How far each part's coordinates move its points at most.
+    levers: Vec<[f64; 3]>,
+    /// The largest distance of each part's points from its origin.
+    reaches: Vec<f64>,
     law: Law,
 }
 
@@ -140,8 +144,15 @@ impl System {
                 lengths[i] = entry.part.size();
             }
         }
+        let entries = &mechanism.parts;
         Self {
             lengths,
+            levers: (parts.iter().zip(entries))
+                .map(|(c, entry)| c.levers(&entry.part))
+                .collect(),
+            reaches: (entries.iter())
+                .map(|entry| reach(&entry.part, Point::ORIGIN))
+                .collect(),
             law: Law::Speeds {
                 scale: 1.0,
                 drag: 0.0,
@@ -227,6 +238,16 @@ impl System {
     /// The length that a unit of each coordinate counts: the size of the part for an angle, 1 for a length.
     pub fn lengths(&self) -> &[f64] {
         &self.lengths
+    }
+
+    /// How far each part's coordinates move its points at most, per unit.
+    pub(crate) fn levers(&self) -> &[[f64; 3]] {
+        &self.levers
+    }
+
+    /// The largest distance of a part's points from its origin.
+    pub(crate) fn reach(&self, part: usize) -> f64 {
+        self.reaches[part]
     }
 
     /// All coordinates at the start, as they are given. Joints may not hold there.
@@ -327,13 +348,9 @@ impl System {
     }
 
     /// A function of where two parts are, with its derivatives by their coordinates.
-    pub(crate) fn row(
-        &self,
-        [a, b]: [usize; 2],
-        q: &[f64],
-        function: impl Fn(&Placement<Derived>, &Placement<Derived>) -> Derived,
-    ) -> Row {
-        row_of([&self.parts[a], &self.parts[b]], q, function)
+    pub(crate) fn row(&self, [a, b]: [usize; 2], q: &[f64], function: &impl Placed<1>) -> Row {
+        let [row] = rows_of([&self.parts[a], &self.parts[b]], q, function);
+        row
     }
 
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
