@@ -37,6 +37,8 @@ pub(crate) struct Watch<'a> {
     ceiling: Vec<f64>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
+    /// The pair that met something in the step that was looked at last.
+    met: Option<usize>,
 }
 
 impl<'a> Watch<'a> {
@@ -47,6 +49,7 @@ impl<'a> Watch<'a> {
             room: vec![0.0; pairs.list().len()],
             ceiling: vec![f64::INFINITY; pairs.list().len()],
             patches: vec![Vec::new(); pairs.list().len()],
+            met: None,
         }
     }
 
@@ -88,7 +91,16 @@ impl<'a> Watch<'a> {
 
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
-        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
+        let all = 0..self.pairs.list().len();
+        let mut each = all.map(|pair| (pair, self.check_pair(pair, held, path)));
+        let found = each.find_map(|(pair, met)| Some((pair, met?)));
+        self.met = found.map(|(pair, _)| pair);
+        found.map(|(_, met)| met)
+    }
+
+    /// The pair that met something in the step that was looked at last, if one did.
+    pub(crate) fn met(&self) -> Option<usize> {
+        self.met
     }
 
     fn check_pair(&mut self, index: usize, held: &[Bound], path: &Path<'_>) -> Option<Met> {

@@ -9,7 +9,7 @@ use crate::dormand_prince::{DIFFERENCE, STAGES};
 use crate::linear::add_scaled;
 use crate::pairs::Pairs;
 use crate::record::Forces;
-use crate::system::{Law, System};
+use crate::system::{Law, Row, System};
 
 use super::balance::Closed;
 use super::friction::Holding;
@@ -71,8 +71,8 @@ impl<'a> Flow<'a> {
     ) -> Option<Self> {
         let mut q = q.to_vec();
         let room = 1e-3 * system.size();
-        close(system, pairs, &held, time, &mut q, room)?;
-        let velocity = velocity(system, pairs, &held, time, &q)?;
+        let there = closed(system, pairs, &held, time, &mut q, room)?;
+        let velocity = there.velocity(system, pairs, &held, time, &q)?;
         Some(Self {
             system,
             pairs,
@@ -100,12 +100,54 @@ impl<'a> Flow<'a> {
 
     /// A configuration near the motion a while later, brought to where contacts and joints hold.
     pub(crate) fn brought(&self, h: f64, mut q: Vec<f64>) -> Option<Arrived> {
-        let room = CORRECTION * self.system.moved(&self.q, &q) + CLOSED * self.system.size();
+        let there = self.bring(h, &mut q)?;
         let time = self.time + h;
-        close(self.system, self.pairs, &self.held, time, &mut q, room)?;
-        let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
+        let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
         let error = 0.0;
         Some(Arrived { q, velocity, error })
+    }
+
+    /// A configuration a while later as it is, with the velocity there.
+    pub(super) fn moving(&self, h: f64, q: Vec<f64>) -> Option<Arrived> {
+        let there = There::at(self.system, self.pairs, &self.held, &q);
+        let time = self.time + h;
+        let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
+        let error = 0.0;
+        Some(Arrived { q, velocity, error })
+    }
+
+    /// The same without a velocity.
+    pub(crate) fn placed(&self, h: f64, mut q: Vec<f64>) -> Option<Vec<f64>> {
+        self.bring(h, &mut q)?;
+        Some(q)
+    }
+
+    fn bring(&self, h: f64, q: &mut [f64]) -> Option<There<'a>> {
+        let room = CORRECTION * self.system.moved(&self.q, q) + CLOSED * self.system.size();
+        closed(
+            self.system,
+            self.pairs,
+            &self.held,
+            self.time + h,
+            q,
+            room,
+        )
+    }
+
+    /// A while later, where contacts and joints leave no freedom: the rates in the middle lead near enough.
+    fn led(&self, h: f64) -> Option<Arrived> {
+        if !self.velocity.determined {
+            return None;
+        }
+        let along = |share: f64, rates: &[f64]| {
+            let mut q = self.q.clone();
+            add_scaled(&mut q, share * h, rates);
+            self.system.drive(self.time + share * h, &mut q);
+            q
+        };
+        let middle = self.moving(0.5 * h, along(0.5, &self.velocity.rates))?;
+        let arrived = self.brought(h, along(1.0, &middle.velocity.rates))?;
+        arrived.velocity.determined.then_some(arrived)
     }
 
     /// A while later; `None` if the contacts and joints cannot hold until then.
@@ -117,6 +159,9 @@ impl<'a> Flow<'a> {
                 error: 0.0,
             });
         }
+        if let Some(arrived) = self.led(h) {
+            return Some(arrived);
+        }
         let mut slopes = vec![self.velocity.rates.clone()];
         let mut q = self.q.clone();
         for (share, weights) in STAGES {
@@ -126,7 +171,9 @@ impl<'a> Flow<'a> {
             }
             let time = self.time + share * h;
             self.system.drive(time, &mut q);
-            slopes.push(velocity(self.system, self.pairs, &self.held, time, &q)?.rates);
+            let there = There::at(self.system, self.pairs, &self.held, &q);
+            let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
+            slopes.push(velocity.rates);
         }
         let mut error = 0.0_f64;
         let lengths = self.system.lengths();
@@ -145,19 +192,46 @@ impl<'a> Flow<'a> {
     }
 }
 
-fn velocity(system: &System, pairs: &Pairs, held: &[Bound], time: f64, q: &[f64]) -> Option<Held> {
-    let local = Local::at(system, q, time)?;
-    let mut found = local.held(&Holding::of(system, pairs, held, q))?;
-    if system.law() == Law::Balance {
-        let closed = Closed {
-            system,
-            pairs,
-            bounds: held,
-            q,
-        };
-        found = closed.follow(&local, found)?;
+/// What is known of a configuration.
+struct There<'a> {
+    joints: Vec<Row>,
+    holding: Holding,
+    local: Option<Local<'a>>,
+}
+
+impl<'a> There<'a> {
+    fn at(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Self {
+        Self {
+            joints: system.joints(q),
+            holding: Holding::of(system, pairs, held, q),
+            local: None,
+        }
     }
-    found.rates.iter().all(|r| r.is_finite()).then_some(found)
+
+    fn velocity(
+        self,
+        system: &'a System,
+        pairs: &Pairs,
+        held: &[Bound],
+        time: f64,
+        q: &[f64],
+    ) -> Option<Held> {
+        let local = match self.local {
+            Some(local) => local,
+            None => Local::with_joints(system, q, time, &self.joints)?,
+        };
+        let mut found = local.held(&self.holding)?;
+        if system.law() == Law::Balance {
+            let closed = Closed {
+                system,
+                pairs,
+                bounds: held,
+                q,
+            };
+            found = closed.follow(&local, found)?;
+        }
+        found.rates.iter().all(|r| r.is_finite()).then_some(found)
+    }
 }
 
 /// Brings a configuration to where contacts and joints hold, and forces balance where they are to, by no more than `room` (length).
@@ -169,14 +243,26 @@ pub(crate) fn close(
     q: &mut [f64],
     room: f64,
 ) -> Option<()> {
-    constrain(system, pairs, held, time, q, room)?;
+    closed(system, pairs, held, time, q, room).map(|_| ())
+}
+
+/// The same, and what is known of where it is brought.
+fn closed<'a>(
+    system: &'a System,
+    pairs: &Pairs,
+    held: &[Bound],
+    time: f64,
+    q: &mut [f64],
+    room: f64,
+) -> Option<There<'a>> {
+    let mut there = constrained(system, pairs, held, time, q, room)?;
     if system.law() != Law::Balance {
-        return Some(());
+        return Some(there);
     }
     let size = system.size();
     let (mut moved, mut before) = (0.0, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
-        let local = Local::at(system, q, time)?;
+        let local = Local::with_joints(system, q, time, &there.joints)?;
         let closed = Closed {
             system,
             pairs,
@@ -187,7 +273,8 @@ pub(crate) fn close(
         let step = local.displaced(&balance.step(local.forces.len()));
         let far = system.speed(&step);
         if far == 0.0 || (far > 0.25 * before && before < BALANCED * size) {
-            return Some(());
+            there.local = Some(local);
+            return Some(there);
         }
         before = far;
         moved += far;
@@ -195,33 +282,36 @@ pub(crate) fn close(
             return None;
         }
         add_scaled(q, 1.0, &step);
-        constrain(system, pairs, held, time, q, room)?;
+        there = constrained(system, pairs, held, time, q, room)?;
     }
-    (before < BALANCED * size).then_some(())
+    (before < BALANCED * size).then_some(there)
 }
 
 /// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
-fn constrain(
-    system: &System,
+fn constrained<'a>(
+    system: &'a System,
     pairs: &Pairs,
     held: &[Bound],
     time: f64,
     q: &mut [f64],
     room: f64,
-) -> Option<()> {
+) -> Option<There<'a>> {
     system.drive(time, q);
     let lengths = system.lengths();
     let (mut moved, mut before) = (0.0, f64::INFINITY);
     for _ in 0..MOST_CORRECTIONS {
-        let joints = system.joints(q);
-        let rows = Holding::of(system, pairs, held, q).rows;
-        let changes: Vec<f64> = joints.iter().chain(&rows).map(|r| -r.value).collect();
+        let there = There::at(system, pairs, held, q);
+        let rows = &there.holding.rows;
+        let changes: Vec<f64> = (there.joints.iter().chain(rows))
+            .map(|r| -r.value)
+            .collect();
         let off = changes.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
         if off == 0.0 || (off < CLOSED * system.size() && off > 0.25 * before) {
-            return Some(());
+            return Some(there);
         }
         before = off;
-        let step = Local::at(system, q, time)?.displacement(&rows, &changes);
+        let local = Local::with_joints(system, q, time, &there.joints)?;
+        let step = local.displacement(rows, &changes);
         let mut farthest = 0.0_f64;
         for (&i, d) in system.free().iter().zip(&step) {
             q[i] += d;
@@ -232,5 +322,5 @@ fn constrain(
             return None;
         }
     }
-    (before < CLOSED * system.size()).then_some(())
+    (before < CLOSED * system.size()).then(|| There::at(system, pairs, held, q))
 }

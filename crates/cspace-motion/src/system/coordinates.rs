@@ -1,6 +1,6 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
+use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, Spring, SpringKind};
 use cspace::{
     AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
 };
@@ -11,6 +11,7 @@ use super::metric;
 use super::row::Row;
 use crate::drive::DriveCurve;
 use crate::error::SimulateError;
+use crate::linear::Cholesky;
 
 /// A mechanism as a system of coordinates.
 ///
@@ -39,6 +40,17 @@ pub struct System {
     /// The largest distance of each part's points from its origin.
     reaches: Vec<f64>,
     law: Law,
+    /// The metric, if it is the same everywhere.
+    metric: Option<Metric>,
+}
+
+/// The mass matrix of the outlines with the resistance of dampers.
+#[derive(Debug, Clone)]
+pub(crate) struct Metric {
+    /// Of all coordinates, n × n by rows.
+    pub(crate) matrix: Vec<f64>,
+    /// The factor of that of the free ones.
+    pub(crate) factor: Cholesky,
 }
 
 /// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
@@ -145,8 +157,9 @@ impl System {
             }
         }
         let entries = &mechanism.parts;
-        Self {
+        let system = Self {
             lengths,
+            metric: None,
             levers: (parts.iter().zip(entries))
                 .map(|(c, entry)| c.levers(&entry.part))
                 .collect(),
@@ -172,28 +185,75 @@ impl System {
             drives,
             free,
             braked,
+        };
+        system.with_metric()
+    }
+
+    /// The same with its metric, if that does not depend on where parts are: if all have axes, and springs that resist turn about some.
+    fn with_metric(mut self) -> Self {
+        let (drag, still) = (self.drag(), vec![0.0; self.count]);
+        let is_planar = |p: &PartCoordinates| matches!(p, PartCoordinates::Planar { .. });
+        let turns = |spring: &Spring| match spring.kind {
+            SpringKind::Torsion { .. } => true,
+            SpringKind::Linear {
+                stiffness, damping, ..
+            } => damping + drag * stiffness == 0.0,
+        };
+        let springs = &self.mechanism.dynamics.springs;
+        let is_constant = !self.parts.iter().any(is_planar) && springs.iter().all(turns);
+        self.metric = is_constant
+            .then(|| {
+                let (matrix, _) = self.metric_and_forces(&still);
+                let factor = self.factor(&matrix)?;
+                Some(Metric { matrix, factor })
+            })
+            .flatten();
+        self
+    }
+
+    /// The metric, if it is the same everywhere.
+    pub(crate) fn metric(&self) -> Option<&Metric> {
+        self.metric.as_ref()
+    }
+
+    /// The factor of the free coordinates' part of a matrix of all, n × n by rows; `None` if that is not positive definite.
+    pub(crate) fn factor(&self, matrix: &[f64]) -> Option<Cholesky> {
+        let (n, free) = (self.count, &self.free);
+        let of_free: Vec<f64> = (free.iter())
+            .flat_map(|&i| free.iter().map(move |&j| matrix[i * n + j]))
+            .collect();
+        Cholesky::of(&of_free, free.len())
+    }
+
+    /// How much springs resist, per stiffness.
+    fn drag(&self) -> f64 {
+        match self.law {
+            Law::Speeds { drag, .. } => drag,
+            Law::Balance => 0.0,
         }
     }
 
     /// The same with forces that balance at every instant, as drives that are slow leave them.
     pub(crate) fn balanced(&self) -> Self {
-        Self {
+        let system = Self {
             law: Law::Balance,
             ..self.clone()
-        }
+        };
+        system.with_metric()
     }
 
     /// The same with drives that stand where they are at a time, and forces that are speeds by a factor.
     pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
         let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
-        Self {
+        let system = Self {
             law: Law::Speeds {
                 scale,
                 drag: DRAG * scale,
             },
             drives: self.drives.iter().map(still).collect(),
             ..self.clone()
-        }
+        };
+        system.with_metric()
     }
 
     pub(crate) fn law(&self) -> Law {
@@ -411,10 +471,7 @@ impl System {
         for (part, moments) in self.parts.iter().zip(&self.moments) {
             metric::add_outline(&mut matrix, n, part, moments, q);
         }
-        let drag = match self.law {
-            Law::Speeds { drag, .. } => drag,
-            Law::Balance => 0.0,
-        };
+        let drag = self.drag();
         self.add_forces(q, &mut forces, |along, stiffness, damping| {
             let resistance = damping + drag * stiffness;
             for &(i, a) in along.entries() {
