@@ -1,12 +1,13 @@
 //! Whether the parts of a pair meet on the path of a step.
 
 use cspace::pair::{PairCrossing, PairMotion};
-use cspace::{Classification, Configuration, Coordinates, PatchId};
+use cspace::{Classification, Configuration, Coordinates, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Touch};
 use crate::root::root;
 use crate::system::System;
 
+use super::classes::Classes;
 use super::path::Path;
 
 /// A piece of a path is straight if the pair's configuration is no farther than this from the straight way, relative to the size of the
@@ -37,6 +38,8 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
+    /// What its pair is where steps begin and end.
+    pub(super) classes: &'m Classes,
 }
 
 impl Meeting<'_> {
@@ -57,7 +60,11 @@ impl Meeting<'_> {
 
     /// Whether they meet anywhere.
     pub(super) fn happens(&self) -> bool {
-        let [from, first, to] = [0.0, FIRST, 1.0].map(|share| (share, self.path.at(share)));
+        let [from, to] = [0.0, 1.0].map(|share| (share, self.path.at(share)));
+        if self.class(self.coordinates(&from.1)) == Ok(Classification::Free) {
+            return self.is_on([&from, &to], MOST_BENT);
+        }
+        let first = (FIRST, self.path.at(FIRST));
         self.is_on([&from, &first], MOST_BENT) || self.is_on([&first, &to], MOST_BENT)
     }
 
@@ -94,6 +101,10 @@ impl Meeting<'_> {
         }
     }
 
+    fn class(&self, at: Coordinates) -> Result<Classification, QueryError> {
+        self.classes.of(self.index, self.pair, at)
+    }
+
     fn coordinates(&self, q: &[f64]) -> Coordinates {
         self.pair.coordinates(self.system, q)
     }
@@ -102,7 +113,7 @@ impl Meeting<'_> {
     fn is_between(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let space = &self.pair.space;
         let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
-        if space.classify(a) != Ok(Classification::Free) {
+        if self.class(a) != Ok(Classification::Free) {
             return self.goes_deep([from, to], halved);
         }
         let contact = difference(a, b).map(|rates| space.first_contact(a, rates, 1.0));

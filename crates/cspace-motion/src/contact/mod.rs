@@ -1,6 +1,7 @@
 //! What holds a motion on: contacts and ends of ranges, where contacts end, and whether a step meets others.
 
 mod bound;
+mod classes;
 mod corner;
 mod describe;
 mod ends;

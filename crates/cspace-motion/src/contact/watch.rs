@@ -6,6 +6,7 @@ use crate::pairs::{MovingPair, Pairs, Touch};
 use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
+use super::classes::Classes;
 use super::ends::{PAST_END, ends};
 use super::meeting::Meeting;
 use super::path::Path;
@@ -37,6 +38,8 @@ pub(crate) struct Watch<'a> {
     ceiling: Vec<f64>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
+    /// What pairs are where steps begin and end.
+    classes: Classes,
     /// The pair that met something in the step that was looked at last.
     met: Option<usize>,
 }
@@ -49,6 +52,7 @@ impl<'a> Watch<'a> {
             room: vec![0.0; pairs.list().len()],
             ceiling: vec![f64::INFINITY; pairs.list().len()],
             patches: vec![Vec::new(); pairs.list().len()],
+            classes: Classes::new(pairs.list().len()),
             met: None,
         }
     }
@@ -60,6 +64,7 @@ impl<'a> Watch<'a> {
             pair,
             index,
             path,
+            classes: &self.classes,
         }
     }
 
@@ -158,8 +163,15 @@ impl<'a> Watch<'a> {
         }
         // Nothing is asked of which the answer is known to be no.
         if travel <= self.ceiling[index] {
-            match pair.space.clearance(pair.coordinates(self.system, from)) {
+            let at = pair.coordinates(self.system, from);
+            match pair.space.clearance(at) {
                 Ok(clearance) => {
+                    let class = if clearance > 0.0 {
+                        Classification::Free
+                    } else {
+                        Classification::Contact
+                    };
+                    self.classes.tell(index, at, class);
                     (self.room[index], self.ceiling[index]) = (clearance, clearance);
                     if travel <= clearance {
                         return None;
@@ -170,7 +182,7 @@ impl<'a> Watch<'a> {
                 Err(error) => return Some(outside(error)),
             }
         }
-        match pair.classify(self.system, to) {
+        match self.classes.of(index, pair, pair.coordinates(self.system, to)) {
             // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
             Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) if !touches.is_empty() => {}

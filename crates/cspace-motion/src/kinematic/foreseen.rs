@@ -102,6 +102,12 @@ impl Between<'_, '_> {
         Seen::Within([before.0, after.0])
     }
 
+    /// When what was met at the end happens, as it seems.
+    pub(super) fn supposed(&self, met: Obstacle) -> Option<f64> {
+        let found = self.first(met, [&self.from, self.to.as_ref()?])?;
+        Some(found.1)
+    }
+
     /// The function of what was met that comes to 0 first between two times, and when.
     fn first(&self, met: Obstacle, ends: [&Place; 2]) -> Option<(What, f64)> {
         let mut all: Vec<(What, [f64; 2])> = Vec::new();

@@ -58,20 +58,19 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         seen = part.seen(met, h, &mut stops);
     } else {
         // The cubic tells about when; between two times so near to each other another one is as good as the motion.
-        let about = part.halved(around, CLOSE * h, &mut |h, to| stops(h, to).is_none());
-        let ends = about.map(|h| flow.after(h));
-        let [before, after] = about;
+        let near = 0.5 * CLOSE * h;
+        let supposed = met.and_then(|met| part.supposed(met));
+        let about = supposed.map(|at| [(at - near).max(0.0), (at + near).min(h)]);
+        let mut close = about.and_then(|about| closely(flow, about, &mut stops));
+        if close.is_none() {
+            let about = part.halved(around, CLOSE * h, &mut |h, to| stops(h, to).is_none());
+            close = closely(flow, about, &mut stops);
+        }
         part.to = None;
-        if let [Some(from), to] = ends
-            && stops(before, &from).is_none()
-        {
-            let met = to.as_ref().map(|to| stops(after, to));
-            if met != Some(None) {
-                part.from = (before, from);
-                part.to = to.map(|to| (after, to));
-                around = about;
-                seen = part.seen(met.flatten(), h, &mut stops);
-            }
+        if let Some((closer, until, met)) = close {
+            part = closer;
+            around = [part.from.0, until];
+            seen = part.seen(met, h, &mut stops);
         }
     }
     match seen {
@@ -103,6 +102,30 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     let to = flow.after(after).or_else(|| flow.after(before));
     let q = to.map_or_else(|| flow.q.clone(), |to| to.q);
     Stop { after, q, bounds }
+}
+
+/// The motion between two times, of which it goes on at the first and does not at the second, if it is so; until when, and what stops it.
+fn closely<'f, 'a>(
+    flow: &'f Flow<'a>,
+    about: [f64; 2],
+    stops: &mut dyn FnMut(f64, &Arrived) -> Option<Obstacle>,
+) -> Option<(Between<'f, 'a>, f64, Option<Obstacle>)> {
+    let [before, after] = about;
+    let from = flow.after(before)?;
+    if stops(before, &from).is_some() {
+        return None;
+    }
+    let to = flow.after(after);
+    let met = match &to {
+        Some(to) => Some(stops(after, to)?),
+        None => None,
+    };
+    let part = Between {
+        flow,
+        from: (before, from),
+        to: to.map(|to| (after, to)),
+    };
+    Some((part, after, met))
 }
 
 /// The stop where a function comes to 0.
