@@ -1,7 +1,7 @@
 //! Whether the parts of a pair meet on the path of a step.
 
 use cspace::pair::{PairCrossing, PairMotion};
-use cspace::{Classification, Configuration, Coordinates, PatchId, QueryError};
+use cspace::{Classification, Configuration, Coordinates, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Touch};
 use crate::root::root;
@@ -27,6 +27,10 @@ const MOST_HALVED: usize = 20;
 /// In these shares of a piece it is halved where that contact is, elsewhere in the middle.
 const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
 
+/// Clearances of parts on axes, of which motions are followed in less time than distances are measured, are asked for where they may be so many
+/// times what is needed.
+pub(super) const LIKELY: f64 = 2.0;
+
 /// A share of a path, and the coordinates there.
 type Place = (f64, Vec<f64>);
 
@@ -40,6 +44,8 @@ pub(super) struct Meeting<'m> {
     pub(super) path: &'m Path<'m>,
     /// What its pair is where steps begin and end.
     pub(super) classes: &'m Classes,
+    /// How far its parts are apart at most where the path begins.
+    pub(super) ceiling: f64,
 }
 
 impl Meeting<'_> {
@@ -73,8 +79,13 @@ impl Meeting<'_> {
         if bent == 0 || self.is_straight([from, to]) {
             return self.is_between([from, to], MOST_HALVED);
         }
-        let clearance = self.pair.space.clearance(self.coordinates(&from.1));
-        if clearance.is_ok_and(|clearance| self.way(&from.1, &to.1) <= clearance) {
+        let way = self.way(&from.1, &to.1);
+        let likely = match &self.pair.space {
+            PairSpace::FixedAxes(_) => LIKELY * way <= self.ceiling + self.way(self.path.from(), &from.1),
+            PairSpace::Planar(_) | PairSpace::Lower(_) => true,
+        };
+        let clearance = || self.pair.space.clearance(self.coordinates(&from.1));
+        if likely && clearance().is_ok_and(|clearance| way <= clearance) {
             return false;
         }
         let middle = self.place([from, to], 0.5);

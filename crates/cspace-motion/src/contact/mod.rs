@@ -2,6 +2,7 @@
 
 mod bound;
 mod classes;
+mod cleared;
 mod corner;
 mod describe;
 mod ends;
@@ -12,7 +13,8 @@ mod pinch;
 mod watch;
 
 pub(crate) use bound::{
-    Bound, SAME_PLACE, brakes, limit_tolerance, limits, nearly_touching, touching,
+    Bound, SAME_PLACE, brakes, limit_tolerance, limits, nearly_touching, nearly_touching_of,
+    touching,
 };
 pub(crate) use corner::one_is_enough;
 pub(crate) use describe::named;

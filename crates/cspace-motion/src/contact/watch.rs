@@ -7,8 +7,9 @@ use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
 use super::classes::Classes;
+use super::cleared::Cleared;
 use super::ends::{PAST_END, ends};
-use super::meeting::Meeting;
+use super::meeting::{LIKELY, Meeting};
 use super::path::Path;
 use super::pinch::pinching;
 
@@ -40,6 +41,8 @@ pub(crate) struct Watch<'a> {
     patches: Vec<Vec<Touch>>,
     /// What pairs are where steps begin and end.
     classes: Classes,
+    /// How far pairs are known to meet nothing.
+    cleared: Cleared,
     /// The pair that met something in the step that was looked at last.
     met: Option<usize>,
 }
@@ -53,6 +56,7 @@ impl<'a> Watch<'a> {
             ceiling: vec![f64::INFINITY; pairs.list().len()],
             patches: vec![Vec::new(); pairs.list().len()],
             classes: Classes::new(pairs.list().len()),
+            cleared: Cleared::new(pairs.list().len()),
             met: None,
         }
     }
@@ -65,6 +69,7 @@ impl<'a> Watch<'a> {
             index,
             path,
             classes: &self.classes,
+            ceiling: self.ceiling[index],
         }
     }
 
@@ -97,6 +102,7 @@ impl<'a> Watch<'a> {
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
         let all = 0..self.pairs.list().len();
+        self.cleared.begin(held, path);
         let mut each = all.map(|pair| (pair, self.check_pair(pair, held, path)));
         let found = each.find_map(|(pair, met)| Some((pair, met?)));
         self.met = found.map(|(pair, _)| pair);
@@ -158,11 +164,15 @@ impl<'a> Watch<'a> {
         if travel <= self.room[index] {
             return None;
         }
-        if travel == 0.0 {
+        if travel == 0.0 || self.cleared.covers(index, path) {
             return None;
         }
-        // Nothing is asked of which the answer is known to be no.
-        if travel <= self.ceiling[index] {
+        // Nothing is asked of which the answer is known to be no, or is likely to be.
+        let likely = match &pair.space {
+            PairSpace::FixedAxes(_) => LIKELY,
+            PairSpace::Planar(_) | PairSpace::Lower(_) => 1.0,
+        };
+        if likely * travel <= self.ceiling[index] {
             let at = pair.coordinates(self.system, from);
             match pair.space.clearance(at) {
                 Ok(clearance) => {
@@ -191,7 +201,11 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
-        (self.meeting(index, path).happens()).then_some(Met::Contact)
+        if self.meeting(index, path).happens() {
+            return Some(Met::Contact);
+        }
+        self.cleared.tell(index, path);
+        None
     }
 
     /// Whether both ends of a step are on the patch on which two features touched last.

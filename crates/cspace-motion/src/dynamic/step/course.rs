@@ -60,6 +60,11 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         })
     }
 
+    /// The same, with what joints and contacts miss.
+    fn rough(&self, h: f64) -> State {
+        self.dense.at(self.span.from, h)
+    }
+
     /// A root of a function between two times, at which it is positive and below 0: of a step to there, and how long it is.
     pub(super) fn root(
         &self,
@@ -67,8 +72,8 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         (hi, f_hi): (f64, f64),
         value: &dyn Fn(&State) -> Option<f64>,
     ) -> Option<(f64, Taken)> {
-        let near = |h: f64| value(&self.near(h)?);
-        let about = root((lo, f_lo), (hi, f_hi), near)?;
+        let rough = |h: f64| value(&self.rough(h));
+        let about = root((lo, f_lo), (hi, f_hi), rough)?;
         if let Some(found) = self.mended(about, (lo, hi), value) {
             return Some(found);
         }
@@ -85,7 +90,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
     ) -> Option<(f64, Taken)> {
         let side = SLOPE * (hi - lo);
         let (before, after) = ((about - side).max(lo), (about + side).min(hi));
-        let of = |h: f64| value(&self.near(h)?);
+        let of = |h: f64| value(&self.rough(h));
         let mut slope = (of(after)? - of(before)?) / (after - before);
         let mut h = about;
         let mut taken = self.at(h)?;

@@ -9,6 +9,8 @@ use crate::root::root;
 const LOCATED: f64 = 1e-14;
 /// A root between two times is looked for when they are within these shares of the step.
 const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
+/// So many things that are met before what is met last are looked at.
+const MOST_LOOKS: usize = 16;
 /// Nothing is met at this share of the two times before it.
 const BEFORE: f64 = 1e-7;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
@@ -16,13 +18,37 @@ const NEAR_EVENT: f64 = 1e-6;
 /// And one whose root is not farther ahead than this: what contacts are known to.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
+/// What is told by the functions that change their sign between two times.
+enum Told {
+    /// The first root, and the contacts that close there.
+    Root(Taken, Vec<usize>),
+    /// Something else is met up to this time before it.
+    Earlier(f64, State),
+    /// Nothing.
+    Nothing,
+}
+
 impl<W: World + ?Sized> Course<'_, '_, W> {
-    /// Where a step of a length first met something, and the contacts that closed there.
+    /// Where a step of a length, to a state, first met something, and the contacts that closed there.
     ///
-    /// Halving the step tells it as well as contacts are told by their spaces; then the function is looked for that vanishes there.
-    pub(super) fn first_met(&self, h: f64) -> Option<(Taken, Vec<usize>)> {
+    /// The functions that change their sign tell it nearly always. Halving the step tells it as well as contacts are told by their spaces;
+    /// then the function is looked for that vanishes there.
+    pub(super) fn first_met(&self, h: f64, to: State) -> Option<(Taken, Vec<usize>)> {
         let (mut before, mut after) = (0.0, h);
-        let mut ends: (Option<State>, Option<State>) = (None, None);
+        let mut ends: (Option<State>, Option<State>) = (None, Some(to));
+        for _ in 0..MOST_LOOKS {
+            let Some(end) = &ends.1 else {
+                break;
+            };
+            match self.first_root((before, self.span.from), (after, end)) {
+                Told::Root(taken, closed) => return Some((taken, closed)),
+                Told::Earlier(time, state) => {
+                    after = time;
+                    ends.1 = Some(state);
+                }
+                Told::Nothing => break,
+            }
+        }
         let mut tries = QUICK.iter();
         let mut next = tries.next();
         while after - before > LOCATED * h {
@@ -30,9 +56,9 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
                 next = tries.next();
                 let begin = ends.0.as_ref().unwrap_or(self.span.from);
                 if let Some(end) = &ends.1
-                    && let Some(found) = self.first_root((before, begin), (after, end))
+                    && let Told::Root(taken, closed) = self.first_root((before, begin), (after, end))
                 {
-                    return Some(found);
+                    return Some((taken, closed));
                 }
             }
             let middle = 0.5 * (before + after);
@@ -78,11 +104,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
 
     /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
     /// between them.
-    fn first_root(
-        &self,
-        (before, begin): (f64, &State),
-        (after, end): (f64, &State),
-    ) -> Option<(Taken, Vec<usize>)> {
+    fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Told {
         let world = self.world();
         let step = Step {
             from: begin,
@@ -97,21 +119,35 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
             if !(a > 0.0 && b < 0.0) {
                 continue;
             }
-            let (h, taken) = self.root((before, a), (after, b), &|s| Some(value(s)))?;
+            let Some((h, taken)) = self.root((before, a), (after, b), &|s| Some(value(s))) else {
+                return Told::Nothing;
+            };
+            let there = &taken.state;
+            if let Sought::Gap(contact) = sought
+                && !world.is_there(contact, there.t, &there.q)
+            {
+                // Beyond the ends of its features a contact has no gap.
+                continue;
+            }
             if first.as_ref().is_none_or(|f| h < f.0) {
                 first = Some((h, taken, sought));
             }
         }
-        let (_, taken, sought) = first?;
-        let there = &taken.state;
+        let Some((h, taken, sought)) = first else {
+            return Told::Nothing;
+        };
         let closed = match sought {
-            Sought::Gap(contact) if !world.is_there(contact, there.t, &there.q) => return None,
             Sought::Gap(contact) => vec![contact],
             Sought::End(..) => Vec::new(),
         };
         // Nothing else was met before.
-        let just = just_before(there, BEFORE * (after - before));
-        (!self.met(&just)).then_some((taken, closed))
+        let while_before = BEFORE * (after - before);
+        let just = just_before(&taken.state, while_before);
+        if self.met(&just) {
+            Told::Earlier(h - while_before, just)
+        } else {
+            Told::Root(taken, closed)
+        }
     }
 
     /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;
