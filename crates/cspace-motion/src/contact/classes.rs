@@ -7,8 +7,8 @@ use cspace::{Classification, Coordinates, QueryError};
 
 use crate::pairs::MovingPair;
 
-/// So many are kept of each pair: where a step begins, and where it ends.
-const KEPT: usize = 2;
+/// So many are kept of each pair: where a step begins and ends, and two places between.
+const KEPT: usize = 4;
 
 /// Classes of configurations, those asked for last of each pair.
 #[derive(Debug)]

@@ -10,12 +10,15 @@ use crate::system::System;
 use super::classes::Classes;
 use super::path::Path;
 
-/// A piece of a path is straight if the pair's configuration is no farther than this from the straight way, relative to the size of the
-/// mechanism: what is met by less goes unseen.
+/// A piece of a path that begins in contact is straight if the pair's configuration is no farther than this from the straight way, relative to
+/// the size of the mechanism: what is met by less goes unseen until the parts are apart.
 const STRAIGHT: f64 = 1e-6;
+/// A piece that begins with the parts apart: the room beside the straight way is looked at as well.
+const NEARLY_STRAIGHT: f64 = 1e-4;
 /// A path that is not is halved, so many times at most.
 const MOST_BENT: usize = 12;
-/// The first piece of a step that begins in contact is short: this share of it.
+/// The first pieces of a step that begins in contact are short, until the parts are apart: this share of it, and of that. In the first the
+/// way is straight to what contacts are known to.
 const FIRST: f64 = 1.0 / 64.0;
 
 /// A path between two configurations of a step is at most so much longer than the way from one to the other.
@@ -26,10 +29,6 @@ const LONGER: f64 = 1.1;
 const MOST_HALVED: usize = 20;
 /// In these shares of a piece it is halved where that contact is, elsewhere in the middle.
 const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
-
-/// Clearances of parts on axes, of which motions are followed in less time than distances are measured, are asked for where they may be so many
-/// times what is needed.
-pub(super) const LIKELY: f64 = 2.0;
 
 /// A share of a path, and the coordinates there.
 type Place = (f64, Vec<f64>);
@@ -66,22 +65,37 @@ impl Meeting<'_> {
 
     /// Whether they meet anywhere.
     pub(super) fn happens(&self) -> bool {
-        let [from, to] = [0.0, 1.0].map(|share| (share, self.path.at(share)));
-        if self.class(self.coordinates(&from.1)) == Ok(Classification::Free) {
-            return self.is_on([&from, &to], MOST_BENT);
+        let mut from = (0.0, self.path.at(0.0));
+        for end in [FIRST * FIRST, FIRST, 1.0] {
+            let is_apart = self.class(self.coordinates(&from.1)) == Ok(Classification::Free);
+            let (end, straight) = if is_apart {
+                (1.0, NEARLY_STRAIGHT)
+            } else {
+                (end, STRAIGHT)
+            };
+            let to = (end, self.path.at(end));
+            if self.is_on([&from, &to], straight, MOST_BENT) {
+                return true;
+            }
+            if end == 1.0 {
+                break;
+            }
+            from = to;
         }
-        let first = (FIRST, self.path.at(FIRST));
-        self.is_on([&from, &first], MOST_BENT) || self.is_on([&first, &to], MOST_BENT)
+        false
     }
 
     /// Whether they meet between two places, which are looked at in straight pieces.
-    fn is_on(&self, [from, to]: [&Place; 2], bent: usize) -> bool {
-        if bent == 0 || self.is_straight([from, to]) {
+    fn is_on(&self, [from, to]: [&Place; 2], straight: f64, bent: usize) -> bool {
+        if bent == 0 || self.is_straight([from, to], straight) {
             return self.is_between([from, to], MOST_HALVED);
         }
         let way = self.way(&from.1, &to.1);
+        // Motions on axes are followed in less time than distances are measured.
         let likely = match &self.pair.space {
-            PairSpace::FixedAxes(_) => LIKELY * way <= self.ceiling + self.way(self.path.from(), &from.1),
+            PairSpace::FixedAxes(_) => {
+                2.0 * way <= self.ceiling + self.way(self.path.from(), &from.1)
+            }
             PairSpace::Planar(_) | PairSpace::Lower(_) => true,
         };
         let clearance = || self.pair.space.clearance(self.coordinates(&from.1));
@@ -89,25 +103,29 @@ impl Meeting<'_> {
             return false;
         }
         let middle = self.place([from, to], 0.5);
-        self.is_on([from, &middle], bent - 1) || self.is_on([&middle, to], bent - 1)
+        self.is_on([from, &middle], straight, bent - 1)
+            || self.is_on([&middle, to], straight, bent - 1)
     }
 
     /// Whether the pair's configuration goes straight between two places, as seen at two others between them: a cubic that is straight
     /// there is so all the way.
-    fn is_straight(&self, [from, to]: [&Place; 2]) -> bool {
+    fn is_straight(&self, [from, to]: [&Place; 2], straight: f64) -> bool {
         let ends = [from, to].map(|place| self.coordinates(&place.1));
         [0.25, 0.75].into_iter().all(|share| {
             let there = self.coordinates(&self.place([from, to], share).1);
             let off = between(ends, share).and_then(|straight| difference(straight, there));
-            off.is_some_and(|off| self.length(off) <= STRAIGHT * self.system.size())
+            off.is_some_and(|off| self.length(off) <= straight * self.system.size())
         })
     }
 
     /// How far a change of the pair's configuration moves points of the moving part at most, or both parts on their axes.
     fn length(&self, change: Coordinates) -> f64 {
-        let [fixed, moving] = [self.pair.fixed, self.pair.moving].map(|part| self.system.levers()[part]);
+        let [fixed, moving] =
+            [self.pair.fixed, self.pair.moving].map(|part| self.system.levers()[part]);
         match change {
-            Coordinates::Planar(c) => c.x.hypot(c.y) + self.system.reach(self.pair.moving) * c.theta.abs(),
+            Coordinates::Planar(c) => {
+                c.x.hypot(c.y) + self.system.reach(self.pair.moving) * c.theta.abs()
+            }
             Coordinates::Axes { u, v } => fixed[0] * u.abs() + moving[0] * v.abs(),
         }
     }
@@ -129,7 +147,7 @@ impl Meeting<'_> {
         }
         let contact = difference(a, b).map(|rates| space.first_contact(a, rates, 1.0));
         let Some(Ok(PairMotion::Contact(contact))) = contact else {
-            return false;
+            return self.is_beside([from, to], halved);
         };
         let there = self.place([from, to], contact.time);
         let Ok(touch) = self.pair.touch_of(self.index, contact.patch) else {
@@ -143,6 +161,41 @@ impl Meeting<'_> {
         }
         // Spaces tell contacts a little early: by the features themselves there may be none.
         self.least_gap(&touch, [&there, to]) <= 0.0 || self.goes_deep([&there, to], halved)
+    }
+
+    /// Whether they meet between two places on the path, which is beside the straight way, on which they do not.
+    ///
+    /// ```text
+    ///            p₁ ------- p₂         A cubic is between its chord and the legs over its control points. What comes to it
+    ///           /   ___·___   \        comes through one of these: there is nothing so small that it has room between them.
+    ///          / ·'    ▲    '· \       Where a leg meets something, shorter pieces tell: the room falls by four with each
+    ///   from  ·-----------------· to   halving.
+    /// ```
+    fn is_beside(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
+        let ends = [from, to].map(|place| self.coordinates(&place.1));
+        let on_path = |share: f64| self.coordinates(&self.place([from, to], share).1);
+        let Some(legs) = control_points(ends, [1.0 / 3.0, 2.0 / 3.0].map(on_path)) else {
+            return false;
+        };
+        let beside = |at: Coordinates, share: f64| {
+            let off = between(ends, share).and_then(|straight| difference(straight, at));
+            off.map_or(0.0, |off| self.length(off))
+        };
+        let room = beside(legs[1], 1.0 / 3.0).max(beside(legs[2], 2.0 / 3.0));
+        let most = 2.0 * NEARLY_STRAIGHT * self.system.size();
+        if halved == 0 || room <= self.pair.space.resolution() || room > most {
+            return false;
+        }
+        let space = &self.pair.space;
+        let is_free = |leg: &[Coordinates]| {
+            let motion =
+                difference(leg[0], leg[1]).map(|rates| space.first_contact(leg[0], rates, 1.0));
+            matches!(motion, Some(Ok(PairMotion::Free)))
+        };
+        if legs.windows(2).all(is_free) {
+            return false;
+        }
+        self.is_in_halves([from, to], 0.5, halved)
     }
 
     /// Whether they come to be deeper in each other than contacts are known to, from where they touch.
@@ -218,6 +271,17 @@ fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
 /// The configuration at a share of the straight way between two.
 fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
     combined(a, b, |a, b| a + share * (b - a))
+}
+
+/// The control points of a cubic of which the ends are known, and what is at a third and two thirds of it.
+fn control_points([a, b]: [Coordinates; 2], [p, r]: [Coordinates; 2]) -> Option<[Coordinates; 4]> {
+    let of = |a: Coordinates, p: Coordinates, r: Coordinates, b: Coordinates| {
+        // (18 p − 5 a − 9 r + 2 b) / 6
+        let ends = combined(a, b, |a, b| 2.0 * b - 5.0 * a)?;
+        let inner = combined(p, r, |p, r| 18.0 * p - 9.0 * r)?;
+        combined(ends, inner, |ends, inner| (ends + inner) / 6.0)
+    };
+    Some([a, of(a, p, r, b)?, of(b, r, p, a)?, b])
 }
 
 /// The rates of a straight way that takes a second.

@@ -10,6 +10,8 @@ mod meeting;
 mod overlap;
 mod path;
 mod pinch;
+#[cfg(test)]
+mod tests;
 mod watch;
 
 pub(crate) use bound::{

@@ -9,8 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
     Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching,
-    nearly_touching_of,
-    one_is_enough, overlapping, touching,
+    nearly_touching_of, one_is_enough, overlapping, touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;

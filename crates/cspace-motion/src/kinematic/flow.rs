@@ -124,14 +124,7 @@ impl<'a> Flow<'a> {
 
     fn bring(&self, h: f64, q: &mut [f64]) -> Option<There<'a>> {
         let room = CORRECTION * self.system.moved(&self.q, q) + CLOSED * self.system.size();
-        closed(
-            self.system,
-            self.pairs,
-            &self.held,
-            self.time + h,
-            q,
-            room,
-        )
+        closed(self.system, self.pairs, &self.held, self.time + h, q, room)
     }
 
     /// A while later, where contacts and joints leave no freedom: the rates in the middle lead near enough.

@@ -134,9 +134,8 @@ impl Between<'_, '_> {
     ) {
         let flow = self.flow;
         let states = [&before.1, &after.1];
-        let of_bound = |bound: &Bound| {
-            states.map(|at| bound.function(flow.system, flow.pairs, &at.q).value)
-        };
+        let of_bound =
+            |bound: &Bound| states.map(|at| bound.function(flow.system, flow.pairs, &at.q).value);
         let is_open = |bound: &Bound| flow.held.iter().all(|held| !bound.is_same(held));
         match met {
             Obstacle::Pull => {
