@@ -10,6 +10,7 @@ mod meeting;
 mod overlap;
 mod path;
 mod pinch;
+mod straight;
 #[cfg(test)]
 mod tests;
 mod watch;

@@ -13,6 +13,7 @@ mod modes;
 mod rest;
 mod run;
 mod settle;
+mod there;
 mod velocity;
 
 pub(crate) use flow::close;

@@ -1,17 +1,16 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, Spring, SpringKind};
+use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
 use cspace::{
     AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
 };
 
 use super::joint;
 use super::layout::{PartCoordinates, Placed, reach, rows_of};
-use super::metric;
+use super::metric::Metric;
 use super::row::Row;
 use crate::drive::DriveCurve;
 use crate::error::SimulateError;
-use crate::linear::Cholesky;
 
 /// A mechanism as a system of coordinates.
 ///
@@ -21,7 +20,7 @@ use crate::linear::Cholesky;
 pub struct System {
     mechanism: Mechanism,
     parts: Vec<PartCoordinates>,
-    moments: Vec<AreaMoments>,
+    pub(super) moments: Vec<AreaMoments>,
     masses: Vec<Option<MassProperties>>,
     /// Centres of mass in the parts' frames.
     centers: Vec<Point>,
@@ -41,16 +40,7 @@ pub struct System {
     reaches: Vec<f64>,
     law: Law,
     /// The metric, if it is the same everywhere.
-    metric: Option<Metric>,
-}
-
-/// The mass matrix of the outlines with the resistance of dampers.
-#[derive(Debug, Clone)]
-pub(crate) struct Metric {
-    /// Of all coordinates, n × n by rows.
-    pub(crate) matrix: Vec<f64>,
-    /// The factor of that of the free ones.
-    pub(crate) factor: Cholesky,
+    pub(super) metric: Option<Metric>,
 }
 
 /// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
@@ -187,50 +177,6 @@ impl System {
             braked,
         };
         system.with_metric()
-    }
-
-    /// The same with its metric, if that does not depend on where parts are: if all have axes, and springs that resist turn about some.
-    fn with_metric(mut self) -> Self {
-        let (drag, still) = (self.drag(), vec![0.0; self.count]);
-        let is_planar = |p: &PartCoordinates| matches!(p, PartCoordinates::Planar { .. });
-        let turns = |spring: &Spring| match spring.kind {
-            SpringKind::Torsion { .. } => true,
-            SpringKind::Linear {
-                stiffness, damping, ..
-            } => damping + drag * stiffness == 0.0,
-        };
-        let springs = &self.mechanism.dynamics.springs;
-        let is_constant = !self.parts.iter().any(is_planar) && springs.iter().all(turns);
-        self.metric = is_constant
-            .then(|| {
-                let (matrix, _) = self.metric_and_forces(&still);
-                let factor = self.factor(&matrix)?;
-                Some(Metric { matrix, factor })
-            })
-            .flatten();
-        self
-    }
-
-    /// The metric, if it is the same everywhere.
-    pub(crate) fn metric(&self) -> Option<&Metric> {
-        self.metric.as_ref()
-    }
-
-    /// The factor of the free coordinates' part of a matrix of all, n × n by rows; `None` if that is not positive definite.
-    pub(crate) fn factor(&self, matrix: &[f64]) -> Option<Cholesky> {
-        let (n, free) = (self.count, &self.free);
-        let of_free: Vec<f64> = (free.iter())
-            .flat_map(|&i| free.iter().map(move |&j| matrix[i * n + j]))
-            .collect();
-        Cholesky::of(&of_free, free.len())
-    }
-
-    /// How much springs resist, per stiffness.
-    fn drag(&self) -> f64 {
-        match self.law {
-            Law::Speeds { drag, .. } => drag,
-            Law::Balance => 0.0,
-        }
     }
 
     /// The same with forces that balance at every instant, as drives that are slow leave them.
@@ -461,25 +407,5 @@ impl System {
         let mut forces = vec![0.0; self.count];
         self.add_forces(q, &mut forces, |_, _, _| {});
         forces
-    }
-
-    /// The mass matrix of the outlines at unit density with the resistance of dampers, n × n by rows, and the forces of
-    /// loads, weights and springs on the coordinates.
-    pub(crate) fn metric_and_forces(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let n = self.count;
-        let (mut matrix, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
-        for (part, moments) in self.parts.iter().zip(&self.moments) {
-            metric::add_outline(&mut matrix, n, part, moments, q);
-        }
-        let drag = self.drag();
-        self.add_forces(q, &mut forces, |along, stiffness, damping| {
-            let resistance = damping + drag * stiffness;
-            for &(i, a) in along.entries() {
-                for &(j, b) in along.entries() {
-                    matrix[i * n + j] += resistance * a * b;
-                }
-            }
-        });
-        (matrix, forces)
     }
 }

@@ -5,6 +5,7 @@ mod force;
 mod joint;
 mod layout;
 mod metric;
+mod resistance;
 mod row;
 
 pub(crate) use coordinates::Law;

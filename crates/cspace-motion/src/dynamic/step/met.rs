@@ -56,7 +56,8 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
                 next = tries.next();
                 let begin = ends.0.as_ref().unwrap_or(self.span.from);
                 if let Some(end) = &ends.1
-                    && let Told::Root(taken, closed) = self.first_root((before, begin), (after, end))
+                    && let Told::Root(taken, closed) =
+                        self.first_root((before, begin), (after, end))
                 {
                     return Some((taken, closed));
                 }
@@ -112,27 +113,28 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
             bearing: &self.bearing,
         };
         let way = world.reach(&(&end.q - &begin.q));
-        let mut first: Option<(f64, Taken, Sought)> = None;
+        let value = |sought: Sought, state: &State| world.value(sought, state.t, &state.q);
+        let mut all: Vec<(f64, [f64; 2], Sought)> = Vec::new();
         for sought in world.sought(step, way) {
-            let value = |state: &State| world.value(sought, state.t, &state.q);
-            let (a, b) = (value(begin), value(end));
+            let [a, b] = [begin, end].map(|state| value(sought, state));
             if !(a > 0.0 && b < 0.0) {
                 continue;
             }
-            let Some((h, taken)) = self.root((before, a), (after, b), &|s| Some(value(s))) else {
-                return Told::Nothing;
-            };
-            let there = &taken.state;
-            if let Sought::Gap(contact) = sought
-                && !world.is_there(contact, there.t, &there.q)
-            {
-                // Beyond the ends of its features a contact has no gap.
-                continue;
-            }
-            if first.as_ref().is_none_or(|f| h < f.0) {
-                first = Some((h, taken, sought));
-            }
+            let about = self.about((before, a), (after, b), &|s| Some(value(sought, s)));
+            all.extend(about.map(|about| (about, [a, b], sought)));
         }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let first = all.into_iter().find_map(|(about, [a, b], sought)| {
+            let of = |s: &State| Some(value(sought, s));
+            let (h, taken) = self.exactly(about, (before, a), (after, b), &of)?;
+            let there = &taken.state;
+            // Beyond the ends of its features a contact has no gap.
+            let is_there = match sought {
+                Sought::Gap(contact) => world.is_there(contact, there.t, &there.q),
+                Sought::End(..) => true,
+            };
+            is_there.then_some((h, taken, sought))
+        });
         let Some((h, taken, sought)) = first else {
             return Told::Nothing;
         };
