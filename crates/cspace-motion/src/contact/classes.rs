@@ -12,7 +12,10 @@ const KEPT: usize = 4;
 
 /// Classes of configurations, those asked for last of each pair.
 #[derive(Debug)]
-pub(super) struct Classes(RefCell<Vec<[Option<(Coordinates, Classification)>; KEPT]>>);
+pub(super) struct Classes(RefCell<Vec<[Option<Known>; KEPT]>>);
+
+/// A configuration and what it is.
+type Known = (Coordinates, Classification);
 
 impl Classes {
     /// Of so many pairs, nothing being known.

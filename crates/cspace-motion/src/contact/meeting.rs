@@ -169,7 +169,7 @@ impl Meeting<'_> {
     /// ```text
     ///            p₁ ------- p₂         A cubic is between its chord and the legs over its control points. What comes to it
     ///           /   ___·___   \        comes through one of these: there is nothing so small that it has room between them.
-    ///          / ·'    ▲    '· \       Where a leg meets something, shorter pieces tell: the room falls by four with each
+    ///          / ·'    ▲    '· \       Where a leg meets something, the path is halved: the room falls by four with each
     ///   from  ·-----------------· to   halving.
     /// ```
     fn is_beside(&self, [from, to]: [&Place; 2], halved: usize) -> bool {

@@ -19,7 +19,7 @@ pub(crate) const LONGEST: f64 = 0.02;
 /// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
 const SHARE: f64 = 1.0 / 14.0;
 
-/// Clearances are asked for at least where they may be so many times what is needed.
+/// Clearances are asked for wherever they may be so many times what is needed, however often they were not.
 const MOST_LIKELY: f64 = 64.0;
 
 /// What a step met.

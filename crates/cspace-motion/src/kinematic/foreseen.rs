@@ -1,4 +1,4 @@
-//! What happens within a part of a step, as functions tell that change their sign in it.
+//! What happens within a part of a step, by the functions that change their sign in it.
 //!
 //! ```text
 //!   ----+------------------ r ----------------+---->  time
@@ -28,7 +28,7 @@ const NEAR: f64 = 6.0;
 
 /// So many obstacles are looked at, each of which is met before the last.
 const MOST_LOOKS: usize = 16;
-/// How a function changes is told from the cubic over this share of the times between which its root is looked for.
+/// The rate of a function is that of the cubic over this share of the times between which its root is looked for.
 const SLOPE: f64 = 1e-3;
 /// Roots on the cubic are mended so many times at most.
 const MENDED: usize = 6;
@@ -36,6 +36,8 @@ const MENDED: usize = 6;
 const RIGHT: f64 = 1e-12;
 
 /// What is seen of a part of a step.
+// There is one at a time.
+#[allow(clippy::large_enum_variant)]
 pub(super) enum Seen {
     /// It happens at this time, to this bound if one closes.
     At(f64, What),
@@ -44,6 +46,8 @@ pub(super) enum Seen {
 }
 
 /// A function that is positive until something happens.
+// There are a few at a time, most of them contacts.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy)]
 pub(super) enum What {
     /// Of a bound that is open.
@@ -58,7 +62,7 @@ pub(super) enum What {
 type Place = (f64, Arrived);
 
 impl Between<'_, '_> {
-    /// When it happens that a step does not go on, as an obstacle that was met at the second time tells.
+    /// When it happens that a step does not go on, of which an obstacle was met at the end.
     pub(super) fn seen(
         &self,
         mut met: Option<Obstacle>,

@@ -11,8 +11,8 @@ const DEPENDENT: f64 = 1e-8;
 /// Rows of equations, orthogonalized.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rows {
-    /// Q: an orthonormal basis of what the rows tell, each with where it is not 0: a contact is of two parts, and what the rows before it do not
-    /// tell is often of one.
+    /// Q: an orthonormal basis of the rows, each with where it is not 0: a contact is of two parts, and what it adds to the rows before it is
+    /// often of one.
     basis: Vec<(Vec<f64>, Range<usize>)>,
     /// R of the rows that are independent: row i has i + 1 numbers.
     triangle: Vec<Vec<f64>>,

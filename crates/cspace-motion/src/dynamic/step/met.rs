@@ -18,8 +18,8 @@ const NEAR_EVENT: f64 = 1e-6;
 /// And one whose root is not farther ahead than this: what contacts are known to.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
-/// What is told by the functions that change their sign between two times.
-enum Told {
+/// What the functions that change their sign between two times show.
+enum Shown {
     /// The first root, and the contacts that close there.
     Root(Taken, Vec<usize>),
     /// Something else is met up to this time before it.
@@ -31,7 +31,7 @@ enum Told {
 impl<W: World + ?Sized> Course<'_, '_, W> {
     /// Where a step of a length, to a state, first met something, and the contacts that closed there.
     ///
-    /// The functions that change their sign tell it nearly always. Halving the step tells it as well as contacts are told by their spaces;
+    /// Nearly always it is the first root of a function that changes its sign. Otherwise halving the step tells it as well as contacts are told by their spaces;
     /// then the function is looked for that vanishes there.
     pub(super) fn first_met(&self, h: f64, to: State) -> Option<(Taken, Vec<usize>)> {
         let (mut before, mut after) = (0.0, h);
@@ -41,12 +41,12 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
                 break;
             };
             match self.first_root((before, self.span.from), (after, end)) {
-                Told::Root(taken, closed) => return Some((taken, closed)),
-                Told::Earlier(time, state) => {
+                Shown::Root(taken, closed) => return Some((taken, closed)),
+                Shown::Earlier(time, state) => {
                     after = time;
                     ends.1 = Some(state);
                 }
-                Told::Nothing => break,
+                Shown::Nothing => break,
             }
         }
         let mut tries = QUICK.iter();
@@ -56,7 +56,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
                 next = tries.next();
                 let begin = ends.0.as_ref().unwrap_or(self.span.from);
                 if let Some(end) = &ends.1
-                    && let Told::Root(taken, closed) =
+                    && let Shown::Root(taken, closed) =
                         self.first_root((before, begin), (after, end))
                 {
                     return Some((taken, closed));
@@ -105,7 +105,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
 
     /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
     /// between them.
-    fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Told {
+    fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Shown {
         let world = self.world();
         let step = Step {
             from: begin,
@@ -136,7 +136,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
             is_there.then_some((h, taken, sought))
         });
         let Some((h, taken, sought)) = first else {
-            return Told::Nothing;
+            return Shown::Nothing;
         };
         let closed = match sought {
             Sought::Gap(contact) => vec![contact],
@@ -146,9 +146,9 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         let while_before = BEFORE * (after - before);
         let just = just_before(&taken.state, while_before);
         if self.met(&just) {
-            Told::Earlier(h - while_before, just)
+            Shown::Earlier(h - while_before, just)
         } else {
-            Told::Root(taken, closed)
+            Shown::Root(taken, closed)
         }
     }
 
