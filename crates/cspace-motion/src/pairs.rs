@@ -3,13 +3,13 @@
 use cspace::mechanism::MechanismError;
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
-    PairEntry, PairSpace, PatchId, Point, Progress, QueryError, Relation, Rotation, Slice,
-    contact_function, touching_place,
+    PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
+    Rotation, Slice, contact_function, touching_place,
 };
 use rayon::prelude::*;
 
 use crate::error::SimulateError;
-use crate::system::{Row, System};
+use crate::system::{Placed, Row, System};
 
 /// Contacts this near count as touching, relative to the size of the pair: a dozen times the resolution of a space, so that
 /// what is computed of a contact does not leave it by rounding.
@@ -121,6 +121,33 @@ impl Pairs {
     /// The parts of those that never meet.
     pub fn apart(&self) -> &[(usize, usize)] {
         &self.apart
+    }
+}
+
+/// The contact function of two features.
+struct Gap<'a>(&'a FeatureContact);
+
+impl Placed<1> for Gap<'_> {
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
+        let real = |_, x| T::constant(x);
+        let (fixed, moving) = (self.0.fixed.map(real), self.0.moving.map(real));
+        [contact_function(&fixed, &moving, &a.inverse().compose(b))]
+    }
+}
+
+/// How far the point of the moving part is from that of the fixed part, to the left of a normal that does not change.
+struct Across {
+    normal: [f64; 2],
+    on_fixed: [f64; 2],
+    on_moving: [f64; 2],
+}
+
+impl Placed<1> for Across {
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
+        let n = self.normal.map(T::constant);
+        let p = a.point(self.on_fixed.map(T::constant));
+        let r = b.point(self.on_moving.map(T::constant));
+        [(r[1] - p[1]) * n[0] - (r[0] - p[0]) * n[1]]
     }
 }
 
@@ -270,12 +297,7 @@ impl MovingPair {
     /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,
     /// in the model's unit of length.
     pub fn function(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
-        let real = |_, x| cspace::Real::constant(x);
-        let fixed = touch.contact.fixed.map(real);
-        let moving = touch.contact.moving.map(real);
-        system.row([self.fixed, self.moving], q, |a, b| {
-            contact_function(&fixed, &moving, &a.inverse().compose(b))
-        })
+        system.row([self.fixed, self.moving], q, &Gap(&touch.contact))
     }
 
     /// How fast two features that touch slide on each other: t · (v_moving − v_fixed) of the points that touch, with the unit vector t to the
@@ -288,14 +310,12 @@ impl MovingPair {
             &touch.contact.moving,
             &a.inverse().compose(&b),
         );
-        let n = a.vector(place.normal).map(cspace::Real::constant);
-        let on_moving = b.inverse().point(a.point(place.on_moving));
-        let constant = |p: [f64; 2]| p.map(cspace::Real::constant);
-        let (on_fixed, on_moving) = (constant(place.on_fixed), constant(on_moving));
-        let row = system.row([self.fixed, self.moving], q, |a, b| {
-            let (p, r) = (a.point(on_fixed), b.point(on_moving));
-            (r[1] - p[1]) * n[0] - (r[0] - p[0]) * n[1]
-        });
+        let across = Across {
+            normal: a.vector(place.normal),
+            on_fixed: place.on_fixed,
+            on_moving: b.inverse().point(a.point(place.on_moving)),
+        };
+        let row = system.row([self.fixed, self.moving], q, &across);
         row.plus(-1.0, &Row::new(row.value))
     }
 

@@ -127,15 +127,26 @@ pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> 
 
 /// Those that touch, or nearly: within a length.
 pub(crate) fn nearly_touching(system: &System, pairs: &Pairs, q: &[f64], near: f64) -> Vec<Bound> {
-    let mut all = Vec::new();
-    for (index, pair) in pairs.list().iter().enumerate() {
-        // Outside of its space nothing touches, and the motion does not go on.
-        let touches = pair.touches(index, system, q, near.max(REACH * pair.touch));
-        all.extend(touches.unwrap_or_default().into_iter().map(Bound::Contact));
-    }
+    let of = |pair: usize| nearly_touching_of(system, pairs, pair, q, near);
+    let mut all: Vec<Bound> = (0..pairs.list().len()).flat_map(of).collect();
     let reached = limits(system, q).into_iter().filter(|(bound, room)| {
         matches!(bound, Bound::Limit { part, .. } if *room < REACH * limit_tolerance(system, *part))
     });
     all.extend(reached.map(|(bound, _)| bound));
     all
+}
+
+/// The contacts of one pair that touch, or nearly: within a length.
+pub(crate) fn nearly_touching_of(
+    system: &System,
+    pairs: &Pairs,
+    index: usize,
+    q: &[f64],
+    near: f64,
+) -> Vec<Bound> {
+    let pair = &pairs.list()[index];
+    // Outside of its space nothing touches, and the motion does not go on.
+    let touches = pair.touches(index, system, q, near.max(REACH * pair.touch));
+    let touches = touches.unwrap_or_default().into_iter();
+    touches.map(Bound::Contact).collect()
 }

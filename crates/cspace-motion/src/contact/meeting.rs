@@ -1,20 +1,25 @@
 //! Whether the parts of a pair meet on the path of a step.
 
-use cspace::pair::{PairCrossing, PairMotion};
-use cspace::{Classification, Configuration, Coordinates, PatchId};
+use cspace::pair::PairMotion;
+use cspace::{Classification, Coordinates, PairSpace, QueryError};
 
 use crate::pairs::{MovingPair, Touch};
 use crate::root::root;
 use crate::system::System;
 
+use super::classes::Classes;
 use super::path::Path;
+use super::straight::{between, control_points, difference, middles, straight_gap};
 
-/// A piece of a path is straight if the pair's configuration is no farther than this from the straight way, relative to the size of the
-/// mechanism: what is met by less goes unseen.
+/// A piece of a path that begins in contact is straight if the pair's configuration is no farther than this from the straight way, relative to
+/// the size of the mechanism: what is met by less goes unseen until the parts are apart.
 const STRAIGHT: f64 = 1e-6;
+/// A piece that begins with the parts apart: the room beside the straight way is looked at as well.
+const NEARLY_STRAIGHT: f64 = 1e-4;
 /// A path that is not is halved, so many times at most.
 const MOST_BENT: usize = 12;
-/// The first piece of a step that begins in contact is short: this share of it.
+/// The first pieces of a step that begins in contact are short, until the parts are apart: this share of it, and of that. In the first the
+/// way is straight to what contacts are known to.
 const FIRST: f64 = 1.0 / 64.0;
 
 /// A path between two configurations of a step is at most so much longer than the way from one to the other.
@@ -37,10 +42,10 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
-    /// How far each part's coordinates move its points at most.
-    pub(super) levers: &'m [[f64; 3]],
-    /// The largest distance of points of the moving part from its origin.
-    pub(super) reach: f64,
+    /// What its pair is where steps begin and end.
+    pub(super) classes: &'m Classes,
+    /// How far its parts are apart at most where the path begins.
+    pub(super) ceiling: f64,
 }
 
 impl Meeting<'_> {
@@ -53,7 +58,7 @@ impl Meeting<'_> {
     fn way(&self, from: &[f64], to: &[f64]) -> f64 {
         let of = |part: usize| -> f64 {
             let indices = self.system.parts()[part].indices();
-            let each = indices.zip(self.levers[part]);
+            let each = indices.zip(self.system.levers()[part]);
             each.map(|(i, lever)| lever * (to[i] - from[i]).abs()).sum()
         };
         LONGER * (of(self.pair.fixed) + of(self.pair.moving))
@@ -61,41 +66,73 @@ impl Meeting<'_> {
 
     /// Whether they meet anywhere.
     pub(super) fn happens(&self) -> bool {
-        let [from, first, to] = [0.0, FIRST, 1.0].map(|share| (share, self.path.at(share)));
-        self.is_on([&from, &first], MOST_BENT) || self.is_on([&first, &to], MOST_BENT)
+        let mut from = (0.0, self.path.at(0.0));
+        for end in [FIRST * FIRST, FIRST, 1.0] {
+            let is_apart = self.class(self.coordinates(&from.1)) == Ok(Classification::Free);
+            let (end, straight) = if is_apart {
+                (1.0, NEARLY_STRAIGHT)
+            } else {
+                (end, STRAIGHT)
+            };
+            let to = (end, self.path.at(end));
+            if self.is_on([&from, &to], straight, MOST_BENT) {
+                return true;
+            }
+            if end == 1.0 {
+                break;
+            }
+            from = to;
+        }
+        false
     }
 
     /// Whether they meet between two places, which are looked at in straight pieces.
-    fn is_on(&self, [from, to]: [&Place; 2], bent: usize) -> bool {
-        if bent == 0 || self.is_straight([from, to]) {
+    fn is_on(&self, [from, to]: [&Place; 2], straight: f64, bent: usize) -> bool {
+        if bent == 0 || self.is_straight([from, to], straight) {
             return self.is_between([from, to], MOST_HALVED);
         }
-        let clearance = self.pair.space.clearance(self.coordinates(&from.1));
-        if clearance.is_ok_and(|clearance| self.way(&from.1, &to.1) <= clearance) {
+        let way = self.way(&from.1, &to.1);
+        // Motions on axes are followed in less time than distances are measured.
+        let likely = match &self.pair.space {
+            PairSpace::FixedAxes(_) => {
+                2.0 * way <= self.ceiling + self.way(self.path.from(), &from.1)
+            }
+            PairSpace::Planar(_) | PairSpace::Lower(_) => true,
+        };
+        let clearance = || self.pair.space.clearance(self.coordinates(&from.1));
+        if likely && clearance().is_ok_and(|clearance| way <= clearance) {
             return false;
         }
         let middle = self.place([from, to], 0.5);
-        self.is_on([from, &middle], bent - 1) || self.is_on([&middle, to], bent - 1)
+        self.is_on([from, &middle], straight, bent - 1)
+            || self.is_on([&middle, to], straight, bent - 1)
     }
 
     /// Whether the pair's configuration goes straight between two places, as seen at two others between them: a cubic that is straight
     /// there is so all the way.
-    fn is_straight(&self, [from, to]: [&Place; 2]) -> bool {
+    fn is_straight(&self, [from, to]: [&Place; 2], straight: f64) -> bool {
         let ends = [from, to].map(|place| self.coordinates(&place.1));
         [0.25, 0.75].into_iter().all(|share| {
             let there = self.coordinates(&self.place([from, to], share).1);
             let off = between(ends, share).and_then(|straight| difference(straight, there));
-            off.is_some_and(|off| self.length(off) <= STRAIGHT * self.system.size())
+            off.is_some_and(|off| self.length(off) <= straight * self.system.size())
         })
     }
 
     /// How far a change of the pair's configuration moves points of the moving part at most, or both parts on their axes.
     fn length(&self, change: Coordinates) -> f64 {
-        let [fixed, moving] = [self.pair.fixed, self.pair.moving].map(|part| self.levers[part]);
+        let [fixed, moving] =
+            [self.pair.fixed, self.pair.moving].map(|part| self.system.levers()[part]);
         match change {
-            Coordinates::Planar(c) => c.x.hypot(c.y) + self.reach * c.theta.abs(),
+            Coordinates::Planar(c) => {
+                c.x.hypot(c.y) + self.system.reach(self.pair.moving) * c.theta.abs()
+            }
             Coordinates::Axes { u, v } => fixed[0] * u.abs() + moving[0] * v.abs(),
         }
+    }
+
+    fn class(&self, at: Coordinates) -> Result<Classification, QueryError> {
+        self.classes.of(self.index, self.pair, at)
     }
 
     fn coordinates(&self, q: &[f64]) -> Coordinates {
@@ -106,12 +143,12 @@ impl Meeting<'_> {
     fn is_between(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let space = &self.pair.space;
         let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
-        if space.classify(a) != Ok(Classification::Free) {
+        if self.class(a) != Ok(Classification::Free) {
             return self.goes_deep([from, to], halved);
         }
         let contact = difference(a, b).map(|rates| space.first_contact(a, rates, 1.0));
         let Some(Ok(PairMotion::Contact(contact))) = contact else {
-            return false;
+            return self.is_beside([from, to], halved);
         };
         let there = self.place([from, to], contact.time);
         let Ok(touch) = self.pair.touch_of(self.index, contact.patch) else {
@@ -125,6 +162,41 @@ impl Meeting<'_> {
         }
         // Spaces tell contacts a little early: by the features themselves there may be none.
         self.least_gap(&touch, [&there, to]) <= 0.0 || self.goes_deep([&there, to], halved)
+    }
+
+    /// Whether they meet between two places on the path, which is beside the straight way, on which they do not.
+    ///
+    /// ```text
+    ///            p₁ ------- p₂         A cubic is between its chord and the legs over its control points. What comes to it
+    ///           /   ___·___   \        comes through one of these: there is nothing so small that it has room between them.
+    ///          / ·'    ▲    '· \       Where a leg meets something, the path is halved: the room falls by four with each
+    ///   from  ·-----------------· to   halving.
+    /// ```
+    fn is_beside(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
+        let ends = [from, to].map(|place| self.coordinates(&place.1));
+        let on_path = |share: f64| self.coordinates(&self.place([from, to], share).1);
+        let Some(legs) = control_points(ends, [1.0 / 3.0, 2.0 / 3.0].map(on_path)) else {
+            return false;
+        };
+        let beside = |at: Coordinates, share: f64| {
+            let off = between(ends, share).and_then(|straight| difference(straight, at));
+            off.map_or(0.0, |off| self.length(off))
+        };
+        let room = beside(legs[1], 1.0 / 3.0).max(beside(legs[2], 2.0 / 3.0));
+        let most = 2.0 * NEARLY_STRAIGHT * self.system.size();
+        if halved == 0 || room <= self.pair.space.resolution() || room > most {
+            return false;
+        }
+        let space = &self.pair.space;
+        let is_free = |leg: &[Coordinates]| {
+            let motion =
+                difference(leg[0], leg[1]).map(|rates| space.first_contact(leg[0], rates, 1.0));
+            matches!(motion, Some(Ok(PairMotion::Free)))
+        };
+        if legs.windows(2).all(is_free) {
+            return false;
+        }
+        self.is_in_halves([from, to], 0.5, halved)
     }
 
     /// Whether they come to be deeper in each other than contacts are known to, from where they touch.
@@ -188,47 +260,4 @@ impl Meeting<'_> {
         let inside = least.map_or(f64::INFINITY, |share| self.gap(touch, &self.path.at(share)));
         inside.min(self.gap(touch, &to.1))
     }
-}
-
-/// The gap of a contact at a share of the straight way between two configurations; where it cannot be told, the parts overlap.
-fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
-    let there = between(ends, share);
-    let gap = there.and_then(|there| touch.contact().value(there).ok());
-    gap.unwrap_or(f64::NEG_INFINITY)
-}
-
-/// The configuration at a share of the straight way between two.
-fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
-    combined(a, b, |a, b| a + share * (b - a))
-}
-
-/// The rates of a straight way that takes a second.
-fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
-    combined(a, b, |a, b| b - a)
-}
-
-/// What is made of each two coordinates; `None` of coordinates of different classes.
-fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Option<Coordinates> {
-    match (a, b) {
-        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
-            Configuration::new(of(a.x, b.x), of(a.y, b.y), of(a.theta, b.theta)),
-        )),
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => Some(Coordinates::Axes {
-            u: of(u, s),
-            v: of(v, t),
-        }),
-        _ => None,
-    }
-}
-
-/// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.
-fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
-    let enters = crossings.iter().enumerate().filter(|(_, c)| c.enters);
-    enters
-        .map(|(k, crossing)| {
-            let out = crossings[k..].iter().find(|c| !c.enters);
-            let end = out.map_or(1.0, |c| c.time);
-            (crossing.patch, 0.5 * (crossing.time + end))
-        })
-        .collect()
 }

@@ -1,6 +1,8 @@
 //! What holds a motion on: contacts and ends of ranges, where contacts end, and whether a step meets others.
 
 mod bound;
+mod classes;
+mod cleared;
 mod corner;
 mod describe;
 mod ends;
@@ -8,10 +10,14 @@ mod meeting;
 mod overlap;
 mod path;
 mod pinch;
+mod straight;
+#[cfg(test)]
+mod tests;
 mod watch;
 
 pub(crate) use bound::{
-    Bound, SAME_PLACE, brakes, limit_tolerance, limits, nearly_touching, touching,
+    Bound, SAME_PLACE, brakes, limit_tolerance, limits, nearly_touching, nearly_touching_of,
+    touching,
 };
 pub(crate) use corner::one_is_enough;
 pub(crate) use describe::named;

@@ -37,6 +37,16 @@ impl<'a> Path<'a> {
         self.ends[1]
     }
 
+    /// The rates with which it begins.
+    pub(super) fn begins(&self) -> &'a [f64] {
+        self.rates[0]
+    }
+
+    /// How long it takes, s.
+    pub(super) fn duration(&self) -> f64 {
+        self.duration
+    }
+
     /// The coordinates after half of it.
     pub(crate) fn middle(&self) -> &[f64] {
         self.middle.get_or_init(|| self.at(0.5))

@@ -1,11 +1,13 @@
 //! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
 
-use cspace::{Classification, PairSpace, PatchId, Point, QueryError};
+use cspace::{Classification, PairSpace, PatchId, QueryError};
 
 use crate::pairs::{MovingPair, Pairs, Touch};
-use crate::system::{System, reach};
+use crate::system::System;
 
 use super::bound::{Bound, SAME_PLACE, limits};
+use super::classes::Classes;
+use super::cleared::Cleared;
 use super::ends::{PAST_END, ends};
 use super::meeting::Meeting;
 use super::path::Path;
@@ -16,6 +18,9 @@ pub(crate) const LONGEST: f64 = 0.02;
 
 /// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
 const SHARE: f64 = 1.0 / 14.0;
+
+/// Clearances are asked for wherever they may be so many times what is needed, however often they were not.
+const MOST_LIKELY: f64 = 64.0;
 
 /// What a step met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,28 +40,30 @@ pub(crate) struct Watch<'a> {
     room: Vec<f64>,
     /// How far each pair's parts are apart at most: as far as they were, and as far as they have moved since.
     ceiling: Vec<f64>,
-    /// How far each part's coordinates move its points at most.
-    levers: Vec<[f64; 3]>,
-    /// The largest distance of each part's points from its origin.
-    reaches: Vec<f64>,
+    /// Clearances are asked for where they may be so many times what is needed: twice as many each time that they are not.
+    likely: Vec<f64>,
     /// Of each pair the patches on which its features touched last: features may touch on several.
     patches: Vec<Vec<Touch>>,
+    /// What pairs are where steps begin and end.
+    classes: Classes,
+    /// How far pairs are known to meet nothing.
+    cleared: Cleared,
+    /// The pair that met something in the step that was looked at last.
+    met: Option<usize>,
 }
 
 impl<'a> Watch<'a> {
     pub(crate) fn new(system: &'a System, pairs: &'a Pairs) -> Self {
-        let entries = &system.mechanism().parts;
-        let parts = system.parts().iter().zip(entries);
         Self {
             system,
             pairs,
             room: vec![0.0; pairs.list().len()],
             ceiling: vec![f64::INFINITY; pairs.list().len()],
-            levers: parts.map(|(c, p)| c.levers(&p.part)).collect(),
-            reaches: (entries.iter())
-                .map(|p| reach(&p.part, Point::ORIGIN))
-                .collect(),
+            likely: vec![1.0; pairs.list().len()],
             patches: vec![Vec::new(); pairs.list().len()],
+            classes: Classes::new(pairs.list().len()),
+            cleared: Cleared::new(pairs.list().len()),
+            met: None,
         }
     }
 
@@ -67,8 +74,8 @@ impl<'a> Watch<'a> {
             pair,
             index,
             path,
-            levers: &self.levers,
-            reach: self.reaches[pair.moving],
+            classes: &self.classes,
+            ceiling: self.ceiling[index],
         }
     }
 
@@ -85,13 +92,13 @@ impl<'a> Watch<'a> {
         }
         for (bound, room) in limits(self.system, q) {
             if let Bound::Limit { part, .. } = bound {
-                let lever = self.levers[part][0];
+                let lever = self.system.levers()[part][0];
                 rooms[part] = rooms[part].min(SHARE * lever * room.max(0.0));
             }
         }
         let mut all = vec![f64::INFINITY; q.len()];
         for (part, room) in rooms.into_iter().enumerate() {
-            for (i, lever) in parts[part].indices().zip(self.levers[part]) {
+            for (i, lever) in parts[part].indices().zip(self.system.levers()[part]) {
                 all[i] = room / lever * self.system.lengths()[i];
             }
         }
@@ -100,7 +107,17 @@ impl<'a> Watch<'a> {
 
     /// What a step along a path met, with some bounds held on the way.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
-        (0..self.pairs.list().len()).find_map(|pair| self.check_pair(pair, held, path))
+        let all = 0..self.pairs.list().len();
+        self.cleared.begin(held, path);
+        let mut each = all.map(|pair| (pair, self.check_pair(pair, held, path)));
+        let found = each.find_map(|(pair, met)| Some((pair, met?)));
+        self.met = found.map(|(pair, _)| pair);
+        found.map(|(_, met)| met)
+    }
+
+    /// The pair that met something in the step that was looked at last, if one did.
+    pub(crate) fn met(&self) -> Option<usize> {
+        self.met
     }
 
     fn check_pair(&mut self, index: usize, held: &[Bound], path: &Path<'_>) -> Option<Met> {
@@ -153,24 +170,36 @@ impl<'a> Watch<'a> {
         if travel <= self.room[index] {
             return None;
         }
-        if travel == 0.0 {
+        if travel == 0.0 || self.cleared.covers(index, path) {
             return None;
         }
-        // Nothing is asked of which the answer is known to be no.
-        if travel <= self.ceiling[index] {
-            match pair.space.clearance(pair.coordinates(self.system, from)) {
+        // Nothing is asked of which the answer is known to be no, or is likely to be.
+        if self.likely[index] * travel <= self.ceiling[index] {
+            let at = pair.coordinates(self.system, from);
+            match pair.space.clearance(at) {
                 Ok(clearance) => {
+                    let class = if clearance > 0.0 {
+                        Classification::Free
+                    } else {
+                        Classification::Contact
+                    };
+                    self.classes.tell(index, at, class);
                     (self.room[index], self.ceiling[index]) = (clearance, clearance);
                     if travel <= clearance {
+                        self.likely[index] = 1.0;
                         return None;
                     }
+                    self.likely[index] = MOST_LIKELY.min(2.0 * self.likely[index]);
                 }
                 // It may be as deep as a contact's tolerance.
                 Err(QueryError::Blocked) => self.ceiling[index] = pair.touch,
                 Err(error) => return Some(outside(error)),
             }
         }
-        match pair.classify(self.system, to) {
+        match self
+            .classes
+            .of(index, pair, pair.coordinates(self.system, to))
+        {
             // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
             Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) if !touches.is_empty() => {}
@@ -179,7 +208,11 @@ impl<'a> Watch<'a> {
             Err(error) => return Some(outside(error)),
             Ok(_) => {}
         }
-        (self.meeting(index, path).happens()).then_some(Met::Contact)
+        if self.meeting(index, path).happens() {
+            return Some(Met::Contact);
+        }
+        self.cleared.tell(index, path);
+        None
     }
 
     /// Whether both ends of a step are on the patch on which two features touched last.
@@ -248,58 +281,6 @@ impl<'a> Watch<'a> {
             let travel = self.meeting(index, path).travel();
             self.room[index] -= travel;
             self.ceiling[index] += travel;
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used)]
-
-    use cspace::{Mechanism, Part, PartEntry, Vertex};
-
-    use super::*;
-    use crate::Simulation;
-
-    /// A disc of radius 1 that lies on a table, lifted over a spike 0.01 wide or through it.
-    #[test]
-    fn what_begins_in_contact_meets_what_is_in_its_way() {
-        let corners = [
-            (-9.0, -2.0),
-            (9.0, -2.0),
-            (9.0, 0.0),
-            (0.005, 0.0),
-            (0.0, 0.6),
-            (-0.005, 0.0),
-            (-9.0, 0.0),
-        ];
-        let table = corners.map(|(x, y)| Vertex::line(x, y)).to_vec();
-        let table = Part::new("table", vec![table]).unwrap();
-        let disc = Part::circle("disc", (0.0, 0.0), 1.0).unwrap();
-        let mut mechanism = Mechanism::new("disc on a table");
-        mechanism.parts = vec![PartEntry::fixed(table), PartEntry::planar(disc)];
-        mechanism.pairs = mechanism.every_two();
-        mechanism.dynamics.parts = vec![
-            cspace::mechanism::PartDynamics::default(),
-            cspace::mechanism::PartDynamics {
-                start: Some(cspace::mechanism::PartPosition::Planar(
-                    cspace::Configuration::new(-3.0, 1.0, 0.0),
-                )),
-                ..Default::default()
-            },
-        ];
-        let simulation = Simulation::new(&mechanism).unwrap();
-        let from = simulation.start().to_vec();
-        assert_eq!(
-            simulation.pairs().list()[0].classify(simulation.system(), &from),
-            Ok(Classification::Contact)
-        );
-        let mut watch = Watch::new(simulation.system(), simulation.pairs());
-        for (height, met) in [(1.0 + 1e-3, Some(Met::Contact)), (2.5, None)] {
-            let to = vec![3.0, height, 0.0];
-            let rates: Vec<f64> = from.iter().zip(&to).map(|(a, b)| b - a).collect();
-            let path = Path::new((&from, &rates), (&to, &rates), 1.0);
-            assert_eq!(watch.check(&[], &path), met, "{height}");
         }
     }
 }

@@ -4,6 +4,8 @@
 //! forces λ alone. Where it is singular, as with joints or contacts that follow from others, the slower ways that know of these are
 //! taken.
 
+use core::ops::Range;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::linear::Square;
@@ -21,13 +23,32 @@ struct System {
     rows: Vec<f64>,
     directions: Vec<f64>,
     targets: Vec<f64>,
+    /// Where the numbers of each row and of its direction are not 0: those of the parts that a joint or a contact is of.
+    within: Vec<Range<usize>>,
 }
 
 impl System {
     fn push(&mut self, row: impl Iterator<Item = f64> + Clone, target: f64) {
+        let (mut first, mut end) = (usize::MAX, 0);
+        for (i, _) in row.clone().enumerate().filter(|(_, r)| *r != 0.0) {
+            (first, end) = (first.min(i), i + 1);
+        }
+        self.within.push(first.min(end)..end);
         self.directions.extend(row.clone());
         self.rows.extend(row);
         self.targets.push(target);
+    }
+}
+
+impl System {
+    /// That a number of the last row or of its direction is not 0.
+    fn reach(&mut self, i: usize) {
+        if let Some(within) = self.within.last_mut() {
+            *within = match within.end {
+                0 => i..i + 1,
+                end => within.start.min(i)..end.max(i + 1),
+            };
+        }
     }
 }
 
@@ -40,10 +61,11 @@ impl Lightness {
         (is_diagonal && all.iter().all(|w| w.is_finite() && *w > 0.0)).then_some(Self(all))
     }
 
-    /// r · c, by the inverse masses.
-    fn product(&self, r: &[f64], c: &[f64]) -> f64 {
-        let all = r.iter().zip(c).zip(&self.0);
-        all.map(|((r, c), w)| r * c * w).sum()
+    /// r · c, by the inverse masses, where both are not 0.
+    fn product(&self, (r, a): (&[f64], &Range<usize>), (c, b): (&[f64], &Range<usize>)) -> f64 {
+        let within = a.start.max(b.start)..a.end.min(b.end);
+        let all = within.map(|i| r[i] * c[i] * self.0[i]);
+        all.sum()
     }
 
     /// λ, and M⁻¹ (h + Σ λ c); `None` if the system is singular.
@@ -51,6 +73,7 @@ impl Lightness {
         let (n, count) = (self.0.len(), system.targets.len());
         let row = |i: usize| &system.rows[i * n..][..n];
         let direction = |i: usize| &system.directions[i * n..][..n];
+        let within = |i: usize| &system.within[i];
         let mut x: Vec<f64> = h.iter().zip(&self.0).map(|(h, w)| h * w).collect();
         let mut forces = vec![0.0; count];
         if count == 0 {
@@ -59,13 +82,13 @@ impl Lightness {
         // In units in which each force moves its own row by 1.
         let units: Vec<f64> = (0..count)
             .map(|i| {
-                let own = self.product(row(i), row(i));
+                let own = self.product((row(i), within(i)), (row(i), within(i)));
                 if own > 0.0 { own.sqrt().recip() } else { 1.0 }
             })
             .collect();
         let mut square = Square::default();
         square.factor(count, |i, k| {
-            self.product(row(i), direction(k)) * units[i] * units[k]
+            self.product((row(i), within(i)), (direction(k), within(k))) * units[i] * units[k]
         })?;
         if !square.is_regular() {
             return None;
@@ -74,15 +97,15 @@ impl Lightness {
         for _ in 0..2 {
             let missing: Vec<f64> = (0..count)
                 .map(|i| {
-                    let is: f64 = row(i).iter().zip(&x).map(|(r, x)| r * x).sum();
+                    let is: f64 = within(i).clone().map(|j| row(i)[j] * x[j]).sum();
                     (system.targets[i] - is) * units[i]
                 })
                 .collect();
             for (k, more) in square.basic(&missing).into_iter().enumerate() {
                 let more = more * units[k];
                 forces[k] += more;
-                for ((x, w), c) in x.iter_mut().zip(&self.0).zip(direction(k)) {
-                    *x += w * c * more;
+                for j in within(k).clone() {
+                    x[j] += self.0[j] * direction(k)[j] * more;
                 }
             }
         }
@@ -110,11 +133,9 @@ impl Lightness {
             let drag = -mode.direction() * friction(contact);
             if drag != 0.0 {
                 let last = system.directions.len() - n;
-                for (d, t) in system.directions[last..]
-                    .iter_mut()
-                    .zip(touch.tangent.iter())
-                {
-                    *d += drag * t;
+                for (i, t) in touch.tangent.iter().enumerate().filter(|t| *t.1 != 0.0) {
+                    system.directions[last + i] += drag * t;
+                    system.reach(i);
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! A mechanism with masses as a [`World`].
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use cspace::Point;
@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
     Bound, LONGEST, PAST_END, Path, SAME_PLACE, Watch, ends, is_long, nearly_touching,
-    one_is_enough, overlapping, touching,
+    nearly_touching_of, one_is_enough, overlapping, touching,
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
@@ -33,6 +33,8 @@ pub(super) struct Mechanical<'a> {
     pub(super) pairs: &'a Pairs,
     numbers: Numbers,
     watch: RefCell<Watch<'a>>,
+    /// The pair that the last step met that met something, if it was one.
+    met: Cell<Option<usize>>,
     last: RefCell<Option<Rc<Known>>>,
     has_dampers: bool,
 }
@@ -42,6 +44,7 @@ impl<'a> Mechanical<'a> {
         Self {
             numbers: Numbers::new(&bodies.system),
             watch: RefCell::new(Watch::new(&bodies.system, pairs)),
+            met: Cell::new(None),
             last: RefCell::new(None),
             has_dampers: has_dampers(bodies.system.mechanism()),
             bodies,
@@ -354,8 +357,17 @@ impl World for Mechanical<'_> {
 
     fn met(&self, step: Step<'_>) -> bool {
         let held = self.held(&step);
-        let met = self.along(&step, |path| self.watch.borrow_mut().check(&held, path));
-        met.is_some() || self.is_past(&step)
+        let mut watch = self.watch.borrow_mut();
+        let met = self.along(&step, |path| watch.check(&held, path));
+        if met.is_some() {
+            self.met.set(watch.met());
+            return true;
+        }
+        let is_past = self.is_past(&step);
+        if is_past {
+            self.met.set(None);
+        }
+        is_past
     }
 
     fn sought(&self, step: Step<'_>, near: f64) -> Vec<Sought> {
@@ -364,10 +376,13 @@ impl World for Mechanical<'_> {
         // Where there is nothing but blocked space behind, nothing is told to touch.
         let before = self.bodies.coordinates(step.from.t, &step.from.q);
         let mut sought: Vec<Sought> = Vec::new();
-        for bound in [&before, &q]
-            .iter()
-            .flat_map(|q| nearly_touching(system, self.pairs, q, near))
-        {
+        // Over some way it is what was met.
+        let met = self.met.get().filter(|_| near > 0.0);
+        let touching = |q: &Vec<f64>| match met {
+            Some(pair) => nearly_touching_of(system, self.pairs, pair, q, near),
+            None => nearly_touching(system, self.pairs, q, near),
+        };
+        for bound in [&before, &q].into_iter().flat_map(touching) {
             let number = self.numbers.number(&bound);
             let gap = Sought::Gap(number);
             if !step.bearing.contains(&number) && !sought.contains(&gap) {
@@ -375,7 +390,9 @@ impl World for Mechanical<'_> {
             }
         }
         for &contact in step.bearing {
-            if let Bound::Contact(touch) = self.bound(contact) {
+            if let Bound::Contact(touch) = self.bound(contact)
+                && met.is_none_or(|met| met == touch.pair)
+            {
                 let pair = &self.pairs.list()[touch.pair];
                 let all = ends(pair, &touch, system, &q);
                 // At the end to rounding all the time, as where sides lie on each other, is no coming to it.

@@ -6,17 +6,55 @@ use super::flow::{Arrived, Flow};
 use super::friction::agrees;
 
 /// A contact's push below this share of the speed, and negative, is a pull.
-const PULL: f64 = 1e-10;
+pub(super) const PULL: f64 = 1e-10;
+
+/// Why a step may not be taken as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Obstacle {
+    /// A bound pulls.
+    Pull,
+    /// Friction would be other.
+    Friction,
+    /// A part left its range.
+    Limit,
+    /// The parts of a pair met, or do not touch as they did.
+    Pair(usize),
+    /// It is not right to what steps are to be.
+    Error,
+}
 
 /// Whether closed contacts push all the way and agree with friction, no other part is met, and no range is left.
 pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
+    obstacle(watch, flow, h, to).is_none()
+}
+
+/// What keeps a step from being taken as it is.
+pub(super) fn obstacle(
+    watch: &mut Watch<'_>,
+    flow: &Flow<'_>,
+    h: f64,
+    to: &Arrived,
+) -> Option<Obstacle> {
+    own_obstacle(flow, to).or_else(|| {
+        watch.check(&flow.held, &step(flow, h, to))?;
+        watch.met().map(Obstacle::Pair)
+    })
+}
+
+/// The same, of a step that was looked at last: what its pairs met is known.
+pub(super) fn last_obstacle(watch: &Watch<'_>, flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
+    own_obstacle(flow, to).or_else(|| watch.met().map(Obstacle::Pair))
+}
+
+/// What keeps a step from being taken, beside what pairs meet.
+fn own_obstacle(flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
     let pull = -PULL * to.velocity.speed;
     let mut pushes = to.velocity.pushes.iter().zip(&flow.held);
     if pushes.any(|(&p, bound)| p < pull && !bound.is_brake()) {
-        return false;
+        return Some(Obstacle::Pull);
     }
     if !agrees(flow.system, flow.pairs, &flow.held, &to.q, &to.velocity) {
-        return false;
+        return Some(Obstacle::Friction);
     }
     let leaves = |(bound, room): &(Bound, f64)| match bound {
         Bound::Limit { part, .. } => {
@@ -24,10 +62,8 @@ pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arriv
         }
         Bound::Contact(_) | Bound::Brake { .. } => false,
     };
-    if limits(flow.system, &to.q).iter().any(leaves) {
-        return false;
-    }
-    watch.check(&flow.held, &step(flow, h, to)).is_none()
+    let left = limits(flow.system, &to.q).iter().any(leaves);
+    left.then_some(Obstacle::Limit)
 }
 
 /// The path of a step.

@@ -12,21 +12,17 @@ use crate::record::Forces;
 use crate::system::{Law, System};
 
 use super::balance::Closed;
-use super::friction::Holding;
+use super::there::{CLOSED, There, closed};
 use super::velocity::{Held, Local};
 
-/// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
-const CLOSED: f64 = 1e-13;
-/// Forces balance to this way, relative to the size of the mechanism, once it does not become shorter.
-const BALANCED: f64 = 1e-10;
+pub(crate) use super::there::close;
+
 /// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
 const ERROR: f64 = 1e-13;
 /// What is brought back moves by no more than this share of the step: more would be another solution.
 const CORRECTION: f64 = 0.25;
 /// Sums of slopes are right to this share of the largest: what is less is no error of the step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
-const MOST_CORRECTIONS: usize = 12;
 
 /// A motion with the same contacts closed, from a configuration on.
 #[derive(Debug, Clone)]
@@ -71,8 +67,8 @@ impl<'a> Flow<'a> {
     ) -> Option<Self> {
         let mut q = q.to_vec();
         let room = 1e-3 * system.size();
-        close(system, pairs, &held, time, &mut q, room)?;
-        let velocity = velocity(system, pairs, &held, time, &q)?;
+        let there = closed(system, pairs, &held, time, &mut q, room)?;
+        let velocity = there.velocity(system, pairs, &held, time, &q)?;
         Some(Self {
             system,
             pairs,
@@ -100,12 +96,47 @@ impl<'a> Flow<'a> {
 
     /// A configuration near the motion a while later, brought to where contacts and joints hold.
     pub(crate) fn brought(&self, h: f64, mut q: Vec<f64>) -> Option<Arrived> {
-        let room = CORRECTION * self.system.moved(&self.q, &q) + CLOSED * self.system.size();
+        let there = self.bring(h, &mut q)?;
         let time = self.time + h;
-        close(self.system, self.pairs, &self.held, time, &mut q, room)?;
-        let velocity = velocity(self.system, self.pairs, &self.held, time, &q)?;
+        let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
         let error = 0.0;
         Some(Arrived { q, velocity, error })
+    }
+
+    /// A configuration a while later as it is, with the velocity there.
+    pub(super) fn moving(&self, h: f64, q: Vec<f64>) -> Option<Arrived> {
+        let there = There::at(self.system, self.pairs, &self.held, &q);
+        let time = self.time + h;
+        let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
+        let error = 0.0;
+        Some(Arrived { q, velocity, error })
+    }
+
+    /// The same without a velocity.
+    pub(crate) fn placed(&self, h: f64, mut q: Vec<f64>) -> Option<Vec<f64>> {
+        self.bring(h, &mut q)?;
+        Some(q)
+    }
+
+    fn bring(&self, h: f64, q: &mut [f64]) -> Option<There<'a>> {
+        let room = CORRECTION * self.system.moved(&self.q, q) + CLOSED * self.system.size();
+        closed(self.system, self.pairs, &self.held, self.time + h, q, room)
+    }
+
+    /// A while later, where contacts and joints leave no freedom: the rates in the middle lead near enough.
+    fn led(&self, h: f64) -> Option<Arrived> {
+        if !self.velocity.determined {
+            return None;
+        }
+        let along = |share: f64, rates: &[f64]| {
+            let mut q = self.q.clone();
+            add_scaled(&mut q, share * h, rates);
+            self.system.drive(self.time + share * h, &mut q);
+            q
+        };
+        let middle = self.moving(0.5 * h, along(0.5, &self.velocity.rates))?;
+        let arrived = self.brought(h, along(1.0, &middle.velocity.rates))?;
+        arrived.velocity.determined.then_some(arrived)
     }
 
     /// A while later; `None` if the contacts and joints cannot hold until then.
@@ -117,6 +148,9 @@ impl<'a> Flow<'a> {
                 error: 0.0,
             });
         }
+        if let Some(arrived) = self.led(h) {
+            return Some(arrived);
+        }
         let mut slopes = vec![self.velocity.rates.clone()];
         let mut q = self.q.clone();
         for (share, weights) in STAGES {
@@ -126,7 +160,9 @@ impl<'a> Flow<'a> {
             }
             let time = self.time + share * h;
             self.system.drive(time, &mut q);
-            slopes.push(velocity(self.system, self.pairs, &self.held, time, &q)?.rates);
+            let there = There::at(self.system, self.pairs, &self.held, &q);
+            let velocity = there.velocity(self.system, self.pairs, &self.held, time, &q)?;
+            slopes.push(velocity.rates);
         }
         let mut error = 0.0_f64;
         let lengths = self.system.lengths();
@@ -143,94 +179,4 @@ impl<'a> Flow<'a> {
         let arrived = self.brought(h, q)?;
         Some(Arrived { error, ..arrived })
     }
-}
-
-fn velocity(system: &System, pairs: &Pairs, held: &[Bound], time: f64, q: &[f64]) -> Option<Held> {
-    let local = Local::at(system, q, time)?;
-    let mut found = local.held(&Holding::of(system, pairs, held, q))?;
-    if system.law() == Law::Balance {
-        let closed = Closed {
-            system,
-            pairs,
-            bounds: held,
-            q,
-        };
-        found = closed.follow(&local, found)?;
-    }
-    found.rates.iter().all(|r| r.is_finite()).then_some(found)
-}
-
-/// Brings a configuration to where contacts and joints hold, and forces balance where they are to, by no more than `room` (length).
-pub(crate) fn close(
-    system: &System,
-    pairs: &Pairs,
-    held: &[Bound],
-    time: f64,
-    q: &mut [f64],
-    room: f64,
-) -> Option<()> {
-    constrain(system, pairs, held, time, q, room)?;
-    if system.law() != Law::Balance {
-        return Some(());
-    }
-    let size = system.size();
-    let (mut moved, mut before) = (0.0, f64::INFINITY);
-    for _ in 0..MOST_CORRECTIONS {
-        let local = Local::at(system, q, time)?;
-        let closed = Closed {
-            system,
-            pairs,
-            bounds: held,
-            q,
-        };
-        let balance = closed.balance(&local).filter(|b| !b.is_lost())?;
-        let step = local.displaced(&balance.step(local.forces.len()));
-        let far = system.speed(&step);
-        if far == 0.0 || (far > 0.25 * before && before < BALANCED * size) {
-            return Some(());
-        }
-        before = far;
-        moved += far;
-        if moved.is_nan() || moved > room {
-            return None;
-        }
-        add_scaled(q, 1.0, &step);
-        constrain(system, pairs, held, time, q, room)?;
-    }
-    (before < BALANCED * size).then_some(())
-}
-
-/// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
-fn constrain(
-    system: &System,
-    pairs: &Pairs,
-    held: &[Bound],
-    time: f64,
-    q: &mut [f64],
-    room: f64,
-) -> Option<()> {
-    system.drive(time, q);
-    let lengths = system.lengths();
-    let (mut moved, mut before) = (0.0, f64::INFINITY);
-    for _ in 0..MOST_CORRECTIONS {
-        let joints = system.joints(q);
-        let rows = Holding::of(system, pairs, held, q).rows;
-        let changes: Vec<f64> = joints.iter().chain(&rows).map(|r| -r.value).collect();
-        let off = changes.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
-        if off == 0.0 || (off < CLOSED * system.size() && off > 0.25 * before) {
-            return Some(());
-        }
-        before = off;
-        let step = Local::at(system, q, time)?.displacement(&rows, &changes);
-        let mut farthest = 0.0_f64;
-        for (&i, d) in system.free().iter().zip(&step) {
-            q[i] += d;
-            farthest = farthest.max(d.abs() * lengths[i]);
-        }
-        moved += farthest;
-        if moved.is_nan() || moved > room {
-            return None;
-        }
-    }
-    (before < CLOSED * system.size()).then_some(())
 }

@@ -4,10 +4,12 @@
 //! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
 //! root is found to rounding.
 
-use crate::contact::{Bound, PAST_END, Path, Watch, ends, pinched, touching};
+use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
 
-use super::check::goes_on;
+use super::between::Between;
+use super::check::{Obstacle, last_obstacle, obstacle};
 use super::flow::{Arrived, Flow};
+use super::foreseen::{Seen, What};
 
 /// Events are located to this share of a step.
 const LOCATED: f64 = 1e-13;
@@ -28,54 +30,9 @@ pub(crate) struct Stop {
     pub(crate) bounds: Vec<Bound>,
 }
 
-/// A part of a step between two times, at which the motion is known.
-#[derive(Debug, Clone)]
-struct Between<'f, 'a> {
-    flow: &'f Flow<'a>,
-    from: (f64, Arrived),
-    to: Option<(f64, Arrived)>,
-}
-
-impl Between<'_, '_> {
-    /// The motion after a time: within, by the cubic through the ends, where contacts hold.
-    fn at(&self, h: f64) -> Option<Arrived> {
-        match &self.to {
-            Some((end, to)) if self.from.0 <= h && h <= *end => {
-                let (begin, from) = (self.from.0, &self.from.1);
-                let ends = [from, to].map(|at| (&at.q[..], &at.velocity.rates[..]));
-                let duration = end - begin;
-                let path = Path::new(ends[0], ends[1], duration);
-                self.flow.brought(h, path.at((h - begin) / duration))
-            }
-            _ => self.flow.after(h),
-        }
-    }
-
-    /// Two times, no farther from each other than that, between which it stops going on.
-    fn halved(
-        &self,
-        [mut before, mut after]: [f64; 2],
-        until: f64,
-        goes_on: &mut dyn FnMut(f64, &Arrived) -> bool,
-    ) -> [f64; 2] {
-        while after - before > until {
-            let middle = 0.5 * (before + after);
-            if middle <= before || middle >= after {
-                break;
-            }
-            match self.at(middle) {
-                Some(to) if goes_on(middle, &to) => before = middle,
-                _ => after = middle,
-            }
-        }
-        [before, after]
-    }
-}
-
 /// The first event within a step of length `h` that met something.
 pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) -> Stop {
-    let mut goes_on =
-        |h: f64, to: &Arrived| to.excess(flow.system) <= 1.0 && goes_on(watch, flow, h, to);
+    let last = |to: &Arrived, watch: &Watch<'a>| last_obstacle(watch, flow, to);
     let start = Arrived {
         q: flow.q.clone(),
         velocity: flow.velocity.clone(),
@@ -86,20 +43,46 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         from: (0.0, start),
         to: flow.after(h).map(|to| (h, to)),
     };
-    // The cubic tells about when; between two times so near to each other another one is as good as the motion.
-    let [before, after] = part.halved([0.0, h], CLOSE * h, &mut goes_on);
-    let ends = [before, after].map(|h| flow.after(h));
+    let met = (part.to.as_ref()).and_then(|(_, to)| last(to, watch));
+    let mut stops = |h: f64, to: &Arrived| {
+        if to.excess(flow.system) > 1.0 {
+            Some(Obstacle::Error)
+        } else {
+            obstacle(watch, flow, h, to)
+        }
+    };
     let mut around = [0.0, h];
-    part.to = None;
-    if let [Some(from), to] = ends
-        && goes_on(before, &from)
-        && !to.as_ref().is_some_and(|to| goes_on(after, to))
-    {
-        around = [before, after];
-        part.from = (before, from);
-        part.to = to.map(|to| (after, to));
+    let mut seen = Seen::Within(around);
+    // Where contacts lead, the cubic is the motion: there the contacts hold.
+    if part.is_led() {
+        seen = part.seen(met, h, &mut stops);
+    } else {
+        // The cubic tells about when; between two times so near to each other another one is as good as the motion.
+        let near = 0.5 * CLOSE * h;
+        let supposed = met.and_then(|met| part.supposed(met));
+        let about = supposed.map(|at| [(at - near).max(0.0), (at + near).min(h)]);
+        let mut close = about.and_then(|about| closely(flow, about, &mut stops));
+        if close.is_none() {
+            let about = part.halved(around, CLOSE * h, &mut |h, to| stops(h, to).is_none());
+            close = closely(flow, about, &mut stops);
+        }
+        part.to = None;
+        if let Some((closer, until, met)) = close {
+            part = closer;
+            around = [part.from.0, until];
+            seen = part.seen(met, h, &mut stops);
+        }
     }
-    let [before, after] = part.halved(around, LOCATED * h, &mut goes_on);
+    match seen {
+        Seen::At(after, what) => {
+            if let Some(stop) = stop_at(flow, after, what) {
+                return stop;
+            }
+        }
+        Seen::Within(narrower) if part.to.is_some() => around = narrower,
+        Seen::Within(_) => {}
+    }
+    let [before, after] = part.halved(around, LOCATED * h, &mut |h, to| stops(h, to).is_none());
     // What was held is closed still, though it may have come to the end of where it touches: where a side comes to lie on
     // another, one corner of it was held, and both are to be.
     let mut bounds = flow.held.clone();
@@ -119,6 +102,44 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     let to = flow.after(after).or_else(|| flow.after(before));
     let q = to.map_or_else(|| flow.q.clone(), |to| to.q);
     Stop { after, q, bounds }
+}
+
+/// The motion between two times, of which it goes on at the first and does not at the second, if it is so; until when, and what stops it.
+fn closely<'f, 'a>(
+    flow: &'f Flow<'a>,
+    about: [f64; 2],
+    stops: &mut dyn FnMut(f64, &Arrived) -> Option<Obstacle>,
+) -> Option<(Between<'f, 'a>, f64, Option<Obstacle>)> {
+    let [before, after] = about;
+    let from = flow.after(before)?;
+    if stops(before, &from).is_some() {
+        return None;
+    }
+    let to = flow.after(after);
+    let met = match &to {
+        Some(to) => Some(stops(after, to)?),
+        None => None,
+    };
+    let part = Between {
+        flow,
+        from: (before, from),
+        to: to.map(|to| (after, to)),
+    };
+    Some((part, after, met))
+}
+
+/// The stop where a function comes to 0.
+fn stop_at(flow: &Flow<'_>, after: f64, what: What) -> Option<Stop> {
+    let (system, pairs) = (flow.system, flow.pairs);
+    let q = flow.after(after)?.q;
+    let mut bounds = flow.held.clone();
+    add(&mut bounds, touching(system, pairs, &q));
+    match what {
+        What::Closes(bound) => add(&mut bounds, vec![bound]),
+        What::Ends(..) => {}
+        What::Opens(_) => add(&mut bounds, pinched(system, pairs, &q)),
+    }
+    Some(Stop { after, q, bounds })
 }
 
 /// Adds those that are not there.

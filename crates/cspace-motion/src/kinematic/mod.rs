@@ -1,16 +1,19 @@
 //! Motion without inertia: forces in balance while drives move, and what no force acts on as it is pushed.
 
 mod balance;
+mod between;
 mod check;
 mod choose;
 mod events;
 mod flow;
+mod foreseen;
 mod friction;
 mod locate;
 mod modes;
 mod rest;
 mod run;
 mod settle;
+mod there;
 mod velocity;
 
 pub(crate) use flow::close;

@@ -8,6 +8,8 @@
 //!
 //! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
 
+use std::borrow::Cow;
+
 use crate::linear::{Cholesky, Pushing, Rows, dot, length, nonnegative};
 use crate::system::{Law, Row, System};
 
@@ -29,7 +31,7 @@ const CONTRADICTS: f64 = 1e-8;
 #[derive(Debug, Clone)]
 pub(crate) struct Local<'a> {
     system: &'a System,
-    factor: Cholesky,
+    factor: Cow<'a, Cholesky>,
     /// y of the free velocity.
     pub(super) free: Vec<f64>,
     /// y of the forces: of the velocity that they would be.
@@ -70,26 +72,40 @@ pub(crate) enum Nearest {
 impl<'a> Local<'a> {
     /// At a configuration and a time; `None` if the metric is singular, or numbers are not finite.
     pub(crate) fn at(system: &'a System, q: &[f64], time: f64) -> Option<Self> {
+        Self::with_joints(system, q, time, &system.joints(q))
+    }
+
+    /// The same, with the equations of joints there.
+    pub(super) fn with_joints(
+        system: &'a System,
+        q: &[f64],
+        time: f64,
+        joints: &[Row],
+    ) -> Option<Self> {
         let n = system.count();
-        let (matrix, forces) = system.metric_and_forces(q);
+        let free = system.free();
         let mut driven = vec![0.0; n];
         for (i, curve) in system.drives() {
             driven[*i] = curve.at(time).rate;
         }
-        let free = system.free();
-        let of_free: Vec<f64> = (free.iter())
-            .flat_map(|&i| free.iter().map(move |&j| (i, j)))
-            .map(|(i, j)| matrix[i * n + j])
-            .collect();
-        let factor = Cholesky::of(&of_free, free.len())?;
         let share = match system.law() {
             Law::Speeds { scale, .. } => scale,
             Law::Balance => 0.0,
         };
         // Dampers between driven and free parts pull.
-        let mut pull: Vec<f64> = (free.iter())
-            .map(|&i| share * forces[i] - dot(&matrix[i * n..(i + 1) * n], &driven))
-            .collect();
+        let pull = |matrix: &[f64], forces: &[f64]| -> Vec<f64> {
+            let of = |&i: &usize| share * forces[i] - dot(&matrix[i * n..(i + 1) * n], &driven);
+            free.iter().map(of).collect()
+        };
+        let (factor, mut pull, forces) = if let Some(metric) = system.metric() {
+            let forces = system.forces(q);
+            let pull = pull(&metric.matrix, &forces);
+            (Cow::Borrowed(&metric.factor), pull, forces)
+        } else {
+            let (matrix, forces) = system.metric_and_forces(q);
+            let factor = system.factor(&matrix)?;
+            (Cow::Owned(factor), pull(&matrix, &forces), forces)
+        };
         factor.forward(&mut pull);
         let mut acting: Vec<f64> = free.iter().map(|&i| forces[i]).collect();
         factor.forward(&mut acting);
@@ -101,9 +117,7 @@ impl<'a> Local<'a> {
             driven,
             joints: Vec::new(),
         };
-        local.joints = (system.joints(q).iter())
-            .map(|row| local.reduced(row))
-            .collect();
+        local.joints = joints.iter().map(|row| local.reduced(row)).collect();
         Some(local)
     }
 
@@ -161,10 +175,7 @@ impl<'a> Local<'a> {
     /// The shortest displacement of the free coordinates, by the metric, that changes functions by given amounts: joints
     /// first, then others.
     pub(crate) fn displacement(&self, rows: &[Row], changes: &[f64]) -> Vec<f64> {
-        let all: Vec<Vec<f64>> = (self.joints.iter().map(|(row, _)| row.clone()))
-            .chain(rows.iter().map(|row| self.reduced(row).0))
-            .collect();
-        let (y, _) = Rows::of(&all).least(changes);
+        let (y, _) = Rows::of(&self.with_those(rows)).least(changes);
         let mut v = if y.is_empty() {
             vec![0.0; self.system.free().len()]
         } else {
@@ -176,27 +187,37 @@ impl<'a> Local<'a> {
 
     /// Joints and what holds as equations in y, and along what they push.
     pub(super) fn pushing(&self, holding: &Holding) -> Option<Pushing> {
-        let joints = || self.joints.iter().map(|(row, _)| row.clone());
-        let reduced = |rows: &[Row]| -> Vec<Vec<f64>> {
-            let rows = rows.iter().map(|row| self.reduced(row).0);
-            joints().chain(rows).collect()
-        };
-        let along = holding.along.as_deref().map(reduced);
-        Pushing::of(reduced(&holding.rows), along)
+        self.pushing_along(self.with_those(&holding.rows), holding.along.as_deref())
+    }
+
+    fn pushing_along(&self, vectors: Vec<Vec<f64>>, along: Option<&[Row]>) -> Option<Pushing> {
+        Pushing::of(vectors, along.map(|rows| self.with_those(rows)))
+    }
+
+    /// Joints and other functions in y.
+    fn with_those(&self, rows: &[Row]) -> Vec<Vec<f64>> {
+        let joints = self.joints.iter().map(|(row, _)| row.clone());
+        let others = rows.iter().map(|row| self.reduced(row).0);
+        joints.chain(others).collect()
     }
 
     /// The velocity that keeps some functions as they are, and joints; `None` if what pushes cannot.
     pub(crate) fn held(&self, holding: &Holding) -> Option<Held> {
-        let pushing = self.pushing(holding)?;
-        let rates = (self.joints.iter().cloned())
-            .chain(holding.rows.iter().map(|row| self.reduced(row)))
-            .map(|(v, b)| b - dot(&v, &self.free));
-        let (correction, lambda) = pushing.meet(&rates.collect::<Vec<f64>>())?;
-        let mut y = self.free.clone();
-        for (y, c) in y.iter_mut().zip(&correction) {
-            *y += c;
-        }
         let joints = self.joints.len();
+        let (mut vectors, mut missing) = (Vec::new(), Vec::new());
+        let reduced = holding.rows.iter().map(|row| self.reduced(row));
+        for (vector, rate) in self.joints.iter().cloned().chain(reduced) {
+            missing.push(rate - dot(&vector, &self.free));
+            vectors.push(vector);
+        }
+        let pushing = self.pushing_along(vectors, holding.along.as_deref())?;
+        let (mut y, lambda) = pushing.meet(&missing)?;
+        if y.is_empty() {
+            y.resize(self.free.len(), 0.0);
+        }
+        for (y, free) in y.iter_mut().zip(&self.free) {
+            *y += free;
+        }
         let lengths = pushing.lengths()[joints..].to_vec();
         let pushes = lambda[joints..].iter().zip(&lengths).map(|(m, l)| m * l);
         let rank = pushing.rows().rank();

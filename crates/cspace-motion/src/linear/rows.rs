@@ -1,5 +1,7 @@
 //! Linear equations of which some may follow from others: A y = b as A = R Q with orthonormal rows Q.
 
+use core::ops::Range;
+
 use super::{add_scaled, dot, length};
 
 /// Of a row, what the rows before it do not tell must be longer than this, relative to the row; otherwise it follows from
@@ -9,8 +11,9 @@ const DEPENDENT: f64 = 1e-8;
 /// Rows of equations, orthogonalized.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rows {
-    /// Q: an orthonormal basis of what the rows tell.
-    basis: Vec<Vec<f64>>,
+    /// Q: an orthonormal basis of the rows, each with where it is not 0: a contact is of two parts, and what it adds to the rows before it is
+    /// often of one.
+    basis: Vec<(Vec<f64>, Range<usize>)>,
     /// R of the rows that are independent: row i has i + 1 numbers.
     triangle: Vec<Vec<f64>>,
     /// Which of the rows these are.
@@ -32,9 +35,10 @@ impl Rows {
         let mut parts = vec![0.0; self.basis.len()];
         // Twice is enough for orthogonality to rounding.
         for _ in 0..2 {
-            for (q, part) in self.basis.iter().zip(&mut parts) {
-                let along = dot(&rest, q);
-                add_scaled(&mut rest, -along, q);
+            for ((q, within), part) in self.basis.iter().zip(&mut parts) {
+                let (rest, q) = (&mut rest[within.clone()], &q[within.clone()]);
+                let along = dot(rest, q);
+                add_scaled(rest, -along, q);
                 *part += along;
             }
         }
@@ -42,7 +46,8 @@ impl Rows {
         if long > DEPENDENT * length(row) {
             rest.iter_mut().for_each(|x| *x /= long);
             parts.push(long);
-            self.basis.push(rest);
+            let within = support(&rest);
+            self.basis.push((rest, within));
             self.triangle.push(parts);
             self.independent.push(self.count);
         }
@@ -56,15 +61,15 @@ impl Rows {
 
     /// The shortest y with A y = b for the rows that are independent; and λ with y = Aᵀ λ, 0 for the other rows.
     pub(crate) fn least(&self, b: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let n = self.basis.first().map_or(0, Vec::len);
+        let n = self.basis.first().map_or(0, |q| q.0.len());
         let mut along: Vec<f64> = Vec::with_capacity(self.rank());
         for (row, &i) in self.triangle.iter().zip(&self.independent) {
             let known = dot(&row[..along.len()], &along);
             along.push((b[i] - known) / row[along.len()]);
         }
         let mut y = vec![0.0; n];
-        for (q, c) in self.basis.iter().zip(&along) {
-            add_scaled(&mut y, *c, q);
+        for ((q, within), c) in self.basis.iter().zip(&along) {
+            add_scaled(&mut y[within.clone()], *c, &q[within.clone()]);
         }
         // Rᵀ λ = the parts along the basis.
         let mut lambda = vec![0.0; self.count];
@@ -80,12 +85,20 @@ impl Rows {
     /// Takes out of a vector what the rows tell of it.
     pub(crate) fn take_out(&self, v: &mut [f64]) {
         for _ in 0..2 {
-            for q in &self.basis {
+            for (q, within) in &self.basis {
+                let (v, q) = (&mut v[within.clone()], &q[within.clone()]);
                 let along = dot(v, q);
                 add_scaled(v, -along, q);
             }
         }
     }
+}
+
+/// From the first to after the last number that is not 0.
+fn support(v: &[f64]) -> Range<usize> {
+    let first = v.iter().position(|x| *x != 0.0).unwrap_or(0);
+    let end = v.iter().rposition(|x| *x != 0.0).map_or(0, |last| last + 1);
+    first..end
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@ use cspace::{
 };
 
 use super::joint;
-use super::layout::{Derived, PartCoordinates, row_of};
-use super::metric;
+use super::layout::{PartCoordinates, Placed, reach, rows_of};
+use super::metric::Metric;
 use super::row::Row;
 use crate::drive::DriveCurve;
 use crate::error::SimulateError;
@@ -20,7 +20,7 @@ use crate::error::SimulateError;
 pub struct System {
     mechanism: Mechanism,
     parts: Vec<PartCoordinates>,
-    moments: Vec<AreaMoments>,
+    pub(super) moments: Vec<AreaMoments>,
     masses: Vec<Option<MassProperties>>,
     /// Centres of mass in the parts' frames.
     centers: Vec<Point>,
@@ -34,7 +34,13 @@ pub struct System {
     joints: Vec<JointEntry>,
     size: f64,
     lengths: Vec<f64>,
+    /// How far each part's coordinates move its points at most.
+    levers: Vec<[f64; 3]>,
+    /// The largest distance of each part's points from its origin.
+    reaches: Vec<f64>,
     law: Law,
+    /// The metric, if it is the same everywhere.
+    pub(super) metric: Option<Metric>,
 }
 
 /// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
@@ -140,8 +146,16 @@ impl System {
                 lengths[i] = entry.part.size();
             }
         }
-        Self {
+        let entries = &mechanism.parts;
+        let system = Self {
             lengths,
+            metric: None,
+            levers: (parts.iter().zip(entries))
+                .map(|(c, entry)| c.levers(&entry.part))
+                .collect(),
+            reaches: (entries.iter())
+                .map(|entry| reach(&entry.part, Point::ORIGIN))
+                .collect(),
             law: Law::Speeds {
                 scale: 1.0,
                 drag: 0.0,
@@ -161,28 +175,31 @@ impl System {
             drives,
             free,
             braked,
-        }
+        };
+        system.with_metric()
     }
 
     /// The same with forces that balance at every instant, as drives that are slow leave them.
     pub(crate) fn balanced(&self) -> Self {
-        Self {
+        let system = Self {
             law: Law::Balance,
             ..self.clone()
-        }
+        };
+        system.with_metric()
     }
 
     /// The same with drives that stand where they are at a time, and forces that are speeds by a factor.
     pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
         let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
-        Self {
+        let system = Self {
             law: Law::Speeds {
                 scale,
                 drag: DRAG * scale,
             },
             drives: self.drives.iter().map(still).collect(),
             ..self.clone()
-        }
+        };
+        system.with_metric()
     }
 
     pub(crate) fn law(&self) -> Law {
@@ -227,6 +244,16 @@ impl System {
     /// The length that a unit of each coordinate counts: the size of the part for an angle, 1 for a length.
     pub fn lengths(&self) -> &[f64] {
         &self.lengths
+    }
+
+    /// How far each part's coordinates move its points at most, per unit.
+    pub(crate) fn levers(&self) -> &[[f64; 3]] {
+        &self.levers
+    }
+
+    /// The largest distance of a part's points from its origin.
+    pub(crate) fn reach(&self, part: usize) -> f64 {
+        self.reaches[part]
     }
 
     /// All coordinates at the start, as they are given. Joints may not hold there.
@@ -327,13 +354,9 @@ impl System {
     }
 
     /// A function of where two parts are, with its derivatives by their coordinates.
-    pub(crate) fn row(
-        &self,
-        [a, b]: [usize; 2],
-        q: &[f64],
-        function: impl Fn(&Placement<Derived>, &Placement<Derived>) -> Derived,
-    ) -> Row {
-        row_of([&self.parts[a], &self.parts[b]], q, function)
+    pub(crate) fn row(&self, [a, b]: [usize; 2], q: &[f64], function: &impl Placed<1>) -> Row {
+        let [row] = rows_of([&self.parts[a], &self.parts[b]], q, function);
+        row
     }
 
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
@@ -384,28 +407,5 @@ impl System {
         let mut forces = vec![0.0; self.count];
         self.add_forces(q, &mut forces, |_, _, _| {});
         forces
-    }
-
-    /// The mass matrix of the outlines at unit density with the resistance of dampers, n × n by rows, and the forces of
-    /// loads, weights and springs on the coordinates.
-    pub(crate) fn metric_and_forces(&self, q: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let n = self.count;
-        let (mut matrix, mut forces) = (vec![0.0; n * n], vec![0.0; n]);
-        for (part, moments) in self.parts.iter().zip(&self.moments) {
-            metric::add_outline(&mut matrix, n, part, moments, q);
-        }
-        let drag = match self.law {
-            Law::Speeds { drag, .. } => drag,
-            Law::Balance => 0.0,
-        };
-        self.add_forces(q, &mut forces, |along, stiffness, damping| {
-            let resistance = damping + drag * stiffness;
-            for &(i, a) in along.entries() {
-                for &(j, b) in along.entries() {
-                    matrix[i * n + j] += resistance * a * b;
-                }
-            }
-        });
-        (matrix, forces)
     }
 }

@@ -1,16 +1,24 @@
 //! Forces on the coordinates: loads, weights and springs; and springs, whose dampers resist rates.
 
 use cspace::mechanism::{Load, LoadKind, Spring, SpringKind};
-use cspace::{Point, Real};
+use cspace::{Placement, Point, Real, Vector};
 
 use super::coordinates::System;
-use super::layout::{Derived, PartCoordinates, row_of};
+use super::layout::{PartCoordinates, Placed, rows_of};
 use super::row::Row;
+
+/// x and y of a point of the first part in the assembly's frame.
+struct At(Point);
+
+impl Placed<2> for At {
+    fn values<T: Real>(&self, a: &Placement<T>, _: &Placement<T>) -> [T; 2] {
+        a.point([T::constant(self.0.x), T::constant(self.0.y)])
+    }
+}
 
 /// x and y of a point of a part in the assembly's frame.
 fn place(part: &PartCoordinates, p: Point, q: &[f64]) -> [Row; 2] {
-    let at = [Derived::constant(p.x), Derived::constant(p.y)];
-    [0, 1].map(|k| row_of([part, &PartCoordinates::Fixed], q, |a, _| a.point(at)[k]))
+    rows_of([part, &PartCoordinates::Fixed], q, &At(p))
 }
 
 /// Adds what a force along a function of the coordinates does to them.
@@ -33,7 +41,8 @@ impl System {
             self.add_load(load, q, forces);
         }
         let gravity = self.mechanism().dynamics.gravity;
-        for (i, part) in self.parts().iter().enumerate() {
+        let weigh = gravity != Vector::ZERO;
+        for (i, part) in self.parts().iter().enumerate().filter(|_| weigh) {
             if let Some(mass) = self.mass(i) {
                 let [x, y] = place(part, mass.center, q);
                 push(forces, &x, mass.mass * gravity.x);

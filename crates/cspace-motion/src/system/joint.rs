@@ -1,10 +1,47 @@
 //! Joints as equations between the coordinates of two parts.
 
 use cspace::pair::Joint;
-use cspace::{Point, Real};
+use cspace::{Placement, Point, Real, Vector};
 
-use super::layout::{Derived, PartCoordinates, row_of};
+use super::layout::{PartCoordinates, Placed, rows_of};
 use super::row::Row;
+
+fn real<T: Real>(p: Point) -> [T; 2] {
+    [T::constant(p.x), T::constant(p.y)]
+}
+
+/// How far a point of one part is from where the other has it, along x and along y.
+struct Together(Point);
+
+impl Placed<2> for Together {
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 2] {
+        let (p, r) = (a.point(real(self.0)), b.point(real(self.0)));
+        [p[0] - r[0], p[1] - r[1]]
+    }
+}
+
+/// How far two parts are turned against each other, at the ends of a length.
+struct Parallel(f64);
+
+impl Placed<1> for Parallel {
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
+        [T::constant(self.0) * (a.sin * b.cos - a.cos * b.sin)]
+    }
+}
+
+/// How far a point of the second part is beside a line of the first through it.
+struct Beside {
+    at: Point,
+    normal: Vector,
+}
+
+impl Placed<1> for Beside {
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
+        let n = a.vector([T::constant(self.normal.x), T::constant(self.normal.y)]);
+        let (p, r) = (a.point(real(self.at)), b.point(real(self.at)));
+        [n[0] * (r[0] - p[0]) + n[1] * (r[1] - p[1])]
+    }
+}
 
 /// The equations of a joint between two parts: 0 where it holds, in the model's unit of length. `size` is the length that
 /// an angle of one radian counts.
@@ -14,31 +51,20 @@ pub(crate) fn equations(
     q: &[f64],
     size: f64,
 ) -> Vec<Row> {
-    let real = |p: Point| [Derived::constant(p.x), Derived::constant(p.y)];
-    let together = |p: Point, k: usize| {
-        row_of(parts, q, move |a, b| {
-            a.point(real(p))[k] - b.point(real(p))[k]
-        })
-    };
+    let together = |at: Point| rows_of(parts, q, &Together(at));
     let parallel = || {
-        row_of(parts, q, |a, b| {
-            Derived::constant(size) * (a.sin * b.cos - a.cos * b.sin)
-        })
+        let [row] = rows_of(parts, q, &Parallel(size));
+        row
     };
     match *joint {
-        Joint::Revolute { at } => vec![together(at, 0), together(at, 1)],
-        Joint::Rigid => vec![
-            together(Point::ORIGIN, 0),
-            together(Point::ORIGIN, 1),
-            parallel(),
-        ],
+        Joint::Revolute { at } => together(at).to_vec(),
+        Joint::Rigid => {
+            let [x, y] = together(Point::ORIGIN);
+            vec![x, y, parallel()]
+        }
         Joint::Prismatic { direction, at } => {
             let normal = direction.unit().left();
-            let beside = row_of(parts, q, |a, b| {
-                let n = a.vector([Derived::constant(normal.x), Derived::constant(normal.y)]);
-                let (p, r) = (a.point(real(at)), b.point(real(at)));
-                n[0] * (r[0] - p[0]) + n[1] * (r[1] - p[1])
-            });
+            let [beside] = rows_of(parts, q, &Beside { at, normal });
             vec![parallel(), beside]
         }
     }

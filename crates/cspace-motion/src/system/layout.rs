@@ -97,23 +97,40 @@ pub(crate) fn reach(part: &Part, from: Point) -> f64 {
     (corners.flatten().map(|p| from.distance(p))).fold(0.0, f64::max)
 }
 
-/// Numbers that carry the derivatives by the coordinates of two parts.
-pub(crate) type Derived = Dual<MOST>;
+/// Functions of where two parts are, in any numbers.
+pub(crate) trait Placed<const COUNT: usize> {
+    /// Their values.
+    fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; COUNT];
+}
 
-/// A function of where two parts are, with its derivatives by their coordinates.
-pub(crate) fn row_of(
+/// Functions of where two parts are, with their derivatives by the coordinates of these.
+pub(crate) fn rows_of<const COUNT: usize>(
     parts: [&PartCoordinates; 2],
     q: &[f64],
-    function: impl Fn(&Placement<Derived>, &Placement<Derived>) -> Derived,
-) -> Row {
-    let [a, b] = parts;
-    let (of_a, of_b) = (a.indices(), b.indices());
-    let at_a = a.placement(|i| Derived::variable(q[i], i - of_a.start));
-    let at_b = b.placement(|i| Derived::variable(q[i], of_a.len() + i - of_b.start));
-    let found = function(&at_a, &at_b);
-    let mut row = Row::new(found.value);
-    for (i, slope) in of_a.chain(of_b).zip(found.slope) {
-        row.push(i, slope);
+    functions: &impl Placed<COUNT>,
+) -> [Row; COUNT] {
+    // Most parts turn or slide, and what is no coordinate needs no derivative.
+    match parts.map(|p| p.indices().len()).iter().sum::<usize>() {
+        0..=2 => derived::<2, COUNT>(parts, q, functions),
+        3..=4 => derived::<4, COUNT>(parts, q, functions),
+        _ => derived::<MOST, COUNT>(parts, q, functions),
     }
-    row
+}
+
+/// The same by at most N coordinates.
+fn derived<const N: usize, const COUNT: usize>(
+    [a, b]: [&PartCoordinates; 2],
+    q: &[f64],
+    functions: &impl Placed<COUNT>,
+) -> [Row; COUNT] {
+    let (of_a, of_b) = (a.indices(), b.indices());
+    let at_a = a.placement(|i| Dual::<N>::variable(q[i], i - of_a.start));
+    let at_b = b.placement(|i| Dual::<N>::variable(q[i], of_a.len() + i - of_b.start));
+    functions.values(&at_a, &at_b).map(|found| {
+        let mut row = Row::new(found.value);
+        for (i, slope) in of_a.clone().chain(of_b.clone()).zip(found.slope) {
+            row.push(i, slope);
+        }
+        row
+    })
 }

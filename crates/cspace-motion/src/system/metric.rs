@@ -3,6 +3,16 @@
 use cspace::{AreaMoments, AxisMotion, Rotation};
 
 use super::layout::PartCoordinates;
+use crate::linear::Cholesky;
+
+/// The mass matrix of the outlines with the resistance of dampers.
+#[derive(Debug, Clone)]
+pub(crate) struct Metric {
+    /// Of all coordinates, n × n by rows.
+    pub(crate) matrix: Vec<f64>,
+    /// The factor of that of the free ones.
+    pub(crate) factor: Cholesky,
+}
 
 /// Adds the mass matrix of a part to that of the system, n × n by rows: half of v'ᵀ M v' is the kinetic energy of the outline
 /// with one unit of mass on each unit of area.

@@ -5,10 +5,11 @@ mod force;
 mod joint;
 mod layout;
 mod metric;
+mod resistance;
 mod row;
 
 pub(crate) use coordinates::Law;
 pub use coordinates::System;
 pub use layout::PartCoordinates;
-pub(crate) use layout::reach;
+pub(crate) use layout::Placed;
 pub use row::Row;

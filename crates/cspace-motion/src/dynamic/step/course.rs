@@ -60,6 +60,11 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         })
     }
 
+    /// The same, with what joints and contacts miss.
+    fn rough(&self, h: f64) -> State {
+        self.dense.at(self.span.from, h)
+    }
+
     /// A root of a function between two times, at which it is positive and below 0: of a step to there, and how long it is.
     pub(super) fn root(
         &self,
@@ -67,8 +72,28 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         (hi, f_hi): (f64, f64),
         value: &dyn Fn(&State) -> Option<f64>,
     ) -> Option<(f64, Taken)> {
-        let near = |h: f64| value(&self.near(h)?);
-        let about = root((lo, f_lo), (hi, f_hi), near)?;
+        let about = self.about((lo, f_lo), (hi, f_hi), value)?;
+        self.exactly(about, (lo, f_lo), (hi, f_hi), value)
+    }
+
+    /// The same on the polynomial: nearly when.
+    pub(super) fn about(
+        &self,
+        begin: (f64, f64),
+        end: (f64, f64),
+        value: &dyn Fn(&State) -> Option<f64>,
+    ) -> Option<f64> {
+        root(begin, end, |h| value(&self.rough(h)))
+    }
+
+    /// The same from where it nearly is.
+    pub(super) fn exactly(
+        &self,
+        about: f64,
+        (lo, f_lo): (f64, f64),
+        (hi, f_hi): (f64, f64),
+        value: &dyn Fn(&State) -> Option<f64>,
+    ) -> Option<(f64, Taken)> {
         if let Some(found) = self.mended(about, (lo, hi), value) {
             return Some(found);
         }
@@ -85,15 +110,16 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
     ) -> Option<(f64, Taken)> {
         let side = SLOPE * (hi - lo);
         let (before, after) = ((about - side).max(lo), (about + side).min(hi));
-        let of = |h: f64| value(&self.near(h)?);
+        let of = |h: f64| value(&self.rough(h));
         let mut slope = (of(after)? - of(before)?) / (after - before);
         let mut h = about;
         let mut taken = self.at(h)?;
         let mut f = value(&taken.state)?;
         let time = |h: f64| self.span.from.t + h;
         for _ in 0..MENDED {
-            let next = h - f / slope;
-            if !(slope < 0.0 && next > lo && next <= hi) {
+            // A root at the end, to rounding, is there.
+            let next = (h - f / slope).min(hi);
+            if !(slope < 0.0 && next > lo) {
                 return (f == 0.0).then_some((h, taken));
             }
             if f == 0.0 || time(next) == time(h) {
@@ -113,10 +139,10 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         // What ends there is over.
         let mut more = (f / slope).abs().max(f64::EPSILON * time(h).abs());
         for _ in 0..FARTHER {
-            if f <= 0.0 || h + more > hi {
+            if f <= 0.0 || h >= hi {
                 break;
             }
-            h += more;
+            h = (h + more).min(hi);
             more *= 2.0;
             taken = self.at(h)?;
             f = value(&taken.state)?;

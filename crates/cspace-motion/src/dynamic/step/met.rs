@@ -9,6 +9,8 @@ use crate::root::root;
 const LOCATED: f64 = 1e-14;
 /// A root between two times is looked for when they are within these shares of the step.
 const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
+/// So many things that are met before what is met last are looked at.
+const MOST_LOOKS: usize = 16;
 /// Nothing is met at this share of the two times before it.
 const BEFORE: f64 = 1e-7;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
@@ -16,13 +18,37 @@ const NEAR_EVENT: f64 = 1e-6;
 /// And one whose root is not farther ahead than this: what contacts are known to.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
+/// What the functions that change their sign between two times show.
+enum Shown {
+    /// The first root, and the contacts that close there.
+    Root(Taken, Vec<usize>),
+    /// Something else is met up to this time before it.
+    Earlier(f64, State),
+    /// Nothing.
+    Nothing,
+}
+
 impl<W: World + ?Sized> Course<'_, '_, W> {
-    /// Where a step of a length first met something, and the contacts that closed there.
+    /// Where a step of a length, to a state, first met something, and the contacts that closed there.
     ///
-    /// Halving the step tells it as well as contacts are told by their spaces; then the function is looked for that vanishes there.
-    pub(super) fn first_met(&self, h: f64) -> Option<(Taken, Vec<usize>)> {
+    /// Nearly always it is the first root of a function that changes its sign. Otherwise halving the step tells it as well as contacts are told by their spaces;
+    /// then the function is looked for that vanishes there.
+    pub(super) fn first_met(&self, h: f64, to: State) -> Option<(Taken, Vec<usize>)> {
         let (mut before, mut after) = (0.0, h);
-        let mut ends: (Option<State>, Option<State>) = (None, None);
+        let mut ends: (Option<State>, Option<State>) = (None, Some(to));
+        for _ in 0..MOST_LOOKS {
+            let Some(end) = &ends.1 else {
+                break;
+            };
+            match self.first_root((before, self.span.from), (after, end)) {
+                Shown::Root(taken, closed) => return Some((taken, closed)),
+                Shown::Earlier(time, state) => {
+                    after = time;
+                    ends.1 = Some(state);
+                }
+                Shown::Nothing => break,
+            }
+        }
         let mut tries = QUICK.iter();
         let mut next = tries.next();
         while after - before > LOCATED * h {
@@ -30,9 +56,10 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
                 next = tries.next();
                 let begin = ends.0.as_ref().unwrap_or(self.span.from);
                 if let Some(end) = &ends.1
-                    && let Some(found) = self.first_root((before, begin), (after, end))
+                    && let Shown::Root(taken, closed) =
+                        self.first_root((before, begin), (after, end))
                 {
-                    return Some(found);
+                    return Some((taken, closed));
                 }
             }
             let middle = 0.5 * (before + after);
@@ -78,11 +105,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
 
     /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
     /// between them.
-    fn first_root(
-        &self,
-        (before, begin): (f64, &State),
-        (after, end): (f64, &State),
-    ) -> Option<(Taken, Vec<usize>)> {
+    fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Shown {
         let world = self.world();
         let step = Step {
             from: begin,
@@ -90,28 +113,43 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
             bearing: &self.bearing,
         };
         let way = world.reach(&(&end.q - &begin.q));
-        let mut first: Option<(f64, Taken, Sought)> = None;
+        let value = |sought: Sought, state: &State| world.value(sought, state.t, &state.q);
+        let mut all: Vec<(f64, [f64; 2], Sought)> = Vec::new();
         for sought in world.sought(step, way) {
-            let value = |state: &State| world.value(sought, state.t, &state.q);
-            let (a, b) = (value(begin), value(end));
+            let [a, b] = [begin, end].map(|state| value(sought, state));
             if !(a > 0.0 && b < 0.0) {
                 continue;
             }
-            let (h, taken) = self.root((before, a), (after, b), &|s| Some(value(s)))?;
-            if first.as_ref().is_none_or(|f| h < f.0) {
-                first = Some((h, taken, sought));
-            }
+            let about = self.about((before, a), (after, b), &|s| Some(value(sought, s)));
+            all.extend(about.map(|about| (about, [a, b], sought)));
         }
-        let (_, taken, sought) = first?;
-        let there = &taken.state;
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let first = all.into_iter().find_map(|(about, [a, b], sought)| {
+            let of = |s: &State| Some(value(sought, s));
+            let (h, taken) = self.exactly(about, (before, a), (after, b), &of)?;
+            let there = &taken.state;
+            // Beyond the ends of its features a contact has no gap.
+            let is_there = match sought {
+                Sought::Gap(contact) => world.is_there(contact, there.t, &there.q),
+                Sought::End(..) => true,
+            };
+            is_there.then_some((h, taken, sought))
+        });
+        let Some((h, taken, sought)) = first else {
+            return Shown::Nothing;
+        };
         let closed = match sought {
-            Sought::Gap(contact) if !world.is_there(contact, there.t, &there.q) => return None,
             Sought::Gap(contact) => vec![contact],
             Sought::End(..) => Vec::new(),
         };
         // Nothing else was met before.
-        let just = just_before(there, BEFORE * (after - before));
-        (!self.met(&just)).then_some((taken, closed))
+        let while_before = BEFORE * (after - before);
+        let just = just_before(&taken.state, while_before);
+        if self.met(&just) {
+            Shown::Earlier(h - while_before, just)
+        } else {
+            Shown::Root(taken, closed)
+        }
     }
 
     /// The last root before a time of a function that is negative then, or the first after it of one that is nearly 0, if it is near;

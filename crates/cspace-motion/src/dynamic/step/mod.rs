@@ -83,7 +83,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         };
         let mut taken = end.taken;
         if met {
-            let found = course.first_met(end.h)?;
+            let found = course.first_met(end.h, taken.state.clone())?;
             // What would have happened later does not.
             events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
             taken = found.0;

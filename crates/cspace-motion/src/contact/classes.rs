@@ -1,0 +1,53 @@
+//! What configurations of pairs are, kept while they are asked for again: the end of a step is where the next one begins, and all that is tried of
+//! a step begins at one place.
+
+use std::cell::RefCell;
+
+use cspace::{Classification, Coordinates, QueryError};
+
+use crate::pairs::MovingPair;
+
+/// So many are kept of each pair: where a step begins and ends, and two places between.
+const KEPT: usize = 4;
+
+/// Classes of configurations, those asked for last of each pair.
+#[derive(Debug)]
+pub(super) struct Classes(RefCell<Vec<[Option<Known>; KEPT]>>);
+
+/// A configuration and what it is.
+type Known = (Coordinates, Classification);
+
+impl Classes {
+    /// Of so many pairs, nothing being known.
+    pub(super) fn new(pairs: usize) -> Self {
+        Self(RefCell::new(vec![[None; KEPT]; pairs]))
+    }
+
+    /// What a configuration of a pair is.
+    ///
+    /// # Errors
+    /// If nothing was computed there.
+    pub(super) fn of(
+        &self,
+        index: usize,
+        pair: &MovingPair,
+        at: Coordinates,
+    ) -> Result<Classification, QueryError> {
+        let known = self.0.borrow()[index];
+        let known = known.into_iter().flatten().find(|known| known.0 == at);
+        let class = match known {
+            Some((_, class)) => class,
+            None => pair.space.classify(at)?,
+        };
+        self.tell(index, at, class);
+        Ok(class)
+    }
+
+    /// That a configuration of a pair is of a class.
+    pub(super) fn tell(&self, index: usize, at: Coordinates, class: Classification) {
+        let kept = &mut self.0.borrow_mut()[index];
+        let last = kept.iter().position(|k| k.is_some_and(|k| k.0 == at));
+        kept[..=last.unwrap_or(KEPT - 1)].rotate_right(1);
+        kept[0] = Some((at, class));
+    }
+}

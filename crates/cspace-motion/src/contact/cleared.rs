@@ -1,0 +1,46 @@
+//! How far along a motion pairs are known to meet nothing, while shorter steps of it are tried.
+
+use super::bound::Bound;
+use super::path::Path;
+
+/// What was found of steps that begin in one way.
+#[derive(Debug)]
+pub(super) struct Cleared {
+    /// The coordinates and rates with which they begin.
+    begin: [Vec<f64>; 2],
+    held: Vec<Bound>,
+    /// How long the longest step was in which a pair met nothing, s.
+    until: Vec<f64>,
+}
+
+impl Cleared {
+    /// Of so many pairs, nothing being known.
+    pub(super) fn new(pairs: usize) -> Self {
+        Self {
+            begin: [Vec::new(), Vec::new()],
+            held: Vec::new(),
+            until: vec![0.0; pairs],
+        }
+    }
+
+    /// That a step is looked at next, with some bounds held. What is known of others that begin elsewhere is forgotten.
+    pub(super) fn begin(&mut self, held: &[Bound], path: &Path<'_>) {
+        let begin = [path.from(), path.begins()];
+        let is_same = self.begin.iter().zip(begin).all(|(a, b)| a == b) && self.held == held;
+        if !is_same {
+            self.begin = begin.map(<[f64]>::to_vec);
+            self.held = held.to_vec();
+            self.until.fill(0.0);
+        }
+    }
+
+    /// Whether a pair met nothing in a step that was as long.
+    pub(super) fn covers(&self, pair: usize, path: &Path<'_>) -> bool {
+        path.duration() <= self.until[pair]
+    }
+
+    /// That a pair met nothing in the step.
+    pub(super) fn tell(&mut self, pair: usize, path: &Path<'_>) {
+        self.until[pair] = self.until[pair].max(path.duration());
+    }
+}

@@ -1,0 +1,63 @@
+//! Straight ways between configurations of a pair.
+
+use cspace::pair::PairCrossing;
+use cspace::{Configuration, Coordinates, PatchId};
+
+use crate::pairs::Touch;
+
+/// The gap of a contact at a share of the straight way between two configurations; where it cannot be told, the parts overlap.
+pub(super) fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
+    let there = between(ends, share);
+    let gap = there.and_then(|there| touch.contact().value(there).ok());
+    gap.unwrap_or(f64::NEG_INFINITY)
+}
+
+/// The configuration at a share of the straight way between two.
+pub(super) fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
+    combined(a, b, |a, b| a + share * (b - a))
+}
+
+/// The control points of a cubic of which the ends are known, and what is at a third and two thirds of it.
+pub(super) fn control_points(
+    [a, b]: [Coordinates; 2],
+    [p, r]: [Coordinates; 2],
+) -> Option<[Coordinates; 4]> {
+    let of = |a: Coordinates, p: Coordinates, r: Coordinates, b: Coordinates| {
+        // (18 p − 5 a − 9 r + 2 b) / 6
+        let ends = combined(a, b, |a, b| 2.0 * b - 5.0 * a)?;
+        let inner = combined(p, r, |p, r| 18.0 * p - 9.0 * r)?;
+        combined(ends, inner, |ends, inner| (ends + inner) / 6.0)
+    };
+    Some([a, of(a, p, r, b)?, of(b, r, p, a)?, b])
+}
+
+/// The rates of a straight way that takes a second.
+pub(super) fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
+    combined(a, b, |a, b| b - a)
+}
+
+/// What is made of each two coordinates; `None` of coordinates of different classes.
+fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Option<Coordinates> {
+    match (a, b) {
+        (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
+            Configuration::new(of(a.x, b.x), of(a.y, b.y), of(a.theta, b.theta)),
+        )),
+        (Coordinates::Axes { u, v }, Coordinates::Axes { u: s, v: t }) => Some(Coordinates::Axes {
+            u: of(u, s),
+            v: of(v, t),
+        }),
+        _ => None,
+    }
+}
+
+/// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.
+pub(super) fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
+    let enters = crossings.iter().enumerate().filter(|(_, c)| c.enters);
+    enters
+        .map(|(k, crossing)| {
+            let out = crossings[k..].iter().find(|c| !c.enters);
+            let end = out.map_or(1.0, |c| c.time);
+            (crossing.patch, 0.5 * (crossing.time + end))
+        })
+        .collect()
+}

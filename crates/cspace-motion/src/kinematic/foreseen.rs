@@ -1,0 +1,258 @@
+//! What happens within a part of a step, by the functions that change their sign in it.
+//!
+//! ```text
+//!   ----+------------------ r ----------------+---->  time
+//!     before         r − δ | r + δ          after
+//!   it goes on      it does, it does not      it does not
+//! ```
+//!
+//! Contacts that close, features that come to their end and contacts that are no longer pressed have functions whose first root r is found in
+//! some steps. That it is what happens is then seen just before and just after it; where it is not, what was seen makes the part shorter.
+
+use crate::contact::{Bound, ends, limits};
+use crate::root::root;
+
+use super::between::Between;
+use super::check::{Obstacle, PULL};
+use super::flow::Arrived;
+
+/// Whether it goes on is asked so far from a root, as a share of the step: farther than roots are found to, and less than contacts are
+/// known to.
+const BESIDE: f64 = 1e-10;
+/// After a root it is asked so many times, each time farther by [`FARTHER`]: patches reach beyond the ends of features by what contacts are
+/// known to.
+const TRIES: usize = 3;
+const FARTHER: f64 = 100.0;
+/// Contacts close within the way of a part, in which both parts may move in three coordinates each.
+const NEAR: f64 = 6.0;
+
+/// So many obstacles are looked at, each of which is met before the last.
+const MOST_LOOKS: usize = 16;
+/// The rate of a function is that of the cubic over this share of the times between which its root is looked for.
+const SLOPE: f64 = 1e-3;
+/// Roots on the cubic are mended so many times at most.
+const MENDED: usize = 6;
+/// A root is one that is right to this share of the times between which it is looked for.
+const RIGHT: f64 = 1e-12;
+
+/// What is seen of a part of a step.
+// There is one at a time.
+#[allow(clippy::large_enum_variant)]
+pub(super) enum Seen {
+    /// It happens at this time, to this bound if one closes.
+    At(f64, What),
+    /// It happens between these.
+    Within([f64; 2]),
+}
+
+/// A function that is positive until something happens.
+// There are a few at a time, most of them contacts.
+#[allow(clippy::large_enum_variant)]
+#[derive(Debug, Clone, Copy)]
+pub(super) enum What {
+    /// Of a bound that is open.
+    Closes(Bound),
+    /// Of a bound that is held, by its number: of an end of its features, by its number.
+    Ends(usize, usize),
+    /// Of a bound that is held: how much it is pressed.
+    Opens(usize),
+}
+
+/// A time with what is known of the motion there.
+type Place = (f64, Arrived);
+
+impl Between<'_, '_> {
+    /// When it happens that a step does not go on, of which an obstacle was met at the end.
+    pub(super) fn seen(
+        &self,
+        mut met: Option<Obstacle>,
+        h: f64,
+        stops: &mut dyn FnMut(f64, &Arrived) -> Option<Obstacle>,
+    ) -> Seen {
+        let mut before = self.from.clone();
+        let Some(mut after) = self.to.clone() else {
+            return Seen::Within([before.0; 2]);
+        };
+        // What stops it earlier is of another pair: each is looked at once or twice.
+        for _ in 0..MOST_LOOKS {
+            let first = met.and_then(|met| self.first(met, [&before, &after]));
+            let Some((what, at)) = first else {
+                break;
+            };
+            let mut beside = BESIDE * h;
+            if at - beside > before.0 {
+                let Some(just) = self.at(at - beside) else {
+                    break;
+                };
+                met = stops(at - beside, &just);
+                if met.is_some() {
+                    after = (at - beside, just);
+                    continue;
+                }
+                before = (at - beside, just);
+            }
+            for _ in 0..TRIES {
+                if at + beside >= after.0 {
+                    return Seen::At(at, what);
+                }
+                match self.at(at + beside) {
+                    Some(to) if stops(at + beside, &to).is_none() => before = (at + beside, to),
+                    _ => return Seen::At(at, what),
+                }
+                beside *= FARTHER;
+            }
+            break;
+        }
+        Seen::Within([before.0, after.0])
+    }
+
+    /// When what was met at the end happens, as it seems.
+    pub(super) fn supposed(&self, met: Obstacle) -> Option<f64> {
+        let found = self.first(met, [&self.from, self.to.as_ref()?])?;
+        Some(found.1)
+    }
+
+    /// The function of what was met that comes to 0 first between two times, and when.
+    fn first(&self, met: Obstacle, ends: [&Place; 2]) -> Option<(What, f64)> {
+        let mut all: Vec<(What, [f64; 2])> = Vec::new();
+        self.functions(met, ends, &mut |what, values| {
+            if values[0] > 0.0 && values[1] < 0.0 {
+                all.push((what, values));
+            }
+        });
+        let share = |[a, b]: [f64; 2]| a / (a - b);
+        all.sort_by(|a, b| share(a.1).total_cmp(&share(b.1)));
+        all.into_iter().find_map(|(what, values)| {
+            let [begin, end] = [0, 1].map(|k| (ends[k].0, values[k]));
+            let at = self.root(what, begin, end)?;
+            self.is_there(what, at).then_some((what, at))
+        })
+    }
+
+    /// The functions of what was met, with their values at two times.
+    fn functions(
+        &self,
+        met: Obstacle,
+        [before, after]: [&Place; 2],
+        add: &mut dyn FnMut(What, [f64; 2]),
+    ) {
+        let flow = self.flow;
+        let states = [&before.1, &after.1];
+        let of_bound =
+            |bound: &Bound| states.map(|at| bound.function(flow.system, flow.pairs, &at.q).value);
+        let is_open = |bound: &Bound| flow.held.iter().all(|held| !bound.is_same(held));
+        match met {
+            Obstacle::Pull => {
+                for i in (0..flow.held.len()).filter(|&i| !flow.held[i].is_brake()) {
+                    add(What::Opens(i), states.map(|at| push(at, i)));
+                }
+            }
+            Obstacle::Limit => {
+                for (bound, _) in limits(flow.system, &after.1.q) {
+                    if is_open(&bound) {
+                        add(What::Closes(bound), of_bound(&bound));
+                    }
+                }
+            }
+            Obstacle::Pair(index) => {
+                let pair = &flow.pairs.list()[index];
+                let near = NEAR * flow.system.moved(&before.1.q, &after.1.q);
+                let touches = pair.touches(index, flow.system, &after.1.q, near.max(pair.touch));
+                for bound in touches.unwrap_or_default().into_iter().map(Bound::Contact) {
+                    if is_open(&bound) {
+                        add(What::Closes(bound), of_bound(&bound));
+                    }
+                }
+                for (i, bound) in flow.held.iter().enumerate() {
+                    if let Bound::Contact(touch) = bound
+                        && touch.pair == index
+                    {
+                        let [a, b] = states.map(|at| ends(pair, touch, flow.system, &at.q));
+                        for (k, (a, b)) in a.into_iter().zip(b).enumerate() {
+                            add(What::Ends(i, k), [a, b]);
+                        }
+                    }
+                }
+            }
+            Obstacle::Friction | Obstacle::Error => {}
+        }
+    }
+
+    /// Where a function comes to 0 between two times. On the cubic itself it does nearly; where contacts hold it is looked for by secants.
+    fn root(&self, what: What, begin: (f64, f64), end: (f64, f64)) -> Option<f64> {
+        let rough = |h: f64| self.value(what, h, false);
+        let exact = |h: f64| self.value(what, h, true);
+        let mended = || {
+            let about = root(begin, end, rough)?;
+            let side = SLOPE * (end.0 - begin.0);
+            let around = [(about - side).max(begin.0), (about + side).min(end.0)];
+            let [a, b] = [rough(around[0])?, rough(around[1])?];
+            let mut slope = (b - a) / (around[1] - around[0]);
+            let (mut h, mut f) = (about, exact(about)?);
+            for _ in 0..MENDED {
+                let next = h - f / slope;
+                if !(slope < 0.0 && next > begin.0 && next < end.0) {
+                    return None;
+                }
+                if next == h {
+                    break;
+                }
+                let g = exact(next)?;
+                if g.abs() >= f.abs() {
+                    break;
+                }
+                let secant = (g - f) / (next - h);
+                if secant.is_finite() && secant < 0.0 {
+                    slope = secant;
+                }
+                (h, f) = (next, g);
+            }
+            // It is over there, to rounding.
+            let rest = f / slope;
+            (rest.abs() <= RIGHT * (end.0 - begin.0)).then_some(h - rest.min(0.0))
+        };
+        mended().or_else(|| root(begin, end, exact))
+    }
+
+    /// The value of a function at a time, where contacts hold or on the cubic itself.
+    fn value(&self, what: What, h: f64, held: bool) -> Option<f64> {
+        let flow = self.flow;
+        let q = match self.near(h) {
+            Some(q) if !held => q,
+            _ => match what {
+                What::Opens(i) => return Some(push(&self.at(h)?, i)),
+                _ => self.placed(h)?,
+            },
+        };
+        match what {
+            What::Closes(bound) => Some(bound.function(flow.system, flow.pairs, &q).value),
+            What::Ends(i, k) => match flow.held.get(i)? {
+                Bound::Contact(touch) => {
+                    let pair = &flow.pairs.list()[touch.pair];
+                    ends(pair, touch, flow.system, &q).get(k).copied()
+                }
+                Bound::Limit { .. } | Bound::Brake { .. } => None,
+            },
+            What::Opens(i) => Some(push(&flow.moving(h, q)?, i)),
+        }
+    }
+
+    /// Whether a bound that closes is one there: beyond the ends of features their functions vanish, too.
+    fn is_there(&self, what: What, h: f64) -> bool {
+        let flow = self.flow;
+        let What::Closes(Bound::Contact(touch)) = what else {
+            return true;
+        };
+        let pair = &flow.pairs.list()[touch.pair];
+        self.placed(h).is_some_and(|q| {
+            let touches = pair.touches(touch.pair, flow.system, &q, pair.touch);
+            touches.is_ok_and(|all| all.iter().any(|t| t.features == touch.features))
+        })
+    }
+}
+
+/// How much a bound is pressed, beyond what counts as a pull.
+fn push(at: &Arrived, bound: usize) -> f64 {
+    let push = at.velocity.pushes.get(bound).copied();
+    push.map_or(0.0, |push| push + PULL * at.velocity.speed)
+}
