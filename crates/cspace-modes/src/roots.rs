@@ -1,0 +1,130 @@
+//! Where two monotone functions of the swept coordinate meet, with certainty: what is not known to be apart is halved.
+
+use cspace::{Ball, Real};
+
+use crate::graph::Graph;
+
+/// Functions that differ by no more than this over an interval meet in all of it, as far as rounding tells (radians or the
+/// model's unit of length, as a share of 1 and the value).
+const SAME: f64 = 1e-14;
+/// Intervals that are looked at for one meeting of two functions. Beside a tangency and beside a vertical slope some are left of each
+/// length, forty times halved; more are used up only by functions that coincide but for rounding.
+const MOST_INTERVALS: usize = 1 << 14;
+
+/// The place at which a function that is monotone changes its sign, if it does.
+pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Option<f64> {
+    let is_above = f(lo) > 0.0;
+    if is_above == (f(hi) > 0.0) {
+        return None;
+    }
+    let (mut lo, mut hi) = (lo, hi);
+    loop {
+        let mid = 0.5 * (lo + hi);
+        if !(lo < mid && mid < hi) {
+            return Some(mid);
+        }
+        if (f(mid) > 0.0) == is_above {
+            lo = mid;
+        } else {
+            hi = mid;
+        }
+    }
+}
+
+/// The composition f ∘ a of two monotone functions against a third, c.
+pub(crate) struct Corner<'a> {
+    /// f, of the values of a.
+    pub(crate) outer: Graph<'a>,
+    /// What is added to values of a before they are put into f.
+    pub(crate) shift: f64,
+    pub(crate) inner: Graph<'a>,
+    pub(crate) level: Graph<'a>,
+}
+
+/// The values at an end of an interval: of a, f ∘ a and c.
+#[derive(Clone, Copy)]
+struct At {
+    s: f64,
+    inner: f64,
+    outer: f64,
+    level: f64,
+}
+
+impl At {
+    fn difference(&self) -> f64 {
+        self.outer - self.level
+    }
+}
+
+impl Corner<'_> {
+    fn at(&self, s: f64) -> At {
+        let inner = self.inner.at(s) + self.shift;
+        At {
+            s,
+            inner,
+            outer: self.outer.at(inner),
+            level: self.level.at(s),
+        }
+    }
+
+    /// Calls `found` with the values of s in an interval at which f(a(s)) and c(s) change their order. Where they may touch within
+    /// `narrowest`, once; returns whether all intervals were decided.
+    pub(crate) fn changes(
+        &self,
+        (lo, hi): (f64, f64),
+        narrowest: f64,
+        mut found: impl FnMut(f64),
+    ) -> bool {
+        let mut waiting = vec![(self.at(lo), self.at(hi))];
+        let mut seen = 0;
+        while let Some((a, b)) = waiting.pop() {
+            seen += 1;
+            if seen > MOST_INTERVALS {
+                found(a.s);
+                found(b.s);
+                waiting.iter().for_each(|w| found(w.1.s));
+                return false;
+            }
+            if apart((a.outer, b.outer), (a.level, b.level)) {
+                continue;
+            }
+            let slopes = ((b.outer - a.outer), (b.level - a.level));
+            let once = slopes.0 * slopes.1 <= 0.0;
+            let by = if once {
+                None
+            } else {
+                let over = (a.inner.min(b.inner), a.inner.max(b.inner));
+                let interval = (a.s, b.s);
+                let outer = self.outer.slope(over) * self.inner.slope(interval);
+                Some(outer - self.level.slope(interval))
+            };
+            if by.is_none_or(|by: Ball| by.sign() != 0) {
+                sign_change(|s| self.at(s).difference(), (a.s, b.s))
+                    .into_iter()
+                    .for_each(&mut found);
+                continue;
+            }
+            let middle = self.at(0.5 * (a.s + b.s));
+            let half = 0.5 * (b.s - a.s);
+            let by = by.unwrap_or(Ball::constant(0.0));
+            let swing = (by.mid.abs() + by.radius) * half;
+            let same = SAME * (1.0 + middle.level.abs());
+            let difference = middle.difference().abs();
+            if difference > swing + same || difference + swing <= same {
+                continue;
+            }
+            if half <= narrowest {
+                found(middle.s);
+                continue;
+            }
+            waiting.push((middle, b));
+            waiting.push((a, middle));
+        }
+        true
+    }
+}
+
+/// Whether two intervals, given by their ends in either order, have nothing in common.
+fn apart(a: (f64, f64), b: (f64, f64)) -> bool {
+    a.0.max(a.1) < b.0.min(b.1) || b.0.max(b.1) < a.0.min(a.1)
+}
