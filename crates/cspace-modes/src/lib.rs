@@ -3,10 +3,22 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod column;
+mod error;
 mod extent;
 mod graph;
+mod locate;
+mod mode;
+mod modes;
 mod plane;
 mod roots;
 mod section;
+mod shape;
 mod sweep;
+mod trio;
 mod turns;
+
+pub use error::ModesError;
+pub use locate::ModePlace;
+pub use mode::Mode;
+pub use modes::Modes;
+pub use trio::{PAIRS, TrioPair, moving_parts};

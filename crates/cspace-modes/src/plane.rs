@@ -63,6 +63,11 @@ impl Plane {
         }
     }
 
+    /// The same, with other extents of the same coordinates.
+    pub(crate) fn with(self, x: Extent, y: Extent) -> Self {
+        Self { x, y, ..self }
+    }
+
     /// Places at which the partition contradicts itself.
     pub(crate) fn conflicts(&self) -> usize {
         self.swept.as_ref().map_or(0, SweptPlane::conflicts)

@@ -125,6 +125,13 @@ impl Lattice {
     }
 }
 
+/// The reduced form of what vectors stand for.
+pub(crate) fn reduced(vectors: impl Iterator<Item = [i64; 3]>) -> Vec<[i64; 3]> {
+    let mut lattice = Lattice::default();
+    vectors.for_each(|v| lattice.add(v));
+    lattice.reduced()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
