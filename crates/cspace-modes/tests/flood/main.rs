@@ -1,0 +1,97 @@
+//! Modes against grids of free configurations, joined step by step.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod grid;
+
+use core::f64::consts::TAU;
+
+use cspace::mechanism::{Mechanism, PartEntry};
+use cspace::{Axis, Classification, Part, Point, Vector, Vertex};
+use cspace_modes::{ModePlace, Modes};
+use grid::Grid;
+
+/// Numbers that look random.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * self.roll()
+    }
+}
+
+/// A star about a point, some of its edges arcs.
+fn star(dice: &mut Dice, name: &str, (x, y): (f64, f64), points: u32, inner: f64, outer: f64) -> Part {
+    loop {
+        let mut vertices = Vec::new();
+        for k in 0..2 * points {
+            let angle = TAU * (f64::from(k) + dice.between(-0.2, 0.2)) / f64::from(2 * points);
+            let radius = if k % 2 == 0 { outer } else { inner } * dice.between(0.8, 1.2);
+            let straight = dice.roll() < 0.5;
+            let bulge = if straight { 0.0 } else { dice.between(-0.2, 0.2) };
+            vertices.push(Vertex::new(x + radius * angle.cos(), y + radius * angle.sin(), bulge));
+        }
+        // Edges may cross: then another one.
+        if let Ok(part) = Part::new(name, vec![vertices]) {
+            return part;
+        }
+    }
+}
+
+fn axis(dice: &mut Dice, kind: u32, (x, y): (f64, f64)) -> Axis {
+    let aside = (dice.between(-0.3, 0.3), dice.between(-0.3, 0.3));
+    let turn = Axis::revolute(Point::new(x + aside.0, y + aside.1));
+    let slide = Axis::prismatic(Vector::from_angle(dice.between(0.0, TAU)));
+    match kind {
+        0 => turn,
+        1 => turn.within(dice.between(-4.0, -1.0), dice.between(1.0, 4.0)),
+        2 => slide.within(dice.between(-6.0, -2.0), dice.between(2.0, 6.0)),
+        _ => slide,
+    }
+}
+
+/// Three stars at the corners of a triangle, each near both others.
+fn stars(seed: u64) -> Mechanism {
+    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    let mut mechanism = Mechanism::new("stars");
+    for (k, name) in ["a", "b", "c"].into_iter().enumerate() {
+        let angle = TAU * k as f64 / 3.0;
+        let at = (2.2 * angle.cos(), 2.2 * angle.sin());
+        let points = 2 + (dice.roll() * 3.0) as u32;
+        let part = star(&mut dice, name, at, points, 0.9, 2.3);
+        let kind = (dice.roll() * 4.0) as u32;
+        let axis = axis(&mut dice, kind, at);
+        mechanism.parts.push(PartEntry::on(part, axis));
+    }
+    mechanism.pairs = mechanism.every_two();
+    mechanism
+}
+
+#[test]
+fn what_a_free_step_joins_is_one_mode() {
+    let from: u64 = std::env::var("FROM").map_or(0, |s| s.parse().unwrap());
+    let to: u64 = std::env::var("TO").map_or(12, |s| s.parse().unwrap());
+    for seed in from..to {
+        let mechanism = stars(seed);
+        let begin = std::time::Instant::now();
+        let modes = match Modes::compute(&mechanism, [0, 1, 2]) {
+            Ok(m) => m,
+            Err(e) => { println!("{seed} {e}"); continue; }
+        };
+        let time = begin.elapsed().as_secs_f64();
+        let told = Grid::new(&modes, 40).told();
+        println!("{seed} modes {} {told:?} cells {} doubts {} {time:.3} s", modes.list().len(), modes.cells(), modes.doubts());
+        for (k, mode) in modes.list().iter().enumerate() {
+            for pair in modes.pairs() {
+                let [u, v] = pair.coordinates.map(|c| mode.sample[c]);
+                let class = pair.space.as_ref().unwrap().classify(u, v);
+                assert_eq!(class, Some(Classification::Free), "{seed} {k} {mode:?}");
+            }
+            assert_eq!(modes.locate(mode.sample), Ok(ModePlace::Mode(k)), "{seed} {mode:?}");
+        }
+    }
+}
