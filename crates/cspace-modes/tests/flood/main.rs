@@ -83,7 +83,7 @@ fn what_a_free_step_joins_is_one_mode() {
             Err(e) => { println!("{seed} {e}"); continue; }
         };
         let time = begin.elapsed().as_secs_f64();
-        let told = Grid::new(&modes, 40).told();
+        let told = Grid::new(&modes, std::env::var("N").map_or(40, |s| s.parse().unwrap())).told();
         println!("{seed} modes {} {told:?} cells {} doubts {} {time:.3} s", modes.list().len(), modes.cells(), modes.doubts());
         for (k, mode) in modes.list().iter().enumerate() {
             for pair in modes.pairs() {
@@ -92,6 +92,34 @@ fn what_a_free_step_joins_is_one_mode() {
                 assert_eq!(class, Some(Classification::Free), "{seed} {k} {mode:?}");
             }
             assert_eq!(modes.locate(mode.sample), Ok(ModePlace::Mode(k)), "{seed} {mode:?}");
+        }
+    }
+}
+
+/// The same parts in another order have the same modes.
+#[test]
+fn the_order_of_the_parts_does_not_matter() {
+    let from: u64 = std::env::var("FROM").map_or(0, |s| s.parse().unwrap());
+    let to: u64 = std::env::var("TO").map_or(12, |s| s.parse().unwrap());
+    for seed in from..to {
+        let mechanism = stars(seed);
+        let Ok(modes) = Modes::compute(&mechanism, [0, 1, 2]) else { continue };
+        for order in [[1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let others = Modes::compute(&mechanism, order).unwrap();
+            assert_eq!(others.list().len(), modes.list().len(), "{seed} {order:?}");
+            for (k, mode) in modes.list().iter().enumerate() {
+                let at = order.map(|i| mode.sample[i]);
+                let Ok(ModePlace::Mode(other)) = others.locate(at) else {
+                    panic!("{seed} {order:?} {mode:?}");
+                };
+                let other = &others.list()[other];
+                for (j, &i) in order.iter().enumerate() {
+                    let ((a, b), (c, d)) = (mode.ranges[i], other.ranges[j]);
+                    assert!((a - c).abs() < 1e-7 && (b - d).abs() < 1e-7, "{seed} {order:?} {k} {i}: {mode:?} {other:?}");
+                    assert_eq!(mode.around(i), other.around(j), "{seed} {order:?} {mode:?} {other:?}");
+                }
+                assert_eq!(mode.turns.len(), other.turns.len());
+            }
         }
     }
 }
