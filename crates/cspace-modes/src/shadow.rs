@@ -155,8 +155,18 @@ impl Shape<'_> {
                 &(|s| p - span.lower.at(s)) as &dyn Fn(f64) -> f64,
                 &|s| span.upper.at(s) - p,
             ] {
-                if let Some(at) = sign_change(f, (lo, hi)) {
-                    *(if f(lo) > 0.0 { &mut hi } else { &mut lo }) = at;
+                match (f(lo) > 0.0, f(hi) > 0.0) {
+                    (true, true) => {}
+                    // At the end of all p: where it is reached.
+                    (false, false) => {
+                        let at = if f(lo) > f(hi) { lo } else { hi };
+                        (lo, hi) = (at, at);
+                    }
+                    (from_lo, _) => {
+                        if let Some(at) = sign_change(f, (lo, hi)) {
+                            *(if from_lo { &mut hi } else { &mut lo }) = at;
+                        }
+                    }
                 }
             }
         }
