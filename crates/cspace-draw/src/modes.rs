@@ -106,15 +106,23 @@ pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
             let left = size.0 * column as f64;
             let area = Area {
                 lo: Dot::new(left + Plot::LEFT * em, upper + 1.6 * em),
-                hi: Dot::new(left + size.0 - Plot::RIGHT * em, upper + size.1 - Plot::BELOW * em),
+                hi: Dot::new(
+                    left + size.0 - Plot::RIGHT * em,
+                    upper + size.1 - Plot::BELOW * em,
+                ),
             };
             let [x, y] = plane.window();
             let plot = Plot { area, x, y, em };
             let mark = mode.mark.map(|m| m[column]);
-            draw(&mut items, plane, plot, (&mode.planes[column], bar(row).0), mark);
-            let labels = [0, 1].map(|k| {
-                axis(plane.coordinates[k], plane.parts[k], plane.axes[k], options)
-            });
+            draw(
+                &mut items,
+                plane,
+                plot,
+                (&mode.planes[column], bar(row).0),
+                mark,
+            );
+            let labels =
+                [0, 1].map(|k| axis(plane.coordinates[k], plane.parts[k], plane.axes[k], options));
             plot.frame(&mut items, [&labels[0], &labels[1]]);
         }
         let at = Dot::new(Plot::LEFT * em, upper + 1.1 * em);

@@ -261,7 +261,9 @@ impl<'a> Column<'a> {
                     }
                     let turns = match (q, whole_a, whole_b) {
                         (None, ..) => opening.turns,
-                        (Some(_), false, false) if b.q_turns != a.q_turns + opening.turns => continue,
+                        (Some(_), false, false) if b.q_turns != a.q_turns + opening.turns => {
+                            continue;
+                        }
                         _ => 0,
                     };
                     // Where the opening is, seen in the turn of the rectangle.
@@ -282,7 +284,11 @@ impl<'a> Column<'a> {
                         })
                     });
                     if is_open {
-                        let turns = if p.is_none() { [around, turns] } else { [0, turns] };
+                        let turns = if p.is_none() {
+                            [around, turns]
+                        } else {
+                            [0, turns]
+                        };
                         beside.push((i, k, turns));
                     }
                 }

@@ -54,7 +54,10 @@ impl Modes {
             return Err(ModesError::NotFinite { coordinate });
         }
         for (k, axis) in self.trio.axes.iter().enumerate() {
-            if axis.range.is_some_and(|(lo, hi)| !(lo..=hi).contains(&at[k])) {
+            if axis
+                .range
+                .is_some_and(|(lo, hi)| !(lo..=hi).contains(&at[k]))
+            {
                 return Ok(ModePlace::Outside(k));
             }
         }

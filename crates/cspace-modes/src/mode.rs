@@ -25,7 +25,9 @@ pub struct Mode {
 impl Mode {
     /// Whether the mode closes on itself around a coordinate: the part can turn for ever, with the others or alone.
     pub fn around(&self, coordinate: usize) -> bool {
-        self.turns.iter().any(|t| t.get(coordinate).is_some_and(|&t| t != 0))
+        self.turns
+            .iter()
+            .any(|t| t.get(coordinate).is_some_and(|&t| t != 0))
     }
 
     pub(crate) fn order(&self, other: &Self) -> Ordering {
@@ -84,9 +86,8 @@ impl Gathered {
             let q = &mut self.ranges[2];
             *q = (q.0.min(lo + by[2]), q.1.max(hi + by[2]));
         }
-        let share = |(lo, hi): (f64, f64), k: usize| {
-            (hi - lo) / (self.extents[k].hi - self.extents[k].lo)
-        };
+        let share =
+            |(lo, hi): (f64, f64), k: usize| (hi - lo) / (self.extents[k].hi - self.extents[k].lo);
         if share((lo, hi), 0) <= self.largest || share(hulls[0], 1) <= self.largest {
             return;
         }

@@ -142,13 +142,21 @@ impl Modes {
             self.turns_of.push(turns);
         }
         let extents = [self.planes.sp.x, self.planes.sp.y, self.planes.sq.y];
-        let mut gathered: Vec<Gathered> = (roots.iter())
-            .map(|&root| Gathered::new(self.swept.sets.lattice(root).reduced(), extents))
-            .collect();
+        let mut cells: Vec<Vec<(u32, Shape<'_>)>> = roots.iter().map(|_| Vec::new()).collect();
         self.shapes(|number, shape| {
-            let turns = self.turns_of[number as usize].map(|t| TAU * f64::from(t));
-            gathered[self.mode_of[number as usize] as usize].add(&shape, turns);
+            cells[self.mode_of[number as usize] as usize].push((number, shape));
         });
+        let gathered: Vec<Gathered> = (roots.par_iter().zip(cells))
+            .map(|(&root, cells)| {
+                let turns = self.swept.sets.lattice(root).reduced();
+                let mut gathered = Gathered::new(turns, extents);
+                for (number, shape) in cells {
+                    let turns = self.turns_of[number as usize].map(|t| TAU * f64::from(t));
+                    gathered.add(&shape, turns);
+                }
+                gathered
+            })
+            .collect();
         let open = [0, 1, 2].map(|k| self.trio.is_open(k));
         let modes = gathered.into_iter().map(|g| g.mode(self.order, open));
         let mut modes: Vec<(usize, Mode)> = modes.enumerate().collect();
@@ -187,11 +195,7 @@ fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), Mo
     let mut next = || planes.next().flatten();
     let (sp, sq, pq) = (next(), next(), next());
     let extent = |k: usize| -> Extent {
-        let sides = [
-            (&sp, [s, p]),
-            (&sq, [s, q]),
-            (&pq, [p, q]),
-        ];
+        let sides = [(&sp, [s, p]), (&sq, [s, q]), (&pq, [p, q])];
         let known = sides.into_iter().filter_map(|(plane, of)| {
             let plane = plane.as_ref()?;
             match of {
@@ -200,9 +204,13 @@ fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), Mo
                 _ => None,
             }
         });
-        known
-            .reduce(|a, b| a.coarser(&b))
-            .unwrap_or_else(|| alone(&axes[k], trio.is_circle(k), mechanism.parts[trio.parts[k]].part.size()))
+        known.reduce(|a, b| a.coarser(&b)).unwrap_or_else(|| {
+            alone(
+                &axes[k],
+                trio.is_circle(k),
+                mechanism.parts[trio.parts[k]].part.size(),
+            )
+        })
     };
     let (es, ep, eq) = (extent(s), extent(p), extent(q));
     let whole = |plane: Option<Plane>, x: Extent, y: Extent| match plane {

@@ -53,11 +53,7 @@ impl Plane {
         let (lo, hi) = (x.lo, x.hi);
         Self {
             swept: None,
-            bands: vec![PlaneBand {
-                lo,
-                hi,
-                gaps: 0..1,
-            }],
+            bands: vec![PlaneBand { lo, hi, gaps: 0..1 }],
             x,
             y,
         }
@@ -180,7 +176,11 @@ impl Plane {
     }
 
     /// The turns that bring an interval of y onto another, in part at least: of a coordinate that is not a circle none.
-    pub(crate) fn shifts(&self, (r, s): (f64, f64), (p, q): (f64, f64)) -> core::ops::RangeInclusive<i32> {
+    pub(crate) fn shifts(
+        &self,
+        (r, s): (f64, f64),
+        (p, q): (f64, f64),
+    ) -> core::ops::RangeInclusive<i32> {
         turns_onto(self.y.circle, (r, s), (p, q))
     }
 }

@@ -68,7 +68,11 @@ impl Modes {
             return shadow;
         };
         let swapped = first > second;
-        let kinds = if swapped { [second, first] } else { [first, second] };
+        let kinds = if swapped {
+            [second, first]
+        } else {
+            [first, second]
+        };
         let mut to = Fields {
             shadow,
             window,
@@ -151,10 +155,9 @@ impl Shape<'_> {
         let (mut lo, mut hi) = self.s;
         if let Some(span) = self.column.p {
             // Where the ends, which are monotone, leave p between them.
-            for f in [
-                &(|s| p - span.lower.at(s)) as &dyn Fn(f64) -> f64,
-                &|s| span.upper.at(s) - p,
-            ] {
+            for f in [&(|s| p - span.lower.at(s)) as &dyn Fn(f64) -> f64, &|s| {
+                span.upper.at(s) - p
+            }] {
                 match (f(lo) > 0.0, f(hi) > 0.0) {
                     (true, true) => {}
                     // At the end of all p: where it is reached.

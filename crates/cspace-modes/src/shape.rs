@@ -12,13 +12,20 @@ pub(crate) struct Shape<'a> {
     pub(crate) s: (f64, f64),
 }
 
-/// How often an interval about a greatest value is divided by the golden section: to the last digits.
-const DIVISIONS: u32 = 80;
+/// How often an interval about a greatest value is divided by the golden section: to 2·10⁻¹² of its width.
+const DIVISIONS: u32 = 56;
+/// So near to an end, as a share of the interval, it is seen whether a function rises from there on: about 1.5·10⁻¹¹.
+const BESIDE: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// The greatest value over an interval of a function that rises up to there and falls from there on.
 fn greatest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
     const SECTION: f64 = 0.618_033_988_749_894_9;
-    let mut best = f(lo).max(f(hi));
+    let (at_lo, at_hi) = (f(lo), f(hi));
+    let mut best = at_lo.max(at_hi);
+    let beside = BESIDE * (hi - lo);
+    if f(lo + beside) <= at_lo || f(hi - beside) <= at_hi {
+        return best;
+    }
     let mut left = hi - SECTION * (hi - lo);
     let mut right = lo + SECTION * (hi - lo);
     let (mut at_left, mut at_right) = (f(left), f(right));

@@ -82,9 +82,8 @@ impl Planes {
     }
 
     fn slabs(&self) -> Vec<Slab> {
-        let ends = |plane: &Plane| -> Vec<f64> {
-            plane.bands.iter().flat_map(|b| [b.lo, b.hi]).collect()
-        };
+        let ends =
+            |plane: &Plane| -> Vec<f64> { plane.bands.iter().flat_map(|b| [b.lo, b.hi]).collect() };
         let all = [ends(&self.sp), ends(&self.sq)].concat();
         let clusters = clusters(all, self.sp.x.narrowest);
         let mut first = 0;
@@ -159,7 +158,9 @@ impl Planes {
         let mut first = stack.first;
         for (k, layer) in stack.layers.iter().enumerate() {
             for &(a, b, [p, q]) in &layer.beside {
-                swept.sets.link(first + a as u32, first + b as u32, [0, p, q]);
+                swept
+                    .sets
+                    .link(first + a as u32, first + b as u32, [0, p, q]);
             }
             for (a, cell) in (first..).zip(&layer.cells) {
                 // All of a full turn is free: it comes back to itself.
@@ -229,7 +230,8 @@ impl Planes {
             let turns = if whole || !whole_a {
                 cell.q_turns..=cell.q_turns
             } else {
-                self.pq.turns_of(cell.band as usize, cell.gap as usize, q_open)
+                self.pq
+                    .turns_of(cell.band as usize, cell.gap as usize, q_open)
             };
             for q_turns in turns {
                 let met = Place { q_turns, ..*cell };

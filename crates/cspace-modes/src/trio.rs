@@ -224,9 +224,7 @@ fn check_joints(
             }
         }
         if reached.contains(&parts[b]) {
-            let direct = |p: (usize, usize)| {
-                p == (parts[a], parts[b]) || p == (parts[b], parts[a])
-            };
+            let direct = |p: (usize, usize)| p == (parts[a], parts[b]) || p == (parts[b], parts[a]);
             return Err(ModesError::Joined {
                 first: names[a].clone(),
                 second: names[b].clone(),
@@ -256,10 +254,7 @@ fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
 }
 
 /// An error of a pair of two of the parts.
-pub(crate) fn failed(
-    names: [&str; 2],
-    error: cspace::AxesError,
-) -> ModesError {
+pub(crate) fn failed(names: [&str; 2], error: cspace::AxesError) -> ModesError {
     ModesError::Pair(MechanismError::Pair {
         fixed: names[0].to_owned(),
         moving: names[1].to_owned(),

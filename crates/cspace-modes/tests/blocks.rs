@@ -21,14 +21,28 @@ fn mechanism(parts: Vec<(Part, Axis)>) -> Mechanism {
 /// Three blocks on one rail, drawn 4 apart and 2 long: each order is a mode if there is room for it.
 #[test]
 fn blocks_on_a_rail_keep_their_order() {
-    for (reach, expected) in [(20.0, 6), (6.5, 6), (6.0 + 1e-9, 6), (6.0 - 1e-9, 5), (6.0, 5), (5.0 + 1e-9, 5), (5.0, 3), (4.5, 3)] {
+    for (reach, expected) in [
+        (20.0, 6),
+        (6.5, 6),
+        (6.0 + 1e-9, 6),
+        (6.0 - 1e-9, 5),
+        (6.0, 5),
+        (5.0 + 1e-9, 5),
+        (5.0, 3),
+        (4.5, 3),
+    ] {
         let block = |name: &str, x: f64| {
             let part = Part::rectangle(name, (x, 0.0), 2.0, 2.0).unwrap();
             (part, slide(1.0, 0.0, reach))
         };
         let blocks = mechanism(vec![block("a", -4.0), block("b", 0.0), block("c", 4.0)]);
         let modes = Modes::compute(&blocks, [0, 1, 2]).unwrap();
-        println!("{reach} {} cells {} {:#?}", modes.doubts(), modes.cells(), modes.list().iter().map(|m| m.ranges).collect::<Vec<_>>());
+        println!(
+            "{reach} {} cells {} {:#?}",
+            modes.doubts(),
+            modes.cells(),
+            modes.list().iter().map(|m| m.ranges).collect::<Vec<_>>()
+        );
         assert_eq!(modes.list().len(), expected, "{reach}");
     }
 }

@@ -12,8 +12,12 @@ use cspace_modes::{ModePlace, Modes};
 
 /// The gear (12 teeth, about the origin) and the pinion (10 teeth, about (44, 0)) of a model that is drawn with its shafts.
 fn drawn() -> [Part; 2] {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/gears_on_shafts.toml");
-    let cspace_io::Document::Model(model) = cspace_io::read(std::path::Path::new(file)).unwrap() else {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../models/gears_on_shafts.toml"
+    );
+    let cspace_io::Document::Model(model) = cspace_io::read(std::path::Path::new(file)).unwrap()
+    else {
         unreachable!()
     };
     let part = |i: usize| model.mechanism.parts[i].part.clone();
@@ -77,7 +81,12 @@ fn gears_in_a_triangle_are_locked() {
     let last = Point::new(x, (48.0_f64.powi(2) - x * x).sqrt());
     let begin = std::time::Instant::now();
     let modes = Modes::compute(&train(last), [0, 1, 2]).unwrap();
-    println!("{} modes {} cells {:?}", modes.list().len(), modes.cells(), begin.elapsed());
+    println!(
+        "{} modes {} cells {:?}",
+        modes.list().len(),
+        modes.cells(),
+        begin.elapsed()
+    );
     assert_eq!((modes.list().len(), modes.doubts()), (2 * 12 * 10 * 12, 0));
     assert!(modes.list().iter().all(|m| m.turns.is_empty()));
 }

@@ -21,8 +21,15 @@ fn rail(name: &str, side: f64, notches: &[f64]) -> Part {
         ];
         points.extend(mouth);
     }
-    points.extend([(60.0, GAP / 2.0), (60.0, GAP / 2.0 + 8.0), (-60.0, GAP / 2.0 + 8.0)]);
-    let vertices = points.iter().map(|&(x, y)| Vertex::line(x, side * y)).collect();
+    points.extend([
+        (60.0, GAP / 2.0),
+        (60.0, GAP / 2.0 + 8.0),
+        (-60.0, GAP / 2.0 + 8.0),
+    ]);
+    let vertices = points
+        .iter()
+        .map(|&(x, y)| Vertex::line(x, side * y))
+        .collect();
     Part::new(name, vec![vertices]).unwrap()
 }
 
@@ -65,11 +72,17 @@ fn one_rail_moves_while_the_other_is_in_neutral() {
     assert_eq!(place(&modes, [10.0, -1.0, 0.0]), drawn);
     assert_eq!(place(&modes, [0.0, 1.0, -10.0]), drawn);
     for v in [-1.0, -0.5, 0.0, 0.5, 1.0] {
-        assert!(matches!(place(&modes, [10.0, v, 10.0]), ModePlace::Blocked(_)));
+        assert!(matches!(
+            place(&modes, [10.0, v, 10.0]),
+            ModePlace::Blocked(_)
+        ));
     }
     // In its notch the plunger has (gap + 2 depth - length) / 2 either way.
     let v = modes.list()[0].ranges[1];
-    assert!((v.0 + 1.05).abs() < 1e-8 && (v.1 - 1.05).abs() < 1e-8, "{v:?}");
+    assert!(
+        (v.0 + 1.05).abs() < 1e-8 && (v.1 - 1.05).abs() < 1e-8,
+        "{v:?}"
+    );
 }
 
 /// With three notches in each rail the plunger holds both rails where it is in a notch of both, nine modes, unless it is shorter than
@@ -81,7 +94,11 @@ fn modes_merge_at_the_length_of_gap_and_depth() {
     for play in [0.1, 1e-3, 1e-6 * size, 1e-9 * size] {
         let modes = |length: f64| Modes::compute(&interlock(length, notches), [0, 1, 2]).unwrap();
         let (shorter, longer) = (modes(GAP + DEPTH - play), modes(GAP + DEPTH + play));
-        assert_eq!((shorter.list().len(), longer.list().len()), (1, 9), "{play}");
+        assert_eq!(
+            (shorter.list().len(), longer.list().len()),
+            (1, 9),
+            "{play}"
+        );
         assert_eq!((shorter.doubts(), longer.doubts()), (0, 0));
     }
     // What exactly fits is blocked.
@@ -91,5 +108,8 @@ fn modes_merge_at_the_length_of_gap_and_depth() {
     let free = Modes::compute(&interlock(GAP - 1e-6, notches), [0, 1, 2]).unwrap();
     assert_eq!(place(&free, [5.5, 0.0, 5.5]), ModePlace::Mode(0));
     let held = Modes::compute(&interlock(GAP + 1e-6, notches), [0, 1, 2]).unwrap();
-    assert!(matches!(place(&held, [5.5, 0.0, 5.5]), ModePlace::Blocked(_)));
+    assert!(matches!(
+        place(&held, [5.5, 0.0, 5.5]),
+        ModePlace::Blocked(_)
+    ));
 }

@@ -15,7 +15,10 @@ struct Dice(u64);
 
 impl Dice {
     fn roll(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
@@ -25,15 +28,30 @@ impl Dice {
 }
 
 /// A star about a point, some of its edges arcs.
-fn star(dice: &mut Dice, name: &str, (x, y): (f64, f64), points: u32, inner: f64, outer: f64) -> Part {
+fn star(
+    dice: &mut Dice,
+    name: &str,
+    (x, y): (f64, f64),
+    points: u32,
+    inner: f64,
+    outer: f64,
+) -> Part {
     loop {
         let mut vertices = Vec::new();
         for k in 0..2 * points {
             let angle = TAU * (f64::from(k) + dice.between(-0.2, 0.2)) / f64::from(2 * points);
             let radius = if k % 2 == 0 { outer } else { inner } * dice.between(0.8, 1.2);
             let straight = dice.roll() < 0.5;
-            let bulge = if straight { 0.0 } else { dice.between(-0.2, 0.2) };
-            vertices.push(Vertex::new(x + radius * angle.cos(), y + radius * angle.sin(), bulge));
+            let bulge = if straight {
+                0.0
+            } else {
+                dice.between(-0.2, 0.2)
+            };
+            vertices.push(Vertex::new(
+                x + radius * angle.cos(),
+                y + radius * angle.sin(),
+                bulge,
+            ));
         }
         // Edges may cross: then another one.
         if let Ok(part) = Part::new(name, vec![vertices]) {
@@ -80,18 +98,34 @@ fn what_a_free_step_joins_is_one_mode() {
         let begin = std::time::Instant::now();
         let modes = match Modes::compute(&mechanism, [0, 1, 2]) {
             Ok(m) => m,
-            Err(e) => { println!("{seed} {e}"); continue; }
+            Err(e) => {
+                println!("{seed} {e}");
+                continue;
+            }
         };
         let time = begin.elapsed().as_secs_f64();
-        let told = Grid::new(&modes, std::env::var("N").map_or(40, |s| s.parse().unwrap())).told();
-        println!("{seed} modes {} {told:?} cells {} doubts {} {time:.3} s", modes.list().len(), modes.cells(), modes.doubts());
+        let told = Grid::new(
+            &modes,
+            std::env::var("N").map_or(40, |s| s.parse().unwrap()),
+        )
+        .told();
+        println!(
+            "{seed} modes {} {told:?} cells {} doubts {} {time:.3} s",
+            modes.list().len(),
+            modes.cells(),
+            modes.doubts()
+        );
         for (k, mode) in modes.list().iter().enumerate() {
             for pair in modes.pairs() {
                 let [u, v] = pair.coordinates.map(|c| mode.sample[c]);
                 let class = pair.space.as_ref().unwrap().classify(u, v);
                 assert_eq!(class, Some(Classification::Free), "{seed} {k} {mode:?}");
             }
-            assert_eq!(modes.locate(mode.sample), Ok(ModePlace::Mode(k)), "{seed} {mode:?}");
+            assert_eq!(
+                modes.locate(mode.sample),
+                Ok(ModePlace::Mode(k)),
+                "{seed} {mode:?}"
+            );
         }
     }
 }
@@ -103,7 +137,9 @@ fn the_order_of_the_parts_does_not_matter() {
     let to: u64 = std::env::var("TO").map_or(12, |s| s.parse().unwrap());
     for seed in from..to {
         let mechanism = stars(seed);
-        let Ok(modes) = Modes::compute(&mechanism, [0, 1, 2]) else { continue };
+        let Ok(modes) = Modes::compute(&mechanism, [0, 1, 2]) else {
+            continue;
+        };
         for order in [[1, 2, 0], [2, 0, 1], [2, 1, 0]] {
             let others = Modes::compute(&mechanism, order).unwrap();
             assert_eq!(others.list().len(), modes.list().len(), "{seed} {order:?}");
@@ -115,8 +151,15 @@ fn the_order_of_the_parts_does_not_matter() {
                 let other = &others.list()[other];
                 for (j, &i) in order.iter().enumerate() {
                     let ((a, b), (c, d)) = (mode.ranges[i], other.ranges[j]);
-                    assert!((a - c).abs() < 1e-7 && (b - d).abs() < 1e-7, "{seed} {order:?} {k} {i}: {mode:?} {other:?}");
-                    assert_eq!(mode.around(i), other.around(j), "{seed} {order:?} {mode:?} {other:?}");
+                    assert!(
+                        (a - c).abs() < 1e-7 && (b - d).abs() < 1e-7,
+                        "{seed} {order:?} {k} {i}: {mode:?} {other:?}"
+                    );
+                    assert_eq!(
+                        mode.around(i),
+                        other.around(j),
+                        "{seed} {order:?} {mode:?} {other:?}"
+                    );
                 }
                 assert_eq!(mode.turns.len(), other.turns.len());
             }

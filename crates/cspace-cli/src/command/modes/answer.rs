@@ -151,7 +151,10 @@ fn row(mode: &Mode) -> Row {
 
 fn left_out(model: &Mechanism, parts: [usize; 3]) -> Vec<[String; 2]> {
     let is_one = |part: usize| parts.contains(&part);
-    let pairs = model.pairs.iter().filter(|p| is_one(p.fixed) != is_one(p.moving));
+    let pairs = model
+        .pairs
+        .iter()
+        .filter(|p| is_one(p.fixed) != is_one(p.moving));
     pairs
         .map(|p| [p.fixed, p.moving].map(|i| model.parts[i].part.name().to_owned()))
         .collect()
@@ -159,9 +162,8 @@ fn left_out(model: &Mechanism, parts: [usize; 3]) -> Vec<[String; 2]> {
 
 pub(super) fn text(model: &Mechanism, modes: &Modes, told: &Told) -> Result<String, fmt::Error> {
     let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
-    let coordinates = [0, 1, 2].map(|k| {
-        Coordinate::new(LETTERS[k], &modes.names()[k], modes.axes()[k], &unit)
-    });
+    let coordinates =
+        [0, 1, 2].map(|k| Coordinate::new(LETTERS[k], &modes.names()[k], modes.axes()[k], &unit));
     let mut text = String::new();
     for pair in &told.pairs {
         let (a, b) = (shown::text(&pair.fixed), shown::text(&pair.moving));
@@ -187,7 +189,11 @@ pub(super) fn text(model: &Mechanism, modes: &Modes, told: &Told) -> Result<Stri
         if !mode.turns.is_empty() {
             writeln!(text, "  comes back {}", comes_back(mode))?;
         }
-        writeln!(text, "  for example at {}", values(&coordinates, mode.sample))?;
+        writeln!(
+            text,
+            "  for example at {}",
+            values(&coordinates, mode.sample)
+        )?;
     }
     let At { u, v, w } = told.asked.at;
     let place = values(&coordinates, [u, v, w]);

@@ -13,10 +13,10 @@ use crate::failure::Failure;
 pub(super) const LETTERS: [&str; 3] = ["u", "v", "w"];
 
 fn moving(model: &Mechanism) -> String {
-    let moves = model.parts.iter().filter(|p| {
-        p.axis
-            .is_some_and(|axis| axis.motion != AxisMotion::Fixed)
-    });
+    let moves = model
+        .parts
+        .iter()
+        .filter(|p| p.axis.is_some_and(|axis| axis.motion != AxisMotion::Fixed));
     let names: Vec<&str> = moves.map(|p| p.part.name()).collect();
     match names.is_empty() {
         true => "no part of the model moves on an axis: give three parts a motion of type revolute or prismatic".to_owned(),
@@ -69,7 +69,10 @@ pub(super) fn parts(
         .find(|n| model.part_index(n).is_none());
     let message = match (unknown, commas.len()) {
         (Some(unknown), _) => format!("there is no part {}", shown::quoted(unknown)),
-        (None, n) => format!("--parts names {} parts, and modes are those of three", n + 1),
+        (None, n) => format!(
+            "--parts names {} parts, and modes are those of three",
+            n + 1
+        ),
     };
     Err(Failure::input(format_args!("{}: {message}", path.display())).help(moving(model)))
 }
@@ -78,9 +81,11 @@ pub(super) fn parts(
 pub(super) fn refused(path: &Path, model: &Mechanism, error: &ModesError) -> Failure {
     let failure = Failure::input(format_args!("{}: {error}", path.display()));
     match error {
-        ModesError::Planar { .. } | ModesError::Still { .. } | ModesError::Joined { .. } => {
-            failure.help(format_args!("name three with --parts A,B,C: {}", moving(model)))
-        }
+        ModesError::Planar { .. } | ModesError::Still { .. } | ModesError::Joined { .. } => failure
+            .help(format_args!(
+                "name three with --parts A,B,C: {}",
+                moving(model)
+            )),
         _ => failure,
     }
 }
@@ -96,16 +101,13 @@ pub(super) fn configuration(
     let mut given = [false; 3];
     for entry in text.split(',') {
         let wrong = |why: String| {
-            Failure::input(format_args!("--at {}: {why}", shown::cut(text))).help(
-                "give coordinates such as u=18deg,v=0,w=2.5; those left out are as drawn, 0",
-            )
+            Failure::input(format_args!("--at {}: {why}", shown::cut(text)))
+                .help("give coordinates such as u=18deg,v=0,w=2.5; those left out are as drawn, 0")
         };
-        let known = entry
-            .split_once('=')
-            .and_then(|(name, value)| {
-                let k = LETTERS.iter().position(|l| *l == name.trim())?;
-                Some((k, value.trim()))
-            });
+        let known = entry.split_once('=').and_then(|(name, value)| {
+            let k = LETTERS.iter().position(|l| *l == name.trim())?;
+            Some((k, value.trim()))
+        });
         let Some((k, value)) = known else {
             return Err(wrong(format!(
                 "{} is none of u=U, v=V and w=W",

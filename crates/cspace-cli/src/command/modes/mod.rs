@@ -28,15 +28,12 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (path, model) = read_model(
-        &args.file,
-        &args.values,
-        "modes are those of three parts",
-    )?;
+    let (path, model) = read_model(&args.file, &args.values, "modes are those of three parts")?;
     let parts = ask::parts(&path, &model, args.parts.as_deref())?;
     let at = ask::configuration(&model, parts, args.at.as_deref())?;
     let begin = Instant::now();
-    let modes = Modes::compute(&model, parts).map_err(|error| ask::refused(&path, &model, &error))?;
+    let modes =
+        Modes::compute(&model, parts).map_err(|error| ask::refused(&path, &model, &error))?;
     let place = modes.locate(at).map_err(Failure::input)?;
     if let Some(format) = format {
         let scene = picture::scene(args, &model, &modes, (at, place))?;

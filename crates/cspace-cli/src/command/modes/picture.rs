@@ -49,7 +49,9 @@ pub(super) fn scene(
     });
     let all = found.list().len();
     if all > MOST {
-        note(format_args!("the picture has the first {MOST} of {all} modes"));
+        note(format_args!(
+            "the picture has the first {MOST} of {all} modes"
+        ));
     }
     let rows = (0..all.min(MOST)).map(|mode| ModeRow {
         name: format!("mode {mode}"),
