@@ -513,7 +513,7 @@ pub(crate) struct ModesArgs {
     /// The three parts, whose coordinates are u, v and w in that order [default: those that move on axes, if there are three]
     #[arg(long, value_name = "A,B,C")]
     pub(crate) parts: Option<String>,
-    /// Tell in which mode this configuration is; coordinates left out are as drawn [default: all as drawn]
+    /// The configuration of which the mode is requested; coordinates left out are as drawn [default: all as drawn]
     #[arg(long, value_name = "u=U,v=V,w=W", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
     #[command(flatten)]
@@ -1364,18 +1364,18 @@ Examples:
   cspace modes models/shift_interlock.toml --at u=8 --format json
   cspace modes models/shift_interlock.toml -o modes.svg
 
-Three parts that each turn or slide on an axis have three coordinates u, v, w. A
-configuration of all three is free if (u, v), (v, w) and (u, w) are free in the
-spaces of their pairs; a pair that the model does not list hinders nothing. An
-operating mode is a connected component of the free configurations: a motion of
-the three parts leads from one to another if and only if both are in one mode.
-Modes are found from the contact curves, not by sampling; openings of less than
-1e-11 of the size are closed, as in the spaces of the pairs.
+Three parts that each turn or slide on an axis have three coordinates u, v, w.
+A configuration of all three is free if (u, v), (v, w) and (u, w) are free in
+the spaces of their pairs; a pair that the model does not list constrains
+nothing. An operating mode is a connected component of the free configurations:
+a motion of the three parts leads from one to another if and only if both are
+in one mode. Modes are found from the contact curves, not by sampling; openings
+of less than 1e-11 of the size are closed, as in the spaces of the pairs.
 
-Each mode is told with the range of each coordinate, a configuration within it,
-and the coordinates that turn for ever in it. Where parts turn for ever together
-it says by what turns: all motions that come back to where they began turn the
-parts by sums of whole multiples of these.
+For each mode: the range of each coordinate, a configuration within it, and the
+coordinates that turn for ever in it. Where parts turn for ever together the
+answer lists the turns: all motions that end where they began turn the parts by
+sums of whole multiples of these.
 
 Other parts of the model are not considered; neither are drives and springs.
 

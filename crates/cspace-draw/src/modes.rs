@@ -20,9 +20,9 @@ pub struct ModePlane<'a> {
     pub parts: [&'a str; 2],
     /// Their axes.
     pub axes: [Axis; 2],
-    /// Least and greatest of both.
+    /// Minimum and maximum of both.
     pub extents: [(f64, f64); 2],
-    /// What the parts leave each other; `None` of parts that do not hinder each other.
+    /// What the parts leave each other; `None` of a pair that constrains nothing.
     pub space: Option<&'a FixedAxesSpace>,
 }
 
@@ -33,7 +33,7 @@ impl ModePlane<'_> {
     }
 }
 
-/// What of a plane a mode reaches: fields of a grid over its window, those of the least first coordinate first.
+/// What of a plane a mode reaches: fields of a grid over its window, those of the smallest first coordinate first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeFields {
     /// Fields along the first and along the second coordinate.
@@ -81,7 +81,7 @@ pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
         said.push((Sign::Field(bar(k).0, INK), mode.name.clone()));
     }
     if picture.modes.iter().any(|m| m.mark.is_some()) {
-        said.push((Sign::Mark(MARK), "the configuration asked for".to_owned()));
+        said.push((Sign::Mark(MARK), "the requested configuration".to_owned()));
     }
     let legend = Legend::new(said, width - 2.0 * em, em);
     let foot = height - legend.height() - 0.5 * em;
@@ -176,7 +176,7 @@ fn draw(
                 colour: FREE,
                 width: 0.12 * plot.em,
             }),
-            title: Some("the configuration asked for".to_owned()),
+            title: Some("the requested configuration".to_owned()),
         });
     }
     items.push(Item::Clipped {

@@ -53,16 +53,16 @@ pub(crate) struct Layer {
 /// The layers of a column, from the lowest.
 pub(crate) struct Layers {
     pub(crate) layers: Vec<Layer>,
-    /// Whether all critical values were told apart.
+    /// Whether all critical values were separated.
     pub(crate) decided: bool,
 }
 
 impl<'a> Column<'a> {
     fn narrowed(&self) -> (Option<Span<'a>>, Option<Span<'a>>) {
-        let (least_p, least_q) = (self.plane.x.least, self.plane.y.least);
+        let (closed_p, closed_q) = (self.plane.x.opening, self.plane.y.opening);
         (
-            self.p.map(|p| p.narrowed(least_p)),
-            self.q.map(|q| q.narrowed(least_q)),
+            self.p.map(|p| p.narrowed(closed_p)),
+            self.q.map(|q| q.narrowed(closed_q)),
         )
     }
 

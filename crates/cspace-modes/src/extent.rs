@@ -7,8 +7,8 @@ pub(crate) struct Extent {
     pub(crate) hi: f64,
     /// Whether the ends are one place, a full turn apart.
     pub(crate) circle: bool,
-    /// Openings less than this are closed.
-    pub(crate) least: f64,
+    /// Openings smaller than this are closed.
+    pub(crate) opening: f64,
     /// Critical values nearer to each other than this are one.
     pub(crate) narrowest: f64,
 }
@@ -17,7 +17,7 @@ impl Extent {
     /// The same values, with the larger tolerances of both.
     pub(crate) fn coarser(self, other: &Self) -> Self {
         Self {
-            least: self.least.max(other.least),
+            opening: self.opening.max(other.opening),
             narrowest: self.narrowest.max(other.narrowest),
             ..self
         }

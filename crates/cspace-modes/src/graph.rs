@@ -59,7 +59,7 @@ impl Span<'_> {
         (self.lower.at(x), self.upper.at(x))
     }
 
-    /// Least and greatest value over an interval.
+    /// Minimum and maximum value over an interval.
     pub(crate) fn hull(&self, (lo, hi): (f64, f64)) -> (f64, f64) {
         (
             self.lower.at(lo).min(self.lower.at(hi)),
@@ -76,11 +76,11 @@ impl Span<'_> {
         }
     }
 
-    /// The same, narrower by `least`, so that it is empty where it is no opening.
-    pub(crate) fn narrowed(self, least: f64) -> Self {
+    /// The same, narrower by `opening`, so that it is empty where it is no opening.
+    pub(crate) fn narrowed(self, opening: f64) -> Self {
         Self {
-            lower: self.lower.moved(0.5 * least),
-            upper: self.upper.moved(-0.5 * least),
+            lower: self.lower.moved(0.5 * opening),
+            upper: self.upper.moved(-0.5 * opening),
         }
     }
 }

@@ -12,10 +12,10 @@ use crate::shape::Shape;
 pub struct Mode {
     /// A configuration (u, v, w) within it.
     pub sample: [f64; 3],
-    /// Least and greatest u, v and w, in radians or the model's unit of length; of a coordinate that goes on past a turn
+    /// Minimum and maximum u, v and w, in radians or the model's unit of length; of a coordinate that goes on past a turn
     /// unrolled, of one around which the mode closes a full turn.
     pub ranges: [(f64, f64); 3],
-    /// Whether each coordinate goes on without limit below its least and beyond its greatest value.
+    /// Whether each coordinate goes on without limit below its minimum and beyond its maximum.
     pub open: [(bool, bool); 3],
     /// The turns (of u, v and w) by which motions within the mode come back to where they began: all of them are sums of whole
     /// multiples of these, three at most.
@@ -123,7 +123,7 @@ impl Gathered {
                     sample -= turns;
                 }
             }
-            let near = |a: f64, b: f64| (a - b).abs() <= extent.least;
+            let near = |a: f64, b: f64| (a - b).abs() <= extent.opening;
             mode.ranges[to] = range;
             mode.sample[to] = sample;
             mode.open[to] = (

@@ -35,7 +35,7 @@ impl Modes {
     /// Computes the modes of three parts of a mechanism, whose coordinates are called u, v and w in that order.
     ///
     /// (u, v, w) is free if (u, v), (v, w) and (u, w) are free in the spaces of their pairs; pairs that the mechanism does not
-    /// have hinder nothing. Openings less than 10⁻¹¹ of a pair's size are closed, as they are in its space.
+    /// have constrain nothing. Openings less than 10⁻¹¹ of a pair's size are closed, as they are in its space.
     ///
     /// # Errors
     /// If the parts are not three that each turn or slide on an axis, if joints connect two of them, or if a pair's space cannot be
@@ -74,7 +74,7 @@ impl Modes {
         Ok(modes)
     }
 
-    /// The modes, those with the least u first, then v, then w.
+    /// The modes, those with the minimum u first, then v, then w.
     pub fn list(&self) -> &[Mode] {
         &self.modes
     }
@@ -175,7 +175,7 @@ impl Modes {
 /// Which coordinates are s, p and q, and the planes of their pairs.
 fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), ModesError> {
     let axes = trio.limited_axes();
-    // The pair that is not moved by s is the simplest one, best one that hinders nothing.
+    // The pair that is not moved by s is the simplest one, or one that constrains nothing.
     let cost = |pair: &TrioPair| {
         let patches = pair.space.as_ref().map_or(0, |s| s.patches().len());
         if pair.is_bound() { 1 + patches } else { 0 }
@@ -225,7 +225,7 @@ fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), Mo
     Ok((order, planes))
 }
 
-/// The plane of two coordinates, swept along x; `None` if nothing is hindered.
+/// The plane of two coordinates, swept along x; `None` if the pair constrains nothing.
 fn swept(
     mechanism: &Mechanism,
     trio: &Trio,
@@ -246,10 +246,10 @@ fn swept(
         .map_err(|error| failed(names, error))
 }
 
-/// The extent of the coordinate of a part that no other hinders.
+/// The extent of the coordinate that no pair constrains.
 fn alone(axis: &Axis, circle: bool, size: f64) -> Extent {
     /// As of pairs: openings of 10⁻¹¹, and bands of 10⁻¹⁰, of a turn or the part's size.
-    const LEAST: f64 = 1e-11;
+    const OPENING: f64 = 1e-11;
     let unit = match axis.motion {
         AxisMotion::Revolute { .. } => 1.0,
         _ => size,
@@ -261,7 +261,7 @@ fn alone(axis: &Axis, circle: bool, size: f64) -> Extent {
         lo,
         hi,
         circle,
-        least: LEAST * unit,
-        narrowest: 10.0 * LEAST * unit,
+        opening: OPENING * unit,
+        narrowest: 10.0 * OPENING * unit,
     }
 }

@@ -32,13 +32,13 @@ pub(crate) struct Opening {
 impl Plane {
     /// What a computed pair leaves free.
     pub(crate) fn of(swept: SweptPlane) -> Self {
-        let openings = swept.least_openings();
-        let extent = |((lo, hi), circle): ((f64, f64), bool), least: f64| Extent {
+        let openings = swept.smallest_openings();
+        let extent = |((lo, hi), circle): ((f64, f64), bool), opening: f64| Extent {
             lo,
             hi,
             circle,
-            least,
-            narrowest: swept.narrowest_band() / openings.0 * least,
+            opening,
+            narrowest: swept.narrowest_band() / openings.0 * opening,
         };
         Self {
             x: extent(swept.x(), openings.0),
@@ -97,7 +97,7 @@ impl Plane {
         })
     }
 
-    /// Where gap `gap` is at x; a full turn from the least to the greatest y.
+    /// Where gap `gap` is at x; a full turn from the minimum to the maximum y.
     pub(crate) fn interval(&self, gap: usize, x: f64) -> (f64, f64) {
         (self.span(gap)).map_or((self.y.lo, self.y.hi), |s| s.at(x))
     }
@@ -160,8 +160,8 @@ impl Plane {
         closed.push((hi, hi));
         let mut at = lo;
         for (wall, beyond) in closed {
-            let least = 0.5 * self.y.least;
-            let (lo, hi) = (at + least, wall.min(hi) - least);
+            let closed = 0.5 * self.y.opening;
+            let (lo, hi) = (at + closed, wall.min(hi) - closed);
             if lo < hi {
                 openings.push(Opening {
                     from,
@@ -175,7 +175,7 @@ impl Plane {
         }
     }
 
-    /// The turns that bring an interval of y onto another, in part at least: of a coordinate that is not a circle none.
+    /// The turns that bring an interval of y onto another, in part or whole: of a coordinate that is not a circle none.
     pub(crate) fn shifts(
         &self,
         (r, s): (f64, f64),
@@ -185,7 +185,7 @@ impl Plane {
     }
 }
 
-/// The turns that bring an interval onto another, in part at least: none if the coordinate is not a circle.
+/// The turns that bring an interval onto another, in part or whole: none if the coordinate is not a circle.
 pub(crate) fn turns_onto(
     circle: bool,
     (r, s): (f64, f64),

@@ -17,7 +17,7 @@ const MOST_INTERVALS: usize = 1 << 14;
 /// would need and once (Oliveira and Takahashi 2020, *an enhancement of the bisection method average performance preserving
 /// minmax optimality*).
 pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Option<f64> {
-    /// How far towards the middle, as a share of the square of the bracket; at least the last digits, so that the root
+    /// How far towards the middle, as a share of the square of the bracket; the last digits if that is less, so that the root
     /// is between.
     const TOWARDS: f64 = 0.2;
     let (mut at_lo, mut at_hi) = (f(lo), f(hi));
@@ -26,13 +26,13 @@ pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Optio
         return None;
     }
     let width = hi - lo;
-    let least = 2.0 * f64::EPSILON * (lo.abs().max(hi.abs()) + f64::MIN_POSITIVE);
-    let mut room = least * ((width / (2.0 * least)).log2().ceil().max(0.0) + 1.0).exp2();
+    let digits = 2.0 * f64::EPSILON * (lo.abs().max(hi.abs()) + f64::MIN_POSITIVE);
+    let mut room = digits * ((width / (2.0 * digits)).log2().ceil().max(0.0) + 1.0).exp2();
     let (mut lo, mut hi) = (lo, hi);
-    while hi - lo > 2.0 * least {
+    while hi - lo > 2.0 * digits {
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         let line = (at_hi * lo - at_lo * hi) / (at_hi - at_lo);
-        let by = (TOWARDS * 4.0 * half * half / width).max(least);
+        let by = (TOWARDS * 4.0 * half * half / width).max(digits);
         let aside = (line - mid).abs();
         let moved = if by <= aside { aside - by } else { 0.0 };
         // Of what is no number the middle is taken.

@@ -12,7 +12,7 @@ use crate::shape::Shape;
 pub struct Shadow {
     /// Fields along the pair's u and along its v.
     pub fields: [usize; 2],
-    /// Whether the mode comes into each field: those of the least u first, in order of v.
+    /// Whether the mode comes into each field: those of the smallest u first, in order of v.
     pub reached: Vec<bool>,
 }
 
@@ -91,7 +91,7 @@ impl Modes {
         to.shadow
     }
 
-    /// Least and greatest u, v and w that were looked at: the ranges, a turn, or as far as parts that slide without limits can touch.
+    /// Minimum and maximum u, v and w that were looked at: the ranges, a turn, or as far as parts that slide without limits can touch.
     pub fn extents(&self) -> [(f64, f64); 3] {
         let extents = [self.planes.sp.x, self.planes.sp.y, self.planes.sq.y];
         let mut all = [(0.0, 0.0); 3];
@@ -119,12 +119,12 @@ impl Fields {
             for k in field(from)..=field(to) {
                 let a = from.max(window.0 + width * k as f64);
                 let b = to.min(window.0 + width * (k + 1) as f64).max(a);
-                let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+                let (mut lower, mut upper) = (f64::INFINITY, f64::NEG_INFINITY);
                 for x in [a, 0.5 * (a + b), b] {
                     let (p, q) = at((x - by).clamp(lo, hi));
-                    (least, greatest) = (least.min(p), greatest.max(q));
+                    (lower, upper) = (lower.min(p), upper.max(q));
                 }
-                self.mark_beside(j, k, (least, greatest));
+                self.mark_beside(j, k, (lower, upper));
             }
         }
     }

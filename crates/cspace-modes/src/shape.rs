@@ -12,13 +12,13 @@ pub(crate) struct Shape<'a> {
     pub(crate) s: (f64, f64),
 }
 
-/// How often an interval about a greatest value is divided by the golden section: to 2·10⁻¹² of its width.
+/// How often an interval about a maximum is divided by the golden section: to 2·10⁻¹² of its width.
 const DIVISIONS: u32 = 56;
 /// So near to an end, as a share of the interval, it is seen whether a function rises from there on: about 1.5·10⁻¹¹.
 const BESIDE: f64 = 1.0 / (1u64 << 36) as f64;
 
-/// The greatest value over an interval of a function that rises up to there and falls from there on.
-fn greatest(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
+/// The maximum over an interval of a function that rises up to there and falls from there on.
+fn maximum(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let (at_lo, at_hi) = (f(lo), f(hi));
     let mut best = at_lo.max(at_hi);
@@ -80,21 +80,18 @@ impl Shape<'_> {
         (a.0.min(b.0), a.1.max(b.1))
     }
 
-    /// Least and greatest p. Ends are the least or greatest of monotone functions: they rise, then fall, or the other way.
+    /// Minimum and maximum p. Ends are the minimum or maximum of monotone functions: they rise, then fall, or the other way.
     pub(crate) fn p_range(&self) -> (f64, f64) {
         self.range(|s| self.p(s))
     }
 
-    /// Least and greatest q.
+    /// Minimum and maximum q.
     pub(crate) fn q_range(&self) -> (f64, f64) {
         self.range(|s| self.q(s))
     }
 
     fn range(&self, at: impl Fn(f64) -> (f64, f64)) -> (f64, f64) {
-        (
-            -greatest(|s| -at(s).0, self.s),
-            greatest(|s| at(s).1, self.s),
-        )
+        (-maximum(|s| -at(s).0, self.s), maximum(|s| at(s).1, self.s))
     }
 
     /// A number below and one above all p and all q, found at once.

@@ -45,7 +45,7 @@ pub(crate) struct Swept {
     /// The cells of all layers, in order, as far as they hang together.
     pub(crate) sets: Sets,
     pub(crate) cells: u32,
-    /// Columns in which critical values could not be told apart.
+    /// Columns in which critical values could not be separated.
     pub(crate) undecided: usize,
 }
 

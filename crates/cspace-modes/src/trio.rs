@@ -16,7 +16,7 @@ pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
 pub struct TrioPair {
     /// Which of the three coordinates is the pair's u, and which its v.
     pub coordinates: [usize; 2],
-    /// What the two parts leave each other; `None` if the model has no such pair, so that they do not hinder each other.
+    /// What the two parts leave each other; `None` if the model has no such pair, which then constrains nothing.
     pub space: Option<FixedAxesSpace>,
 }
 
@@ -143,7 +143,7 @@ impl TrioPair {
         }
     }
 
-    /// Whether the parts hinder each other.
+    /// Whether the pair constrains its coordinates.
     pub(crate) fn is_bound(&self) -> bool {
         (self.space.as_ref()).is_some_and(|s| !s.patches().is_empty() || s.regions().is_empty())
     }

@@ -92,8 +92,8 @@ impl SweptPlane {
         self.space.statistics().conflicts
     }
 
-    /// The least opening of x and of y that counts as one, in radians or the model's unit of length: 10⁻¹¹ of the pair's size.
-    pub fn least_openings(&self) -> (f64, f64) {
+    /// The smallest opening of x and of y that counts as one, in radians or the model's unit of length: 10⁻¹¹ of the pair's size.
+    pub fn smallest_openings(&self) -> (f64, f64) {
         let (x, y) = self.units();
         (SHORTEST_OVERLAP * x, SHORTEST_OVERLAP * y)
     }
@@ -108,12 +108,12 @@ impl SweptPlane {
         (map.x_unit, map.y_unit)
     }
 
-    /// Least and greatest x, and whether they are one place, a full turn apart.
+    /// Minimum and maximum x, and whether they are one place, a full turn apart.
     pub fn x(&self) -> ((f64, f64), bool) {
         of(&self.space.setting.x, self.units().0)
     }
 
-    /// Least and greatest y, and whether they are one place.
+    /// Minimum and maximum y, and whether they are one place.
     pub fn y(&self) -> ((f64, f64), bool) {
         of(&self.space.setting.y, self.units().1)
     }
@@ -143,7 +143,7 @@ impl SweptPlane {
         )
     }
 
-    /// From and to of a gap at an x of its band: of a full turn that is free, least and greatest y.
+    /// From and to of a gap at an x of its band: of a full turn that is free, minimum and maximum y.
     pub fn interval(&self, gap: usize, x: f64) -> (f64, f64) {
         let PlaneGap { lower, upper } = self.gap(gap);
         let (lo, hi) = self.y().0;

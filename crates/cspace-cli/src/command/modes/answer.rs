@@ -14,11 +14,11 @@ use crate::wording::count;
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
-pub(super) struct Told {
+pub(super) struct Answer {
     parts: Vec<Part>,
     pairs: Vec<Pair>,
     modes: Vec<Row>,
-    asked: Asked,
+    requested: Requested,
     /// Pairs of the model with one of the three parts and another part, which are not considered.
     left_out: Vec<[String; 2]>,
     doubts: usize,
@@ -71,7 +71,7 @@ struct At {
 }
 
 #[derive(Debug, Serialize)]
-struct Asked {
+struct Requested {
     at: At,
     result: &'static str,
     mode: Option<usize>,
@@ -83,12 +83,12 @@ fn at([u, v, w]: [f64; 3]) -> At {
     At { u, v, w }
 }
 
-pub(super) fn told(
+pub(super) fn of(
     model: &Mechanism,
     modes: &Modes,
-    (asked, place): ([f64; 3], ModePlace),
+    (requested, place): ([f64; 3], ModePlace),
     begin: Instant,
-) -> Told {
+) -> Answer {
     let names = modes.names();
     let part = |k: usize| {
         let axis = modes.axes()[k];
@@ -118,12 +118,12 @@ pub(super) fn told(
         ModePlace::Outside(k) => ("outside", None, vec![names[k].clone()]),
         ModePlace::Closed => ("closed", None, Vec::new()),
     };
-    Told {
+    Answer {
         parts: (0..3).map(part).collect(),
         pairs: pairs.collect(),
         modes: modes.list().iter().map(row).collect(),
-        asked: Asked {
-            at: at(asked),
+        requested: Requested {
+            at: at(requested),
             result,
             mode,
             between,
@@ -160,17 +160,23 @@ fn left_out(model: &Mechanism, parts: [usize; 3]) -> Vec<[String; 2]> {
         .collect()
 }
 
-pub(super) fn text(model: &Mechanism, modes: &Modes, told: &Told) -> Result<String, fmt::Error> {
+pub(super) fn text(
+    model: &Mechanism,
+    modes: &Modes,
+    answer: &Answer,
+) -> Result<String, fmt::Error> {
     let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
     let coordinates =
         [0, 1, 2].map(|k| Coordinate::new(LETTERS[k], &modes.names()[k], modes.axes()[k], &unit));
     let mut text = String::new();
-    for pair in &told.pairs {
+    for pair in &answer.pairs {
         let (a, b) = (shown::text(&pair.fixed), shown::text(&pair.moving));
         let what = match (pair.listed, pair.patches) {
-            (false, _) => "no pair of the model: they do not hinder each other".to_owned(),
-            (true, 0) if pair.free_regions == 0 => "they overlap wherever they are".to_owned(),
-            (true, 0) => "they never meet".to_owned(),
+            (false, _) => "not a pair of the model: unconstrained".to_owned(),
+            (true, 0) if pair.free_regions == 0 => {
+                "the parts overlap in every configuration".to_owned()
+            }
+            (true, 0) => "the parts never meet".to_owned(),
             (true, n) => format!(
                 "{}, {}",
                 count(n, "contact patch", "contact patches"),
@@ -179,7 +185,7 @@ pub(super) fn text(model: &Mechanism, modes: &Modes, told: &Told) -> Result<Stri
         };
         writeln!(text, "{a}, {b}: {what}")?;
     }
-    writeln!(text, "{}", count(told.modes.len(), "mode", "modes"))?;
+    writeln!(text, "{}", count(answer.modes.len(), "mode", "modes"))?;
     for (k, mode) in modes.list().iter().enumerate() {
         writeln!(text, "mode {k}")?;
         for (i, c) in coordinates.iter().enumerate() {
@@ -195,20 +201,20 @@ pub(super) fn text(model: &Mechanism, modes: &Modes, told: &Told) -> Result<Stri
             values(&coordinates, mode.sample)
         )?;
     }
-    let At { u, v, w } = told.asked.at;
+    let At { u, v, w } = answer.requested.at;
     let place = values(&coordinates, [u, v, w]);
-    writeln!(text, "{place}: {}", asked(&told.asked))?;
-    if !told.left_out.is_empty() {
-        let pairs: Vec<String> = (told.left_out.iter())
+    writeln!(text, "{place}: {}", requested(&answer.requested))?;
+    if !answer.left_out.is_empty() {
+        let pairs: Vec<String> = (answer.left_out.iter())
             .map(|[a, b]| format!("{} and {}", shown::text(a), shown::text(b)))
             .collect();
         writeln!(text, "not considered: {}", pairs.join(", "))?;
     }
-    if told.doubts > 0 {
+    if answer.doubts > 0 {
         writeln!(
             text,
             "{}: contacts coincide but for rounding, so the modes are not to be relied upon",
-            count(told.doubts, "doubt", "doubts")
+            count(answer.doubts, "doubt", "doubts")
         )?;
     }
     Ok(text)
@@ -234,10 +240,10 @@ fn comes_back(mode: &Mode) -> String {
     format!("after {}", all.join("; after "))
 }
 
-fn asked(asked: &Asked) -> String {
-    let between: Vec<_> = asked.between.iter().map(|n| shown::text(n)).collect();
+fn requested(requested: &Requested) -> String {
+    let between: Vec<_> = requested.between.iter().map(|n| shown::text(n)).collect();
     let between = between.join(" and ");
-    match (asked.result, asked.mode) {
+    match (requested.result, requested.mode) {
         (_, Some(mode)) => format!("mode {mode}"),
         ("contact", _) => format!("in no mode: {between} touch"),
         ("blocked", _) => format!("in no mode: {between} overlap"),

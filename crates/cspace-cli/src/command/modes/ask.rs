@@ -1,4 +1,4 @@
-//! What `cspace modes` is asked: which parts, and which configuration.
+//! What is requested of `cspace modes`: which parts, and which configuration.
 
 use std::path::Path;
 
@@ -77,8 +77,8 @@ pub(super) fn parts(
     Err(Failure::input(format_args!("{}: {message}", path.display())).help(moving(model)))
 }
 
-/// Why three parts are refused, with the file.
-pub(super) fn refused(path: &Path, model: &Mechanism, error: &ModesError) -> Failure {
+/// Why three parts are rejected, with the file.
+pub(super) fn rejected(path: &Path, model: &Mechanism, error: &ModesError) -> Failure {
     let failure = Failure::input(format_args!("{}: {error}", path.display()));
     match error {
         ModesError::Planar { .. } | ModesError::Still { .. } | ModesError::Joined { .. } => failure
@@ -90,7 +90,7 @@ pub(super) fn refused(path: &Path, model: &Mechanism, error: &ModesError) -> Fai
     }
 }
 
-/// The configuration that is asked about; coordinates that are not given are as drawn.
+/// The requested configuration; coordinates that are not given are as drawn.
 pub(super) fn configuration(
     model: &Mechanism,
     parts: [usize; 3],

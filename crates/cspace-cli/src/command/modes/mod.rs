@@ -33,16 +33,16 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let at = ask::configuration(&model, parts, args.at.as_deref())?;
     let begin = Instant::now();
     let modes =
-        Modes::compute(&model, parts).map_err(|error| ask::refused(&path, &model, &error))?;
+        Modes::compute(&model, parts).map_err(|error| ask::rejected(&path, &model, &error))?;
     let place = modes.locate(at).map_err(Failure::input)?;
     if let Some(format) = format {
         let scene = picture::scene(args, &model, &modes, (at, place))?;
         return pictures::write(output, format, &scene);
     }
-    let told = answer::told(&model, &modes, (at, place), begin);
+    let answer = answer::of(&model, &modes, (at, place), begin);
     let answer = match args.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => answer::text(&model, &modes, &told)
+        Format::Json => super::json(&answer)?,
+        Format::Text => answer::text(&model, &modes, &answer)
             .map_err(Failure::work)?
             .into_bytes(),
     };
