@@ -72,6 +72,16 @@ pub enum ModesError {
     /// A pair's configuration space cannot be computed.
     #[error(transparent)]
     Pair(#[from] MechanismError),
+    /// There are more combinations of free intervals than there is room for.
+    #[error(
+        "the free intervals of the three parts combine in {columns} ways over all critical values, more than {limit}; give the parts ranges of motion, or draw fewer teeth"
+    )]
+    TooLarge {
+        /// The number of combinations.
+        columns: usize,
+        /// The largest that is accepted.
+        limit: usize,
+    },
     /// A configuration has a coordinate that is not finite.
     #[error("coordinate {coordinate} is not a finite number")]
     NotFinite {

@@ -39,7 +39,7 @@ impl Modes {
     ///
     /// # Errors
     /// If the parts are not three that each turn or slide on an axis, if joints connect two of them, or if a pair's space cannot be
-    /// computed.
+    /// computed; if their free intervals combine in too many ways.
     ///
     /// ```
     /// use cspace::{Mechanism, Part, mechanism::PartEntry};
@@ -59,7 +59,7 @@ impl Modes {
     pub fn compute(mechanism: &Mechanism, parts: [usize; 3]) -> Result<Self, ModesError> {
         let trio = Trio::of(mechanism, parts)?;
         let (order, planes) = planes(mechanism, &trio)?;
-        let swept = planes.sweep();
+        let swept = planes.sweep()?;
         let mut modes = Self {
             openings: planes.openings(),
             trio,

@@ -3,9 +3,13 @@
 use rayon::prelude::*;
 
 use crate::column::{Column, Layer, Layers, clusters};
+use crate::error::ModesError;
 use crate::plane::{Opening, Plane};
 use crate::section::Place;
 use crate::turns::Sets;
+
+/// The most columns: each takes some 250 bytes, all a gigabyte.
+const MOST_COLUMNS: usize = 1 << 22;
 
 /// The three planes: of (s, p) and of (s, q), both swept along s, and of (p, q), swept along p.
 #[derive(Debug)]
@@ -81,6 +85,10 @@ impl Planes {
             .collect()
     }
 
+    fn columns_of(&self, bands: (usize, usize)) -> usize {
+        self.sp.bands[bands.0].gaps.len() * self.sq.bands[bands.1].gaps.len()
+    }
+
     fn slabs(&self) -> Vec<Slab> {
         let ends =
             |plane: &Plane| -> Vec<f64> { plane.bands.iter().flat_map(|b| [b.lo, b.hi]).collect() };
@@ -98,14 +106,23 @@ impl Planes {
                     bands,
                     first,
                 };
-                first += self.sp.bands[bands.0].gaps.len() * self.sq.bands[bands.1].gaps.len();
+                first += self.columns_of(bands);
                 slab
             })
             .collect()
     }
 
-    pub(crate) fn sweep(&self) -> Swept {
+    pub(crate) fn sweep(&self) -> Result<Swept, ModesError> {
         let slabs = self.slabs();
+        let columns = slabs
+            .last()
+            .map_or(0, |s| s.first + self.columns_of(s.bands));
+        if columns > MOST_COLUMNS {
+            return Err(ModesError::TooLarge {
+                columns,
+                limit: MOST_COLUMNS,
+            });
+        }
         let openings = self.openings();
         let columns: Vec<(usize, usize, usize)> = (slabs.iter().enumerate())
             .flat_map(|(k, slab)| {
@@ -147,7 +164,7 @@ impl Planes {
                 self.join_slabs(&mut swept, k, (k + 1) % n);
             }
         }
-        swept
+        Ok(swept)
     }
 
     /// Joins the cells of a column: within each layer, and from one to the next.

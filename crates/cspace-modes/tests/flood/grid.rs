@@ -7,9 +7,9 @@ use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{AxisMotion, Classification};
 use cspace_modes::{ModePlace, Modes};
 
-/// What a grid tells of modes.
+/// What a grid shows of modes.
 #[derive(Debug, Default, PartialEq)]
-pub(crate) struct Told {
+pub(crate) struct Found {
     /// Free configurations.
     pub(crate) free: usize,
     /// Sets of them that hang together.
@@ -74,8 +74,8 @@ impl<'a> Grid<'a> {
         })
     }
 
-    /// What the grid tells. Panics if two configurations that a free motion joins are in two modes, or one is in none.
-    pub(crate) fn told(&self) -> Told {
+    /// What the grid shows. Panics if two configurations that a free motion joins are in two modes, or one is in none.
+    pub(crate) fn found(&self) -> Found {
         let n = self.n;
         let index = |i: [usize; 3]| (i[0] * n + i[1]) * n + i[2];
         let places = |number: usize| [number / (n * n), number / n % n, number % n];
@@ -121,15 +121,15 @@ impl<'a> Grid<'a> {
             }
         }
         let mut met = vec![false; self.modes.list().len()];
-        let mut told = Told::default();
+        let mut found = Found::default();
         for number in 0..n * n * n {
             if let Some(own) = mode[number] {
-                told.free += 1;
+                found.free += 1;
                 met[own] = true;
-                told.components += usize::from(root(&mut above, number) == number);
+                found.components += usize::from(root(&mut above, number) == number);
             }
         }
-        told.met = met.iter().filter(|m| **m).count();
-        told
+        found.met = met.iter().filter(|m| **m).count();
+        found
     }
 }

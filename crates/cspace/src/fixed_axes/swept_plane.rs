@@ -199,3 +199,114 @@ impl SweptPlane {
 fn of(extent: &Extent, unit: f64) -> ((f64, f64), bool) {
     ((extent.lo * unit, extent.hi * unit), extent.is_circle())
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Point, Vector};
+    use crate::part::Vertex;
+    use crate::query::Classification;
+
+    fn star(x: f64, teeth: u32) -> Part {
+        let at = |k: u32| {
+            let p = Vector::from_angle(core::f64::consts::PI * f64::from(k) / f64::from(teeth));
+            let p = p * if k.is_multiple_of(2) { 1.0 } else { 0.7 };
+            Vertex::new(x + p.x, p.y, if k.is_multiple_of(2) { 0.1 } else { 0.0 })
+        };
+        Part::new("star", vec![(0..2 * teeth).map(at).collect()]).unwrap()
+    }
+
+    /// Axes of all kinds, of the star about (0, 0) and of that about (1.8, 0).
+    fn axes() -> Vec<(Axis, Axis)> {
+        let turn = |x: f64| Axis::revolute(Point::new(x, 0.0));
+        let slide = |x: f64, y: f64| Axis::prismatic(Vector::new(x, y)).within(-2.0, 2.0);
+        vec![
+            (turn(0.0), turn(1.8)),
+            (turn(0.1), turn(1.7).within(-1.0, 7.5)),
+            (turn(0.1), slide(0.6, 0.8)),
+            (slide(0.6, 0.8), turn(1.8)),
+            (slide(0.0, 1.0), slide(1.0, 0.3)),
+        ]
+    }
+
+    /// y brought to an interval by whole turns, if it is in it.
+    fn holds(circle: bool, y: f64, (from, to): (f64, f64)) -> bool {
+        let y = if circle {
+            y + TAU * ((from - y) / TAU).ceil()
+        } else {
+            y
+        };
+        from <= y && y <= to
+    }
+
+    #[test]
+    fn swept_along_either_coordinate_a_plane_leaves_the_same_free() {
+        let (a, b) = (star(0.0, 5), star(1.8, 4));
+        for (first, second) in axes() {
+            let space = FixedAxesSpace::compute(&a, first, &b, second).unwrap();
+            for along in [Role::Fixed, Role::Moving] {
+                let plane = SweptPlane::compute((&a, first), (&b, second), along).unwrap();
+                assert_eq!(plane.conflicts(), 0);
+                let (((x0, x1), _), ((y0, y1), circle)) = (plane.x(), plane.y());
+                let mut free = 0;
+                for k in 0..2000 {
+                    let share = |by: f64| (f64::from(k) * by).fract();
+                    let x = x0 + (x1 - x0) * share(0.754_877_666);
+                    let y = y0 + (y1 - y0) * share(0.569_840_291);
+                    let (u, v) = match along {
+                        Role::Fixed => (x, y),
+                        Role::Moving => (y, x),
+                    };
+                    let band = plane.bands().find(|b| b.lo <= x && x <= b.hi);
+                    let Some(mut gaps) = band.map(|b| b.gaps) else {
+                        continue;
+                    };
+                    let is_free = gaps.any(|g| holds(circle, y, plane.interval(g, x)));
+                    free += u32::from(is_free);
+                    match space.classify(u, v) {
+                        Some(Classification::Free) => assert!(is_free, "{along} {u} {v}"),
+                        Some(Classification::Blocked) => assert!(!is_free, "{along} {u} {v}"),
+                        _ => {}
+                    }
+                }
+                assert!((100..1900).contains(&free), "{free}");
+            }
+        }
+    }
+
+    #[test]
+    fn gaps_end_at_contacts_with_slopes_within_their_enclosures() {
+        let (a, b) = (star(0.0, 5), star(1.8, 4));
+        for (first, second) in axes() {
+            let space = FixedAxesSpace::compute(&a, first, &b, second).unwrap();
+            for along in [Role::Fixed, Role::Moving] {
+                let plane = SweptPlane::compute((&a, first), (&b, second), along).unwrap();
+                let mut curves = 0;
+                for band in plane.bands().filter(|b| b.hi - b.lo > 1e-3) {
+                    let at = |share: f64| band.lo + share * (band.hi - band.lo);
+                    for gap in band.gaps.clone().map(|g| plane.gap(g)) {
+                        for curve in [gap.lower, gap.upper].into_iter().flatten() {
+                            curves += 1;
+                            let (x, z) = (at(0.45), at(0.55));
+                            let (y, w) = (plane.value(curve, x), plane.value(curve, z));
+                            let (u, v) = match along {
+                                Role::Fixed => (x, y),
+                                Role::Moving => (y, x),
+                            };
+                            assert_eq!(space.classify(u, v), Some(Classification::Contact));
+                            let [lo, hi] = plane.slope(curve, (x, z)).ends();
+                            let slope = (w - y) / (z - x);
+                            assert!(
+                                lo <= slope + 1e-9 && slope - 1e-9 <= hi,
+                                "{lo} {slope} {hi}"
+                            );
+                            assert!(hi - lo < 10.0 * (1.0 + slope.abs()), "{lo} {slope} {hi}");
+                        }
+                    }
+                }
+                assert!(curves > 8, "{curves}");
+            }
+        }
+    }
+}
