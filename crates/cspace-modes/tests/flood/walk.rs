@@ -35,6 +35,8 @@ pub(crate) struct Walker<'a> {
     axes: [Axis; 3],
     speeds: [f64; 3],
     pairs: Vec<([usize; 2], Oracle)>,
+    /// What is nearer to contact than this may count as contact.
+    resolution: f64,
 }
 
 impl<'a> Walker<'a> {
@@ -44,6 +46,9 @@ impl<'a> Walker<'a> {
         Self {
             modes,
             axes,
+            resolution: (modes.pairs().iter())
+                .filter_map(|p| Some(2.0 * p.space.as_ref()?.resolution()))
+                .fold(0.0, f64::max),
             speeds: [0, 1, 2].map(|k| speed(part(k), &axes[k])),
             pairs: (cspace_modes::PAIRS.into_iter())
                 .map(|[a, b]| ([a, b], Oracle::new(part(a), part(b))))
@@ -86,7 +91,7 @@ impl<'a> Walker<'a> {
             } else {
                 SHARE * clearance.min(1.0) / most
             };
-            let certain = length * most < clearance;
+            let certain = length * most < clearance - self.resolution;
             let next = [0, 1, 2].map(|k| at[k] + length * towards[k]);
             let inside = (0..3).all(|k| {
                 self.axes[k]
@@ -102,10 +107,10 @@ impl<'a> Walker<'a> {
                     matches!(place, ModePlace::Blocked(_) | ModePlace::Contact(_)),
                     "{next:?} overlaps and is {place:?}"
                 ),
-                Some(room) if room > 1e-9 => {
+                Some(room) if room > self.resolution => {
                     assert!(
                         matches!(place, ModePlace::Mode(_)),
-                        "{next:?} is free and {place:?}"
+                        "{next:?} is free by {room:e} and {place:?}"
                     );
                 }
                 Some(_) => {}
