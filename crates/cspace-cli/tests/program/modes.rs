@@ -44,7 +44,7 @@ fn each_order_of_blocks_on_a_rail_is_a_mode() {
     let drawn = &answer["requested"]["mode"];
     assert_eq!(requested(&file, "u=-5")["mode"], *drawn);
     // The first block between the others, and beyond them.
-    let between = requested(&file, "u=6,w=4");
+    let between = requested(&file, "u=6.5,w=4");
     let beyond = requested(&file, "u=14");
     for place in [&between, &beyond] {
         assert_eq!(place["result"], "free");
@@ -66,10 +66,11 @@ fn each_order_of_blocks_on_a_rail_is_a_mode() {
     let exchanged = json(&["modes", &file, "--parts", "c,a,b"]);
     assert_eq!(exchanged["modes"].as_array().unwrap().len(), 6);
     assert_eq!(exchanged["parts"][0]["name"], "c");
+    // In the order c, b, a the third block is at -12 at the minimum, so the first is at -8.
     let said = printed(&["modes", &file]);
     assert!(said.contains("6 modes\n"), "{said}");
     assert!(
-        said.contains("u (a) from -20.000000 mm, its limit, to 16.000000 mm\n"),
+        said.contains("u (a) from -8.000000 mm to 20.000000 mm, its limit\n"),
         "{said}"
     );
     assert!(said.contains("not considered: a and case"), "{said}");
