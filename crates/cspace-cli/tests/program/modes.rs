@@ -111,11 +111,21 @@ fn pictures_have_a_row_for_each_mode() {
         .success();
     let picture = std::fs::read_to_string(path("blocks.svg")).unwrap();
     assert!(picture.contains("mode 5"));
-    fails(
-        cspace(&["modes", &interlock, "-o", &path("a.svg"), "--u=0,1"]),
-        2,
-        &["--u is about one plane", "cspace slice"],
-    );
+    for option in ["--u=0,1", "--y=0,1", "--labels=none"] {
+        let name = option.split('=').next().unwrap();
+        fails(
+            cspace(&[
+                "modes",
+                &interlock,
+                "-o",
+                &path("a.svg"),
+                "--size=800x400",
+                option,
+            ]),
+            2,
+            &[name, "is about pictures of one plane", "cspace slice"],
+        );
+    }
     fails(
         cspace(&["modes", &interlock, "-o", &path("a.ply")]),
         2,

@@ -122,8 +122,8 @@ impl<'a> Grid<'a> {
         }
         let mut met = vec![false; self.modes.list().len()];
         let mut found = Found::default();
-        for number in 0..n * n * n {
-            if let Some(own) = mode[number] {
+        for (number, own) in mode.iter().enumerate() {
+            if let Some(own) = *own {
                 found.free += 1;
                 met[own] = true;
                 found.components += usize::from(root(&mut above, number) == number);

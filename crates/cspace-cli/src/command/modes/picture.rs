@@ -14,14 +14,21 @@ const MOST: usize = 7;
 /// Fields of each plane along each coordinate: as many as a plane has dots in a picture of the usual size.
 const FIELDS: usize = 280;
 
-/// Refuses what is about pictures of one plane.
+/// Rejects options that say nothing of this picture.
 pub(super) fn check(args: &PictureArgs) -> Result<(), Failure> {
-    match args.given() {
-        Some(option @ ("--x" | "--y" | "--u" | "--v")) => Err(Failure::input(format_args!(
-            "{option} is about one plane, and this picture has three"
+    let of_one_plane = [
+        ("--x", args.x.is_some()),
+        ("--y", args.y.is_some()),
+        ("--u", args.u.is_some()),
+        ("--v", args.v.is_some()),
+        ("--labels", args.labels.is_some()),
+    ];
+    match of_one_plane.into_iter().find(|o| o.1) {
+        None => Ok(()),
+        Some((option, _)) => Err(Failure::input(format_args!(
+            "{option} is about pictures of one plane, and this picture has three"
         ))
         .help("leave it out; `cspace slice --pair FIXED,MOVING` draws one plane")),
-        _ => Ok(()),
     }
 }
 
