@@ -33,10 +33,11 @@ const ROUNDING: f64 = 1e-13;
 ///     (&slider, slide(1.0, 0.0)),
 ///     Role::Moving,
 /// )?;
-/// // The slider meets the wall while it is within 2 of it, from -7 to -3; then the wall has to be 2 above or below.
-/// let band = plane.bands().find(|b| b.lo < -5.0 && -5.0 < b.hi).ok_or("no band")?;
-/// assert!((band.lo + 7.0).abs() < 1e-9 && (band.hi + 3.0).abs() < 1e-9);
-/// let ends: Vec<(f64, f64)> = band.gaps.map(|g| plane.interval(g, -5.0)).collect();
+/// // The slider meets the wall while it is within 2 of it, from -7 to -3; then the wall has to be 2 above or below. At -5 the
+/// // corners that face each other change.
+/// let band = plane.bands().find(|b| b.lo < -4.0 && -4.0 < b.hi).ok_or("no band")?;
+/// assert!((band.lo + 5.0).abs() < 1e-9 && (band.hi + 3.0).abs() < 1e-9);
+/// let ends: Vec<(f64, f64)> = band.gaps.map(|g| plane.interval(g, -4.0)).collect();
 /// assert_eq!(ends.len(), 2);
 /// assert!((ends[0].1 + 2.0).abs() < 1e-9 && (ends[1].0 - 2.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
