@@ -83,3 +83,25 @@ fn gears_in_a_triangle_are_locked() {
     assert_eq!((modes.list().len(), modes.doubts()), (2 * 12 * 10 * 12, 0));
     assert!(modes.list().iter().all(|m| m.turns.is_empty()));
 }
+
+/// A turn of the driver takes the wheel of six slots on by a sixth; a third part that meets neither turns by itself.
+#[test]
+fn a_geneva_drive_comes_back_after_six_turns_of_its_driver() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/geneva.toml");
+    let cspace_io::Document::Model(model) = cspace_io::read(std::path::Path::new(file)).unwrap()
+    else {
+        unreachable!()
+    };
+    let mut mechanism = model.mechanism;
+    let knob = Part::rectangle("knob", (500.0, 0.0), 20.0, 5.0).unwrap();
+    let knob = PartEntry::revolute(knob, (500.0, 0.0));
+    mechanism.parts.push(knob);
+    let knob = mechanism.parts.len() - 1;
+    let index = |name: &str| mechanism.part_index(name).unwrap();
+    let modes = Modes::compute(&mechanism, [index("wheel"), index("driver"), knob]).unwrap();
+    assert_eq!((modes.list().len(), modes.doubts()), (1, 0));
+    let turns = &modes.list()[0].turns;
+    assert_eq!(turns.len(), 2);
+    assert_eq!((turns[0][0], turns[0][1].abs(), turns[0][2]), (1, 6, 0));
+    assert_eq!(turns[1], [0, 0, 1]);
+}
