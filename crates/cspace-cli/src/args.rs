@@ -59,6 +59,9 @@ pub(crate) enum Command {
     /// Tell which parts overlap, touch or come near each other, as drawn or over a simulation
     #[command(after_long_help = CLASH)]
     Clash(ClashArgs),
+    /// List the operating modes of three parts on axes: the connected free configurations of all three
+    #[command(after_long_help = MODES)]
+    Modes(ModesArgs),
     /// Measure what the model requires of its design, and tell which requirements are met
     #[command(after_long_help = CHECK)]
     Check(CheckArgs),
@@ -494,6 +497,27 @@ pub(crate) struct ClashArgs {
     /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) touch: Option<f64>,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ModesArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    /// The three parts, whose coordinates are u, v and w in that order [default: those that move on axes, if there are three]
+    #[arg(long, value_name = "A,B,C")]
+    pub(crate) parts: Option<String>,
+    /// The configuration of which the mode is requested; coordinates left out are as drawn [default: all as drawn]
+    #[arg(long, value_name = "u=U,v=V,w=W", allow_hyphen_values = true)]
+    pub(crate) at: Option<String>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
@@ -1335,6 +1359,31 @@ Values are exact to some 12 digits of the range. Of one parameter all that were
 found are printed; between two of the N values at which is measured, one is
 missed if the measure comes near only there and goes away again. Angles are in
 radians, unless they have a unit.
+";
+
+const MODES: &str = "\
+Examples:
+  cspace modes models/shift_interlock.toml
+  cspace modes models/shift_interlock.toml --at u=8 --format json
+  cspace modes models/shift_interlock.toml -o modes.svg
+
+Three parts that each turn or slide on an axis have three coordinates u, v, w.
+A configuration of all three is free if (u, v), (v, w) and (u, w) are free in
+the spaces of their pairs; a pair that the model does not list constrains
+nothing. An operating mode is a connected component of the free configurations:
+a motion of the three parts leads from one to another if and only if both are
+in one mode. Modes are found from the contact curves, not by sampling; openings
+of less than 1e-11 of the size are closed, as in the spaces of the pairs.
+
+For each mode: the range of each coordinate, a configuration within it, and the
+coordinates that turn for ever in it. Where parts turn for ever together the
+answer lists the turns: all motions that end where they began turn the parts by
+sums of whole multiples of these.
+
+Other parts of the model are not considered; neither are drives and springs.
+
+With -o modes.svg, .png or .pdf it is a picture: for each mode a row with the
+planes of the three pairs, in which the mode's projection is coloured.
 ";
 
 const CLASH: &str = "\

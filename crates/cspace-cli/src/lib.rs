@@ -88,6 +88,7 @@ fn run(cli: Cli) -> Result<(), Failure> {
         Command::Assembly(args) => command::assembly::run(&args),
         Command::Check(args) => command::check::run(&args),
         Command::Clash(args) => command::clash::run(&args),
+        Command::Modes(args) => command::modes::run(&args),
         Command::Sweep(args) => command::sweep::run(&args),
         Command::Tolerances(args) => command::tolerances::run(&args),
         Command::Solve(args) => command::solve::run(&args),

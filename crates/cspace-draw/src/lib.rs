@@ -8,6 +8,7 @@
 //!   slices    ├─→  Scene  ─→  svg, png, pdf
 //!   plane     ┤
 //!   zones     ┤
+//!   modes     ┤
 //!   motion    ┘
 //! ```
 //!
@@ -17,6 +18,7 @@
 //! | slices of a contact space, the parts beside | [`slices`] |
 //! | the plane of motions of a pair with fixed axes | [`plane`] |
 //! | what is free, blocked, and between within tolerances | [`zones`] |
+//! | the modes of three parts, in the planes of their pairs | [`modes`] |
 //! | a mechanism in motion: parts, coordinates, contacts over time | [`motion`] |
 //!
 //! ```
@@ -43,6 +45,7 @@ mod format;
 mod labels;
 mod legend;
 mod line;
+mod modes;
 mod motion;
 mod options;
 mod outline;
@@ -63,6 +66,7 @@ mod zones;
 pub use curves::{Curve, CurveStrip, CurvesPicture, curves};
 pub use error::PictureError;
 pub use format::PictureFormat;
+pub use modes::{ModeFields, ModePlane, ModeRow, ModesPicture, modes};
 pub use motion::{MotionFrame, MotionPicture, PlanePath, motion};
 pub use options::{Labels, PictureOptions};
 pub use parts::{ContactMark, PartsPicture, PlacedPart, UnusedPath, parts};

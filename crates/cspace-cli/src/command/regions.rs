@@ -84,7 +84,7 @@ pub(super) struct Coordinate<'a> {
 }
 
 impl<'a> Coordinate<'a> {
-    fn new(letter: &'a str, part: &'a str, axis: Axis, unit: &'a str) -> Self {
+    pub(super) fn new(letter: &'a str, part: &'a str, axis: Axis, unit: &'a str) -> Self {
         Self {
             letter,
             part,
@@ -129,7 +129,7 @@ impl<'a> Coordinate<'a> {
     }
 
     /// From where to where the part can move.
-    fn range(&self, (lo, hi): (f64, f64), open: (bool, bool), around: bool) -> String {
+    pub(super) fn range(&self, (lo, hi): (f64, f64), open: (bool, bool), around: bool) -> String {
         if around {
             return format!("{} turns for ever", self.name());
         }

@@ -122,6 +122,11 @@ fn clashes() {
 }
 
 #[test]
+fn operating_modes() {
+    is_true("modes.md", 6);
+}
+
+#[test]
 fn cages_and_escape() {
     is_true("escape.md", 2);
 }

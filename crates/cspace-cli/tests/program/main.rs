@@ -17,6 +17,7 @@ mod hostile;
 mod import;
 mod info;
 mod meshes;
+mod modes;
 mod new;
 mod page;
 mod parameters;

@@ -166,6 +166,11 @@ fn answers_are_as_their_schemas_say() {
         "clash",
         &json(&["clash", &driven[0], "--along", record, "--within", "9"]),
     );
+    let interlock = model("shift_interlock");
+    for at in ["u=0", "u=8,w=8"] {
+        is_told("modes", &json(&["modes", &interlock, "--at", at]));
+    }
+    is_told("modes", &json(&["modes", &model("ratchet_mechanism")]));
     for name in ["latch_box", "fixture_plate"] {
         is_told("assembly", &json(&["assembly", &model(name)]));
     }

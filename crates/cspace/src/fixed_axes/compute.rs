@@ -3,7 +3,7 @@
 use crate::part::Part;
 
 use super::arrange::Arrangement;
-use super::axis::{AxesError, Axis};
+use super::axis::{AxesError, Axis, Role};
 use super::build::build;
 use super::carriers::Carriers;
 use super::copies::Partition;
@@ -33,6 +33,15 @@ impl FixedAxesSpace {
         moving: &Part,
         moving_axis: Axis,
     ) -> Result<Self, AxesError> {
+        Self::swept((fixed, fixed_axis), (moving, moving_axis), None)
+    }
+
+    /// The same, swept along the coordinate of a part, if one is asked for.
+    pub(super) fn swept(
+        (fixed, fixed_axis): (&Part, Axis),
+        (moving, moving_axis): (&Part, Axis),
+        along: Option<Role>,
+    ) -> Result<Self, AxesError> {
         let edges = (fixed.edges().count(), moving.edges().count());
         if edges.0.saturating_mul(edges.1) > MOST_EDGE_PAIRS {
             return Err(AxesError::TooLarge {
@@ -41,7 +50,7 @@ impl FixedAxesSpace {
                 limit: MOST_EDGE_PAIRS,
             });
         }
-        let at = |d| displaced((fixed, moving), (fixed_axis, moving_axis), d);
+        let at = |d| displaced((fixed, moving), (fixed_axis, moving_axis), d, along);
         let drawn = at(Displacement::NONE)?;
         if drawn.statistics().conflicts == 0 {
             return Ok(drawn);
@@ -62,8 +71,9 @@ fn displaced(
     (fixed, moving): (&Part, &Part),
     axes: (Axis, Axis),
     displacement: Displacement,
+    along: Option<Role>,
 ) -> Result<FixedAxesSpace, AxesError> {
-    let (setting, scene) = set_up((fixed, moving), axes, displacement)?;
+    let (setting, scene) = set_up((fixed, moving), axes, displacement, along)?;
     let Some(window) = Window::new(&scene, &setting.bodies) else {
         return Err(AxesError::TooManyCrossings {
             fixed: fixed.edges().count(),

@@ -102,6 +102,7 @@ mod sections;
 mod setup;
 mod space;
 mod sweep;
+mod swept_plane;
 mod tolerance;
 mod turnings;
 
@@ -113,3 +114,4 @@ pub use nearest::NearestOnAxes;
 pub use patches::{AxesBranch, AxesPatch, BranchForm};
 pub use region::AxesRegion;
 pub use space::FixedAxesSpace;
+pub use swept_plane::{PlaneBand, PlaneCurve, PlaneGap, SweptPlane};

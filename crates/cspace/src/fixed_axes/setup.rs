@@ -27,11 +27,12 @@ const SAME_DIRECTION: f64 = 1e-10;
 const MOST_TURNS: u32 = 1000;
 
 /// Both parts in the frame of the pair, the one whose coordinate is swept first: what is needed for questions, and what is
-/// needed to compute the partition alone.
+/// needed to compute the partition alone. The plane is swept along the coordinate of the part `along`, if one is asked for.
 pub(super) fn set_up(
     (fixed, moving): (&Part, &Part),
     (fixed_axis, moving_axis): (Axis, Axis),
     displacement: Displacement,
+    along: Option<Role>,
 ) -> Result<(Setting, Scene), AxesError> {
     let straight = (straightened(fixed), straightened(moving));
     let fixed = straight.0.as_ref().map_or(fixed, |s| &s.0);
@@ -51,7 +52,10 @@ pub(super) fn set_up(
         Motion::Slide { .. } => 1,
         Motion::Still => 0,
     };
-    let swapped = rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0);
+    let swapped = match along {
+        Some(role) => role == Role::Moving,
+        None => rank(&motions.second, &symmetric.1) > rank(&motions.first, &symmetric.0),
+    };
     let mut parts = (fixed, moving);
     let mut axes = (fixed_axis, moving_axis);
     if swapped {

@@ -59,7 +59,7 @@ impl FixedAxesSpace {
     pub fn from_data(data: AxesData) -> Result<Self, AxesDataError> {
         data.check()?;
         let axes = (data.fixed_axis, data.moving_axis);
-        let (setting, scene) = set_up((&data.fixed, &data.moving), axes, data.displacement)?;
+        let (setting, scene) = set_up((&data.fixed, &data.moving), axes, data.displacement, None)?;
         let first = scene.first.outline.features.len() as u32;
         let second = scene.second.outline.features.len() as u32;
         let there = |a: u32, b: u32| a < first && b < second;

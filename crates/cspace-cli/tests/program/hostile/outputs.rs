@@ -233,6 +233,7 @@ fn what_is_read_besides_is_not_written_over() {
         &["play", "-"],
         &["assembly", "-"],
         &["clash", "-"],
+        &["modes", "-", "--parts", "a,b,c"],
     ] {
         let args = [args, &["-o", "peg_hole.toml"]].concat();
         refused(&args, from("peg_hole.toml"), "peg_hole.toml");

@@ -1,0 +1,50 @@
+//! `cspace modes`.
+
+mod answer;
+mod ask;
+mod picture;
+
+use std::time::Instant;
+
+use cspace_modes::Modes;
+
+use crate::args::{Format, ModesArgs};
+use crate::failure::Failure;
+use crate::interrupt::catch_interrupts;
+use crate::output;
+use crate::picture as pictures;
+use crate::subject::{read_model, set_threads};
+
+pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
+    let output = args.result.output.as_deref();
+    let format = pictures::format(output);
+    if format.is_some() {
+        args.result.refuse_format()?;
+        picture::check(&args.picture)?;
+    } else {
+        args.result.check_answer()?;
+        args.picture.refuse()?;
+    }
+    output::check(output)?;
+    catch_interrupts();
+    set_threads(args.threads)?;
+    let (path, model) = read_model(&args.file, &args.values, "modes are those of three parts")?;
+    let parts = ask::parts(&path, &model, args.parts.as_deref())?;
+    let at = ask::configuration(&model, parts, args.at.as_deref())?;
+    let begin = Instant::now();
+    let modes =
+        Modes::compute(&model, parts).map_err(|error| ask::rejected(&path, &model, &error))?;
+    let place = modes.locate(at).map_err(Failure::input)?;
+    if let Some(format) = format {
+        let scene = picture::scene(args, &model, &modes, (at, place))?;
+        return pictures::write(output, format, &scene);
+    }
+    let answer = answer::of(&model, &modes, (at, place), begin);
+    let answer = match args.result.format() {
+        Format::Json => super::json(&answer)?,
+        Format::Text => answer::text(&model, &modes, &answer)
+            .map_err(Failure::work)?
+            .into_bytes(),
+    };
+    output::write(output, &answer)
+}

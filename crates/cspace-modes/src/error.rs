@@ -1,0 +1,98 @@
+//! Why three parts have no operating modes that can be computed.
+
+use cspace::MechanismError;
+
+/// Why the modes of three parts cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModesError {
+    /// An index is no part's.
+    #[error("there is no part {part}: there are {parts}")]
+    NoSuchPart {
+        /// The index.
+        part: usize,
+        /// The number of parts.
+        parts: usize,
+    },
+    /// One part is named twice.
+    #[error("part {part:?} is named twice; name three different parts")]
+    Twice {
+        /// Its name.
+        part: String,
+    },
+    /// A model has another number of parts that move on axes than three.
+    #[error(
+        "modes are those of three parts that each turn or slide on an axis, and {} such parts are here{}",
+        parts.len(),
+        listed(parts)
+    )]
+    NotThree {
+        /// Their names.
+        parts: Vec<String>,
+    },
+    /// A part is planar.
+    #[error(
+        "part {part:?} moves freely in the plane: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
+    )]
+    Planar {
+        /// Its name.
+        part: String,
+    },
+    /// A part does not move.
+    #[error(
+        "part {part:?} does not move: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
+    )]
+    Still {
+        /// Its name.
+        part: String,
+    },
+    /// A joint, or a chain of them, connects two of the parts.
+    #[error(
+        "parts {first:?} and {second:?} are connected by {}: they do not move independently, each on its own axis; remove the joint, or choose parts that meet by contact alone",
+        if *direct { "a joint" } else { "a chain of joints" }
+    )]
+    Joined {
+        /// The name of one.
+        first: String,
+        /// The name of the other.
+        second: String,
+        /// Whether one joint names both.
+        direct: bool,
+    },
+    /// Two parts slide along one direction without limits.
+    #[error(
+        "parts {first:?} and {second:?} slide along one direction, both without limits: they meet however far they are; give one of them a range"
+    )]
+    Unlimited {
+        /// The name of one.
+        first: String,
+        /// The name of the other.
+        second: String,
+    },
+    /// A pair's configuration space cannot be computed.
+    #[error(transparent)]
+    Pair(#[from] MechanismError),
+    /// There are more combinations of free intervals than there is room for.
+    #[error(
+        "the free intervals of the three parts combine in {columns} ways over all critical values, more than {limit}; give the parts ranges of motion, or draw fewer teeth"
+    )]
+    TooLarge {
+        /// The number of combinations.
+        columns: usize,
+        /// The largest that is accepted.
+        limit: usize,
+    },
+    /// A configuration has a coordinate that is not finite.
+    #[error("coordinate {coordinate} is not a finite number")]
+    NotFinite {
+        /// `u`, `v` or `w`.
+        coordinate: &'static str,
+    },
+}
+
+fn listed(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        parts => format!(": {}", parts.join(", ")),
+    }
+}

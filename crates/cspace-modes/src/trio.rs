@@ -1,0 +1,263 @@
+//! Three parts with one coordinate each, and their pairs.
+
+use cspace::fixed_axes::Role;
+use cspace::{
+    Axis, AxisMotion, FixedAxesSpace, Mechanism, MechanismError, Options, PairEntry, PairError,
+    PairSpace,
+};
+
+use crate::error::ModesError;
+
+/// The coordinates of each pair among the three: u and v, v and w, u and w.
+pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
+
+/// Two of the three parts.
+#[derive(Debug)]
+pub struct TrioPair {
+    /// Which of the three coordinates is the pair's u, and which its v.
+    pub coordinates: [usize; 2],
+    /// What the two parts leave each other; `None` if the model has no such pair, which then constrains nothing.
+    pub space: Option<FixedAxesSpace>,
+}
+
+/// Three parts on axes.
+#[derive(Debug)]
+pub(crate) struct Trio {
+    pub(crate) parts: [usize; 3],
+    pub(crate) names: [String; 3],
+    pub(crate) axes: [Axis; 3],
+    /// The pairs in the order of [`PAIRS`].
+    pub(crate) pairs: [TrioPair; 3],
+}
+
+/// The parts of a model that turn or slide on an axis, if there are three.
+///
+/// # Errors
+/// If there are fewer or more.
+///
+/// ```
+/// use cspace::{Mechanism, Part, mechanism::PartEntry};
+/// let mut lock = Mechanism::new("lock");
+/// for (name, x) in [("bolt", 0.0), ("plunger", 4.0), ("slide", 8.0)] {
+///     let part = Part::rectangle(name, (x, 0.0), 2.0, 2.0)?;
+///     lock.parts.push(PartEntry::prismatic(part, (0.0, 1.0)));
+/// }
+/// lock.parts.push(PartEntry::fixed(Part::rectangle("case", (20.0, 0.0), 2.0, 2.0)?));
+/// assert_eq!(cspace_modes::moving_parts(&lock), Ok([0, 1, 2]));
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn moving_parts(mechanism: &Mechanism) -> Result<[usize; 3], ModesError> {
+    let moves = |axis: &Axis| axis.motion != AxisMotion::Fixed;
+    let all: Vec<usize> = (0..mechanism.parts.len())
+        .filter(|&i| mechanism.parts[i].axis.as_ref().is_some_and(moves))
+        .collect();
+    <[usize; 3]>::try_from(all).map_err(|all| ModesError::NotThree {
+        parts: all.into_iter().map(|i| name(mechanism, i)).collect(),
+    })
+}
+
+fn name(mechanism: &Mechanism, part: usize) -> String {
+    mechanism.parts[part].part.name().to_owned()
+}
+
+impl Trio {
+    pub(crate) fn of(mechanism: &Mechanism, parts: [usize; 3]) -> Result<Self, ModesError> {
+        let axes = [0, 1, 2].map(|k| axis(mechanism, parts[k]));
+        let [a, b, c] = axes;
+        let axes = [a?, b?, c?];
+        let names = parts.map(|i| name(mechanism, i));
+        for [a, b] in PAIRS {
+            if parts[a] == parts[b] {
+                let part = names[a].clone();
+                return Err(ModesError::Twice { part });
+            }
+        }
+        check_joints(mechanism, parts, &names)?;
+        let entries = PAIRS.map(|pair| entry(mechanism, parts, pair));
+        for (coordinates, _) in entries.iter().flatten() {
+            check_slides(coordinates.map(|k| (&names[k], &axes[k])))?;
+        }
+        let [ab, bc, ac] = [0, 1, 2].map(|k| TrioPair::of(mechanism, PAIRS[k], entries[k]));
+        Ok(Self {
+            parts,
+            names,
+            axes,
+            pairs: [ab?, bc?, ac?],
+        })
+    }
+
+    /// The axes with limits for slides that have none: beyond them nothing touches.
+    pub(crate) fn limited_axes(&self) -> [Axis; 3] {
+        [0, 1, 2].map(|k| {
+            let axis = self.axes[k];
+            if !self.is_open(k) {
+                return axis;
+            }
+            // Something to be between where the part meets no other.
+            let (mut lo, mut hi) = (-1.0_f64, 1.0_f64);
+            for pair in &self.pairs {
+                let at = pair.coordinates.iter().position(|&c| c == k);
+                if let (Some(at), Some(space)) = (at, &pair.space) {
+                    let extent = space.extent()[at];
+                    (lo, hi) = (lo.min(extent.0), hi.max(extent.1));
+                }
+            }
+            axis.within(lo, hi)
+        })
+    }
+
+    /// Whether a coordinate goes on without limit.
+    pub(crate) fn is_open(&self, k: usize) -> bool {
+        let axis = &self.axes[k];
+        matches!(axis.motion, AxisMotion::Prismatic { .. }) && axis.range.is_none()
+    }
+
+    /// Whether a coordinate comes back after a turn.
+    pub(crate) fn is_circle(&self, k: usize) -> bool {
+        let axis = &self.axes[k];
+        matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
+    }
+}
+
+impl TrioPair {
+    fn of(
+        mechanism: &Mechanism,
+        pair: [usize; 2],
+        entry: Option<([usize; 2], PairEntry)>,
+    ) -> Result<Self, ModesError> {
+        let Some((coordinates, entry)) = entry else {
+            let space = None;
+            return Ok(Self {
+                coordinates: pair,
+                space,
+            });
+        };
+        match mechanism.compute(&entry, &Options::default())? {
+            PairSpace::FixedAxes(space) => Ok(Self {
+                coordinates,
+                space: Some(*space),
+            }),
+            _ => Err(ModesError::Planar {
+                part: name(mechanism, entry.moving),
+            }),
+        }
+    }
+
+    /// Whether the pair constrains its coordinates.
+    pub(crate) fn is_bound(&self) -> bool {
+        (self.space.as_ref()).is_some_and(|s| !s.patches().is_empty() || s.regions().is_empty())
+    }
+
+    /// Whether a coordinate is one of the pair's, and as which of its parts.
+    pub(crate) fn role(&self, coordinate: usize) -> Option<Role> {
+        match self.coordinates {
+            [u, _] if u == coordinate => Some(Role::Fixed),
+            [_, v] if v == coordinate => Some(Role::Moving),
+            _ => None,
+        }
+    }
+}
+
+fn axis(mechanism: &Mechanism, part: usize) -> Result<Axis, ModesError> {
+    let Some(entry) = mechanism.parts.get(part) else {
+        return Err(ModesError::NoSuchPart {
+            part,
+            parts: mechanism.parts.len(),
+        });
+    };
+    match entry.axis {
+        None => Err(ModesError::Planar {
+            part: name(mechanism, part),
+        }),
+        Some(axis) if axis.motion == AxisMotion::Fixed => Err(ModesError::Still {
+            part: name(mechanism, part),
+        }),
+        Some(axis) => Ok(axis),
+    }
+}
+
+/// The pair of two of the parts, if the model has it, with which coordinates are its u and v.
+fn entry(
+    mechanism: &Mechanism,
+    parts: [usize; 3],
+    [a, b]: [usize; 2],
+) -> Option<([usize; 2], PairEntry)> {
+    mechanism.pairs.iter().find_map(|pair| {
+        let is = |x: usize, y: usize| (pair.fixed, pair.moving) == (parts[x], parts[y]);
+        let entry = PairEntry {
+            window: None,
+            ..*pair
+        };
+        if is(a, b) {
+            Some(([a, b], entry))
+        } else {
+            is(b, a).then_some(([b, a], entry))
+        }
+    })
+}
+
+/// That no joint, or chain of joints, connects two of the parts.
+fn check_joints(
+    mechanism: &Mechanism,
+    parts: [usize; 3],
+    names: &[String; 3],
+) -> Result<(), ModesError> {
+    for [a, b] in PAIRS {
+        let mut reached = vec![parts[a]];
+        let mut next = 0;
+        while let Some(&part) = reached.get(next) {
+            next += 1;
+            for joint in &mechanism.joints {
+                let other = match joint.parts {
+                    (p, q) if p == part => q,
+                    (p, q) if q == part => p,
+                    _ => continue,
+                };
+                // A part that does not move connects nothing.
+                let still = |i: usize| {
+                    let axis = mechanism.parts.get(i).and_then(|p| p.axis);
+                    axis.is_some_and(|a| a.motion == AxisMotion::Fixed)
+                };
+                if !reached.contains(&other) && !still(other) {
+                    reached.push(other);
+                }
+            }
+        }
+        if reached.contains(&parts[b]) {
+            let direct = |p: (usize, usize)| p == (parts[a], parts[b]) || p == (parts[b], parts[a]);
+            return Err(ModesError::Joined {
+                first: names[a].clone(),
+                second: names[b].clone(),
+                direct: mechanism.joints.iter().any(|j| direct(j.parts)),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// That two parts do not slide side by side without limits.
+fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
+    /// The sine of the angle between directions of sliding below which they are one: a pair's space takes them so.
+    const PARALLEL: f64 = 1e-9;
+    let [(first, a), (second, b)] = pair;
+    let direction = |axis: &Axis| match (axis.motion, axis.range) {
+        (AxisMotion::Prismatic { direction }, None) => Some(direction.unit()),
+        _ => None,
+    };
+    match (direction(a), direction(b)) {
+        (Some(d), Some(e)) if d.cross(e).abs() < PARALLEL => Err(ModesError::Unlimited {
+            first: first.clone(),
+            second: second.clone(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// An error of a pair of two of the parts.
+pub(crate) fn failed(names: [&str; 2], error: cspace::AxesError) -> ModesError {
+    ModesError::Pair(MechanismError::Pair {
+        fixed: names[0].to_owned(),
+        moving: names[1].to_owned(),
+        error: PairError::Axes(error),
+    })
+}

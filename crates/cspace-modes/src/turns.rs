@@ -1,0 +1,166 @@
+//! Cells that hang together, and around which circles a way within them leads: sets of cells that know their turns.
+
+/// Turns of the three coordinates.
+pub(crate) type Turns = [i32; 3];
+
+/// Disjoint sets of cells. Of each cell is known in which turn it is, seen from the one that stands for its set; of each set, by what
+/// turns a way within it may come back.
+#[derive(Debug)]
+pub(crate) struct Sets {
+    /// The cell above, and the turns of this one less those of it.
+    above: Vec<(u32, Turns)>,
+    lattices: Vec<Lattice>,
+}
+
+fn plus(a: Turns, b: Turns) -> Turns {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+fn less(a: Turns, b: Turns) -> Turns {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+impl Sets {
+    pub(crate) fn new(n: usize) -> Self {
+        Self {
+            above: (0..n as u32).map(|i| (i, [0; 3])).collect(),
+            lattices: vec![Lattice::default(); n],
+        }
+    }
+
+    /// The cell that stands for the set of `i`, and the turns of `i` seen from it.
+    pub(crate) fn find(&mut self, i: u32) -> (u32, Turns) {
+        let (mut root, mut sum) = (i, [0; 3]);
+        while self.above[root as usize].0 != root {
+            let (above, turns) = self.above[root as usize];
+            sum = plus(sum, turns);
+            root = above;
+        }
+        let (mut at, mut rest) = (i, sum);
+        while self.above[at as usize].0 != root && at != root {
+            let (above, turns) = self.above[at as usize];
+            self.above[at as usize] = (root, rest);
+            rest = less(rest, turns);
+            at = above;
+        }
+        (root, sum)
+    }
+
+    /// Cell `b`, moved by so many turns, is beside cell `a`.
+    pub(crate) fn link(&mut self, a: u32, b: u32, by: Turns) {
+        let ((root_a, turns_a), (root_b, turns_b)) = (self.find(a), self.find(b));
+        // Turns of b seen from the cell that stands for a.
+        let there = plus(turns_a, by);
+        let between = less(there, turns_b);
+        if root_a == root_b {
+            self.lattices[root_a as usize].add(between.map(i64::from));
+            return;
+        }
+        let (root, other, by) = if root_a < root_b {
+            (root_a, root_b, between)
+        } else {
+            (root_b, root_a, less([0; 3], between))
+        };
+        self.above[other as usize] = (root, by);
+        let joined = core::mem::take(&mut self.lattices[other as usize]);
+        for row in joined.rows {
+            self.lattices[root as usize].add(row);
+        }
+    }
+
+    /// The turns by which a way in the set of the cell that stands for it comes back.
+    pub(crate) fn lattice(&self, root: u32) -> &Lattice {
+        &self.lattices[root as usize]
+    }
+}
+
+/// All sums of whole multiples of some vectors: three at most, in echelon form.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Lattice {
+    rows: Vec<[i64; 3]>,
+}
+
+fn first(row: &[i64; 3]) -> Option<usize> {
+    row.iter().position(|&x| x != 0)
+}
+
+impl Lattice {
+    fn add(&mut self, mut row: [i64; 3]) {
+        while let Some(at) = first(&row) {
+            let Some(known) = self.rows.iter_mut().find(|r| first(r) == Some(at)) else {
+                self.rows.push(row);
+                self.rows.sort_by_key(first);
+                return;
+            };
+            // The step of Euclid: the smaller one stays.
+            if row[at].abs() < known[at].abs() {
+                core::mem::swap(&mut row, known);
+            }
+            let times = row[at].div_euclid(known[at]);
+            for (x, k) in row.iter_mut().zip(known.iter()) {
+                *x -= times * k;
+            }
+        }
+    }
+
+    /// Rows that stand for it alone: first entries positive, and what is above a first entry smaller and not negative.
+    pub(crate) fn reduced(&self) -> Vec<[i64; 3]> {
+        let mut rows = self.rows.clone();
+        for row in &mut rows {
+            if first(row).is_some_and(|k| row[k] < 0) {
+                *row = row.map(|x| -x);
+            }
+        }
+        for i in 0..rows.len() {
+            let Some(at) = first(&rows[i]) else { continue };
+            let lower = rows[i];
+            for upper in &mut rows[..i] {
+                let times = upper[at].div_euclid(lower[at]);
+                for (x, k) in upper.iter_mut().zip(lower) {
+                    *x -= times * k;
+                }
+            }
+        }
+        rows
+    }
+}
+
+/// The reduced form of what vectors stand for.
+pub(crate) fn reduced(vectors: impl Iterator<Item = [i64; 3]>) -> Vec<[i64; 3]> {
+    let mut lattice = Lattice::default();
+    vectors.for_each(|v| lattice.add(v));
+    lattice.reduced()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lattices_do_not_depend_on_the_order_of_what_is_added() {
+        let vectors = [[2, 3, 0], [4, 0, 6], [0, 6, -6], [6, 3, 6], [-2, -3, 0]];
+        let mut known: Option<Vec<[i64; 3]>> = None;
+        for from in 0..vectors.len() {
+            let mut lattice = Lattice::default();
+            for k in 0..vectors.len() {
+                lattice.add(vectors[(from + 2 * k) % vectors.len()]);
+            }
+            let reduced = lattice.reduced();
+            assert_eq!(reduced, *known.get_or_insert(reduced.clone()));
+        }
+        assert_eq!(known, Some(vec![[2, 3, 0], [0, 6, -6]]));
+    }
+
+    #[test]
+    fn a_chain_that_closes_tells_its_turns() {
+        let mut sets = Sets::new(4);
+        sets.link(0, 1, [0, 0, 0]);
+        sets.link(2, 3, [0, 1, 0]);
+        sets.link(3, 1, [0, 0, -2]);
+        // 2 is a turn of v below 3, and 3 two turns of w above 1.
+        let (root, turns) = sets.find(2);
+        assert_eq!((root, turns), (0, [0, -1, 2]));
+        sets.link(2, 0, [1, 0, 0]);
+        assert_eq!(sets.lattice(0).reduced(), vec![[1, -1, 2]]);
+    }
+}
