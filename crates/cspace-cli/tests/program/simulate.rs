@@ -244,3 +244,107 @@ fn steps_are_of_motions_with_masses() {
     let (_f, mut command) = run(&heavy, &["--scheme", "stepping", "--step", "0.01"]);
     command.assert().success();
 }
+
+/// A motion that is taken up where a record ends goes on as if there had been no end; records may be compressed.
+#[test]
+fn a_record_is_taken_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (half, whole, both) = (path("half.json.gz"), path("whole.json"), path("both.json"));
+    for (name, mode) in [
+        ("ratchet_mechanism", "kinematic"),
+        ("gears_backlash", "dynamic"),
+    ] {
+        let model = model(name);
+        let simulate = |time: &str, more: &[&str]| {
+            let args = [
+                "simulate", &model, "--mode", mode, "--every", "0.01", "--forces", "--time", time,
+            ];
+            printed(&[&args[..], more].concat());
+        };
+        simulate("0.615", &["-o", &half]);
+        simulate("1.3", &["-o", &whole]);
+        simulate("1.3", &["--resume", &half, "-o", &both]);
+        assert!(std::fs::read(&half).unwrap().starts_with(&[0x1f, 0x8b]));
+        let [whole, both] = [&whole, &both].map(|path| -> serde_json::Value {
+            serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+        });
+        let list = |value: &serde_json::Value, key: &str| value[key].as_array().unwrap().clone();
+        let (samples, again) = (list(&whole, "samples"), list(&both, "samples"));
+        assert_eq!(samples.len(), 131, "{name}");
+        assert_eq!(again.len(), 131, "{name}");
+        let part = whole["parts"][0].as_str().unwrap();
+        for (a, b) in samples.iter().zip(&again) {
+            assert_eq!(a["t"], b["t"]);
+            let (u, v) = (a[part].as_f64().unwrap(), b[part].as_f64().unwrap());
+            assert!((u - v).abs() < 1e-7, "{name} {}: {u} {v}", a["t"]);
+            assert!(b["forces"].is_object());
+        }
+        let (events, again) = (list(&whole, "events"), list(&both, "events"));
+        assert_eq!(events.len(), again.len(), "{name}");
+        for (a, b) in events.iter().zip(&again) {
+            assert_eq!(
+                (&a["kind"], &a["features"]),
+                (&b["kind"], &b["features"]),
+                "{name}"
+            );
+            assert!((a["t"].as_f64().unwrap() - b["t"].as_f64().unwrap()).abs() < 1e-7);
+        }
+        // States are those of all samples, and more; of each the time, and coordinates with their rates.
+        let states = list(&both, "states");
+        assert!(states.len() > samples.len(), "{name}");
+        let times: Vec<f64> = states.iter().map(|s| s[0].as_f64().unwrap()).collect();
+        assert!(times.is_sorted(), "{name}");
+        let along = ["clash", &model, "--along", &half];
+        let said = cspace(&along).output().unwrap();
+        assert!(said.status.code().unwrap() < 2, "{said:?}");
+    }
+    let geneva = model("geneva");
+    let of_other = ["simulate", &geneva, "--time", "2", "--resume", &both];
+    fails(cspace(&of_other), 2, &["both.json", "gear", "of the same model"]);
+    let model = model("gears_backlash");
+    let shorter = ["simulate", &model, "--time", "1", "--resume", &both];
+    fails(cspace(&shorter), 2, &["has come to 1.3 s", "longer --time"]);
+    let whole = std::fs::read_to_string(&both).unwrap();
+    std::fs::write(&both, whole.replace("\"states\"", "\"stat\"")).unwrap();
+    let without = ["simulate", &model, "--time", "2", "--resume", &both];
+    fails(cspace(&without), 2, &["it has no states"]);
+    std::fs::write(&both, [0x1f, 0x8b, 1, 2, 3]).unwrap();
+    fails(cspace(&without), 2, &["both.json", "compressed"]);
+}
+
+/// An interrupt keeps what is done.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_motion_keeps_what_is_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.json");
+    let out = path.to_str().unwrap();
+    let model = model("woodpecker");
+    let args = ["simulate", &model, "--time", "1000", "-o", out];
+    let child = std::process::Command::new(env!("CARGO_BIN_EXE_cspace"))
+        .args(args)
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(3));
+    let pid = child.id().to_string();
+    let kill = std::process::Command::new("kill")
+        .args(["-INT", &pid])
+        .status();
+    assert!(kill.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert!(!output.status.success());
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        said.contains("interrupted at") && said.contains("--resume"),
+        "{said}"
+    );
+    let record: serde_json::Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    assert_eq!(record["status"], "interrupted");
+    let until = record["until"].as_f64().unwrap();
+    assert!(until > 0.0, "{until}");
+    let longer = (until + 0.2).to_string();
+    let text = printed(&["simulate", &model, "--time", &longer, "--resume", out]);
+    assert!(text.starts_with("done: "), "{text}");
+}
