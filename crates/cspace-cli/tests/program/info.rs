@@ -180,7 +180,7 @@ fn masses_and_forces_are_text() {
 
 #[test]
 fn models_without_forces_show_none() {
-    let file = model("peg_hole");
+    let file = model("ball_in_c");
     let text = printed(&["info", &file]);
     for word in [
         "mass",

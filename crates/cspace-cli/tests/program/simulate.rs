@@ -301,7 +301,11 @@ fn a_record_is_taken_up() {
     }
     let geneva = model("geneva");
     let of_other = ["simulate", &geneva, "--time", "2", "--resume", &both];
-    fails(cspace(&of_other), 2, &["both.json", "gear", "of the same model"]);
+    fails(
+        cspace(&of_other),
+        2,
+        &["both.json", "gear", "of the same model"],
+    );
     let model = model("gears_backlash");
     let shorter = ["simulate", &model, "--time", "1", "--resume", &both];
     fails(cspace(&shorter), 2, &["has come to 1.3 s", "longer --time"]);
@@ -321,7 +325,7 @@ fn an_interrupted_motion_keeps_what_is_done() {
     let path = folder.path().join("run.json");
     let out = path.to_str().unwrap();
     let model = model("woodpecker");
-    let args = ["simulate", &model, "--time", "1000", "-o", out];
+    let args = ["simulate", &model, "--time", "60", "-o", out];
     let child = std::process::Command::new(env!("CARGO_BIN_EXE_cspace"))
         .args(args)
         .stderr(std::process::Stdio::piped())

@@ -17,7 +17,8 @@ use crate::pairs::Pairs;
 use crate::record::{ContactForce, Forces};
 use crate::system::{Row, System};
 
-use super::friction::{Holding, tangential};
+use super::friction::tangential;
+use super::holding::Holding;
 use super::modes::{Mode, modes};
 use super::velocity::{Held, Local, Nearest};
 

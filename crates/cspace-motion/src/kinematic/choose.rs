@@ -14,7 +14,8 @@ use crate::system::{Law, Row, System};
 use super::balance::Closed;
 use super::check::goes_on;
 use super::flow::{Arrived, Flow};
-use super::friction::{Holding, cones, friction, states};
+use super::friction::{cones, states};
+use super::holding::{Holding, friction};
 use super::velocity::{Held, Local, Nearest};
 
 /// With more contacts than that, all of them and all but one are tried: sets of them would be too many.

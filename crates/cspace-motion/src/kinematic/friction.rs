@@ -7,6 +7,7 @@ use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
+use super::holding::{friction, grip, sliding};
 use super::velocity::Held;
 
 /// A force outside its cone of friction by no more than this share of all forces is inside: rounding.
@@ -17,84 +18,6 @@ const BACKWARDS: f64 = 1e-10;
 const MOST_CONTACTS: usize = 5;
 /// Of more contacts, so many may change what they do at once.
 const MOST_CHANGES: usize = 2;
-
-/// What holds: functions that do not change, and along what each of them pushes.
-#[derive(Debug, Clone)]
-pub(crate) struct Holding {
-    /// Of the bounds, then the rates of sliding of those that stick.
-    pub(super) rows: Vec<Row>,
-    /// Along what they push; their own gradients if it is not told.
-    pub(super) along: Option<Vec<Row>>,
-    /// The bounds that stick.
-    sticks: Vec<usize>,
-}
-
-impl Holding {
-    pub(super) fn of(system: &System, pairs: &Pairs, held: &[Bound], q: &[f64]) -> Self {
-        let rows = held.iter().map(|b| b.function(system, pairs, q));
-        let mut rows: Vec<Row> = rows.collect();
-        let (mut along, mut sticks) = (rows.clone(), Vec::new());
-        for (i, bound) in held.iter().enumerate() {
-            match sliding(system, pairs, bound, q) {
-                Some((Grip::Sticks, _, rate)) => {
-                    sticks.push(i);
-                    rows.push(rate);
-                    along.push(rate);
-                }
-                Some((Grip::Slides { forward }, friction, rate)) => {
-                    along[i] = rows[i].plus(if forward { -friction } else { friction }, &rate);
-                }
-                _ => {}
-            }
-        }
-        let rubs = held.iter().any(|b| grip(b) != Grip::Smooth);
-        Self {
-            rows,
-            along: rubs.then_some(along),
-            sticks,
-        }
-    }
-
-    /// Along what everything pushes.
-    pub(super) fn pushes(&self) -> &[Row] {
-        self.along.as_ref().unwrap_or(&self.rows)
-    }
-
-    /// The bound of a row.
-    pub(super) fn bound(&self, row: usize) -> usize {
-        let bounds = self.rows.len() - self.sticks.len();
-        match row.checked_sub(bounds) {
-            Some(k) => self.sticks[k],
-            None => row,
-        }
-    }
-}
-
-/// What friction does at a bound.
-pub(super) fn grip(bound: &Bound) -> Grip {
-    match bound {
-        Bound::Contact(touch) => touch.grip,
-        Bound::Limit { .. } | Bound::Brake { .. } => Grip::Smooth,
-    }
-}
-
-/// The coefficient of friction of a bound.
-pub(super) fn friction(pairs: &Pairs, bound: &Bound) -> f64 {
-    match bound {
-        Bound::Contact(touch) => pairs.list()[touch.pair].friction,
-        Bound::Limit { .. } | Bound::Brake { .. } => 0.0,
-    }
-}
-
-fn sliding(system: &System, pairs: &Pairs, bound: &Bound, q: &[f64]) -> Option<(Grip, f64, Row)> {
-    match bound {
-        Bound::Contact(touch) if touch.grip != Grip::Smooth => {
-            let pair = &pairs.list()[touch.pair];
-            Some((touch.grip, pair.friction, pair.sliding(touch, system, q)))
-        }
-        _ => None,
-    }
-}
 
 /// Whether forces are within their cones of friction, and what slides goes on to do so.
 pub(super) fn agrees(

@@ -8,6 +8,7 @@ mod events;
 mod flow;
 mod foreseen;
 mod friction;
+mod holding;
 mod locate;
 mod modes;
 mod rest;

@@ -11,7 +11,7 @@ use crate::system::{Law, System};
 
 use super::balance::Closed;
 use super::flow::Flow;
-use super::friction::friction;
+use super::holding::friction;
 use super::rest::Settling;
 use super::run::{Run, State, Stop, moment};
 use super::velocity::Local;

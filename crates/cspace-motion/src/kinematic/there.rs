@@ -6,7 +6,7 @@ use crate::pairs::Pairs;
 use crate::system::{Law, Row, System};
 
 use super::balance::Closed;
-use super::friction::Holding;
+use super::holding::Holding;
 use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.

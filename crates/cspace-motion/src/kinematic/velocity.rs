@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use crate::linear::{Cholesky, Pushing, Rows, dot, length, nonnegative};
 use crate::system::{Law, Row, System};
 
-use super::friction::Holding;
+use super::holding::Holding;
 
 /// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
 /// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
