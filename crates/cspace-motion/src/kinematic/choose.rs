@@ -57,15 +57,29 @@ pub(crate) fn choose<'a>(
     q: &[f64],
     longest: f64,
 ) -> Choice<'a> {
+    let Some(local) = Local::at(system, q, time) else {
+        return Choice::Undetermined;
+    };
+    if local.is_stuck() {
+        return Choice::Jammed(Vec::new());
+    }
     let brakes = brakes(system, q);
     let bounds: Vec<Bound> = bounds.iter().filter(|b| !b.is_brake()).copied().collect();
     let rubs = bounds.iter().any(|b| friction(pairs, b) > 0.0);
     let choice = |brakes: &[Bound]| {
         if rubs {
-            return rubbing(system, pairs, [&bounds, brakes, before], time, q, longest);
+            return rubbing(
+                system,
+                pairs,
+                &local,
+                [&bounds, brakes, before],
+                time,
+                q,
+                longest,
+            );
         }
         let bounds = [&bounds[..], brakes].concat();
-        among(system, pairs, &bounds, time, q, longest)
+        among(system, pairs, &local, &bounds, time, q, longest)
     };
     if !brakes.is_empty() {
         let choice = choice(&brakes);
@@ -80,21 +94,16 @@ pub(crate) fn choose<'a>(
 fn rubbing<'a>(
     system: &'a System,
     pairs: &'a Pairs,
+    local: &Local<'a>,
     [bounds, brakes, before]: [&[Bound]; 3],
     time: f64,
     q: &[f64],
     longest: f64,
 ) -> Choice<'a> {
-    let Some(local) = Local::at(system, q, time) else {
-        return Choice::Undetermined;
-    };
-    if local.is_stuck() {
-        return Choice::Jammed(Vec::new());
-    }
     let states = states(pairs, bounds, before).into_iter();
     let possible: Vec<Vec<Bound>> = states
         .map(|state| [&state, brakes].concat())
-        .filter(|held| is_possible(system, pairs, held, &local, q))
+        .filter(|held| is_possible(system, pairs, held, local, q))
         .collect();
     for scale in TRIALS {
         for held in &possible {
@@ -155,17 +164,12 @@ fn is_possible(
 fn among<'a>(
     system: &'a System,
     pairs: &'a Pairs,
+    local: &Local<'a>,
     bounds: &[Bound],
     time: f64,
     q: &[f64],
     longest: f64,
 ) -> Choice<'a> {
-    let Some(local) = Local::at(system, q, time) else {
-        return Choice::Undetermined;
-    };
-    if local.is_stuck() {
-        return Choice::Jammed(Vec::new());
-    }
     let rows: Vec<Row> = bounds
         .iter()
         .map(|b| b.function(system, pairs, q))
@@ -223,7 +227,7 @@ fn among<'a>(
                         bounds: &bounds,
                         q,
                     };
-                    closed.nearest(&local)
+                    closed.nearest(local)
                 }
             };
             if let Some(Nearest::Held { held, distance }) = nearest {

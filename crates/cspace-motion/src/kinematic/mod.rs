@@ -4,6 +4,7 @@ mod balance;
 mod between;
 mod check;
 mod choose;
+mod ending;
 mod events;
 mod flow;
 mod foreseen;

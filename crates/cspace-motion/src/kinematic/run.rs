@@ -1,8 +1,8 @@
 //! From event to event.
 
-use crate::contact::{Bound, LONGEST, Watch, named, pinched, touching};
+use crate::contact::{Bound, LONGEST, Watch, pinched, touching};
 use crate::pairs::Pairs;
-use crate::record::{Event, EventKind, MOST_TRACED, Obstacle, Record, Sample, Status};
+use crate::record::{MOST_TRACED, Record, Sample, Status};
 use crate::system::System;
 
 use super::check::{goes_on, step};
@@ -50,13 +50,13 @@ pub(super) struct Run<'a> {
     pub(super) record: Record,
     pub(super) told: Told,
     /// Why the motion cannot be followed, if that has nothing to do with contacts.
-    gave_up: Option<&'static str>,
+    pub(super) gave_up: Option<&'static str>,
     /// The rates of all coordinates at the last step.
     pub(super) rates: Vec<f64>,
     /// Where parts are on their way to a balance of forces.
     pub(super) settling: Option<Settling<'a>>,
     /// Where it was when the user wanted no more.
-    interrupted: Option<(f64, Vec<f64>)>,
+    pub(super) interrupted: Option<(f64, Vec<f64>)>,
 }
 
 /// The times of samples.
@@ -206,26 +206,6 @@ impl<'a> Run<'a> {
             }
         }
         Some(Stop::Over)
-    }
-
-    /// The record of a simulation that does not go on.
-    pub(super) fn stopped(mut self, state: State, stop: Stop) -> Record {
-        let State { time, q, .. } = state;
-        match stop {
-            Stop::Over => self.record.until = self.duration,
-            Stop::Jammed(obstacles) => self.jammed(time, &q, obstacles),
-            Stop::Undetermined(bounds) => self.undetermined(time, &q, &bounds),
-        }
-        self.record
-    }
-
-    /// The record of a simulation of which the user wants no more.
-    pub(super) fn stopped_short(mut self, state: State) -> Record {
-        let (time, q) = self.interrupted.take().unwrap_or((state.time, state.q));
-        let still = vec![0.0; q.len()];
-        self.record.trace.push(moment(time, &q, still));
-        self.end(time, &q, Status::Interrupted, None);
-        self.record
     }
 
     fn is_settled(&self) -> bool {
@@ -402,69 +382,6 @@ impl<'a> Run<'a> {
                 forces,
             });
         }
-    }
-
-    pub(super) fn end(&mut self, time: f64, q: &[f64], status: Status, reason: Option<String>) {
-        self.record.until = time;
-        self.record.status = status;
-        self.record.reason = reason;
-        self.record.samples.retain(|s| s.t < time);
-        // They are those before.
-        let forces = (self.record.samples.last()).and_then(|s| s.forces.clone());
-        self.record.samples.push(Sample {
-            t: time,
-            coordinates: q.to_vec(),
-            rates: vec![0.0; q.len()],
-            forces,
-        });
-    }
-
-    fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {
-        let list: Vec<String> = obstacles.iter().map(|(b, _)| self.text(b)).collect();
-        let reason = if list.is_empty() {
-            "the drives contradict the joints".to_owned()
-        } else {
-            format!("what is driven cannot go on: {}", list.join("; "))
-        };
-        self.record.obstacles = (obstacles.iter())
-            .map(|(bound, multiplier)| Obstacle {
-                what: named(self.system, self.pairs, bound),
-                multiplier: *multiplier,
-            })
-            .collect();
-        for (bound, _) in &obstacles {
-            let at = match bound {
-                Bound::Contact(touch) => {
-                    let pair = &self.pairs.list()[touch.pair];
-                    let at = pair.point(touch, self.system, q).ok();
-                    at.filter(|p| p.is_finite()).map(|p| [p.x, p.y])
-                }
-                Bound::Limit { .. } | Bound::Brake { .. } => None,
-            };
-            self.record.events.push(Event {
-                t: time,
-                kind: EventKind::Jam,
-                what: named(self.system, self.pairs, bound),
-                at,
-            });
-        }
-        self.end(time, q, Status::Jammed, Some(reason));
-    }
-
-    fn undetermined(&mut self, time: f64, q: &[f64], bounds: &[Bound]) {
-        let list: Vec<String> = bounds.iter().map(|b| self.text(b)).collect();
-        let reason = if let Some(why) = self.gave_up {
-            why.to_owned()
-        } else if list.is_empty() {
-            "a pair left the orientations of its space, or the metric is singular".to_owned()
-        } else {
-            format!("no set of these contacts leads on: {}", list.join("; "))
-        };
-        self.end(time, q, Status::Undetermined, Some(reason));
-    }
-
-    fn text(&self, bound: &Bound) -> String {
-        named(self.system, self.pairs, bound).to_string()
     }
 }
 
