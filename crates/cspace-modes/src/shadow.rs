@@ -122,9 +122,13 @@ impl Fields {
                 let (mut lower, mut upper) = (f64::INFINITY, f64::NEG_INFINITY);
                 for x in [a, 0.5 * (a + b), b] {
                     let (p, q) = at((x - by).clamp(lo, hi));
-                    (lower, upper) = (lower.min(p), upper.max(q));
+                    if p <= q {
+                        (lower, upper) = (lower.min(p), upper.max(q));
+                    }
                 }
-                self.mark_beside(j, k, (lower, upper));
+                if lower <= upper {
+                    self.mark_beside(j, k, (lower, upper));
+                }
             }
         }
     }
@@ -173,7 +177,6 @@ impl Shape<'_> {
                 }
             }
         }
-        let (a, b) = (self.q_at(lo, p), self.q_at(hi, p));
-        (a.0.min(b.0), a.1.max(b.1))
+        self.q_along((lo, hi), p)
     }
 }

@@ -57,19 +57,37 @@ impl Shape<'_> {
         self.column.plane.about(self.place, p, q)
     }
 
-    /// From where to where q goes at values of s and p.
+    /// From where to where q goes at values of s and p of the cell.
     pub(crate) fn q_at(&self, s: f64, p: f64) -> (f64, f64) {
+        let (lo, hi) = self.q_between(s, p);
+        (lo, hi.max(lo))
+    }
+
+    /// From where to where q goes at any values of s and p: nowhere if the first number is larger.
+    fn q_between(&self, s: f64, p: f64) -> (f64, f64) {
         let q = self.column.q.map(|q| q.at(s));
-        let x = p - TAU * f64::from(self.place.p_turns);
-        let gap = (self.column.plane.span(self.place.gap as usize))
-            .map(|g| g.turned(self.place.q_turns).at(x));
-        match (q, gap) {
-            (Some(q), Some(gap)) => {
-                let lo = q.0.max(gap.0);
-                (lo, q.1.min(gap.1).max(lo))
-            }
+        match (q, self.gap(p)) {
+            (Some(q), Some(gap)) => (q.0.max(gap.0), q.1.min(gap.1)),
             (Some(one), None) | (None, Some(one)) => one,
             (None, None) => (self.column.plane.y.lo, self.column.plane.y.hi),
+        }
+    }
+
+    /// The gap of the plane of p and q at a value of p.
+    fn gap(&self, p: f64) -> Option<(f64, f64)> {
+        let x = p - TAU * f64::from(self.place.p_turns);
+        let span = self.column.plane.span(self.place.gap as usize);
+        span.map(|g| g.turned(self.place.q_turns).at(x))
+    }
+
+    /// From where to where q goes at a value of p over some values of s, at the ends of which it may go nowhere: ends are monotone, so on the
+    /// way from there to where it goes somewhere they begin at an end of the gap.
+    pub(crate) fn q_along(&self, (from, to): (f64, f64), p: f64) -> (f64, f64) {
+        let (a, b) = (self.q_between(from, p), self.q_between(to, p));
+        let (lo, hi) = (a.0.min(b.0), a.1.max(b.1));
+        match self.gap(p) {
+            Some(gap) => (lo.max(gap.0), hi.min(gap.1)),
+            None => (lo, hi),
         }
     }
 

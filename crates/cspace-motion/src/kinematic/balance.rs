@@ -171,10 +171,10 @@ impl Closed<'_> {
             found.rates = local.rates(&found.y);
             found.speed = found.speed.max(length(&found.y));
         }
-        found.determined = found.rank + stiff().count() == found.y.len();
         let slips = !self.released().is_empty();
         let speed = if found.speed > 0.0 { found.speed } else { 1.0 };
         let holding = self.holding(self.q);
+        found.determined = holding.is_of_places() && found.rank + stiff().count() == found.y.len();
         for (k, push) in found.pushes.iter_mut().enumerate() {
             // A brake that slips withstands more than loads do.
             if balance.is_pressed(holding.bound(k)) && (!slips || push.abs() < FORCED * speed) {

@@ -101,16 +101,23 @@ fn rubbing<'a>(
     longest: f64,
 ) -> Choice<'a> {
     let states = states(pairs, bounds, before).into_iter();
-    let possible: Vec<Vec<Bound>> = states
-        .map(|state| [&state, brakes].concat())
-        .filter(|held| is_possible(system, pairs, held, local, q))
-        .collect();
-    for scale in TRIALS {
-        for held in &possible {
-            if let Some((flow, next)) = tries(system, pairs, held.clone(), time, q, scale, longest)
-            {
-                return Choice::On { flow, next };
+    let is_possible = |held: &Vec<Bound>| is_possible(system, pairs, held, local, q);
+    let goes_on = |held: &[Bound], scale: f64| {
+        let (flow, next) = tries(system, pairs, held.to_vec(), time, q, scale, longest)?;
+        Some(Choice::On { flow, next })
+    };
+    let mut possible: Vec<Vec<Bound>> = Vec::new();
+    for held in states.map(|state| [&state, brakes].concat()) {
+        if is_possible(&held) {
+            if let Some(choice) = goes_on(&held, TRIALS[0]) {
+                return choice;
             }
+            possible.push(held);
+        }
+    }
+    for scale in &TRIALS[1..] {
+        if let Some(choice) = possible.iter().find_map(|held| goes_on(held, *scale)) {
+            return choice;
         }
     }
     // What is driven cannot go on if forces within the cones of friction withstand it, however large they have to be.

@@ -14,8 +14,8 @@ use super::velocity::Held;
 const OUTSIDE: f64 = 1e-10;
 /// What slides the wrong way by no more than this share of the largest rate does not slide: rounding.
 const BACKWARDS: f64 = 1e-10;
-/// With no more contacts than that, all that they can do is tried.
-const MOST_CONTACTS: usize = 5;
+/// If bounds can do no more than that together, all of it is tried: six contacts with friction.
+const MOST_STATES: usize = 4096;
 /// Of more contacts, so many may change what they do at once.
 const MOST_CHANGES: usize = 2;
 
@@ -103,7 +103,8 @@ pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<V
     };
     let all: Vec<Vec<Option<Bound>>> = bounds.iter().map(choices).collect();
     let last = |bound: &Bound| before.iter().find(|b| b.is_same(bound)).copied();
-    let few = bounds.len() <= MOST_CONTACTS;
+    let count = all.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));
+    let few = count.is_some_and(|n| n <= MOST_STATES);
     // Each with how many differ from what held last.
     let mut states: Vec<(Vec<Bound>, usize)> = vec![(Vec::new(), 0)];
     for (bound, choices) in bounds.iter().zip(&all) {

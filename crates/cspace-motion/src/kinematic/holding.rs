@@ -41,6 +41,11 @@ impl Holding {
         }
     }
 
+    /// Whether where parts are tells where they can be: of what sticks only the rate is known.
+    pub(super) fn is_of_places(&self) -> bool {
+        self.sticks.is_empty()
+    }
+
     /// Along what everything pushes.
     pub(super) fn pushes(&self) -> &[Row] {
         self.along.as_ref().unwrap_or(&self.rows)

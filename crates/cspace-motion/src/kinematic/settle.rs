@@ -14,12 +14,16 @@ use super::flow::Flow;
 use super::holding::friction;
 use super::rest::Settling;
 use super::run::{Run, State, Stop, moment};
+use super::there::close;
 use super::velocity::Local;
 
 /// How long parts take to settle, in units of the time in which the forces at the beginning would move them by the mechanism's size.
 const DURATION: f64 = 1e6;
 /// What is slower by far than forces at the beginning would make it, as what friction nearly holds, is made faster by this.
 const RUSHES: [f64; 3] = [1.0, 1e5, 1e10];
+/// Where a balance ends forces may be in balance to rounding, as at the edge of a cone of friction: then drives are taken to where they are
+/// this much later, relative to the size of the mechanism.
+const LATER: f64 = 1e-8;
 /// Who stands on an edge is pushed by this, relative to the size of the mechanism, the first that leads on: an edge is left the more slowly the nearer.
 const NUDGES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-3];
 /// Parts go equally far if ways differ by no more than this share.
@@ -86,15 +90,35 @@ impl<'a> Run<'a> {
             s if s > 0.0 => (self.system.size() / s).log2().round().exp2(),
             _ => 1.0,
         };
-        for rush in RUSHES {
+        let driven: f64 = (self.system.drives().iter())
+            .map(|(i, _)| (local.rates(&local.free)[*i] * self.system.lengths()[*i]).abs())
+            .fold(0.0, f64::max);
+        let mut later = time + LATER * self.system.size() / driven;
+        if !later.is_finite() || later > self.duration {
+            later = time;
+        }
+        // First as it is; then with drives a little farther.
+        let first = core::iter::once((RUSHES[0], time));
+        let rest = RUSHES.iter().map(|&rush| (rush, later));
+        for (rush, at) in first.chain(rest.filter(|r| *r != (RUSHES[0], time))) {
             let scale = rush * scale;
-            let steady = self.system.settling(time, scale);
-            let starts = core::iter::once(q.to_vec()).chain(self.nudged(&steady, time, q));
+            let steady = self.system.settling(at, scale);
+            let mut begin = q.to_vec();
+            if at > time {
+                // What touches goes along.
+                let held = touching(self.system, self.pairs, q);
+                let room = 1e2 * LATER * self.system.size();
+                if close(&steady, self.pairs, &held, at, &mut begin, room).is_none() {
+                    continue;
+                }
+            }
+            let starts = core::iter::once(begin.clone()).chain(self.nudged(&steady, at, &begin));
             let mut slow = false;
             for start in starts {
-                match self.settled(&steady, time, start, scale * speed, progress)? {
+                let last = rush == RUSHES[RUSHES.len() - 1];
+                match self.settled(&steady, [time, at], start, (scale * speed, last), progress)? {
                     Settled::At(end)
-                        if self.system.moved(q, &end) <= STANDS * self.system.size() => {}
+                        if self.system.moved(&begin, &end) <= STANDS * self.system.size() => {}
                     Settled::Slow => slow = true,
                     other => return Some(other),
                 }
@@ -112,17 +136,21 @@ impl<'a> Run<'a> {
     fn settled(
         &mut self,
         steady: &System,
-        time: f64,
+        [time, at]: [f64; 2],
         start: Vec<f64>,
-        forced: f64,
+        (forced, last): (f64, bool),
         progress: &dyn Fn(f64) -> bool,
     ) -> Option<Settled> {
         let mut run = Run::new(steady, self.pairs, [0.0, DURATION], f64::INFINITY);
         run.told = self.told.clone();
-        run.settling = Some(Settling::new(self.system, time, forced));
+        run.settling = Some(Settling::new(self.system, at, forced));
         let begun = start.clone();
         let mut state = State::new(0.0, start);
         let stop = run.go(&mut state, &|_| progress(time / self.duration))?;
+        // What creeps is followed faster.
+        if run.gave_up.is_some() && !last {
+            return Some(Settled::Slow);
+        }
         let is_over = matches!(stop, Stop::Over);
         let over = run.settling.take();
         let told = core::mem::take(&mut run.told);

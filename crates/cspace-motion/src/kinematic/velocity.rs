@@ -228,7 +228,7 @@ impl<'a> Local<'a> {
             speed: length(&y).max(length(&self.free)),
             y,
             rank,
-            determined: rank == self.system.free().len(),
+            determined: holding.is_of_places() && rank == self.system.free().len(),
         })
     }
 

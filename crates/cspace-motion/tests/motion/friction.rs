@@ -145,6 +145,103 @@ length = 20
     }
 }
 
+/// A wheel that a load presses on a belt rolls with it, and a block lies on it: nothing slips, however the belt is driven.
+#[test]
+fn what_sticks_does_not_creep() {
+    let text = r#"
+friction = 0.4
+[[part]]
+name = "belt"
+motion = { type = "prismatic", direction = [1, 0] }
+loops = [[[-90, -1], [90, -1], [90, 0], [-90, 0]]]
+[[part]]
+name = "wheel"
+loops = [{ circle = 2, at = [0, 2] }]
+[[part]]
+name = "block"
+loops = [[[-22, 0], [-18, 0], [-18, 1], [-22, 1]]]
+[[part]]
+name = "carriage"
+motion = { type = "prismatic", direction = [0, 1] }
+loops = [{ circle = 0.5, at = [0, 30] }]
+[[joint]]
+parts = ["carriage", "wheel"]
+type = "revolute"
+at = [0, 2]
+[[load]]
+part = "wheel"
+force = [0, -10]
+at = [0, 2]
+[[load]]
+part = "block"
+force = [0, -10]
+[[drive]]
+part = "belt"
+table = [[0, 0], [1, 6], [2, 10], [3, 6], [4, -3]]
+"#;
+    let (_, record) = run(&read(text), 4.0, 0.05);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    for sample in &record.samples {
+        let [belt, _, _, turned, x, y, theta, ..] = sample.coordinates[..] else {
+            panic!("{:?}", sample.coordinates)
+        };
+        near("the wheel", turned, 0.5 * belt, 1e-10);
+        near("the block", x, belt, 1e-10);
+        assert!(y.abs() < 1e-10 && theta.abs() < 1e-10);
+    }
+    assert_eq!(times(&record, EventKind::Slip), [0.0; 0]);
+}
+
+/// A block on a table that tilts slides down to a lip as soon as it is beyond the angle of friction.
+#[test]
+fn a_block_slides_off_beyond_the_angle_of_friction() {
+    for friction in [0.1, 0.3, 0.4, 0.41, 0.5] {
+        let (_, record) = run(
+            &read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "table"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [[[-20, -1], [20, -1], [20, 0], [-15, 0], [-15, 2], [-20, 2]]]
+[[part]]
+name = "block"
+loops = [[[-2, 0], [2, 0], [2, 1], [-2, 1]]]
+[[load]]
+part = "block"
+force = [0, -10]
+[[drive]]
+part = "table"
+rate = "30deg"
+"#
+            )),
+            1.0,
+            0.01,
+        );
+        assert_eq!(
+            record.status,
+            Status::Done,
+            "{friction}: {:?}",
+            record.reason
+        );
+        let snaps = times(&record, EventKind::Snap);
+        let [snap] = snaps[..] else {
+            panic!("{friction}: {:?}", record.events)
+        };
+        near(
+            "when it slides",
+            snap,
+            f64::atan(friction) / (30.0_f64).to_radians(),
+            1e-7,
+        );
+        let last = &record.samples.last().unwrap().coordinates;
+        // The middle of its lower side is 13 down from the pivot.
+        let (sin, cos) = last[0].sin_cos();
+        near("where it lies, x", last[1], -13.0 * cos, 1e-9);
+        near("and y", last[2], -13.0 * sin, 1e-9);
+    }
+}
+
 /// A lever on a torsion spring is pushed along a ramp: N presses on its tip, μ N rubs against its sliding, and the spring balances both about
 /// the pivot; the drive bears their component along the way.
 #[test]

@@ -51,6 +51,9 @@ function freeOne({ kernel, weighted }: Subject, next: () => number): Configurati
   }
 }
 
+/** Farther away than any contact of the models (model unit). */
+const FAR = 1e4;
+
 const text = (t: Touch) => `${t.fixed}|${t.moving}`;
 
 test("the nearest features are those that cspace contacts lists first, and as far apart as the parts", { skip }, async (t) => {
@@ -90,10 +93,12 @@ test("where a part has slid to, what touches is what cspace contacts says", { sk
       const [a, b] = [mine.map(text).sort(), told.map((x) => x.features.join("|")).sort()];
       if (a.join(";") !== b.join(";") || a.length === 0) wrong.push(`${JSON.stringify(at)}: ${a.join("; ")}, not ${b.join("; ")}`);
     }
+    // Of parts that never meet there is nothing to ask.
+    const meets = asked > 0 || s.answer(freeOne(s, next), FAR).contacts.length > 0;
     all.push(
       t.test(s.title, (t) => {
         t.diagnostic(`${asked} asked, ${several} with several contacts`);
-        assert.ok(asked > 0);
+        assert.ok(asked > 0 || !meets);
         assert.deepEqual(wrong, []);
       }),
     );
