@@ -79,8 +79,10 @@ pub(crate) fn run(
         Ended::Jammed { contacts } => (
             Status::Jammed,
             Some(match scheme {
-                Scheme::Events => format!("what is driven cannot go on: {}", list(contacts)),
-                Scheme::Steps(_) => format!(
+                Scheme::Events if !bodies.system.drives().is_empty() => {
+                    format!("what is driven cannot go on: {}", list(contacts))
+                }
+                _ => format!(
                     "no impulses let what moves go on at these contacts: {}",
                     list(contacts)
                 ),
