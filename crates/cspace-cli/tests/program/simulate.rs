@@ -324,8 +324,8 @@ fn an_interrupted_motion_keeps_what_is_done() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("run.json");
     let out = path.to_str().unwrap();
-    let model = model("woodpecker");
-    let args = ["simulate", &model, "--time", "60", "-o", out];
+    let model = model("ratchet_mechanism");
+    let args = ["simulate", &model, "--time", "1000", "-o", out];
     let child = std::process::Command::new(env!("CARGO_BIN_EXE_cspace"))
         .args(args)
         .stderr(std::process::Stdio::piped())
