@@ -152,6 +152,11 @@ impl Closed<'_> {
     /// The velocity with which the balance is kept, while drives move; `None` if it is not stable.
     pub(super) fn follow(&self, local: &Local<'_>, held: Held) -> Option<Held> {
         let balance = self.balance(local).filter(|b| !b.is_lost())?;
+        self.keeping(&balance, local, held)
+    }
+
+    /// As [`follow`](Self::follow), of a balance that is known.
+    fn keeping(&self, balance: &Balance, local: &Local<'_>, held: Held) -> Option<Held> {
         let mut found = held;
         let stiff = || balance.modes.iter().filter(|m| balance.is_stiff(m));
         if stiff().next().is_some() {
@@ -225,7 +230,7 @@ impl Closed<'_> {
             return None;
         }
         let holding = Holding::of(self.system, self.pairs, self.bounds, self.q);
-        self.follow(local, local.held(&holding)?)
+        self.keeping(&balance, local, local.held(&holding)?)
     }
 
     /// The forces of contacts, joints and drives, at rates of all coordinates.
