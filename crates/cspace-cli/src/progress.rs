@@ -131,6 +131,10 @@ impl Progress for Bar {
         }
         Ok(())
     }
+
+    fn seconds(&self) -> f64 {
+        self.begin.elapsed().as_secs_f64()
+    }
 }
 
 fn name(stage: Stage) -> &'static str {

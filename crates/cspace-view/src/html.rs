@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::page::Page;
-use crate::scene::Scene;
+use crate::page::{Kernel, Page};
+use cspace_scene::Scene;
 
 /// Where a page is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +35,13 @@ impl Page {
         let scene = inline(&serde_json::to_string(scene)?);
         let [head, middle, between, tail] = &self.around;
         let (style, script) = (&self.style, &self.script);
+        // Data that the script reads: browsers run neither.
+        let kernel = self.kernel.map_or_else(String::new, |k| {
+            let Kernel { worker, packed } = k;
+            format!(
+                r#"<script type="text/plain" id="worker">{worker}</script><script type="text/plain" id="kernel">{packed}</script>"#
+            )
+        });
         Ok([
             head,
             policy,
@@ -46,6 +53,7 @@ impl Page {
             &scene,
             "</script>",
             between,
+            &kernel,
             "<script>",
             script,
             "</script>",
@@ -60,8 +68,13 @@ impl Page {
             Place::File => "",
             Place::Served => "; connect-src 'self'; frame-ancestors 'none'",
         };
+        // The worker's script is in the page, from where it becomes a blob.
+        let (compiles, works) = match self.kernel {
+            Some(_) => (" 'wasm-unsafe-eval'", "; worker-src blob:"),
+            None => ("", ""),
+        };
         format!(
-            "default-src 'none'; script-src 'sha256-{}'; style-src 'unsafe-inline'; img-src data: blob:; \
+            "default-src 'none'; script-src 'sha256-{}'{compiles}; style-src 'unsafe-inline'; img-src data: blob:{works}; \
              base-uri 'none'; form-action 'none'{asks}",
             self.hash
         )

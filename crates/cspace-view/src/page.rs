@@ -12,6 +12,8 @@ const DRAWING: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.htm
 const STYLE: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/style.css"));
 const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
 const DRAWING_SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.js"));
+const WORKER: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/worker.js"));
+const KERNEL: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/kernel.txt"));
 
 /// Where a page's style, scene and script go.
 const PLACES: [&str; 3] = ["<!--style-->", "<!--scene-->", "<!--script-->"];
@@ -25,6 +27,17 @@ pub struct Page {
     pub(crate) script: String,
     /// The hash of the script, by which a policy allows it and no other.
     pub(crate) hash: String,
+    /// What the script computes with.
+    pub(crate) kernel: Option<Kernel>,
+}
+
+/// The kernel in a page.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kernel {
+    /// The script of the worker that computes.
+    pub(crate) worker: &'static str,
+    /// The WebAssembly, compressed by gzip, in base 64.
+    pub(crate) packed: &'static str,
 }
 
 /// The pages that a server of a drawing has.
@@ -67,7 +80,7 @@ impl PageError {
     pub const fn help(&self) -> &'static str {
         match self {
             Self::NotBundled { .. } => {
-                "build again, with Node 20 or later and npm installed and without CSPACE_PAGE=skip"
+                "install what is missing (Node 20 or later with npm; a compiler for WebAssembly), then build again, without CSPACE_PAGE=skip"
             }
             _ => "change the page's sources, then build again",
         }
@@ -96,7 +109,13 @@ impl Page {
         if !REASON.is_empty() {
             return Err(PageError::NotBundled { reason: REASON });
         }
-        Self::new(INDEX, STYLE, SCRIPT)
+        let mut page = Self::new(INDEX, STYLE, SCRIPT)?;
+        check_ends("script of the worker", WORKER, SCRIPT_ENDS)?;
+        page.kernel = Some(Kernel {
+            worker: WORKER,
+            packed: KERNEL,
+        });
+        Ok(page)
     }
 
     /// A page of an HTML template, with one place each for style, scene and script, of a style and a script.
@@ -104,16 +123,8 @@ impl Page {
     /// # Errors
     /// If the template has no such places, or style or script cannot stand in it.
     pub fn new(template: &str, style: &str, script: &str) -> Result<Self, PageError> {
-        let ends = [
-            ("style", style, "</style"),
-            ("script", script, "</script"),
-            ("script", script, "<!--"),
-        ];
-        for (what, source, text) in ends {
-            if source.to_ascii_lowercase().contains(text) {
-                return Err(PageError::Ends { what, text });
-            }
-        }
+        check_ends("style", style, &["</style"])?;
+        check_ends("script", script, SCRIPT_ENDS)?;
         let mut rest = template;
         let mut around = [const { String::new() }; 4];
         for (place, before) in PLACES.into_iter().zip(&mut around) {
@@ -132,6 +143,19 @@ impl Page {
             style: style.to_owned(),
             script: script.to_owned(),
             hash: BASE64_STANDARD.encode(Sha256::digest(script)),
+            kernel: None,
         })
+    }
+}
+
+/// Where a browser takes a script to end, or to go on otherwise than it is written.
+const SCRIPT_ENDS: &[&str] = &["</script", "<!--"];
+
+/// That nothing in a source ends the element it stands in.
+fn check_ends(what: &'static str, source: &str, ends: &[&'static str]) -> Result<(), PageError> {
+    let source = source.to_ascii_lowercase();
+    match ends.iter().find(|&&text| source.contains(text)) {
+        Some(text) => Err(PageError::Ends { what, text }),
+        None => Ok(()),
     }
 }

@@ -105,4 +105,8 @@ impl Progress for Deadline {
         }
         Ok(())
     }
+
+    fn seconds(&self) -> f64 {
+        self.begin.elapsed().as_secs_f64()
+    }
 }

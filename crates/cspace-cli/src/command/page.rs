@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use cspace::PairEntry;
-use cspace_view::{Opened, Page, PageError, Scene, ScenePair, SceneRecord};
+use cspace_scene::{Opened, ScenePair, SceneRecord};
+use cspace_view::{Page, PageError};
 
 use crate::args::ExportArgs;
 use crate::failure::Failure;
@@ -46,8 +47,8 @@ pub(super) fn file(args: &ExportArgs) -> Result<Vec<u8>, Failure> {
         known = computed(&chosen)?;
     }
     let entries = entries(&chosen);
-    let opened = opened(subject, entries, common.general);
-    let records = records(&args.with, &opened)?;
+    let mut opened = opened(subject, entries, common.general);
+    opened.records = records(&args.with, &opened)?;
     let pairs = match &opened.saved {
         Some(space) => {
             let pair = ScenePair::known(&opened.pairs[0], space, 0.0);
@@ -57,8 +58,7 @@ pub(super) fn file(args: &ExportArgs) -> Result<Vec<u8>, Failure> {
             .map(|(entry, pair)| pair.unwrap_or_else(|error| opened.unknown(entry).failed(error)))
             .collect(),
     };
-    let scene = Scene::of(&opened.model, pairs, records);
-    page.file(&scene)
+    page.file(&opened.scene_with(pairs))
         .map(String::into_bytes)
         .map_err(Failure::work)
 }

@@ -1,11 +1,17 @@
 /** Shows the scene that is in the page. */
 
+import { loadKernel } from "./kernel/load.js";
+import { textOf } from "./ui/dom.js";
 import { showFailure } from "./ui/message.js";
 import { openPage, readScene } from "./ui/page.js";
 
-try {
-  openPage(readScene());
-} catch (error) {
+const opened = async () => {
+  const scene = readScene();
+  await loadKernel(textOf("kernel"));
+  openPage(scene, textOf("worker"));
+};
+
+opened().catch((error: unknown) => {
   showFailure(error);
   throw error;
-}
+});

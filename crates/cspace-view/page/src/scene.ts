@@ -15,6 +15,17 @@ export interface Scene {
   pairs: ScenePair[];
   /** What `cspace plan` and `cspace simulate` print with `--format json`, to be played. */
   records: SceneRecord[];
+  /** What pairs are computed from again once parts are edited; null of a model that cannot be written. */
+  source: SceneSource | null;
+}
+
+/** A model, and which of its pairs are shown, in the order of the scene. */
+export interface SceneSource {
+  /** TOML. */
+  model: string;
+  pairs: { fixed: number; moving: number; window: [number, number] | null }[];
+  /** Whether the general method is used whatever the class. */
+  general: boolean;
 }
 
 export interface SceneVertex {
@@ -62,8 +73,8 @@ export interface ScenePair {
   /** Index of the part that moves in that frame. */
   moving: number;
   class: PairClass;
-  /** The configuration space as `cspace export -o OUT.json` writes it; null until it is asked of the server. */
-  space: PlanarSpace | AxesSpace | LowerSpace | null;
+  /** The configuration space as `cspace export -o OUT.json` writes it, for the kernel; null until it is computed. */
+  space: SavedSpace | LowerSpace | null;
   /** Why there is none, if it cannot be computed. */
   error: string | null;
   /** Lines, arcs and vertices that are not smooth joints, of both parts; and how often each repeats in a turn. */
@@ -77,7 +88,7 @@ export interface ScenePair {
   bands: [number, number][];
   /** Free regions in the order of their numbers. */
   regions: SceneRegion[];
-  /** What the server needed to compute it (s). */
+  /** How long it took to compute (s). */
   seconds: number;
 }
 
@@ -94,66 +105,9 @@ export interface SceneRecord {
   record: unknown;
 }
 
-// The saved spaces. `docs/*.schema.json` describe them; here is what the page uses.
-
-export interface FeatureNameData {
-  /** Printed as `line`, `convex arc`, `concave arc` and `vertex`: `convex arc 3 of loop 0`. */
-  kind: "line" | "convexarc" | "concavearc" | "vertex";
-  loop_index: number;
-  index: number;
-}
-
-/** p(θ) = u + R_θ w + (1 − R_{θ−rest}) arm. */
-export interface SpiralData {
-  u: Place;
-  w: Place;
-  swing?: { arm: Place; rest: number };
-}
-
-export type ContactFunctionData =
-  | { kind: "fixed-line"; normal: Place; through: SpiralData }
-  | { kind: "moving-line"; normal: Place; through: SpiralData }
-  | { kind: "circle"; center: SpiralData; radius: number }
-  | { kind: "flat-circle"; through: SpiralData; normal: Place; turns: boolean; radius: number };
-
-export type BoundaryData =
-  | { kind: "end"; spiral: SpiralData }
-  | { kind: "crossing"; with: ContactFunctionData; root: number };
-
-export interface PatchData {
-  fixed: FeatureNameData;
-  moving: FeatureNameData;
-  function: ContactFunctionData;
-  lo: number;
-  hi: number;
-  left: BoundaryData;
-  right: BoundaryData;
-  region: number;
-}
-
-/** The pair's frame: its origin is the fixed part's centre, and lengths in it are `scale` times those of the model. */
-export interface Frame {
-  fixed_center: Place;
-  moving_center: Place;
-  scale: number;
-}
-
-export interface PlanarSpace {
-  format: "contact-space";
-  version: number;
-  window: { lo: number; hi: number; full_turn: boolean };
-  frame: Frame;
-  critical_orientations: number[];
-  patches: PatchData[];
-  side_links: { before: number; after: number; lo: number; hi: number }[];
-  vertical_links: { lower: number; upper: number; theta: number }[];
-  free_regions: { unbounded: boolean; sample: { x: number; y: number; theta: number }; patches: number }[];
-  doubtful_orientations: [number, number][];
-}
-
-/** See `docs/fixed-axes-space.schema.json`; the kernel names the fields it reads. */
-export interface AxesSpace {
-  format: "fixed-axes-space";
+/** Of a saved space the page knows only which it is; `docs/*.schema.json` describe the fields. */
+export interface SavedSpace {
+  format: "contact-space" | "fixed-axes-space";
   version: number;
   [key: string]: unknown;
 }

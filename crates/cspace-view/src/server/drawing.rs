@@ -15,11 +15,25 @@ use serde::{Deserialize, Serialize};
 use super::ServeError;
 use super::reply::{Fault, json, of_type};
 use super::routes::{self, apart, html, nothing_here, parsed};
-use super::work::{Work, toml};
-use crate::drawing::{OpenedDrawing, PickedPart};
+use super::work::Work;
+use cspace_scene::{Opened, OpenedDrawing, PickedPart};
 use crate::html::Place;
-use crate::opened::Opened;
 use crate::page::{Page, Pages};
+
+/// A model as TOML, which is read back as it is.
+fn toml(model: &Mechanism) -> Result<Bytes, Fault> {
+    let text = cspace_io::model::to_toml(model);
+    match cspace_io::model::from_toml(&text, "model.toml") {
+        Ok(_) => Ok(text.into()),
+        Err(error) => {
+            let fault = Fault::senseless(error.to_string());
+            Err(match error.help() {
+                Some(help) => fault.help(help),
+                None => fault,
+            })
+        }
+    }
+}
 
 /// The path of the model's page, below the drawing's.
 const OPENED: &str = "opened/";

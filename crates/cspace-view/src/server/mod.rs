@@ -7,7 +7,6 @@
 mod connections;
 mod drawing;
 mod guard;
-mod newest;
 mod reply;
 mod routes;
 mod work;
@@ -19,8 +18,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use axum::Router;
 use cspace_drawing::DrawingError;
 
-use crate::drawing::OpenedDrawing;
-use crate::opened::Opened;
+use cspace_scene::{Opened, OpenedDrawing};
 use crate::page::{Page, Pages};
 use work::Work;
 

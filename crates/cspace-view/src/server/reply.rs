@@ -40,11 +40,6 @@ impl Fault {
         Self::new(StatusCode::UNPROCESSABLE_ENTITY, error)
     }
 
-    /// Nobody wants the answer any more.
-    pub(super) fn superseded() -> Self {
-        Self::new(StatusCode::CONFLICT, "a newer edit came")
-    }
-
     /// The program is wrong.
     pub(super) fn internal(error: impl core::fmt::Display) -> Self {
         Self::new(StatusCode::INTERNAL_SERVER_ERROR, error.to_string())

@@ -1,7 +1,6 @@
 //! The routes. All are below the token; nothing else is there.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use axum::Router;
 use axum::body::{Bytes, to_bytes};
@@ -10,7 +9,7 @@ use axum::extract::{Path, Request, State};
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::from_fn_with_state;
 use axum::response::Response;
-use axum::routing::{get, post};
+use axum::routing::get;
 use serde::de::DeserializeOwned;
 use tokio::task::spawn_blocking;
 use tokio::time::timeout;
@@ -18,7 +17,7 @@ use tokio::time::timeout;
 use super::connections::PATIENCE;
 use super::guard::{Names, guard};
 use super::reply::{Fault, json, of_type};
-use super::work::{EditRequest, ModelRequest, Work};
+use super::work::Work;
 
 /// The longest body read, in bytes: some hundred thousand vertices.
 const LONGEST_BODY: usize = 8 << 20;
@@ -30,9 +29,7 @@ pub(super) fn router(base: &str, work: Work) -> Router {
     let at = |path: &str| format!("{base}{path}");
     let router = Router::new()
         .route(&at(""), get(page))
-        .route(&at("pair/{index}"), get(pair))
-        .route(&at("edit"), post(edit))
-        .route(&at("model"), post(model));
+        .route(&at("pair/{index}"), get(pair));
     complete(router, work)
 }
 
@@ -61,7 +58,6 @@ pub(super) fn nothing_here() -> Fault {
 }
 
 async fn page(State(work): Shared) -> Response {
-    work.newest.forget();
     html(work.page.clone(), &work.policy)
 }
 
@@ -86,22 +82,6 @@ async fn pair(
         .ok_or_else(nothing_here)?;
     let found = apart(move || Ok(work.pair(index))).await?;
     found.map(json).ok_or_else(nothing_here)
-}
-
-async fn edit(State(work): Shared, request: Request) -> Result<Response, Fault> {
-    let begin = Instant::now();
-    let edit: EditRequest = parsed(request).await?;
-    let ticket = work.newest.begin(&edit.session, edit.sequence);
-    let ticket = ticket.ok_or_else(Fault::superseded)?;
-    apart(move || work.edit(&edit, &ticket, begin))
-        .await
-        .map(json)
-}
-
-async fn model(State(work): Shared, request: Request) -> Result<Response, Fault> {
-    let wanted: ModelRequest = parsed(request).await?;
-    let text = apart(move || work.model(&wanted)).await?;
-    Ok(of_type("application/toml; charset=utf-8", text))
 }
 
 /// Does what may take long on a thread of its own.

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use cspace::{Classification, Configuration, Coordinates, Mechanism, Part, PartEntry};
 use cspace_io::SavedFile;
-use cspace_view::{Opened, Page, Server};
+use cspace_scene::Opened;
+use cspace_view::{Page, Server};
 use serde_json::{Value, json};
 
 pub(crate) const TEMPLATE: &str =
@@ -146,30 +147,4 @@ impl Client {
             &body.to_string(),
         )
     }
-
-    /// An edit of the pair of table and coin.
-    pub(crate) fn edit(&self, sequence: u64, parts: &[Value]) -> Answer {
-        self.post(
-            "edit",
-            &json!({ "sequence": sequence, "pair": 0, "parts": parts }),
-        )
-    }
-}
-
-/// A coin of this radius, and how much it is grown.
-pub(crate) fn coin(radius: f64, offset: f64) -> Value {
-    let vertex = |x: f64| json!({ "x": x, "y": 0.0, "bulge": 1.0 });
-    json!({
-        "index": 1,
-        "loops": [[vertex(-radius), vertex(radius)]],
-        "motion": { "type": "planar" },
-        "offset": offset,
-    })
-}
-
-/// What a pair's space says of the moving part at (x, 0, 0).
-pub(crate) fn class_at(pair: &Value, x: f64) -> Classification {
-    let file = SavedFile::from_json(&pair["space"].to_string(), "space.json").unwrap();
-    let at = Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
-    file.space.classify(at).unwrap()
 }

@@ -2,7 +2,8 @@
 
 use cspace::Classification;
 use cspace_drawing::{Format, Settings, Source, from_bytes};
-use cspace_view::{OpenedDrawing, Pages, Server};
+use cspace_scene::OpenedDrawing;
+use cspace_view::{Pages, Server};
 use serde_json::{Value, json};
 
 use crate::client::{Answer, Client, class_at, page};
@@ -139,4 +140,32 @@ fn the_model_is_opened_below_the_drawing() {
     }
     let delete = client.ask("DELETE", &format!("{}opened/", client.root), "", "");
     delete.fails(405, &["method"]);
+}
+
+#[test]
+fn long_bodies_are_not_read() {
+    const LIMIT: usize = 8 << 20;
+    let client = client();
+    for path in ["open", "model"] {
+        let path = format!("{}{path}", client.root);
+        let answer = client.ask("POST", &path, "", &" ".repeat(LIMIT + 1));
+        answer.fails(413, &["more than"]);
+        client
+            .ask("POST", &path, "", &" ".repeat(LIMIT))
+            .fails(400, &[]);
+        // A length that is only promised is not waited for.
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: localhost:{}\r\nContent-Length: 99999999999\r\n\r\n",
+            client.port
+        );
+        client.send(head.as_bytes()).fails(413, &[]);
+        // Nor is one without a length.
+        let chunk = format!("100000\r\n{}\r\n", " ".repeat(1 << 20));
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: localhost:{}\r\nConnection: close\r\nTransfer-Encoding: chunked\r\n\r\n",
+            client.port
+        );
+        let request = head + &chunk.repeat(9) + "0\r\n\r\n";
+        client.send(request.as_bytes()).fails(413, &[]);
+    }
 }

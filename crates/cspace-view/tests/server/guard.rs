@@ -126,12 +126,12 @@ fn every_answer_says_how_it_may_be_used() {
         client.get(""),
         client.get("pair/0"),
         client.get("nowhere"),
-        client.post("edit", &1.into()),
+        client.post("pair/0", &1.into()),
         refused,
     ];
     assert_eq!(
         answers.each_ref().map(|a| a.status),
-        [200, 200, 404, 400, 403]
+        [200, 200, 404, 405, 403]
     );
     for answer in &answers {
         assert_eq!(answer.header("cache-control"), Some("no-store"));

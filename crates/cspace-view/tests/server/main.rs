@@ -3,6 +3,5 @@
 
 mod client;
 mod drawing;
-mod edits;
 mod guard;
 mod routes;

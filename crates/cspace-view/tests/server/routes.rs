@@ -1,7 +1,8 @@
 //! What is there, and what is not.
 
 use cspace::Classification;
-use cspace_view::{Opened, ServeError, Server};
+use cspace_scene::Opened;
+use cspace_view::{ServeError, Server};
 use serde_json::Value;
 
 use crate::client::{Client, class_at, mechanism, page};
@@ -76,6 +77,8 @@ fn nothing_else_is_there() {
         "pair/..%2f..%2fetc%2fpasswd",
         "file:///etc/passwd",
         "health",
+        "edit",
+        "model",
     ] {
         client.get(path).fails(404, &["nothing here"]);
     }
@@ -87,8 +90,6 @@ fn other_methods_are_refused() {
     for (path, methods) in [
         ("", &["POST", "PUT", "DELETE", "PATCH", "OPTIONS"][..]),
         ("pair/0", &["POST", "PUT", "DELETE", "OPTIONS"]),
-        ("edit", &["GET", "PUT", "DELETE", "OPTIONS"]),
-        ("model", &["GET", "PUT", "DELETE", "OPTIONS"]),
     ] {
         for method in methods {
             let answer = client.ask(method, &format!("{}{path}", client.root), "", "");

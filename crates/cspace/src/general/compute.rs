@@ -1,7 +1,6 @@
 //! From two parts to their contact space.
 
 use core::f64::consts::TAU;
-use std::time::Instant;
 
 use crate::contact::{Exact, Geometry};
 use crate::parallel;
@@ -71,7 +70,7 @@ impl ContactSpace {
             moving,
             window: checked_window(options.window)?,
             progress,
-            begin: Instant::now(),
+            begin: progress.seconds(),
         };
         parallel::within(|| computation.run(options.symmetry))
     }
@@ -109,7 +108,8 @@ struct Computation<'a> {
     moving: &'a Part,
     window: Option<(f64, f64)>,
     progress: &'a dyn Progress,
-    begin: Instant,
+    /// What the clock showed.
+    begin: f64,
 }
 
 impl Computation<'_> {
@@ -128,7 +128,7 @@ impl Computation<'_> {
     /// The contact space by a method; `None` if it divides circles that are touched.
     fn by(&self, method: Method) -> Result<Option<ContactSpace>, ComputeError> {
         let (fixed, moving) = (self.fixed, self.moving);
-        let mut clock = Clock::new();
+        let mut clock = Clock::new(self.progress);
         self.progress.stage(Stage::Sheets)?;
         let Plan {
             mut geometry,
@@ -161,7 +161,7 @@ impl Computation<'_> {
         geometry.contacts.sheets = Vec::new();
         let graph = linked.graph(&geometry.frame);
         seconds.graph = clock.lap();
-        seconds.total = self.begin.elapsed().as_secs_f64();
+        seconds.total = self.progress.seconds() - self.begin;
         let (more_fixed, more_moving) = names.added();
         let data = SpaceData {
             format: FORMAT.to_owned(),
@@ -189,17 +189,24 @@ impl Computation<'_> {
 }
 
 /// What takes the seconds of a stage.
-pub(crate) struct Clock(Instant);
+pub(crate) struct Clock<'a> {
+    progress: &'a dyn Progress,
+    /// What it showed at the last lap.
+    last: f64,
+}
 
-impl Clock {
-    pub(crate) fn new() -> Self {
-        Self(Instant::now())
+impl<'a> Clock<'a> {
+    pub(crate) fn new(progress: &'a dyn Progress) -> Self {
+        Self {
+            progress,
+            last: progress.seconds(),
+        }
     }
 
     /// Seconds since the last lap.
     fn lap(&mut self) -> f64 {
-        let last = core::mem::replace(&mut self.0, Instant::now());
-        self.0.duration_since(last).as_secs_f64()
+        let now = self.progress.seconds();
+        now - core::mem::replace(&mut self.last, now)
     }
 }
 
@@ -219,7 +226,7 @@ impl Stages<'_> {
     pub(crate) fn run(
         &self,
         seconds: &mut StageSeconds,
-        clock: &mut Clock,
+        clock: &mut Clock<'_>,
     ) -> Result<Option<(Linked, Statistics)>, ComputeError> {
         let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
         let (n, m) = self.edges;

@@ -145,7 +145,7 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
         edges: (0, 0),
         progress: &Silent,
     };
-    let linked = stages.run(&mut StageSeconds::default(), &mut Clock::new());
+    let linked = stages.run(&mut StageSeconds::default(), &mut Clock::new(&Silent));
     let Ok(Some((linked, _))) = linked else {
         let empty = Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
         return (empty, None);

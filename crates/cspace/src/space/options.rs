@@ -139,6 +139,12 @@ pub trait Progress: Sync {
     /// # Errors
     /// [`ComputeError::Interrupted`] if the user wants no more of it.
     fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
+
+    /// What a clock shows, in seconds since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences. The
+    /// library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
+    fn seconds(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Follows nothing: computations are neither shown nor stopped.

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use cspace_view::{OpenedDrawing, Pages, ServeError, Server};
+use cspace_scene::OpenedDrawing;
+use cspace_view::{Pages, ServeError, Server};
 
 use crate::args::ViewArgs;
 use crate::command::page;

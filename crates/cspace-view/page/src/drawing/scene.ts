@@ -1,7 +1,7 @@
 /** A drawing and its faces, as JSON. `docs/page.md` describes every field. Lengths are in the model's unit. */
 
 import type { Place, SceneVertex } from "../scene.js";
-import { sceneText } from "../ui/dom.js";
+import { textOf } from "../ui/dom.js";
 
 /** The version of the format that this page reads. */
 const DRAWING_VERSION = 1;
@@ -35,7 +35,7 @@ export interface SceneFace {
 
 /** The drawing in the page; throws what the user is to read. */
 export function readDrawing(): DrawingScene {
-  const scene = JSON.parse(sceneText()) as DrawingScene;
+  const scene = JSON.parse(textOf("scene")) as DrawingScene;
   if (scene.format !== "cspace-drawing") throw new Error("What is in this page is no drawing.");
   if (scene.version !== DRAWING_VERSION) throw new Error(`The drawing has version ${scene.version}, and this page reads version ${DRAWING_VERSION}.`);
   return scene;

@@ -1,6 +1,8 @@
-/** What the page asks of a pair's configuration space. All of it is answered in the page, in double precision. */
+/** What the page asks of a pair's configuration space. It is answered by the kernel, compiled to WebAssembly. */
 
-import type { PairClass } from "../scene.js";
+import type { AxisInfo, Classification, DrawnCurve, FreePolygon, PairClass, PatchInfo, PatchSurface, Touch } from "../../build/kernel/cspace.js";
+
+export type { AxisInfo, Classification, DrawnCurve, FreePolygon, PatchInfo, PatchKind, PatchSurface, Touch } from "../../build/kernel/cspace.js";
 
 export interface PlanarConfiguration {
   x: number;
@@ -14,41 +16,6 @@ export interface AxesConfiguration {
 }
 
 export type Configuration = PlanarConfiguration | AxesConfiguration;
-
-export type Classification = "free" | "blocked" | "contact";
-
-/** A feature pair that touches, or nearly. */
-export interface Touch {
-  /** As the command prints features: the model's name for it, or `line 3 of loop 0`. */
-  fixed: string;
-  moving: string;
-  /** How far they are apart (model unit); less than 0 by as much as they overlap. */
-  distance: number;
-  /** The fixed part's point of the two that are nearest to each other, in the fixed part's frame (planar), or in the assembly (fixed axes). */
-  at: [number, number];
-  /** The outward unit normal of the fixed part there, in the same frame. */
-  normal: [number, number];
-}
-
-export type PatchKind = "line-vertex" | "line-arc" | "arc-vertex" | "arc-arc";
-
-export interface PatchInfo {
-  fixed: string;
-  moving: string;
-  /** Kinds of the two features, whichever of them is the fixed part's. */
-  kind: PatchKind;
-  region: number | null;
-  /** First and last orientation of a planar patch. */
-  orientations: [number, number] | null;
-}
-
-/** A piece of a slice or of the (u, v) plane that bounds free space, as points close enough to draw. */
-export interface DrawnCurve {
-  patch: number;
-  region: number | null;
-  /** [x0, y0, x1, y1, ...] (or u, v), within the asked deviation of the curve. */
-  points: Float64Array;
-}
 
 /** Where a motion got to. */
 export interface Motion<C extends Configuration> {
@@ -96,18 +63,8 @@ export interface PlanarKernel extends Kernel<PlanarConfiguration> {
   slice(theta: number, deviation: number): DrawnCurve[];
   /** Bounds of all positions in contact (model unit). */
   bounds(): { lo: [number, number]; hi: [number, number] };
-  /**
-   * A patch as triangles, within a deviation (model unit and radians scaled by `perRadian`): positions (x, y, θ) and indices; θ runs
-   * from the patch's first to its last orientation and may pass π. Triangles face free space; `normals` are unit, with θ scaled by `perRadian`.
-   */
-  surface(patch: number, deviation: number, perRadian: number): { positions: Float32Array; normals: Float32Array; indices: Uint32Array };
-}
-
-/** A gap of the plane: free between two curves over an interval. */
-export interface FreePolygon {
-  region: number;
-  /** A closed polygon [u0, v0, u1, v1, ...]. */
-  points: Float64Array;
+  /** A patch as triangles, within a deviation (model unit and radians scaled by `perRadian`). */
+  surface(patch: number, deviation: number, perRadian: number): PatchSurface;
 }
 
 /** A pair with fixed axes. */
@@ -119,12 +76,4 @@ export interface AxesKernel extends Kernel<AxesConfiguration> {
   curves(deviation: number): DrawnCurve[];
   /** All free space of one period, as polygons that do not overlap. */
   free(deviation: number): FreePolygon[];
-}
-
-export interface AxisInfo {
-  kind: "still" | "angle" | "length";
-  lo: number;
-  hi: number;
-  /** Whether it repeats after a turn. */
-  round: boolean;
 }

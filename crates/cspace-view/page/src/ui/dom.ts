@@ -41,10 +41,10 @@ export function say(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** The JSON of what the page shows. */
-export function sceneText(): string {
-  const text = document.getElementById("scene")?.textContent;
-  if (!text) throw new Error("There is no scene in this page: it was not written by cspace.");
+/** The text of what the page was given under a name: its `scene`, its `kernel`, or the script of its `worker`. */
+export function textOf(id: string): string {
+  const text = document.getElementById(id)?.textContent;
+  if (!text) throw new Error(`There is no ${id} in this page: it was not written by cspace.`);
   return text;
 }
 

@@ -60,13 +60,13 @@ export class EditPanel {
     });
   }
 
-  #report({ seconds, total, roundTrip, changes, error }: EditReport): void {
+  #report({ seconds, roundTrip, changes, error }: EditReport): void {
     set(this.#said, { class: error ? "bad" : "" });
     if (error) say(this.#said, error);
     else {
-      const [space, server, all] = [seconds, total, roundTrip].map((s) => (s * 1000).toFixed(1));
-      this.#meter.value = total * 1000;
-      say(this.#time, `${server} ms of ${BUDGET} ms (space ${space} ms, answer after ${all} ms)`);
+      const [space, all] = [seconds, roundTrip].map((s) => (s * 1000).toFixed(0));
+      this.#meter.value = roundTrip * 1000;
+      say(this.#time, `${all} ms of ${BUDGET} ms (space ${space} ms)`);
       say(this.#said, changes);
       if (changes) say(byId("announce"), changes);
     }

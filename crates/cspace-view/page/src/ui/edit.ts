@@ -1,4 +1,4 @@
-/** Editing parts: vertices, arcs, pivots and clearances are dragged, and the server computes the pair's space again meanwhile. */
+/** Editing parts: vertices, arcs, pivots and clearances are dragged, and the pair's space is computed again meanwhile. */
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, ScenePart } from "../scene.js";
@@ -6,10 +6,10 @@ import { svg } from "./dom.js";
 import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, middleOf } from "./outline.js";
 import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
-import { ServerError } from "./server.js";
-import type { EditAnswer, PartEdit, Server } from "./server.js";
-import type { Session } from "./session.js";
+import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
+import { WorkError } from "./workshop.js";
+import type { EditAnswer, PartEdit, Workshop } from "./workshop.js";
 
 export type Handle =
   | { kind: "vertex"; part: number; loop: number; index: number }
@@ -17,15 +17,16 @@ export type Handle =
   | { kind: "pivot"; part: number };
 
 export interface EditReport {
-  /** Of the last answer: the space alone, all that the server did, and until it was here (s). */
+  /** Of the last answer: the space alone, and until it was here (s). */
   seconds: number;
-  total: number;
   roundTrip: number;
   /** Regions that opened or closed. */
   changes: string;
   error: string | null;
 }
 
+/** A computation that takes longer is ended once the shape has changed again (ms). */
+const PATIENCE = 1000;
 /** How near to a handle it is grabbed, in pixels. */
 const GRAB = 14;
 const HANDLE = 4.5;
@@ -39,19 +40,23 @@ export class Editor {
   onSelect: (() => void) | null = null;
   selected: Handle | null = null;
   readonly #session: Session;
-  readonly #server: Server;
+  readonly #workshop: Workshop;
+  /** Gets pairs of the model as it was opened. */
+  readonly #opener: Fetcher;
   /** The model as it was opened. */
   readonly #opened: readonly ScenePart[];
   #edited: Edited[];
   #undo: Edited[][] = [];
   #redo: Edited[][] = [];
   readonly #fetching = new Map<number, Promise<ScenePair>>();
-  #inFlight = false;
+  /** When the computation that is at work began (ms). */
+  #begun: number | null = null;
   #waiting = false;
 
-  constructor(session: Session, server: Server) {
+  constructor(session: Session, workshop: Workshop, opener: Fetcher) {
     this.#session = session;
-    this.#server = server;
+    this.#workshop = workshop;
+    this.#opener = opener;
     this.#opened = session.scene.parts;
     this.#edited = this.#opened.map(({ loops, motion }) => ({ loops, motion, offset: 0 }));
     session.fetcher = (pair) => {
@@ -86,14 +91,14 @@ export class Editor {
     for (;;) {
       const edited = this.#edited;
       const edits = this.#edits;
-      const answer = edits.length === 0 ? await this.#server.pair(pair) : await this.#server.editedPair(pair, edits);
+      const answer = edits.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
       // Parts that were edited meanwhile have another space.
       if (edited === this.#edited) return answer;
     }
   }
 
   async model(): Promise<string> {
-    return this.#server.model(this.#session.state.pair, this.#edits);
+    return this.#workshop.model(this.#edits);
   }
 
   undo(): void {
@@ -135,32 +140,34 @@ export class Editor {
   }
 
   #send(): void {
-    if (this.#inFlight) {
+    if (this.#begun !== null) {
       this.#waiting = true;
+      // What takes long is of a shape that is no longer drawn.
+      if (performance.now() - this.#begun > PATIENCE) this.#workshop.cancel();
       return;
     }
     void this.#request();
   }
 
   async #request(): Promise<void> {
-    this.#inFlight = true;
-    this.#waiting = false;
     const begin = performance.now();
+    this.#begun = begin;
+    this.#waiting = false;
     const index = this.#session.state.pair;
     const edited = this.#edited;
     const before = { pair: this.#session.pair, kernel: this.#session.kernel };
     try {
-      const answer = await this.#server.edit(index, this.#edits);
-      const seconds = { seconds: answer.seconds, total: answer.total_seconds, roundTrip: (performance.now() - begin) / 1000 };
+      const answer = await this.#workshop.edit(index, this.#edits);
+      const seconds = { seconds: answer.pair.seconds, roundTrip: (performance.now() - begin) / 1000 };
       this.#take(answer, index, edited);
       this.onReport?.({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
-      const superseded = error instanceof ServerError && error.superseded;
+      const superseded = error instanceof WorkError && error.cancelled;
       const text = error instanceof Error ? error.message : String(error);
       if (!superseded) this.#session.store.change({ outdated: true });
-      if (!superseded) this.onReport?.({ seconds: NaN, total: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
+      if (!superseded) this.onReport?.({ seconds: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
     }
-    this.#inFlight = false;
+    this.#begun = null;
     if (this.#waiting) void this.#request();
   }
 
@@ -279,7 +286,7 @@ export class Editor {
     const typed = (by: (e: Edited, value: number) => Edited | null) => (value: number) => {
       const next = by(e, value);
       if (!next) {
-        this.onReport?.({ seconds: NaN, total: NaN, roundTrip: NaN, changes: "", error: "no arc of this radius reaches from one end of the edge to the other" });
+        this.onReport?.({ seconds: NaN, roundTrip: NaN, changes: "", error: "no arc of this radius reaches from one end of the edge to the other" });
         return;
       }
       this.#remember();

@@ -4,7 +4,7 @@ import { SCENE_VERSION } from "../scene.js";
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, writeAddress } from "./address.js";
-import { byId, download, fileName, html, say, sceneText } from "./dom.js";
+import { byId, download, fileName, html, say, textOf } from "./dom.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
 import { makeHelp } from "./help.js";
@@ -17,7 +17,7 @@ import type { Pane } from "./pictures.js";
 import { PlaneView } from "./plane-view.js";
 import { Readout } from "./readout.js";
 import { pageInterface } from "./script.js";
-import { Server } from "./server.js";
+import { isServed, servedPair } from "./server.js";
 import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
@@ -26,20 +26,22 @@ import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
 import { Toolbar } from "./toolbar.js";
+import { Workshop } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
 const ADDRESS_DELAY = 250;
 /** The script's `ready` waits for the surface to be complete, but not longer than this (ms): the page can be used before. */
 const READY_DELAY = 1000;
 
-export function openPage(scene: Scene): void {
-  const served = Server.isThere();
+/** `worker` is the source text of the worker. */
+export function openPage(scene: Scene, worker: string): void {
   const address = readAddress(location.hash, scene);
-  const server = served ? new Server() : null;
-  const session = new Session(scene, address, server ? (pair) => server.pair(pair) : null);
+  const workshop = scene.source ? new Workshop(worker, scene.source) : null;
+  const fetcher = isServed() ? servedPair : workshop ? (pair: number) => workshop.pair(pair) : null;
+  const session = new Session(scene, address, fetcher);
   const { store } = session;
   applyTheme(store.state.theme);
-  const editor = server ? new Editor(session, server) : null;
+  const editor = workshop && fetcher ? new Editor(session, workshop, fetcher) : null;
 
   const partsView = new PartsView(byId("parts"), session, editor);
   const sliceView = new SliceView(byId("slice"), session);
@@ -224,7 +226,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
 
 /** The scene in the page; throws what the user is to read. */
 export function readScene(): Scene {
-  const scene = JSON.parse(sceneText()) as Scene;
+  const scene = JSON.parse(textOf("scene")) as Scene;
   if (scene.format !== "cspace-scene") throw new Error("What is in this page is no scene.");
   if (scene.version !== SCENE_VERSION) throw new Error(`The scene has version ${scene.version}, and this page reads version ${SCENE_VERSION}.`);
   return scene;

@@ -13,6 +13,7 @@ import type { Placement } from "./placement.js";
 import { ServerError } from "./server.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
+import { WorkError } from "./workshop.js";
 
 /** Fetches a pair with its space: from the server, of the model as it is edited. */
 export type Fetcher = (pair: number) => Promise<ScenePair>;
@@ -118,7 +119,7 @@ export class Session {
       return null;
     } catch (error) {
       const text = error instanceof Error ? error.message : String(error);
-      if (error instanceof ServerError && error.passing) return text;
+      if ((error instanceof ServerError && error.passing) || (error instanceof WorkError && error.cancelled)) return text;
       this.replacePair(index, { ...pair, error: text });
       return null;
     }

@@ -1,11 +1,16 @@
 /** The command that the kernel's answers are compared with. */
 
 import { spawnSync } from "node:child_process";
-import { existsSync, readdirSync } from "node:fs";
+import { existsSync, readFileSync, readdirSync } from "node:fs";
 import { join, resolve } from "node:path";
+import { use } from "../../src/kernel/load.js";
 
 /** The package's folder: the one with `package.json` from which tests are run. */
 const PACKAGE = resolve(process.cwd());
+
+/** The kernel that was compiled for the page. */
+const KERNEL = resolve(PACKAGE, "build/kernel/cspace_bg.wasm");
+if (existsSync(KERNEL)) use(new WebAssembly.Module(readFileSync(KERNEL)));
 
 export const MODELS = resolve(PACKAGE, "../../../models");
 

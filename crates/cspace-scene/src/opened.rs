@@ -1,0 +1,254 @@
+//! What a page shows: a model, or a saved space.
+
+use cspace::pair::Joint;
+use cspace::{
+    Axis, Mechanism, Options, PairClass, PairEntry, PairError, PairSpace, PartEntry, Progress,
+    Relation, Symmetry,
+};
+use cspace_io::{ModelError, SavedFile};
+use serde::Serialize;
+
+use crate::edit::{EditError, EditedPart, edited};
+use crate::scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
+
+/// A mechanism, and which of its pairs are shown.
+#[derive(Debug)]
+pub struct Opened {
+    /// The mechanism. Of a saved space it has its two parts, related as they are there.
+    pub model: Mechanism,
+    /// The pairs that are shown, in their windows.
+    pub pairs: Vec<PairEntry>,
+    /// Whether the general method is used whatever the class.
+    pub general: bool,
+    /// The space of the one pair, if it was read.
+    pub saved: Option<PairSpace>,
+    /// What is to be played.
+    pub records: Vec<SceneRecord>,
+}
+
+/// A pair of edited parts, and the parts.
+#[derive(Debug, Clone, Serialize)]
+pub struct EditAnswer {
+    /// The pair with its space.
+    pub pair: ScenePair,
+    /// The parts as they were edited, in the order in which they were given.
+    pub parts: Vec<ScenePart>,
+}
+
+/// Why an edited pair has no space.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum EditedPairError {
+    /// There is no such pair.
+    #[error("there is no pair {index}: there are {pairs}, counted from 0")]
+    NoPair {
+        /// The index.
+        index: usize,
+        /// Number of pairs.
+        pairs: usize,
+    },
+    /// The edited parts are none.
+    #[error(transparent)]
+    Edit(#[from] EditError),
+    /// The space cannot be computed.
+    #[error(transparent)]
+    Pair(#[from] PairError),
+    /// The model cannot be written.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// It cannot be written as JSON.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+impl Opened {
+    /// A model with these of its pairs.
+    pub fn model(model: Mechanism, pairs: Vec<PairEntry>, general: bool) -> Self {
+        Self {
+            model,
+            pairs,
+            general,
+            saved: None,
+            records: Vec::new(),
+        }
+    }
+
+    /// A saved space.
+    pub fn saved(file: SavedFile) -> Self {
+        let space = file.space;
+        let (fixed, moving) = (space.fixed(), space.moving());
+        let both = || format!("{} and {}", fixed.name(), moving.name());
+        let mut model = Mechanism::new(file.name.unwrap_or_else(both));
+        model.unit = file.unit;
+        let parts = [fixed, moving].map(Clone::clone);
+        model.parts = (parts.into_iter().zip(axes(&space)))
+            .map(|(part, axis)| PartEntry {
+                axis,
+                ..PartEntry::planar(part)
+            })
+            .collect();
+        if let PairSpace::Lower(pair) = &space {
+            model.joints.push(cspace::JointEntry {
+                joint: pair.joint(),
+                parts: (0, 1),
+            });
+        }
+        let window = match &space {
+            PairSpace::Planar(space) if !space.window().full_turn => {
+                let window = space.window();
+                Some((window.lo, window.hi))
+            }
+            _ => None,
+        };
+        let pair = PairEntry {
+            fixed: 0,
+            moving: 1,
+            window,
+        };
+        model.pairs = vec![pair];
+        Self {
+            model,
+            pairs: vec![pair],
+            // What was computed without symmetry is computed without it again.
+            general: space.class() == PairClass::General,
+            saved: Some(space),
+            records: Vec::new(),
+        }
+    }
+
+    /// What a scene says it was made of.
+    ///
+    /// # Errors
+    /// If the model is none.
+    pub fn from_source(source: &SceneSource) -> Result<Self, ModelError> {
+        let model = cspace_io::model::from_toml(&source.model, "the model of this page")?;
+        Ok(Self::model(model, source.pairs.clone(), source.general))
+    }
+
+    /// What the scene is made of, if the model can be written and read again.
+    fn source(&self) -> Option<SceneSource> {
+        let model = cspace_io::model::to_toml(&self.model);
+        cspace_io::model::from_toml(&model, "model.toml").ok()?;
+        Some(SceneSource {
+            model,
+            pairs: self.pairs.clone(),
+            general: self.general,
+        })
+    }
+
+    /// The scene, without the spaces of its pairs.
+    pub fn scene(&self) -> Scene {
+        self.scene_with(self.pairs.iter().map(|p| self.unknown(p)).collect())
+    }
+
+    /// The scene with these pairs, one for each that is shown.
+    pub fn scene_with(&self, pairs: Vec<ScenePair>) -> Scene {
+        Scene {
+            source: self.source(),
+            ..Scene::of(&self.model, pairs, self.records.clone())
+        }
+    }
+
+    /// A pair with its space, or why it has none; `clock` tells how long a computation took (seconds since anything).
+    pub fn pair(&self, index: usize, clock: &dyn Fn() -> f64, progress: &dyn Progress) -> Option<ScenePair> {
+        let entry = self.pairs.get(index)?;
+        let begin = clock();
+        let pair = match &self.saved {
+            Some(space) => ScenePair::known(entry, space, 0.0).map_err(|e| e.to_string()),
+            None => (self.compute(&self.model, entry, progress).map_err(|e| e.to_string())).and_then(|space| {
+                ScenePair::known(entry, &space, clock() - begin).map_err(|e| e.to_string())
+            }),
+        };
+        Some(pair.unwrap_or_else(|error| self.unknown(entry).failed(error)))
+    }
+
+    /// A pair after parts were edited; `clock` as for [`pair`](Self::pair).
+    ///
+    /// # Errors
+    /// If there is no such pair, the parts are none, or the space cannot be computed.
+    pub fn edited_pair(
+        &self,
+        index: usize,
+        parts: &[EditedPart],
+        clock: &dyn Fn() -> f64,
+        progress: &dyn Progress,
+    ) -> Result<EditAnswer, EditedPairError> {
+        let pairs = self.pairs.len();
+        let entry = self.pairs.get(index).ok_or(EditedPairError::NoPair { index, pairs })?;
+        let model = edited(&self.model, parts)?;
+        let begin = clock();
+        let space = self.compute(&model, entry, progress)?;
+        Ok(EditAnswer {
+            pair: ScenePair::known(entry, &space, clock() - begin)?,
+            parts: parts.iter().map(|p| ScenePart::of(&model.parts[p.index])).collect(),
+        })
+    }
+
+    /// A pair without its space.
+    pub fn unknown(&self, pair: &PairEntry) -> ScenePair {
+        let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &self.model.parts[i].part);
+        let class = match &self.saved {
+            Some(space) => space.class(),
+            None if self.general => PairClass::General,
+            None => self.model.pair_class(pair),
+        };
+        ScenePair::unknown(pair, class, fixed, moving)
+    }
+
+    /// The model with edited parts, as TOML that is read back as it is.
+    ///
+    /// # Errors
+    /// If the parts are none, or what was written is refused.
+    pub fn edited_model(&self, parts: &[EditedPart]) -> Result<String, EditedPairError> {
+        let text = cspace_io::model::to_toml(&edited(&self.model, parts)?);
+        cspace_io::model::from_toml(&text, "model.toml")?;
+        Ok(text)
+    }
+
+    /// Computes the space of a pair of a mechanism that has the same parts, perhaps with other outlines and motions.
+    fn compute(
+        &self,
+        model: &Mechanism,
+        pair: &PairEntry,
+        progress: &dyn Progress,
+    ) -> Result<PairSpace, PairError> {
+        let relation = if self.general {
+            Relation::Planar
+        } else {
+            model.relation(pair)
+        };
+        let options = Options {
+            window: pair.window,
+            symmetry: if self.general {
+                Symmetry::Ignore
+            } else {
+                Symmetry::Detect
+            },
+        };
+        let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &model.parts[i].part);
+        PairSpace::compute_with(fixed, moving, relation, &options, progress)
+    }
+}
+
+/// How the parts of a saved space move relative to the ground, as far as it says so.
+fn axes(space: &PairSpace) -> [Option<Axis>; 2] {
+    match space {
+        PairSpace::FixedAxes(space) => {
+            let (fixed, moving) = space.axes();
+            [Some(fixed), Some(moving)]
+        }
+        // The limits of a joint are those of axes.
+        PairSpace::Lower(pair) => {
+            let axis = match pair.joint() {
+                Joint::Revolute { at } => Axis::revolute(at),
+                Joint::Prismatic { direction, .. } => Axis::prismatic(direction),
+                Joint::Rigid => return [None; 2],
+            };
+            match pair.limits() {
+                Some((lo, hi)) => [Some(Axis::FIXED), Some(axis.within(lo, hi))],
+                None => [None; 2],
+            }
+        }
+        PairSpace::Planar(_) => [None; 2],
+    }
+}

@@ -1,0 +1,79 @@
+//! The scene: all that the page shows, as data. `page/src/scene.ts` has the same types, and `docs/page.md` describes them.
+
+mod joint;
+mod pair;
+mod part;
+
+pub use joint::{JointKind, SceneJoint};
+pub use pair::{Counts, ScenePair, SceneRegion};
+pub use part::{SceneMotion, ScenePart};
+
+use cspace::{Mechanism, PairEntry};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What `format` is.
+pub const FORMAT: &str = "cspace-scene";
+
+/// The version that is written.
+pub const VERSION: u32 = 1;
+
+/// All that a page shows. Angles are radians, lengths in the model's unit.
+#[derive(Debug, Clone, Serialize)]
+pub struct Scene {
+    /// Always [`FORMAT`].
+    pub format: &'static str,
+    /// Always [`VERSION`].
+    pub version: u32,
+    /// What the model is called.
+    pub name: String,
+    /// The label of the unit of length.
+    pub unit: Option<String>,
+    /// The parts.
+    pub parts: Vec<ScenePart>,
+    /// The permanent connections.
+    pub joints: Vec<SceneJoint>,
+    /// The pairs that are shown.
+    pub pairs: Vec<ScenePair>,
+    /// What is to be played.
+    pub records: Vec<SceneRecord>,
+    /// What the pairs are computed from again once parts are edited; none of a model that cannot be written.
+    pub source: Option<SceneSource>,
+}
+
+/// A model, and which of its pairs are shown: all that [`Opened`](crate::Opened) has but for spaces and records.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneSource {
+    /// The model as TOML, with all values as numbers.
+    pub model: String,
+    /// The pairs in the order of the scene, in their windows.
+    pub pairs: Vec<PairEntry>,
+    /// Whether the general method is used whatever the class.
+    pub general: bool,
+}
+
+/// What `cspace plan` or `cspace simulate` has printed as JSON.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneRecord {
+    /// What it is called: a file's name.
+    pub name: String,
+    /// The answer.
+    pub record: Value,
+}
+
+impl Scene {
+    /// The scene of a mechanism, with these of its pairs.
+    pub fn of(model: &Mechanism, pairs: Vec<ScenePair>, records: Vec<SceneRecord>) -> Self {
+        Self {
+            format: FORMAT,
+            version: VERSION,
+            name: model.name.clone(),
+            unit: model.unit.clone(),
+            parts: model.parts.iter().map(ScenePart::of).collect(),
+            joints: model.joints.iter().map(SceneJoint::of).collect(),
+            pairs,
+            records,
+            source: None,
+        }
+    }
+}

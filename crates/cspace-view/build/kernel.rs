@@ -1,0 +1,119 @@
+//! The kernel of the page: the crate `cspace-wasm`, compiled for WebAssembly by another run of cargo.
+
+use std::env;
+use std::error::Error;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use wasm_bindgen_cli_support::Bindgen;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// What the crate and what it depends on are made of, beside this crate's folder.
+const CRATES: [&str; 7] = [
+    "cspace",
+    "cspace-drawing",
+    "cspace-io",
+    "cspace-motion",
+    "cspace-plan",
+    "cspace-scene",
+    "cspace-wasm",
+];
+
+/// Where Debian's packages `rustc-web`, `cargo-web` and `lld` are: they compile for WebAssembly where rustup cannot be had.
+const SYSTEM: &str = "/usr/bin";
+
+/// What compiles for WebAssembly.
+enum Compiler {
+    /// That which compiles this, with the target's library.
+    Own,
+    /// The system's, which compiles the library too.
+    System,
+}
+
+/// Compiles the kernel; puts its JavaScript and its types in `glue`, and itself, compressed and as text, in `packed`.
+pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<dyn Error>> {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    for name in CRATES {
+        for part in ["src", "Cargo.toml"] {
+            println!("cargo:rerun-if-changed={}", crates.join(name).join(part).display());
+        }
+    }
+    if !crates.join("cspace-wasm").is_dir() {
+        return Err("the sources of the crate cspace-wasm are not beside those of this one".into());
+    }
+    let compiler = compiler().ok_or(
+        "there is no compiler for WebAssembly: run `rustup target add wasm32-unknown-unknown`, or on Debian \
+         `apt-get install rustc-web cargo-web rust-web-src lld`",
+    )?;
+    let compiled = compile(&compiler, &crates.join("cspace-wasm/Cargo.toml"), target)?;
+    let mut bindings = Bindgen::new();
+    let bindings = bindings.input_path(compiled).out_name("cspace").web(true)?;
+    let bindings = bindings.typescript(true).omit_default_module_path(true);
+    bindings.generate(glue).map_err(|e| format!("wasm-bindgen: {e}"))?;
+    let bytes = std::fs::read(glue.join("cspace_bg.wasm"))?;
+    let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
+    gzip.write_all(&bytes)?;
+    std::fs::write(packed, BASE64_STANDARD.encode(gzip.finish()?))?;
+    Ok(())
+}
+
+fn compiler() -> Option<Compiler> {
+    let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
+    let library = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output().ok()?;
+    if library.status.success() && Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
+        return Some(Compiler::Own);
+    }
+    let sysroot = Command::new(Path::new(SYSTEM).join("rustc")).args(["--print", "sysroot"]).output().ok()?;
+    let sources = Path::new(String::from_utf8_lossy(&sysroot.stdout).trim()).join("lib/rustlib/src/rust/library");
+    let has = |tool: &str| Path::new(SYSTEM).join(tool).exists();
+    (sources.is_dir() && has("cargo") && has("wasm-ld")).then_some(Compiler::System)
+}
+
+/// Compiles in a target folder of its own, and gives the path of what comes out.
+fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    let mut cargo = match compiler {
+        Compiler::Own => Command::new(env::var_os("CARGO").unwrap_or("cargo".into())),
+        Compiler::System => Command::new(Path::new(SYSTEM).join("cargo")),
+    };
+    // What this build was told is not meant for that one.
+    for (name, _) in env::vars_os() {
+        let told = name.to_string_lossy();
+        let kept = ["CARGO_HOME", "CARGO_NET_OFFLINE", "CARGO_HTTP_CAINFO"].contains(&&*told);
+        if !kept && ["CARGO_", "RUSTFLAGS", "RUSTC", "RUSTDOC", "CLIPPY"].iter().any(|p| told.starts_with(p)) {
+            if let Compiler::Own = compiler
+                && told == "RUSTC"
+            {
+                continue;
+            }
+            cargo.env_remove(&name);
+        }
+    }
+    if let Compiler::System = compiler {
+        let path = env::var("PATH").unwrap_or_default();
+        cargo.env("RUSTC", Path::new(SYSTEM).join("rustc"));
+        cargo.env("PATH", format!("{SYSTEM}:{path}"));
+        // The library is compiled along, which only compilers in development are allowed otherwise.
+        cargo.env("RUSTC_BOOTSTRAP", "1");
+        cargo.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", Path::new(SYSTEM).join("wasm-ld"));
+        cargo.arg("-Zbuild-std=std,panic_abort");
+    }
+    cargo.arg("build").arg("--manifest-path").arg(manifest);
+    cargo.args(["--profile", "wasm", "--target", TARGET, "--locked", "--quiet"]);
+    cargo.env("CARGO_TARGET_DIR", target);
+    let output = cargo.output().map_err(|e| format!("cargo cannot be run: {e}"))?;
+    if output.status.success() {
+        return Ok(target.join(TARGET).join("wasm/cspace_wasm.wasm"));
+    }
+    /// The last lines say what is wrong.
+    const LINES: usize = 12;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();
+    let said = said[said.len().saturating_sub(LINES)..].join("; ");
+    Err(format!("the kernel cannot be compiled for WebAssembly: {said}").into())
+}

@@ -1,0 +1,172 @@
+//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: nothing bundled is
+//! kept with the sources.
+//!
+//! Where that cannot be done the crate is built all the same, and the page's commands say what to install: all else of the
+//! project needs neither.
+
+mod kernel;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, fs};
+
+/// What the page is made of, files and folders in `page/`.
+const SOURCES: [&str; 8] = [
+    "package.json",
+    "package-lock.json",
+    ".npmrc",
+    "tsconfig.json",
+    "src",
+    "index.html",
+    "drawing.html",
+    "style.css",
+];
+
+/// What npm installs follows from these.
+const INSTALLED: [&str; 3] = ["package.json", "package-lock.json", ".npmrc"];
+
+/// What the library includes, from the page's folder in the build.
+const BUNDLE: [(&str, &str); 7] = [
+    ("index.html", "index.html"),
+    ("drawing.html", "drawing.html"),
+    ("style.css", "style.css"),
+    ("build/page.js", "page.js"),
+    ("build/drawing.js", "drawing.js"),
+    ("build/worker.js", "worker.js"),
+    ("build/kernel.txt", "kernel.txt"),
+];
+
+/// The oldest Node that the tools of the page run on.
+const OLDEST_NODE: u32 = 20;
+
+/// `skip` builds without the page.
+const SWITCH: &str = "CSPACE_PAGE";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let sources = PathBuf::from(variable("CARGO_MANIFEST_DIR")?).join("page");
+    let out = PathBuf::from(variable("OUT_DIR")?);
+    println!("cargo:rerun-if-env-changed={SWITCH}");
+    for name in SOURCES {
+        println!("cargo:rerun-if-changed={}", sources.join(name).display());
+    }
+    let bundle = out.join("bundle");
+    fs::create_dir_all(&bundle)?;
+    let reason = if env::var(SWITCH).is_ok_and(|v| v == "skip") {
+        Some(format!("{SWITCH}=skip was set"))
+    } else {
+        let made = make(&sources, &out.join("page"), &bundle);
+        made.err().map(|error| {
+            // It may be there when the crate is built the next time: a file that is not there is always newer.
+            println!("cargo:rerun-if-changed={}", out.join("always").display());
+            error.to_string()
+        })
+    };
+    if let Some(reason) = &reason {
+        for (_, name) in BUNDLE {
+            fs::write(bundle.join(name), "")?;
+        }
+        let line = reason.lines().collect::<Vec<_>>().join(" ");
+        println!("cargo:warning=built without the page: {line}");
+    }
+    fs::write(bundle.join("reason.txt"), reason.unwrap_or_default())?;
+    Ok(())
+}
+
+fn variable(name: &str) -> Result<String, Box<dyn Error>> {
+    env::var(name).map_err(|_| format!("{name} is not set").into())
+}
+
+/// Copies the sources to `work`, bundles them there, and puts what comes out in `bundle`.
+fn make(sources: &Path, work: &Path, bundle: &Path) -> Result<(), Box<dyn Error>> {
+    check_node()?;
+    fs::create_dir_all(work)?;
+    // What is no longer among the sources is not to be found.
+    let _ = fs::remove_dir_all(work.join("src"));
+    for name in SOURCES {
+        copy(&sources.join(name), &work.join(name))?;
+    }
+    let kernel = work.join("build/kernel");
+    fs::create_dir_all(&kernel)?;
+    let compiled = target(&env::var_os("OUT_DIR").unwrap_or_default().into()).join("wasm");
+    kernel::make(&compiled, &kernel, &work.join("build/kernel.txt"))?;
+    // The page's own tests run beside its sources, and take the kernel from there.
+    copy(&kernel, &compiled.join("kernel"))?;
+    install(work)?;
+    npm(work, &["run", "bundle"])?;
+    for (from, to) in BUNDLE {
+        fs::copy(work.join(from), bundle.join(to)).map_err(|e| format!("{from}: {e}"))?;
+    }
+    Ok(())
+}
+
+/// The folder of everything that cargo builds, of which `out` is four folders below.
+fn target(out: &PathBuf) -> PathBuf {
+    out.ancestors().nth(4).unwrap_or(out).to_owned()
+}
+
+fn check_node() -> Result<(), Box<dyn Error>> {
+    let output = Command::new("node").arg("--version").output();
+    let output = output.map_err(|e| format!("`node` cannot be run: {e}"))?;
+    let version = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+    let major = version.trim_start_matches('v').split('.').next();
+    match major.and_then(|m| m.parse::<u32>().ok()) {
+        Some(major) if major >= OLDEST_NODE => Ok(()),
+        _ => {
+            Err(format!("Node {OLDEST_NODE} or later is needed, and `node` is {version:?}").into())
+        }
+    }
+}
+
+/// Installs what the page needs, unless that was done for the same lists before.
+fn install(work: &Path) -> Result<(), Box<dyn Error>> {
+    let mut wanted = String::new();
+    for name in INSTALLED {
+        wanted += &fs::read_to_string(work.join(name)).map_err(|e| format!("{name}: {e}"))?;
+    }
+    let stamp = work.join("installed.txt");
+    let is_there = work.join("node_modules").is_dir();
+    if is_there && fs::read_to_string(&stamp).is_ok_and(|done| done == wanted) {
+        return Ok(());
+    }
+    // The tools are used as they were published: no script of theirs runs.
+    npm(
+        work,
+        &["ci", "--omit=dev", "--ignore-scripts", "--fetch-retries=1"],
+    )?;
+    fs::write(stamp, wanted)?;
+    Ok(())
+}
+
+fn npm(folder: &Path, arguments: &[&str]) -> Result<(), Box<dyn Error>> {
+    let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    let output = Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .map_err(|e| format!("`npm` cannot be run: {e}"))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    /// The first lines say what is wrong.
+    const LINES: usize = 8;
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();
+    let said = said[..said.len().min(LINES)].join("; ");
+    Err(format!("`npm {}` failed: {said}", arguments[0]).into())
+}
+
+/// Copies a file, or a folder with all that is in it.
+fn copy(from: &Path, to: &Path) -> Result<(), Box<dyn Error>> {
+    let failed = |e: std::io::Error| format!("{}: {e}", from.display());
+    if !from.is_dir() {
+        fs::copy(from, to).map_err(failed)?;
+        return Ok(());
+    }
+    fs::create_dir_all(to).map_err(failed)?;
+    for entry in fs::read_dir(from).map_err(failed)? {
+        let entry = entry?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
+    }
+    Ok(())
+}

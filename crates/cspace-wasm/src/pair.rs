@@ -1,0 +1,342 @@
+//! A configuration space, as JavaScript asks it.
+
+use cspace::{
+    Axis, AxisMotion, Classification, ContactSpace, Coordinates, FeatureKind, FixedAxesSpace, Location, LowerPair,
+    NearFeatures, PairClass, PairSpace, PatchId, RegionId,
+};
+use crate::stub::Slider;
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+
+use crate::{drawn, fault, plain, plane, surface};
+
+/// The configuration space of a pair.
+#[wasm_bindgen]
+pub struct Pair {
+    space: PairSpace,
+    /// A critical orientation is known to a tenth of it (radians): patches of both sides touch there.
+    slider: Slider,
+}
+
+#[derive(Deserialize)]
+struct Head {
+    format: String,
+}
+
+/// A patch, without its geometry.
+#[derive(Serialize)]
+struct PatchInfo {
+    fixed: String,
+    moving: String,
+    kind: &'static str,
+    region: Option<RegionId>,
+    orientations: Option<(f64, f64)>,
+}
+
+/// Two features that touch, or nearly.
+#[derive(Serialize)]
+struct Touch {
+    fixed: String,
+    moving: String,
+    distance: f64,
+    at: (f64, f64),
+    normal: (f64, f64),
+}
+
+/// Where a motion got to.
+#[derive(Serialize)]
+struct Reached {
+    at: Vec<f64>,
+    stopped: Option<PatchId>,
+}
+
+/// What a coordinate of a pair with fixed axes is.
+#[derive(Serialize)]
+struct AxisInfo {
+    kind: &'static str,
+    lo: f64,
+    hi: f64,
+    round: bool,
+}
+
+#[wasm_bindgen]
+impl Pair {
+    /// The space of which this is the saved data.
+    #[wasm_bindgen(constructor)]
+    pub fn new(json: &str) -> Result<Pair, JsError> {
+        let head: Head = serde_json::from_str(json).map_err(fault)?;
+        // It is of the page's own making: unlike a file, it is not computed again without a checksum.
+        let space = match head.format.as_str() {
+            "contact-space" => {
+                let data = serde_json::from_str(json).map_err(fault)?;
+                PairSpace::Planar(ContactSpace::from_data(data).map_err(fault)?.into())
+            }
+            "fixed-axes-space" => {
+                let data = serde_json::from_str(json).map_err(fault)?;
+                PairSpace::FixedAxes(FixedAxesSpace::from_data(data).map_err(fault)?.into())
+            }
+            "lower-pair" => {
+                let data = serde_json::from_str(json).map_err(fault)?;
+                PairSpace::Lower(LowerPair::from_data(data).map_err(fault)?.into())
+            }
+            other => return Err(fault(format_args!("{other:?} is no configuration space"))),
+        };
+        let slider = Slider::new(&space);
+        Ok(Self { space, slider })
+    }
+
+    /// The class: `lower`, `fixed-axes`, `symmetric` or `general`.
+    #[wasm_bindgen(getter, unchecked_return_type = "PairClass")]
+    pub fn class(&self) -> String {
+        self.space.class().to_string()
+    }
+
+    /// The number of patches.
+    #[wasm_bindgen(getter, js_name = patchCount)]
+    pub fn patch_count(&self) -> usize {
+        match &self.space {
+            // Contacts that are permanent bound no free space.
+            PairSpace::Lower(_) => 0,
+            space => space.patch_count(),
+        }
+    }
+
+    /// A patch.
+    #[wasm_bindgen(unchecked_return_type = "PatchInfo")]
+    pub fn patch(&self, index: u32) -> Result<JsValue, JsError> {
+        if matches!(self.space, PairSpace::Lower(_)) {
+            return Err(fault(format_args!("there is no patch {index}: a joint has none")));
+        }
+        let patch = self.space.patch(PatchId(index)).map_err(fault)?;
+        let (fixed, moving) = patch.features().map_err(fault)?;
+        plain(&PatchInfo {
+            fixed: self.space.fixed().feature_text(fixed.name),
+            moving: self.space.moving().feature_text(moving.name),
+            kind: kind(fixed.name.kind, moving.name.kind),
+            region: patch.region().map_err(fault)?,
+            orientations: patch.orientations().ok(),
+        })
+    }
+
+    /// What `cspace classify` says; nothing outside the window or the ranges of motion, and of what is not finite.
+    #[wasm_bindgen(unchecked_return_type = "Classification | undefined")]
+    pub fn classify(&self, c: &[f64]) -> Result<Option<String>, JsError> {
+        let class = self.space.classify(self.coordinates(c)?);
+        Ok(class.ok().map(|class| said(class).to_owned()))
+    }
+
+    /// The free region of a free configuration.
+    pub fn region(&self, c: &[f64]) -> Result<Option<u32>, JsError> {
+        match self.space.locate(self.coordinates(c)?).map_err(fault)? {
+            Location::Free(region) => Ok(Some(region.0)),
+            _ => Ok(None),
+        }
+    }
+
+    /// What `cspace contacts` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest
+    /// first.
+    #[wasm_bindgen(unchecked_return_type = "Touch[]")]
+    pub fn touching(&self, c: &[f64], within: Option<f64>) -> Result<JsValue, JsError> {
+        let at = self.coordinates(c)?;
+        let near = self.near(at, within.unwrap_or(self.space.resolution()));
+        let all: Vec<Touch> = near.iter().map(|n| self.touch(at, n)).collect();
+        plain(&all)
+    }
+
+    /// The first that it lists, however far they are apart; nothing outside the window or the ranges of motion.
+    #[wasm_bindgen(unchecked_return_type = "Touch | null")]
+    pub fn nearest(&self, c: &[f64]) -> Result<JsValue, JsError> {
+        /// More than rounding, as a share.
+        const MORE: f64 = 1e-6;
+        let at = self.coordinates(c)?;
+        let apart = self.space.clearance(at).unwrap_or(0.0);
+        let near = self.near(at, apart * (1.0 + MORE) + self.space.resolution());
+        plain(&near.first().map(|n| self.touch(at, n)))
+    }
+
+    /// Patches within the resolution.
+    #[wasm_bindgen(js_name = patchesTouching)]
+    pub fn patches_touching(&self, c: &[f64]) -> Result<Vec<u32>, JsError> {
+        if matches!(self.space, PairSpace::Lower(_)) {
+            return Ok(Vec::new());
+        }
+        let at = self.coordinates(c)?;
+        let found = self.space.contacts(at, self.space.resolution());
+        Ok(found.unwrap_or_default().into_iter().map(|(patch, _)| patch.0).collect())
+    }
+
+    /// The configuration itself if it may be moved to; otherwise the first contact on the straight way.
+    #[wasm_bindgen(unchecked_return_type = "Reached")]
+    pub fn advance(&mut self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
+        let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
+        reached(self.slider.advance(&self.space, from, to).map_err(fault)?)
+    }
+
+    /// As `advance`, then on along the surface, as near to `to` as it leads. Never blocked if `from` is not.
+    #[wasm_bindgen(unchecked_return_type = "Reached")]
+    pub fn slide(&mut self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
+        let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
+        reached(self.slider.slide(&self.space, from, to).map_err(fault)?)
+    }
+
+    /// The orientations of a planar pair: from, to, and whether they are a full turn.
+    #[wasm_bindgen(unchecked_return_type = "{ lo: number; hi: number; fullTurn: boolean }")]
+    pub fn window(&self) -> Result<JsValue, JsError> {
+        #[derive(Serialize)]
+        #[serde(rename_all = "camelCase")]
+        struct Window {
+            lo: f64,
+            hi: f64,
+            full_turn: bool,
+        }
+        let window = self.planar()?.window();
+        plain(&Window {
+            lo: window.lo,
+            hi: window.hi,
+            full_turn: window.full_turn,
+        })
+    }
+
+    /// The critical orientations of a planar pair.
+    #[wasm_bindgen(js_name = criticalOrientations)]
+    pub fn critical_orientations(&self) -> Result<Vec<f64>, JsError> {
+        Ok(self.planar()?.critical_orientations().to_vec())
+    }
+
+    /// The bands of a planar pair: [lo, hi, lo, hi, ...].
+    pub fn bands(&self) -> Result<Vec<f64>, JsError> {
+        let bands = self.planar()?.bands();
+        Ok(bands.iter().flat_map(|b| [b.lo, b.hi]).collect())
+    }
+
+    /// The slice of a planar pair at an orientation, as points within a deviation (model unit) of its curves.
+    #[wasm_bindgen(unchecked_return_type = "DrawnCurve[]")]
+    pub fn slice(&self, theta: f64, deviation: f64) -> Result<JsValue, JsError> {
+        Ok(drawn::slice(self.planar()?, theta, deviation).into())
+    }
+
+    /// Bounds of all positions in contact of a planar pair: [x, y, x, y] (model unit).
+    pub fn bounds(&self) -> Result<Vec<f64>, JsError> {
+        Ok(drawn::bounds(self.planar()?).to_vec())
+    }
+
+    /// A patch of a planar pair as triangles, within a deviation.
+    #[wasm_bindgen(unchecked_return_type = "PatchSurface")]
+    pub fn surface(&self, patch: u32, deviation: f64, per_radian: f64) -> Result<JsValue, JsError> {
+        let made = surface::of_patch(&self.space, self.planar()?, patch, deviation, per_radian);
+        Ok(made.map_err(fault)?.into())
+    }
+
+    /// What u and v of a pair with fixed axes are.
+    #[wasm_bindgen(unchecked_return_type = "[AxisInfo, AxisInfo]")]
+    pub fn axes(&self) -> Result<JsValue, JsError> {
+        let space = self.on_axes()?;
+        let (fixed, moving) = space.axes();
+        let [u, v] = space.extent();
+        plain(&[info(fixed, u), info(moving, v)])
+    }
+
+    /// The contact curves of a pair with fixed axes, as points within a deviation.
+    #[wasm_bindgen(unchecked_return_type = "DrawnCurve[]")]
+    pub fn curves(&self, deviation: f64) -> Result<JsValue, JsError> {
+        Ok(plane::curves(self.on_axes()?, deviation).into())
+    }
+
+    /// All free space of a pair with fixed axes, as polygons that do not overlap.
+    #[wasm_bindgen(unchecked_return_type = "FreePolygon[]")]
+    pub fn free(&self, deviation: f64) -> Result<JsValue, JsError> {
+        Ok(plane::free(self.on_axes()?, deviation).into())
+    }
+}
+
+impl Pair {
+    fn planar(&self) -> Result<&ContactSpace, JsError> {
+        match &self.space {
+            PairSpace::Planar(space) => Ok(space),
+            _ => Err(fault("the pair has no orientation as a coordinate")),
+        }
+    }
+
+    fn on_axes(&self) -> Result<&FixedAxesSpace, JsError> {
+        match &self.space {
+            PairSpace::FixedAxes(space) => Ok(space),
+            _ => Err(fault("the pair has no fixed axes")),
+        }
+    }
+
+    /// (x, y, θ), or (u, v) of a pair with fixed axes.
+    fn coordinates(&self, c: &[f64]) -> Result<Coordinates, JsError> {
+        match (self.space.class(), c) {
+            (PairClass::FixedAxes, &[u, v]) => Ok(Coordinates::Axes { u, v }),
+            (PairClass::FixedAxes, _) => Err(fault("a configuration of this pair is [u, v]")),
+            (_, &[x, y, theta]) => Ok(Coordinates::Planar(cspace::Configuration::new(x, y, theta))),
+            _ => Err(fault("a configuration of this pair is [x, y, theta]")),
+        }
+    }
+
+    /// Of lower pairs, and outside, there is nothing to say.
+    fn near(&self, at: Coordinates, within: f64) -> Vec<NearFeatures> {
+        self.space.near_features(at, within).unwrap_or_default()
+    }
+
+    /// Of a pair with fixed axes in the assembly, of another in the fixed part's frame.
+    fn touch(&self, at: Coordinates, near: &NearFeatures) -> Touch {
+        let place = match (&self.space, at) {
+            (PairSpace::FixedAxes(space), Coordinates::Axes { u, .. }) => space.axes().0.configuration(u),
+            _ => cspace::Configuration::default(),
+        };
+        let turn = cspace::Rotation::by(place.theta);
+        let point = place.position() + turn * near.touching.on_fixed.to_vector();
+        let normal = turn * near.touching.normal;
+        Touch {
+            fixed: self.space.fixed().feature_text(near.fixed.name),
+            moving: self.space.moving().feature_text(near.moving.name),
+            distance: near.distance,
+            at: (point.x, point.y),
+            normal: (normal.x, normal.y),
+        }
+    }
+}
+
+fn reached(slid: crate::stub::Slid) -> Result<JsValue, JsError> {
+    plain(&Reached {
+        at: match slid.at {
+            Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
+            Coordinates::Axes { u, v } => vec![u, v],
+        },
+        stopped: slid.stopped,
+    })
+}
+
+fn info(axis: Axis, (lo, hi): (f64, f64)) -> AxisInfo {
+    let (kind, round) = match axis.motion {
+        AxisMotion::Fixed => ("still", false),
+        AxisMotion::Revolute { .. } => ("angle", axis.range.is_none()),
+        AxisMotion::Prismatic { .. } => ("length", false),
+    };
+    AxisInfo {
+        kind,
+        lo: lo.min(hi),
+        hi: lo.max(hi),
+        round,
+    }
+}
+
+fn said(class: Classification) -> &'static str {
+    match class {
+        Classification::Free => "free",
+        Classification::Blocked => "blocked",
+        Classification::Contact => "contact",
+    }
+}
+
+/// The kind of a contact, whichever feature is the fixed part's.
+fn kind(fixed: FeatureKind, moving: FeatureKind) -> &'static str {
+    use FeatureKind::{Line, Vertex};
+    match (fixed, moving) {
+        (Line, Vertex) | (Vertex, Line) => "line-vertex",
+        (Line, _) | (_, Line) => "line-arc",
+        (Vertex, _) | (_, Vertex) => "arc-vertex",
+        _ => "arc-arc",
+    }
+}
