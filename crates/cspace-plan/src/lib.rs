@@ -17,6 +17,7 @@ mod path;
 mod planner;
 mod push;
 mod route;
+pub mod slide;
 mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};

@@ -86,6 +86,11 @@ pub(crate) struct Places {
 }
 
 impl Places {
+    /// The tree, if it was made.
+    pub(crate) fn made(&self) -> Option<&Boxes<Swath>> {
+        self.boxes.get()
+    }
+
     /// The tree, unless this is one of the first questions.
     pub(crate) fn after(
         &self,

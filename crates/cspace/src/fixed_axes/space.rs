@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use crate::feature::PairFrame;
 use crate::geometry::{Configuration, Rotation};
 use crate::part::Part;
 
@@ -130,6 +131,11 @@ impl FixedAxesSpace {
     /// length: the [`resolution`](Self::resolution), but for what sharp corners are grown by.
     pub fn contact_distance(&self) -> f64 {
         self.setting.contact_distance()
+    }
+
+    /// The frame in which the pair is computed: its scale says which length is 1 there, as long as a radian of a part that turns.
+    pub fn frame(&self) -> PairFrame {
+        self.setting.map.frame
     }
 
     /// Where the moving part is in the fixed part's frame at (u, v).

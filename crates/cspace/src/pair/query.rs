@@ -1,6 +1,7 @@
 //! Questions to the configuration space of a pair of any class.
 
 use crate::fixed_axes::AxesMotionOutcome;
+use crate::geometry::Vector;
 use crate::query::{Classification, MotionOutcome};
 
 use super::answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
@@ -133,6 +134,22 @@ impl PairSpace {
         rates: Coordinates,
         duration: f64,
     ) -> Result<PairMotion, QueryError> {
+        self.first_contact_about(from, rates, Vector::ZERO, duration)
+    }
+
+    /// The same for a motion along which the moving part's point `about`, in the part's frame, goes straight: see
+    /// [`ContactSpace::first_contact_about`](crate::ContactSpace::first_contact_about). Parts on fixed axes move as their axes let
+    /// them, whatever point is asked for.
+    ///
+    /// # Errors
+    /// As [`first_contact`](Self::first_contact).
+    pub fn first_contact_about(
+        &self,
+        from: Coordinates,
+        rates: Coordinates,
+        about: Vector,
+        duration: f64,
+    ) -> Result<PairMotion, QueryError> {
         match (self, from, rates) {
             (Self::Lower(_), ..) => Err(QueryError::Permanent),
             (
@@ -152,7 +169,8 @@ impl PairSpace {
                 }),
             }),
             (Self::Planar(space), Coordinates::Planar(c), Coordinates::Planar(d)) => {
-                let outcome = space.first_contact(c, [d.x, d.y, d.theta], duration)?;
+                let rates = [d.x, d.y, d.theta];
+                let outcome = space.first_contact_about(c, rates, about, duration)?;
                 Ok(match outcome {
                     MotionOutcome::Free => PairMotion::Free,
                     MotionOutcome::LeavesWindow { time } => PairMotion::Leaves { time },

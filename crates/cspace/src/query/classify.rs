@@ -39,7 +39,27 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
+        if self.is_plainly_contact(c) {
+            return Some(Classification::Contact);
+        }
         Some(self.located(c)?.0)
+    }
+
+    /// Whether a contact curve is near, told without the slice. False where that is in doubt, or would take as long.
+    fn is_plainly_contact(&self, c: Configuration) -> bool {
+        if self.places.made().is_none()
+            || !self.covers(c)
+            || self.doubts().hold(self.settled(c.theta))
+        {
+            return false;
+        }
+        let (near, mut found) = (self.contact_distance(), false);
+        self.visit_near(c, near, |_, _, distance| {
+            found |= distance <= near;
+            // Nothing is nearer than what was found needs to be.
+            if found { -1.0 } else { near }
+        });
+        found
     }
 
     /// The free region that holds a configuration, an index into [`free_regions`](Self::free_regions): two free

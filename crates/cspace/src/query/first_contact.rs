@@ -4,7 +4,7 @@ use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
 use crate::space::ContactSpace;
 
 use super::classify::Classification;
-use super::path::Path;
+use super::path::{Approach, Path};
 use super::touch::{Search, Touch};
 
 /// Where a motion first touches.
@@ -65,16 +65,6 @@ pub enum MotionError {
     TurnsTooFar,
 }
 
-/// When a motion comes near to where contact is possible.
-enum Approach {
-    /// It begins there, or not far from it.
-    Near,
-    /// At this time.
-    At(f64),
-    /// It does not.
-    Never,
-}
-
 impl MotionOutcome {
     /// The outcome of a motion that begins so much earlier.
     fn later_by(self, time: f64) -> Self {
@@ -132,9 +122,49 @@ impl ContactSpace {
         rates: [f64; 3],
         duration: f64,
     ) -> Result<MotionOutcome, MotionError> {
+        self.first_contact_about(from, rates, Vector::ZERO, duration)
+    }
+
+    /// The first contact of the moving part when one of its points goes straight while it turns, for times from 0 to `duration`.
+    ///
+    /// `about` is that point b, in the part's frame, and `rates` are its velocity v and the part's rate of turning ω. From
+    /// (p₀, θ₀) on the part's orientation is θ(t) = θ₀ + ω t and its position
+    ///
+    /// p(t) = p₀ + R(θ₀) b + v t − R(θ(t)) b.
+    ///
+    /// With b = 0 that is the motion of [`first_contact`](Self::first_contact), and all that is said there holds: nothing is
+    /// sampled. A part that is drawn far from its origin, and turns, is moved about its middle rather than about the origin.
+    ///
+    /// # Errors
+    /// As [`first_contact`](Self::first_contact).
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part, Vector};
+    /// use core::f64::consts::PI;
+    /// let wall = Part::rectangle("wall", (10.0, 0.0), 2.0, 40.0)?;
+    /// // A rod 6 long, drawn from its end: its middle is at (3, 0).
+    /// let rod = Part::rectangle("rod", (3.0, 0.0), 6.0, 0.5)?;
+    /// let space = ContactSpace::compute(&wall, &rod, &Options::default())?;
+    /// // Upright; it turns by half a turn about its middle, which stays 1 from the wall.
+    /// let from = Configuration::new(8.0, -3.0, 0.5 * PI);
+    /// let motion = space.first_contact_about(from, [0.0, 0.0, PI], Vector::new(3.0, 0.0), 1.0)?;
+    /// let contact = motion.contact().ok_or("it should touch")?;
+    /// // A corner at (3, 0.25) from the middle is as far from it as the wall when 3 sin φ + 0.25 cos φ = 1.
+    /// let turned = PI * contact.time;
+    /// assert!((3.0 * turned.sin() + 0.25 * turned.cos() - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn first_contact_about(
+        &self,
+        from: Configuration,
+        rates: [f64; 3],
+        about: Vector,
+        duration: f64,
+    ) -> Result<MotionOutcome, MotionError> {
         let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
+        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
+        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
+        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
             return Err(MotionError::NotFinite);
         }
         let starts_in_contact = match self.classify(from) {
@@ -142,15 +172,16 @@ impl ContactSpace {
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
             Some(class) => class == Classification::Contact,
         };
-        let path = Path::new(self, from, Vector::new(dx, dy), turning);
+        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
         let (end, leaves) = match path.time_in_window(self.window()) {
             Some(time) if time < duration => (time, true),
             _ => (duration, false),
         };
-        match self.approach(from, Vector::new(dx, dy)) {
+        match path.approach() {
             Approach::Near => {}
             Approach::At(time) if time < end => {
-                let outcome = self.first_contact(path.outer_at(time), rates, duration - time)?;
+                let from = path.outer_at(time);
+                let outcome = self.first_contact_about(from, rates, about, duration - time)?;
                 return Ok(outcome.later_by(time));
             }
             Approach::At(_) | Approach::Never if leaves => {
@@ -180,28 +211,6 @@ impl ContactSpace {
         })
     }
 
-    /// When a motion that begins far from all contact comes near to it. Contact functions along a motion are polynomials about its
-    /// beginning, whose rounding, at a thousand sizes from there, is larger than a contact.
-    fn approach(&self, from: Configuration, rates: Vector) -> Approach {
-        /// Beginnings nearer than this, in distances beyond which all is free, are near enough.
-        const NEAR: f64 = 64.0;
-        let frame = &self.data.frame;
-        let reach = frame.outer_length(2.0 * frame.reach(&self.data.fixed, &self.data.moving))
-            + 2.0 * frame.moving_center.to_vector().length();
-        let away = from.position() - frame.fixed_center;
-        if away.length() <= NEAR * reach {
-            return Approach::Near;
-        }
-        let speed = rates.length();
-        // The distance of the line of the motion, and what is left of the way to its nearest point.
-        let (past, along) = (away.cross(rates) / speed, -away.dot(rates) / speed);
-        let half = 4.0 * reach * reach - past * past;
-        if !(half >= 0.0 && along > 0.0) {
-            return Approach::Never;
-        }
-        Approach::At((along - half.sqrt()) / speed)
-    }
-
     /// Whether a motion that starts in contact goes into blocked space there, though no contact tells: where all contacts of a
     /// place end at one orientation, as of a part that is clamped between two corners, the motion leaves them by turning on. Until
     /// the next contact it is free or blocked as a whole, so that one configuration on the way decides. The patch is one that
@@ -219,58 +228,5 @@ impl ContactSpace {
         let is_deep = (slice.curves.iter()).all(|c| c.geometry.nearest(p).distance(p) > deep);
         let at_start = || self.nearest_contact(path.outer_at(0.0)).map(|n| n.patch);
         is_deep.then(at_start).flatten()
-    }
-
-    /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
-    /// overlap: when, which patch, and whether the motion goes into blocked space there; in order of time.
-    ///
-    /// Roots are found as those of [`first_contact`](Self::first_contact). Where the motion passes from one patch to the next
-    /// both may be told.
-    ///
-    /// # Errors
-    /// If numbers are not finite, the motion begins outside the window, or it turns farther than [`LARGEST_ANGLE`] while contact is
-    /// possible.
-    ///
-    /// ```
-    /// use cspace::{Configuration, ContactSpace, Options, Part};
-    /// let space = ContactSpace::compute(&Part::circle("table", [0.0, 0.0], 2.0)?, &Part::circle("coin", [0.0, 0.0], 1.0)?, &Options::default())?;
-    /// // Straight through: in at −3, out at 3.
-    /// let found = space.crossings(Configuration::new(-5.0, 0.0, 0.0), [1.0, 0.0, 0.3], 10.0)?;
-    /// let times: Vec<f64> = found.iter().map(|c| c.0).collect();
-    /// assert!((times[0] - 2.0).abs() < 1e-9 && (times[times.len() - 1] - 8.0).abs() < 1e-9);
-    /// assert!(found[0].2 && !found[found.len() - 1].2);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn crossings(
-        &self,
-        from: Configuration,
-        rates: [f64; 3],
-        duration: f64,
-    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
-        let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
-        if self.classify(from).is_none() {
-            return Err(MotionError::StartsOutside);
-        }
-        let path = Path::new(self, from, Vector::new(dx, dy), turning);
-        let end = path
-            .time_in_window(self.window())
-            .map_or(duration, |t| t.min(duration));
-        match self.approach(from, Vector::new(dx, dy)) {
-            Approach::Near => {}
-            Approach::At(time) if time < end => {
-                let found = self.crossings(path.outer_at(time), rates, duration - time)?;
-                let later = |(t, patch, enters)| (t + time, patch, enters);
-                return Ok(found.into_iter().map(later).collect());
-            }
-            Approach::At(_) | Approach::Never => return Ok(Vec::new()),
-        }
-        if path.turns_too_far(end) {
-            return Err(MotionError::TurnsTooFar);
-        }
-        Ok(Search::new(self, path, false).all(end))
     }
 }

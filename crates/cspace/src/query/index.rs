@@ -75,6 +75,29 @@ impl ContactSpace {
     }
 }
 
+impl ContactSpace {
+    /// Patches among which are all that come within a distance `reach` of a position (lengths of the pair's frame) at orientations
+    /// no farther than `wide` from one, in ascending order; `None` for the first questions.
+    pub(super) fn around(&self, p: Point, theta: f64, reach: f64, wide: f64) -> Option<Vec<u32>> {
+        let boxes = self.places.after(SCANS, || boxes(self))?;
+        let home = home(theta);
+        let (slack, margin) = (TURNED * theta.abs() + wide, reach + END_ERROR);
+        let reaches = |swath: &Swath| {
+            let holds = |t: f64| swath.lo - slack <= t && t <= swath.hi + slack;
+            [home - TAU, home, home + TAU].into_iter().any(holds)
+                && swath.bounds.distance(p) * (1.0 - RELATIVE) <= margin
+        };
+        let mut found = Vec::new();
+        boxes.any(reaches, |i| {
+            found.push(i);
+            false
+        });
+        found.sort_unstable();
+        found.dedup();
+        Some(found)
+    }
+}
+
 /// An orientation brought to [−π, π) by whole turns.
 fn home(theta: f64) -> f64 {
     theta - TAU * ((theta + PI) / TAU).floor()

@@ -6,6 +6,7 @@ mod cells;
 mod classifier;
 mod classify;
 mod contacts;
+mod crossings;
 mod drawn;
 mod first_contact;
 mod grid;

@@ -10,13 +10,29 @@ use crate::space::{ContactSpace, Window};
 /// An enclosure over times, with its derivative by time.
 type Jet = Dual<1, Ball>;
 
-/// x(t), y(t) and θ(t), linear in time.
+/// When a motion comes near to where contact is possible.
+pub(super) enum Approach {
+    /// It begins there, or not far from it.
+    Near,
+    /// At this time.
+    At(f64),
+    /// It does not.
+    Never,
+}
+
+/// A point b of the moving part goes straight: its position q(t) and the orientation θ(t) are linear in time, and the position of
+/// the part's origin is q(t) − R(θ(t)) b. With b = 0 the origin goes straight.
 ///
-/// In the pair's frame the position is s (p₀ − c + v t + R(θ₀ + ω t) d).
+/// In the pair's frame the position is s (q₀ − c + v t + R(θ₀ + ω t) (d − b)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Path {
-    from: Configuration,
+    /// q₀: where the point that goes straight is at first.
+    start: Point,
+    /// θ₀, radians.
+    theta: f64,
     velocity: Vector,
+    /// b, in the moving part's frame.
+    about: Vector,
     /// Radians per unit of time.
     pub(super) turning: f64,
     frame: PairFrame,
@@ -29,11 +45,14 @@ impl Path {
         space: &ContactSpace,
         from: Configuration,
         velocity: Vector,
+        about: Vector,
         turning: f64,
     ) -> Self {
         Self {
-            from,
+            start: from.position() + Rotation::by(from.theta) * about,
+            theta: from.theta,
             velocity,
+            about,
             turning,
             frame: space.data.frame,
             reach: space
@@ -45,13 +64,19 @@ impl Path {
 
     /// The orientation at a time, radians.
     pub(super) fn theta(&self, t: f64) -> f64 {
-        self.from.theta + self.turning * t
+        self.theta + self.turning * t
+    }
+
+    /// d − b: from the point that goes straight to the moving part's centre, in its frame.
+    fn arm(&self) -> Vector {
+        self.frame.moving_center.to_vector() - self.about
     }
 
     /// The configuration at a time.
     pub(super) fn outer_at(&self, t: f64) -> Configuration {
-        let p = self.from.position() + self.velocity * t;
-        Configuration::new(p.x, p.y, self.theta(t))
+        let theta = self.theta(t);
+        let p = self.start + self.velocity * t - Rotation::by(theta) * self.about;
+        Configuration::new(p.x, p.y, theta)
     }
 
     /// The position in the pair's frame at a time.
@@ -63,21 +88,43 @@ impl Path {
     pub(super) fn enclosed(&self, t: Ball) -> (Rotation<Jet>, Point<Jet>) {
         let t = Jet::variable(t, 0);
         let linear = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
-        let turn = Rotation::by(linear(self.from.theta, self.turning));
-        let start = self.from.position() - self.frame.fixed_center;
-        let center = self.frame.moving_center.to_vector().map(Jet::constant);
+        let turn = Rotation::by(linear(self.theta, self.turning));
+        let start = self.start - self.frame.fixed_center;
+        let arm = self.arm().map(Jet::constant);
         let at = Point::new(
             linear(start.x, self.velocity.x),
             linear(start.y, self.velocity.y),
         );
-        let from_center = (at + turn * center).to_vector() * Jet::constant(self.frame.scale);
+        let from_center = (at + turn * arm).to_vector() * Jet::constant(self.frame.scale);
         (turn, Point::new(from_center.x, from_center.y))
+    }
+
+    /// When a motion that begins far from all contact comes near to it. Contact functions along a motion are polynomials about its
+    /// beginning, whose rounding, at a thousand sizes from there, is larger than a contact.
+    pub(super) fn approach(&self) -> Approach {
+        /// Beginnings nearer than this, in distances beyond which all is free, are near enough.
+        const NEAR: f64 = 64.0;
+        let reach = self.frame.outer_length(2.0 * self.reach) + 2.0 * self.arm().length();
+        let away = self.start - self.frame.fixed_center;
+        if away.length() <= NEAR * reach {
+            return Approach::Near;
+        }
+        let speed = self.velocity.length();
+        // The distance of the line of the motion, and what is left of the way to its nearest point.
+        let (past, along) = (
+            away.cross(self.velocity) / speed,
+            -away.dot(self.velocity) / speed,
+        );
+        let half = 4.0 * reach * reach - past * past;
+        if !(half >= 0.0 && along > 0.0) {
+            return Approach::Never;
+        }
+        Approach::At((along - half.sqrt()) / speed)
     }
 
     /// How fast a position of the pair's frame moves at most (length per unit of time).
     pub(super) fn speed(&self) -> f64 {
-        let drawn = self.frame.moving_center.to_vector().length();
-        (self.velocity.length() + drawn * self.turning.abs()) * self.frame.scale
+        (self.velocity.length() + self.arm().length() * self.turning.abs()) * self.frame.scale
     }
 
     /// When it leaves the window of orientations, if it does.
@@ -90,16 +137,15 @@ impl Path {
         } else {
             window.lo
         };
-        Some(((edge - self.from.theta) / self.turning).max(0.0))
+        Some(((edge - self.theta) / self.turning).max(0.0))
     }
 
     /// The times up to `end` at which contact is possible: the position without its turning share is within the reach,
     /// and the length of that share, of the centre of the fixed part. Of a motion that turns in place, only the first turn matters.
     pub(super) fn times_in_reach(&self, end: f64) -> Option<(f64, f64)> {
-        let start = self.from.position() - self.frame.fixed_center;
-        let drawn = self.frame.moving_center.to_vector().length();
+        let start = self.start - self.frame.fixed_center;
         // A little more, for rounding.
-        let radius = (self.frame.outer_length(self.reach) + drawn) * (1.0 + 1e-9);
+        let radius = (self.frame.outer_length(self.reach) + self.arm().length()) * (1.0 + 1e-9);
         let speed = self.velocity.length();
         if speed == 0.0 {
             let turn = if self.turning == 0.0 {
@@ -123,7 +169,7 @@ impl Path {
 
     /// When its orientation is no longer known.
     pub(super) fn time_known(&self) -> f64 {
-        time_of_known_angle(self.from.theta, self.turning)
+        time_of_known_angle(self.theta, self.turning)
     }
 
     /// Whether contact is possible up to `end` when its orientation is no longer known.

@@ -23,6 +23,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 const SEAM: f64 = NARROWEST_BAND;
 /// How fast a curve and its ends move at most where nothing is singular (length of the pair's frame per radian).
 const SPEED: f64 = 4.0;
+/// Among all patches those are looked up that a motion is near that is no longer than this (length of the pair's frame, and radians).
+const SHORT: f64 = 0.25;
 /// Times are halved until neither way nor orientation moves by this (length of the pair's frame, and radians).
 const NARROWEST: f64 = 1e-13;
 
@@ -160,7 +162,8 @@ impl<'a> Search<'a> {
 
     fn first_between(&self, lo: f64, hi: f64) -> Best {
         let mut all: Vec<(f64, f64, Along<'_>)> = Vec::new();
-        for (index, patch) in (0u32..).zip(&self.space.data.patches) {
+        for index in self.near_between(lo, hi) {
+            let patch = &self.space.data.patches[index as usize];
             self.presences(patch, lo, hi, |turn, from, to| {
                 let along = Along { index, patch, turn };
                 all.push((from, to, along));
@@ -175,6 +178,21 @@ impl<'a> Search<'a> {
             self.search(along, *from, *to, &mut best);
         }
         best
+    }
+
+    /// Patches among which are all that the motion may touch between two times, in ascending order: of a short motion the few that are
+    /// near it.
+    fn near_between(&self, lo: f64, hi: f64) -> Vec<u32> {
+        let all = || (0..self.space.data.patches.len() as u32).collect();
+        let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
+        let (moves, wide) = (self.path.speed() * half, self.path.turning.abs() * half);
+        if moves.max(wide) > SHORT {
+            return all();
+        }
+        let (p, theta) = (self.path.inner_at(mid), self.path.theta(mid));
+        let beyond = SEAM + ROUNDING * theta.abs();
+        let reach = moves + SPEED * beyond + self.near();
+        (self.space.around(p, theta, reach, wide + beyond)).unwrap_or_else(all)
     }
 
     /// Calls `with` for every turn by which a patch is met between two times: the turn, and the times.

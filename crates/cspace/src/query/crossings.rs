@@ -1,0 +1,63 @@
+//! Every contact that a motion of constant rates comes through.
+
+use crate::geometry::{Configuration, Vector};
+use crate::space::ContactSpace;
+
+use super::first_contact::MotionError;
+use super::path::{Approach, Path};
+use super::touch::Search;
+
+impl ContactSpace {
+    /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
+    /// overlap: when, which patch, and whether the motion goes into blocked space there; in order of time.
+    ///
+    /// Roots are found as those of [`first_contact`](Self::first_contact). Where the motion passes from one patch to the next
+    /// both may be told.
+    ///
+    /// # Errors
+    /// If numbers are not finite, the motion begins outside the window, or it turns farther than [`LARGEST_ANGLE`](crate::LARGEST_ANGLE) while contact is
+    /// possible.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part};
+    /// let space = ContactSpace::compute(&Part::circle("table", [0.0, 0.0], 2.0)?, &Part::circle("coin", [0.0, 0.0], 1.0)?, &Options::default())?;
+    /// // Straight through: in at −3, out at 3.
+    /// let found = space.crossings(Configuration::new(-5.0, 0.0, 0.0), [1.0, 0.0, 0.3], 10.0)?;
+    /// let times: Vec<f64> = found.iter().map(|c| c.0).collect();
+    /// assert!((times[0] - 2.0).abs() < 1e-9 && (times[times.len() - 1] - 8.0).abs() < 1e-9);
+    /// assert!(found[0].2 && !found[found.len() - 1].2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn crossings(
+        &self,
+        from: Configuration,
+        rates: [f64; 3],
+        duration: f64,
+    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+        let [dx, dy, turning] = rates;
+        let numbers = [from.x, from.y, from.theta, dx, dy, turning, duration];
+        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
+            return Err(MotionError::NotFinite);
+        }
+        if self.classify(from).is_none() {
+            return Err(MotionError::StartsOutside);
+        }
+        let path = Path::new(self, from, Vector::new(dx, dy), Vector::ZERO, turning);
+        let end = path
+            .time_in_window(self.window())
+            .map_or(duration, |t| t.min(duration));
+        match path.approach() {
+            Approach::Near => {}
+            Approach::At(time) if time < end => {
+                let found = self.crossings(path.outer_at(time), rates, duration - time)?;
+                let later = |(t, patch, enters)| (t + time, patch, enters);
+                return Ok(found.into_iter().map(later).collect());
+            }
+            Approach::At(_) | Approach::Never => return Ok(Vec::new()),
+        }
+        if path.turns_too_far(end) {
+            return Err(MotionError::TurnsTooFar);
+        }
+        Ok(Search::new(self, path, false).all(end))
+    }
+}
