@@ -150,12 +150,20 @@ impl Opened {
     }
 
     /// A pair with its space, or why it has none; `clock` tells how long a computation took (seconds since anything).
-    pub fn pair(&self, index: usize, clock: &dyn Fn() -> f64, progress: &dyn Progress) -> Option<ScenePair> {
+    pub fn pair(
+        &self,
+        index: usize,
+        clock: &dyn Fn() -> f64,
+        progress: &dyn Progress,
+    ) -> Option<ScenePair> {
         let entry = self.pairs.get(index)?;
         let begin = clock();
         let pair = match &self.saved {
             Some(space) => ScenePair::known(entry, space, 0.0).map_err(|e| e.to_string()),
-            None => (self.compute(&self.model, entry, progress).map_err(|e| e.to_string())).and_then(|space| {
+            None => (self
+                .compute(&self.model, entry, progress)
+                .map_err(|e| e.to_string()))
+            .and_then(|space| {
                 ScenePair::known(entry, &space, clock() - begin).map_err(|e| e.to_string())
             }),
         };
@@ -174,13 +182,19 @@ impl Opened {
         progress: &dyn Progress,
     ) -> Result<EditAnswer, EditedPairError> {
         let pairs = self.pairs.len();
-        let entry = self.pairs.get(index).ok_or(EditedPairError::NoPair { index, pairs })?;
+        let entry = self
+            .pairs
+            .get(index)
+            .ok_or(EditedPairError::NoPair { index, pairs })?;
         let model = edited(&self.model, parts)?;
         let begin = clock();
         let space = self.compute(&model, entry, progress)?;
         Ok(EditAnswer {
             pair: ScenePair::known(entry, &space, clock() - begin)?,
-            parts: parts.iter().map(|p| ScenePart::of(&model.parts[p.index])).collect(),
+            parts: parts
+                .iter()
+                .map(|p| ScenePart::of(&model.parts[p.index]))
+                .collect(),
         })
     }
 

@@ -6,8 +6,8 @@ use core::fmt::{Debug, Display};
 use cspace::mechanism::{Drive, DriveMotion};
 use cspace::pair::Joint;
 use cspace::{
-    Axis, Classification, Configuration, Coordinates, JointEntry, Mechanism, Part, PartEntry, Point, Silent, Vector,
-    Vertex,
+    Axis, Classification, Configuration, Coordinates, JointEntry, Mechanism, Part, PartEntry,
+    Point, Silent, Vector, Vertex,
 };
 use cspace_io::SavedFile;
 use cspace_scene::{EditedPart, Opened};
@@ -115,7 +115,10 @@ fn a_part_can_be_grown_and_shrunk() {
             assert!((radius - 1.0 - offset).abs() < 1e-9, "{v}");
         }
     }
-    fails(edit(&opened, &[coin(1.0, -1.5)]), &["coin", "nothing is left", "1.5"]);
+    fails(
+        edit(&opened, &[coin(1.0, -1.5)]),
+        &["coin", "nothing is left", "1.5"],
+    );
 }
 
 #[test]

@@ -41,7 +41,10 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     for name in CRATES {
         for part in ["src", "Cargo.toml"] {
-            println!("cargo:rerun-if-changed={}", crates.join(name).join(part).display());
+            println!(
+                "cargo:rerun-if-changed={}",
+                crates.join(name).join(part).display()
+            );
         }
     }
     if !crates.join("cspace-wasm").is_dir() {
@@ -55,7 +58,9 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
     let mut bindings = Bindgen::new();
     let bindings = bindings.input_path(compiled).out_name("cspace").web(true)?;
     let bindings = bindings.typescript(true).omit_default_module_path(true);
-    bindings.generate(glue).map_err(|e| format!("wasm-bindgen: {e}"))?;
+    bindings
+        .generate(glue)
+        .map_err(|e| format!("wasm-bindgen: {e}"))?;
     let bytes = std::fs::read(glue.join("cspace_bg.wasm"))?;
     let mut gzip = GzEncoder::new(Vec::new(), Compression::best());
     gzip.write_all(&bytes)?;
@@ -65,12 +70,21 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
 
 fn compiler() -> Option<Compiler> {
     let rustc = env::var_os("RUSTC").unwrap_or("rustc".into());
-    let library = Command::new(rustc).args(["--print", "target-libdir", "--target", TARGET]).output().ok()?;
-    if library.status.success() && Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir() {
+    let library = Command::new(rustc)
+        .args(["--print", "target-libdir", "--target", TARGET])
+        .output()
+        .ok()?;
+    if library.status.success()
+        && Path::new(String::from_utf8_lossy(&library.stdout).trim()).is_dir()
+    {
         return Some(Compiler::Own);
     }
-    let sysroot = Command::new(Path::new(SYSTEM).join("rustc")).args(["--print", "sysroot"]).output().ok()?;
-    let sources = Path::new(String::from_utf8_lossy(&sysroot.stdout).trim()).join("lib/rustlib/src/rust/library");
+    let sysroot = Command::new(Path::new(SYSTEM).join("rustc"))
+        .args(["--print", "sysroot"])
+        .output()
+        .ok()?;
+    let sources = Path::new(String::from_utf8_lossy(&sysroot.stdout).trim())
+        .join("lib/rustlib/src/rust/library");
     let has = |tool: &str| Path::new(SYSTEM).join(tool).exists();
     (sources.is_dir() && has("cargo") && has("wasm-ld")).then_some(Compiler::System)
 }
@@ -85,7 +99,11 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
     for (name, _) in env::vars_os() {
         let told = name.to_string_lossy();
         let kept = ["CARGO_HOME", "CARGO_NET_OFFLINE", "CARGO_HTTP_CAINFO"].contains(&&*told);
-        if !kept && ["CARGO_", "RUSTFLAGS", "RUSTC", "RUSTDOC", "CLIPPY"].iter().any(|p| told.starts_with(p)) {
+        if !kept
+            && ["CARGO_", "RUSTFLAGS", "RUSTC", "RUSTDOC", "CLIPPY"]
+                .iter()
+                .any(|p| told.starts_with(p))
+        {
             if let Compiler::Own = compiler
                 && told == "RUSTC"
             {
@@ -100,13 +118,25 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
         cargo.env("PATH", format!("{SYSTEM}:{path}"));
         // The library is compiled along, which only compilers in development are allowed otherwise.
         cargo.env("RUSTC_BOOTSTRAP", "1");
-        cargo.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", Path::new(SYSTEM).join("wasm-ld"));
+        cargo.env(
+            "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER",
+            Path::new(SYSTEM).join("wasm-ld"),
+        );
         cargo.arg("-Zbuild-std=std,panic_abort");
     }
     cargo.arg("build").arg("--manifest-path").arg(manifest);
-    cargo.args(["--profile", "wasm", "--target", TARGET, "--locked", "--quiet"]);
+    cargo.args([
+        "--profile",
+        "wasm",
+        "--target",
+        TARGET,
+        "--locked",
+        "--quiet",
+    ]);
     cargo.env("CARGO_TARGET_DIR", target);
-    let output = cargo.output().map_err(|e| format!("cargo cannot be run: {e}"))?;
+    let output = cargo
+        .output()
+        .map_err(|e| format!("cargo cannot be run: {e}"))?;
     if output.status.success() {
         return Ok(target.join(TARGET).join("wasm/cspace_wasm.wasm"));
     }

@@ -27,7 +27,11 @@ pub(crate) fn slice(space: &ContactSpace, theta: f64, deviation: f64) -> Array {
 }
 
 /// An object with a region, perhaps a patch, and points [x, y, x, y, ...].
-pub(crate) fn of_region(patch: Option<u32>, region: Option<u32>, points: impl Iterator<Item = f64>) -> JsValue {
+pub(crate) fn of_region(
+    patch: Option<u32>,
+    region: Option<u32>,
+    points: impl Iterator<Item = f64>,
+) -> JsValue {
     let points: Vec<f64> = points.collect();
     let made = Object::new();
     let set = |key: &str, value: &JsValue| {
@@ -65,7 +69,9 @@ fn chords(radius: f64, sweep: f64, deviation: f64) -> u32 {
         true => (1.0 - deviation / radius).acos(),
         false => core::f64::consts::FRAC_PI_2,
     };
-    (sweep / (2.0 * half).max(NARROWEST)).ceil().clamp(1.0, MOST_PIECES) as u32
+    (sweep / (2.0 * half).max(NARROWEST))
+        .ceil()
+        .clamp(1.0, MOST_PIECES) as u32
 }
 
 /// Bounds of all positions in contact, as seen in slices: [x, y, x, y].
@@ -73,7 +79,12 @@ pub(crate) fn bounds(space: &ContactSpace) -> [f64; 4] {
     /// Positions between them are within a share of the picture that nobody sees.
     const SLICES: u32 = 96;
     let window = space.window();
-    let mut all = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    let mut all = [
+        f64::INFINITY,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NEG_INFINITY,
+    ];
     for k in 0..=SLICES {
         let share = f64::from(k) / f64::from(SLICES);
         let theta = (window.lo + (window.hi - window.lo) * share).min(window.hi);
@@ -81,7 +92,12 @@ pub(crate) fn bounds(space: &ContactSpace) -> [f64; 4] {
             let n = pieces(&curve.geometry, f64::INFINITY);
             for i in 0..=n {
                 let p = curve.geometry.point(f64::from(i) / f64::from(n));
-                all = [all[0].min(p.x), all[1].min(p.y), all[2].max(p.x), all[3].max(p.y)];
+                all = [
+                    all[0].min(p.x),
+                    all[1].min(p.y),
+                    all[2].max(p.x),
+                    all[3].max(p.y),
+                ];
             }
         }
     }

@@ -8,7 +8,6 @@ mod drawn;
 mod model;
 mod pair;
 mod plane;
-mod stub;
 mod surface;
 
 use wasm_bindgen::prelude::*;

@@ -61,7 +61,9 @@ impl Model {
 
     /// A pair with its space after parts were edited, as JSON.
     pub fn edit(&self, pair: usize, edits: &str) -> Result<String, JsError> {
-        let answer = self.opened.edited_pair(pair, &parts(edits)?, &seconds, &Silent);
+        let answer = self
+            .opened
+            .edited_pair(pair, &parts(edits)?, &seconds, &Silent);
         json(&answer.map_err(fault)?)
     }
 

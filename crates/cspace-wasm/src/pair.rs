@@ -1,10 +1,10 @@
 //! A configuration space, as JavaScript asks it.
 
 use cspace::{
-    Axis, AxisMotion, Classification, ContactSpace, Coordinates, FeatureKind, FixedAxesSpace, Location, LowerPair,
-    NearFeatures, PairClass, PairSpace, PatchId, RegionId,
+    Axis, AxisMotion, Classification, ContactSpace, Coordinates, FeatureKind, FixedAxesSpace,
+    Location, LowerPair, NearFeatures, PairClass, PairSpace, PatchId, QueryError, RegionId,
 };
-use crate::stub::Slider;
+use cspace_plan::slide::{Slid, Slider};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
@@ -14,8 +14,6 @@ use crate::{drawn, fault, plain, plane, surface};
 #[wasm_bindgen]
 pub struct Pair {
     space: PairSpace,
-    /// A critical orientation is known to a tenth of it (radians): patches of both sides touch there.
-    slider: Slider,
 }
 
 #[derive(Deserialize)]
@@ -81,8 +79,7 @@ impl Pair {
             }
             other => return Err(fault(format_args!("{other:?} is no configuration space"))),
         };
-        let slider = Slider::new(&space);
-        Ok(Self { space, slider })
+        Ok(Self { space })
     }
 
     /// The class: `lower`, `fixed-axes`, `symmetric` or `general`.
@@ -105,7 +102,9 @@ impl Pair {
     #[wasm_bindgen(unchecked_return_type = "PatchInfo")]
     pub fn patch(&self, index: u32) -> Result<JsValue, JsError> {
         if matches!(self.space, PairSpace::Lower(_)) {
-            return Err(fault(format_args!("there is no patch {index}: a joint has none")));
+            return Err(fault(format_args!(
+                "there is no patch {index}: a joint has none"
+            )));
         }
         let patch = self.space.patch(PatchId(index)).map_err(fault)?;
         let (fixed, moving) = patch.features().map_err(fault)?;
@@ -162,21 +161,25 @@ impl Pair {
         }
         let at = self.coordinates(c)?;
         let found = self.space.contacts(at, self.space.resolution());
-        Ok(found.unwrap_or_default().into_iter().map(|(patch, _)| patch.0).collect())
+        Ok(found
+            .unwrap_or_default()
+            .into_iter()
+            .map(|(patch, _)| patch.0)
+            .collect())
     }
 
     /// The configuration itself if it may be moved to; otherwise the first contact on the straight way.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
-    pub fn advance(&mut self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
+    pub fn advance(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
-        reached(self.slider.advance(&self.space, from, to).map_err(fault)?)
+        reached(from, Slider::new(&self.space).advance(from, to))
     }
 
     /// As `advance`, then on along the surface, as near to `to` as it leads. Never blocked if `from` is not.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
-    pub fn slide(&mut self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
+    pub fn slide(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
-        reached(self.slider.slide(&self.space, from, to).map_err(fault)?)
+        reached(from, Slider::new(&self.space).slide(from, to))
     }
 
     /// The orientations of a planar pair: from, to, and whether they are a full turn.
@@ -282,7 +285,9 @@ impl Pair {
     /// Of a pair with fixed axes in the assembly, of another in the fixed part's frame.
     fn touch(&self, at: Coordinates, near: &NearFeatures) -> Touch {
         let place = match (&self.space, at) {
-            (PairSpace::FixedAxes(space), Coordinates::Axes { u, .. }) => space.axes().0.configuration(u),
+            (PairSpace::FixedAxes(space), Coordinates::Axes { u, .. }) => {
+                space.axes().0.configuration(u)
+            }
             _ => cspace::Configuration::default(),
         };
         let turn = cspace::Rotation::by(place.theta);
@@ -298,7 +303,12 @@ impl Pair {
     }
 }
 
-fn reached(slid: crate::stub::Slid) -> Result<JsValue, JsError> {
+/// A motion that cannot be followed does not begin.
+fn reached(from: Coordinates, slid: Result<Slid, QueryError>) -> Result<JsValue, JsError> {
+    let slid = slid.unwrap_or(Slid {
+        at: from,
+        stopped: None,
+    });
     plain(&Reached {
         at: match slid.at {
             Coordinates::Planar(c) => vec![c.x, c.y, c.theta],

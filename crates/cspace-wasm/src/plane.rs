@@ -20,7 +20,9 @@ pub(crate) fn curves(space: &FixedAxesSpace, deviation: f64) -> Array {
             let there = space.branch_at(i, from + (to - from) * share);
             [there.map_or(branch.start, |(place, _)| place)]
         };
-        let points = followed(at, deviation).into_iter().flat_map(|[(u, v)]| [u, v]);
+        let points = followed(at, deviation)
+            .into_iter()
+            .flat_map(|[(u, v)]| [u, v]);
         let region = space.patches()[branch.patch as usize].region;
         of_region(Some(branch.patch), region, points)
     });
@@ -33,7 +35,11 @@ pub(crate) fn free(space: &FixedAxesSpace, deviation: f64) -> Array {
         let sides = followed(|share| gap.ends(share), deviation);
         let there = sides.iter().map(|s| s[0]);
         let back = sides.iter().rev().map(|s| s[1]);
-        of_region(None, Some(gap.region()), there.chain(back).flat_map(|(u, v)| [u, v]))
+        of_region(
+            None,
+            Some(gap.region()),
+            there.chain(back).flat_map(|(u, v)| [u, v]),
+        )
     });
     gaps.collect()
 }

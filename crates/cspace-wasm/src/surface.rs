@@ -1,6 +1,8 @@
 //! A contact patch as triangles: at each orientation it is an arc or a segment between its two boundary curves.
 
-use cspace::{Configuration, ContactSpace, Coordinates, CurveGeometry, PairSpace, PatchId, Point, QueryError};
+use cspace::{
+    Configuration, ContactSpace, Coordinates, CurveGeometry, PairSpace, PatchId, Point, QueryError,
+};
 use js_sys::{Float32Array, Object, Reflect, Uint32Array};
 use wasm_bindgen::JsValue;
 
@@ -90,7 +92,9 @@ fn rows(
     deviation: f64,
 ) -> Result<Vec<Row>, QueryError> {
     let straight = |a: &Row, m: &Row, b: &Row| {
-        [0.0, 0.5, 1.0].into_iter().all(|s| a.at(s).lerp(b.at(s), 0.5).distance(m.at(s)) <= deviation)
+        [0.0, 0.5, 1.0]
+            .into_iter()
+            .all(|s| a.at(s).lerp(b.at(s), 0.5).distance(m.at(s)) <= deviation)
     };
     let mut found = vec![row(lo)?];
     let mut ahead = vec![(row(hi)?, HALVINGS)];

@@ -2,10 +2,12 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod timed;
+
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, Part, Slice, Slicer, Symmetry};
+use cspace::{Options, Part, Slice, Slicer, Symmetry};
 use cspace_oracle::shapes::{gear, pawl, ratchet};
 
 fn main() {
@@ -48,7 +50,7 @@ fn report(name: &str, fixed: &Part, moving: &Part, other: Option<f64>) {
             symmetry,
             ..Options::default()
         };
-        ContactSpace::compute(fixed, moving, &options).unwrap()
+        timed::compute(fixed, moving, &options).unwrap()
     };
     // The general method does not know that teeth repeat.
     let space = compute(Symmetry::Ignore);

@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod timed;
+
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, PairSpace, Part, Relation, StageSeconds, Symmetry};
+use cspace::{Options, PairSpace, Part, Relation, StageSeconds, Symmetry};
 use cspace_oracle::shapes::random_part;
 
 /// Pairs of each kind.
@@ -80,7 +82,7 @@ fn report(name: &str, vertices: usize, arcs: f64) {
     let (mut patches, mut sheets, mut cells) = (0, 0, 0);
     let begin = Instant::now();
     for (fixed, moving) in &parts {
-        let space = ContactSpace::compute(fixed, moving, &options).unwrap();
+        let space = timed::compute(fixed, moving, &options).unwrap();
         let s = space.statistics();
         patches += space.patches().len();
         sheets += s.sheets;

@@ -16,9 +16,9 @@ use super::ServeError;
 use super::reply::{Fault, json, of_type};
 use super::routes::{self, apart, html, nothing_here, parsed};
 use super::work::Work;
-use cspace_scene::{Opened, OpenedDrawing, PickedPart};
 use crate::html::Place;
 use crate::page::{Page, Pages};
+use cspace_scene::{Opened, OpenedDrawing, PickedPart};
 
 /// A model as TOML, which is read back as it is.
 fn toml(model: &Mechanism) -> Result<Bytes, Fault> {

@@ -18,8 +18,8 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use axum::Router;
 use cspace_drawing::DrawingError;
 
-use cspace_scene::{Opened, OpenedDrawing};
 use crate::page::{Page, Pages};
+use cspace_scene::{Opened, OpenedDrawing};
 use work::Work;
 
 /// A server that has an address and does not answer yet.
