@@ -22,6 +22,7 @@ import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
+import { VerdictView } from "./verdict-view.js";
 import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
@@ -45,6 +46,7 @@ export function openPage(scene: Scene): void {
   const sliceView = new SliceView(byId("slice"), session);
   const planeView = new PlaneView(byId("plane"), session);
   const spaceView = openSpaceView(session, address.camera ?? null);
+  new VerdictView(byId("verdict"), session);
   new Legend(byId("legend"), session);
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);

@@ -27,6 +27,8 @@ const DEVIATION = 1 / 700;
 /** What lies at the window's ends is still drawn: so much of the extent beyond them. */
 const BESIDE_WINDOW = 1e-3;
 const FIELD_OF_VIEW = 32;
+/** Width to height of a view in which the space is seen whole from the usual distance. */
+const SQUARE = 1.1;
 /** Surfaces of edited parts are made again once the parts have not changed for this long (ms). */
 const SETTLED = 160;
 /** The screen's pixels for each of a coarse frame, along a side. */
@@ -125,7 +127,8 @@ export class SpaceView {
 
   lookFromTheFront(): void {
     const z = this.#kernel ? ((this.#kernel.window.lo + this.#kernel.window.hi) / 2) * this.#scale.perRadian : 0;
-    this.setCamera([0.55, 1.08, 3.25, 0, 0, z / this.#size]);
+    // A narrow view needs more distance for the same width.
+    this.setCamera([0.55, 1.08, 3.25 * Math.max(1, SQUARE / this.#camera.aspect), 0, 0, z / this.#size]);
     this.#moved = false;
     this.onCamera?.();
   }
@@ -250,6 +253,7 @@ export class SpaceView {
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
     this.#marks.resize(width, height);
+    if (this.#kernel && !this.#moved) this.lookFromTheFront();
     this.drawNow();
   }
 
