@@ -6,6 +6,7 @@ import { html } from "./dom.js";
 import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { regionOf } from "./verdict.js";
 
 /** A space may have thousands of regions: as many are listed. */
 const LISTED = 40;
@@ -13,9 +14,12 @@ const LISTED = 40;
 export class Legend {
   readonly #session: Session;
   readonly #element: HTMLElement;
+  readonly #fit: (region: number) => void;
 
-  constructor(parent: HTMLElement, session: Session) {
+  /** `fit` shows a region as large as the views allow. */
+  constructor(parent: HTMLElement, session: Session, fit: (region: number) => void) {
     this.#session = session;
+    this.#fit = fit;
     this.#element = parent;
     session.store.subscribe((changed) => {
       if ((["space", "colouring", "hidden", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
@@ -52,7 +56,13 @@ export class Legend {
     const label = html("label", { for: id }, ...(byKind ? [] : [swatch(regionColour(index))]), name);
     const go = html("button", { type: "button", class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` }, "→");
     go.addEventListener("click", () => this.#session.setConfiguration(configurationOf(sample)));
-    return html("li", {}, box, label, go);
+    const fit = html("button", { type: "button", class: "small", title: "Show all of it, as large as the views allow", "aria-label": `Fit to ${name}` }, "Fit");
+    fit.addEventListener("click", () => {
+      if (regionOf({ where: this.#session.state.where, kernel: this.#session.kernel }) !== index) go.click();
+      store.flush();
+      this.#fit(index);
+    });
+    return html("li", {}, box, label, go, fit);
   }
 }
 

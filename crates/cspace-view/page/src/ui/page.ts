@@ -47,7 +47,11 @@ export function openPage(scene: Scene): void {
   const planeView = new PlaneView(byId("plane"), session);
   const spaceView = openSpaceView(session, address.camera ?? null);
   new VerdictView(byId("verdict"), session);
-  new Legend(byId("legend"), session);
+  new Legend(byId("legend"), session, (region) => {
+    spaceView?.fitRegion(region);
+    sliceView.fitRegion(region);
+    planeView.fitRegion(region);
+  });
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session);

@@ -7,6 +7,7 @@ import type { Editor } from "./edit.js";
 import { lowerPair } from "./lower.js";
 import { placed } from "./mechanism.js";
 import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { PartNames } from "./part-names.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
 import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
@@ -35,6 +36,7 @@ export class PartsView {
   readonly #editor: Editor | null;
   readonly #parts: SVGGElement;
   readonly #pivots: SVGGElement;
+  readonly #names = new PartNames();
   readonly #marks: SVGGElement;
   readonly #handles: SVGGElement;
   #drawn: Drawn[] = [];
@@ -55,7 +57,7 @@ export class PartsView {
     this.#pivots = svg("g", { class: "pivots" });
     this.#marks = svg("g", { class: "marks" });
     this.#handles = svg("g", { class: "handles" });
-    this.viewport.overlay.append(this.#pivots, this.#marks, this.#handles);
+    this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#handles);
     this.viewport.onView = () => this.#drawOverlay();
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.fit();
@@ -154,6 +156,7 @@ export class PartsView {
   #drawOverlay(): void {
     const { state, pair } = { state: this.#session.state, pair: this.#session.pair };
     this.#pivots.replaceChildren(...this.#pivotMarks());
+    this.#names.draw(this.viewport, state.parts, state.placements, pair);
     const marks: SVGElement[] = [];
     if (pair) {
       const frame = this.#session.axes ? IDENTITY : (state.placements[pair.fixed] ?? IDENTITY);

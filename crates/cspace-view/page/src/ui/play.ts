@@ -17,8 +17,16 @@ export interface Way {
 /** A part that has gone this many times the extent of all contacts has left. */
 const FAR = 2;
 
-/** Ways along x, y and the orientation, or along u and v of parts that are not still. */
+let last: { kernel: Kernel; at: Configuration; ways: Way[] } | null = null;
+
+/** How far the part can go, found once for all views. */
 export function playOf(kernel: Kernel, c: Configuration): Way[] {
+  if (last?.kernel !== kernel || last.at !== c) last = { kernel, at: c, ways: waysOf(kernel, c) };
+  return last.ways;
+}
+
+/** Ways along x, y and the orientation, or along u and v of parts that are not still. */
+function waysOf(kernel: Kernel, c: Configuration): Way[] {
   if (isAxes(c)) {
     const { u, v } = kernel as unknown as AxesKernel;
     return ([["u", u], ["v", v]] as const).flatMap(([coordinate, info]): Way[] => {

@@ -7,6 +7,7 @@ import { degrees, length, short } from "./numbers.js";
 import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { regionOf } from "./verdict.js";
 
 /** As many touching features are listed. */
 const LISTED = 8;
@@ -42,7 +43,7 @@ export class Readout {
 
   #draw(): void {
     const { state, scene, axes, kernel } = this.#session;
-    const { classification, region, nearest, touching, patches } = state.where;
+    const { classification, region, nearest, touching } = state.where;
     const c = state.configuration;
     // A shape that crosses itself has no space.
     this.#outdated.hidden = !state.outdated;
@@ -57,7 +58,7 @@ export class Readout {
     say(this.#class, classification ?? outside);
     set(this.#class, { "data-class": classification ?? "" });
     // A configuration in contact bounds the region of the patch it is on.
-    const bounds = patches[0] !== undefined && kernel ? kernel.patch(patches[0]).region : null;
+    const bounds = region === null ? regionOf({ where: state.where, kernel }) : null;
     const pair = this.#session.pair;
     const name = (index: number) => (pair ? regionName(pair, index) : String(index));
     say(this.#region, region !== null ? name(region) : bounds !== null ? `edge of ${name(bounds)}` : "–");

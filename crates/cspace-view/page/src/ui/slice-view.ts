@@ -6,8 +6,11 @@ import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
+import { Lens, lensBox } from "./lens.js";
+import { length, rounded } from "./numbers.js";
 import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
+import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { FAR, currentSlice, sliceExtent, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
@@ -18,6 +21,12 @@ import type { Drag } from "./viewport.js";
 const GRAB = 26;
 /** Ends of curves nearer than this share of the slice's extent are one point, to fill what they are around. */
 const JOINED = 1e-6;
+/** The lens follows at most once in this time (ms): what bounds the room is found by motions. */
+const LENS_PAUSE = 80;
+/** Curves are drawn within this share of the lens. */
+const LENS_DEVIATION = 1 / 400;
+/** Around a region that is shown alone, of its extent. */
+const REGION_MARGIN = 0.3;
 
 export class SliceView {
   readonly viewport: Viewport;
@@ -28,6 +37,8 @@ export class SliceView {
   readonly #blocked: SVGPathElement;
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
+  readonly #lens: Lens;
+  #looking: ReturnType<typeof setTimeout> | null = null;
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -49,7 +60,11 @@ export class SliceView {
     this.viewport.world.append(this.#blocked, this.#path, this.#curves);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);
-    this.viewport.onView = () => this.#placePoint();
+    this.#lens = new Lens(this.viewport, "slice-lens");
+    this.viewport.onView = () => {
+      this.#placePoint();
+      this.#lookCloser();
+    };
     session.store.subscribe((changed, state) => this.#update(changed, state));
   }
 
@@ -64,6 +79,7 @@ export class SliceView {
       if (changed.has("configuration")) this.#follow();
       this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
       this.#placePoint();
+      this.#lookCloser();
       set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
     }
     if (changed.has("record")) {
@@ -85,6 +101,37 @@ export class SliceView {
     if (isPlanar(c) && !(awayFrom(box, c) > far)) grow(box, c);
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at) && !(awayFrom(box, at) > far)) grow(box, at);
     this.viewport.fit(box);
+  }
+
+  /** Shows what bounds a region at the current orientation. */
+  fitRegion(region: number): void {
+    const { planar: kernel, state } = this.#session;
+    const c = state.configuration;
+    if (!kernel || !isPlanar(c)) return;
+    const curves = currentSlice(this.#session).filter((curve) => curve.region === region);
+    if (curves.length > 0) this.viewport.fit(boxOfCurves(curves), REGION_MARGIN);
+  }
+
+  #lookCloser(): void {
+    this.#looking ??= setTimeout(() => {
+      this.#looking = null;
+      this.#drawLens();
+    }, LENS_PAUSE);
+  }
+
+  #drawLens(): void {
+    const { planar: kernel, state, scene } = this.#session;
+    const { configuration: c, where } = state;
+    const inside = where.classification === "free" || where.classification === "contact";
+    if (!kernel || !isPlanar(c) || !inside) return this.#lens.hide();
+    const [across, up] = playOf(kernel as never, c);
+    const box = across && up && lensBox(c, { across, up }, this.viewport.pixel, this.#lens.side);
+    if (!box) return this.#lens.hide();
+    const curves = kernel.slice(c.theta, (box.x1 - box.x0) * LENS_DEVIATION);
+    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session) * JOINED);
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(where.patches) };
+    const blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd", d: loops.map((points) => pathOf(points, true)).join("") });
+    this.#lens.show(box, c, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
   }
 
   /** Where contacts of other orientations are elsewhere, the view goes along. */

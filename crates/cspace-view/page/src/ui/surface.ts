@@ -3,7 +3,7 @@
  * orientation first, so that the page can be used meanwhile.
  */
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, MeshLambertMaterial } from "three";
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, MeshLambertMaterial } from "three";
 import type { Plane } from "three";
 import type { PatchKind, PlanarKernel } from "../kernel/api.js";
 import { TURN } from "./placement.js";
@@ -148,6 +148,10 @@ class RegionMesh {
     rims.setDrawRange(0, this.#rimsUsed);
   }
 
+  box(): Box3 {
+    return new Box3().setFromArray(this.#positions.subarray(0, 3 * this.#vertices));
+  }
+
   paint(colouring: Colouring): void {
     for (const placed of this.placed) this.#paint(placed, colouring);
     const colours = this.mesh.geometry.getAttribute("color");
@@ -239,6 +243,11 @@ export class Surface {
       this.group.add(mesh.mesh);
     }
     return mesh;
+  }
+
+  /** Bounds of what is drawn of a region. */
+  boxOf(region: number): Box3 | null {
+    return this.#regions.get(region)?.box() ?? null;
   }
 
   paint(colouring: Colouring): void {

@@ -2,7 +2,7 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { ScenePair } from "../scene.js";
-import { degrees, length } from "./numbers.js";
+import { degrees, length, rounded as shown } from "./numbers.js";
 import { widthOf } from "./play.js";
 import type { Way } from "./play.js";
 import { TURN } from "./placement.js";
@@ -20,10 +20,10 @@ export interface Told {
 }
 
 /** The region that a configuration is in or, in contact, at the edge of. */
-export function regionOf({ where, kernel }: Pick<Told, "where" | "kernel">): number | null {
+export function regionOf({ where, kernel }: { where: Where; kernel: Pick<Kernel, "patch"> | null }): number | null {
   if (where.region !== null) return where.region;
   const [patch] = where.patches;
-  return patch === undefined ? null : kernel.patch(patch).region;
+  return patch === undefined || !kernel ? null : kernel.patch(patch).region;
 }
 
 /** The verdict, in a sentence. */
@@ -33,7 +33,8 @@ export function headline(told: Told): string {
   if (where.classification === null) return "This is outside of what was computed.";
   const region = regionOf(told);
   const touches = where.classification === "contact";
-  if (pair.class === "fixed-axes") return touches ? `${moving} touches ${fixed}.` : `${moving} and ${fixed} are apart.`;
+  const apart = where.nearest ? `${length(shown(where.nearest.distance), told.unit)} apart` : "apart";
+  if (pair.class === "fixed-axes") return touches ? `${moving} touches ${fixed}.` : `${moving} and ${fixed} are ${apart}.`;
   if (region === null) return touches ? `${moving} touches ${fixed}.` : `${moving} is free.`;
   const name = regionName(pair, region);
   if (pair.regions[region]?.unbounded) return touches ? `${moving} touches ${fixed} from ${name}: it can leave.` : `${moving} is ${name}: it can leave.`;
@@ -47,7 +48,7 @@ export function details(told: Told, play: readonly Way[]): string[] {
   const axes = pair.class === "fixed-axes";
   const region = regionOf(told);
   const lines: string[] = [];
-  if (where.nearest && where.classification === "free") lines.push(`${length(where.nearest.distance, unit)} apart.`);
+  if (where.nearest && where.classification === "free" && !axes) lines.push(`${length(shown(where.nearest.distance), unit)} apart.`);
   if (axes) {
     for (const way of play) lines.push(`${way.coordinate === "u" ? moving : fixed} held, ${way.coordinate === "u" ? fixed : moving} ${moves(way, unit)}.`);
   } else if (region !== null && !pair.regions[region]?.unbounded) {
@@ -61,12 +62,15 @@ export function details(told: Told, play: readonly Way[]): string[] {
 function moves(way: Way, unit: string | null): string {
   if (way.kind === "length") return Number.isFinite(widthOf(way)) ? `slides by ${rounded(way, unit)}` : "slides freely";
   if (!Number.isFinite(widthOf(way)) || widthOf(way) >= TURN) return "turns all the way round";
-  return `turns by ${rounded(way, unit)}`;
+  const by = rounded(way, unit);
+  return by === degrees(0) ? "cannot turn" : `turns by ${by}`;
 }
 
-/** Play is told to three digits. */
+/** As many digits of play are told. */
+const DIGITS = 3;
+
 function rounded(way: Way, unit: string | null): string {
-  const value = Number(widthOf(way).toPrecision(3));
+  const value = widthOf(way);
   if (!Number.isFinite(value)) return "any length";
-  return way.kind === "angle" ? degrees(Number(((value * 180) / Math.PI).toPrecision(3)) * (Math.PI / 180)) : length(value, unit);
+  return way.kind === "angle" ? degrees(value, DIGITS) : length(shown(value, DIGITS), unit);
 }

@@ -79,6 +79,11 @@ export class Viewport {
     this.#resized();
   }
 
+  /** In pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.#width, height: this.#height };
+  }
+
   get pixel(): Place {
     return { x: 1 / this.#scale.x, y: 1 / this.#scale.y };
   }
