@@ -3,7 +3,9 @@
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, ScenePart } from "../scene.js";
 import { svg } from "./dom.js";
-import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, middleOf } from "./outline.js";
+import { addVertex, bend, moveVertex, nearestOn, removeVertex, setRadius } from "./edit-shape.js";
+import type { Loop } from "./edit-shape.js";
+import { arcOf, edgeOf, middleOf } from "./outline.js";
 import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import { ServerError } from "./server.js";
@@ -29,8 +31,8 @@ export interface EditReport {
 /** How near to a handle it is grabbed, in pixels. */
 const GRAB = 14;
 const HANDLE = 4.5;
-/** A bulge of less is a line: it is drawn so by whoever drags the middle back onto the chord. Of the edge's length. */
-const STRAIGHT = 0.004;
+/** How near to an edge a double click adds a vertex to it, in pixels. */
+const ON_EDGE = 10;
 
 type Edited = { loops: ScenePart["loops"]; motion: ScenePart["motion"]; offset: number };
 
@@ -229,7 +231,7 @@ export class Editor {
     });
   }
 
-  grab(at: Place, viewport: Viewport): Drag | null {
+  grab(at: Place, viewport: Viewport, alt = false): Drag | null {
     let nearest: Handle | null = null;
     let least = GRAB;
     for (const handle of this.#all()) {
@@ -242,31 +244,69 @@ export class Editor {
     this.selected = nearest;
     this.onSelect?.();
     if (!nearest) return null;
+    if (alt && this.removeSelected()) return {
+      move: () => {},
+    };
     const handle = nearest;
     const { store } = this.#session;
+    // All of a drag is from the shape at its beginning: radii that gave way come back.
+    const before = this.#edited[handle.part];
     let begun = false;
     return {
       move: (to) => {
         if (!begun) this.#remember();
         begun = true;
         store.change({ dragging: true });
-        this.#moveTo(handle, to);
+        if (before) this.#moveTo(handle, before, to);
       },
       end: () => store.change({ dragging: false }),
     };
   }
 
-  #moveTo(handle: Handle, to: Place): void {
-    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
-    const own = apply(inverse(placement), to);
-    this.#change(handle.part, (e) => {
+  #moveTo(handle: Handle, e: Edited, to: Place): void {
+    const own = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+    this.#change(handle.part, () => {
       if (handle.kind === "pivot") return e.motion.type === "revolute" ? { ...e, motion: { ...e.motion, center: to } } : e;
-      const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
-      if (!edge) return e;
-      if (handle.kind === "vertex") return withVertex(e, handle, own);
-      const bulge = bulgeThrough(edge, own);
-      return withVertex(e, handle, { bulge: Math.abs(bulge) < STRAIGHT ? 0 : bulge });
+      return withLoop(e, handle.loop, (loop) => (handle.kind === "vertex" ? moveVertex : bend)(loop, handle.index, own)) ?? e;
     });
+  }
+
+  /** Adds a vertex to the edge at a place; whether there is one. */
+  addAt(at: Place, viewport: Viewport): boolean {
+    const pair = this.#session.pair;
+    if (!pair || !this.#session.state.editing) return false;
+    let found: (Handle & { kind: "vertex" }) | null = null;
+    let least = ON_EDGE * viewport.pixel.x;
+    let own = at;
+    for (const part of [pair.fixed, pair.moving]) {
+      const p = apply(inverse(this.#session.state.placements[part] ?? IDENTITY), at);
+      this.#edited[part]?.loops.forEach((loop, l) =>
+        loop.forEach((_, index) => {
+          const edge = edgeOf(loop, index);
+          const on = edge ? nearestOn(edge, p).at : null;
+          const away = on ? Math.hypot(on.x - p.x, on.y - p.y) : Infinity;
+          if (away < least) [least, found, own] = [away, { kind: "vertex", part, loop: l, index }, p];
+        }),
+      );
+    }
+    return found !== null && this.#reshape(found, (loop, index) => addVertex(loop, index, own), 1);
+  }
+
+  /** Removes the vertex that is selected; whether one was. */
+  removeSelected(): boolean {
+    const handle = this.selected;
+    return handle?.kind === "vertex" && this.#session.state.editing && this.#reshape(handle, removeVertex, null);
+  }
+
+  /** Changes a loop, and selects the vertex that comes so many after the handle. */
+  #reshape(handle: Handle & { kind: "vertex" }, by: (loop: Loop, index: number) => Loop | null, select: number | null): boolean {
+    const e = this.#edited[handle.part];
+    const next = e && withLoop(e, handle.loop, (loop) => by(loop, handle.index));
+    if (!next) return false;
+    this.selected = select === null ? null : { ...handle, index: handle.index + select };
+    this.#remember();
+    this.#change(handle.part, () => next);
+    return true;
   }
 
   // What is typed.
@@ -297,16 +337,13 @@ export class Editor {
     const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
     if (!edge) return [];
     if (handle.kind === "vertex") {
-      return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withVertex(was, handle, { [k]: value })) }));
+      return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withLoop(was, handle.loop, (loop) => moveVertex(loop, handle.index, { ...edge.from, [k]: value }))) }));
     }
     return [
       {
         name: "radius",
         value: arcOf(edge)?.radius ?? null,
-        change: typed((was, value) => {
-          const bulge = bulgeOfRadius(edge, value);
-          return bulge === null ? null : withVertex(was, handle, { bulge });
-        }),
+        change: typed((was, value) => withLoop(was, handle.loop, (loop) => setRadius(loop, handle.index, value))),
       },
     ];
   }
@@ -318,9 +355,11 @@ export class Editor {
   }
 }
 
-function withVertex(e: Edited, handle: Handle & { loop: number; index: number }, to: Partial<ScenePart["loops"][number][number]>): Edited {
-  const loops = e.loops.map((loop, l) => (l === handle.loop ? loop.map((v, i) => (i === handle.index ? { ...v, ...to } : v)) : loop));
-  return { ...e, loops };
+/** A part with one of its loops changed; null if that cannot be. */
+function withLoop(e: Edited, index: number, by: (loop: Loop) => Loop | null): Edited | null {
+  const loop = e.loops[index];
+  const changed = loop && by(loop);
+  return changed ? { ...e, loops: e.loops.map((was, l) => (l === index ? [...changed] : was)) } : null;
 }
 
 function isSame(a: Handle, b: Handle | null): boolean {

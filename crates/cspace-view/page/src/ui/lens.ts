@@ -18,7 +18,9 @@ const COVERED = 24;
 const LEAST_ZOOM = 1.5;
 /** The lens is wider than the room by this, and no longer than so many times its width. */
 const AROUND = 1.5;
-const LONGEST = 6;
+const LONGEST = 3;
+/** Room of less is none, of that along the other coordinate. */
+const WEDGED = 1e-6;
 
 /** How far it is to the first contacts, back and forth along both coordinates of the view. */
 export interface Room {
@@ -31,7 +33,8 @@ export function lensBox(at: Place, { across, up }: Room, pixel: Place, side: num
   const widths = [(across.back + across.forth) / pixel.x, (up.back + up.forth) / pixel.y];
   const [least, most] = [Math.min(...widths), Math.max(...widths)];
   if (!(least < COVERED) || most === 0) return null;
-  const width = AROUND * Math.min(most, LONGEST * Math.max(least, most / LONGEST ** 2));
+  // Wedged along one coordinate, it has only the other.
+  const width = AROUND * Math.min(most, least > WEDGED * most ? LONGEST * least : most / LONGEST);
   if (side < LEAST_ZOOM * width) return null;
   const middle = ({ back, forth }: Room["across"], per: number) => ((back + forth) / per <= width ? (forth - back) / 2 : 0);
   const center = { x: at.x + middle(across, pixel.x), y: at.y + middle(up, pixel.y) };

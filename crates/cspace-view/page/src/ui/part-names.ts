@@ -1,6 +1,6 @@
 /** The names of parts, on them. Those of the pair are always there; others where they have room. */
 
-import type { ScenePair, ScenePart } from "../scene.js";
+import type { Place, ScenePair, ScenePart } from "../scene.js";
 import { svg } from "./dom.js";
 import { labelPlace } from "./label-place.js";
 import type { Stretch } from "./label-place.js";
@@ -11,14 +11,16 @@ import type { Viewport } from "./viewport.js";
 /** About as wide and as high as a character of a name is (root ems). */
 const CHARACTER = 0.52;
 const LINE = 1.2;
+/** Half the width of a pivot's mark (pixels). */
+const MARK = 12;
 
 export class PartNames {
   readonly group = svg("g", { class: "part-names", "aria-hidden": "true" });
   #places = new WeakMap<ScenePart, Stretch | null>();
 
-  draw(viewport: Viewport, parts: readonly ScenePart[], placements: readonly Placement[], pair: ScenePair | undefined): void {
+  draw(viewport: Viewport, parts: readonly ScenePart[], placements: readonly Placement[], pair: ScenePair | undefined, marks: readonly Place[]): void {
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const taken: { x: number; y: number; half: number }[] = [];
+    const taken = marks.map(({ x, y }) => ({ x, y, half: MARK }));
     const names: SVGElement[] = [];
     const ofPair = pair ? [pair.moving, pair.fixed] : [];
     const order = [...ofPair, ...parts.map((_, i) => i).filter((i) => !ofPair.includes(i))];

@@ -5,6 +5,7 @@ import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
 import { USUAL } from "./address.js";
 import type { Address } from "./address.js";
+import { firstPair } from "./first-pair.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
 import type { Anchor } from "./mechanism.js";
@@ -38,8 +39,7 @@ export class Session {
   constructor(scene: Scene, address: Address, fetch: Fetcher | null) {
     this.#fetch = fetch;
     const placements = atRest(scene);
-    // Joints have the least to show.
-    const first = Math.max(0, scene.pairs.findIndex((p) => p.class !== "lower"));
+    const first = firstPair(scene);
     const pair = scene.pairs[address.pair ?? first];
     this.store = new Store({
       scene,
@@ -60,6 +60,7 @@ export class Session {
       playing: false,
       speed: 1,
       editing: false,
+      measuring: false,
       outdated: false,
       message: null,
     });

@@ -12,7 +12,7 @@ import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
-import { FAR, currentSlice, sliceExtent, swings } from "./slices.js";
+import { FAR, currentSlice, refine, sliceExtent, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
@@ -21,6 +21,8 @@ import type { Drag } from "./viewport.js";
 const GRAB = 26;
 /** Ends of curves nearer than this share of the slice's extent are one point, to fill what they are around. */
 const JOINED = 1e-6;
+/** Curves are drawn within so many pixels, or finer. */
+const DEVIATION_PIXELS = 0.25;
 /** The lens follows at most once in this time (ms): what bounds the room is found by motions. */
 const LENS_PAUSE = 80;
 /** Curves are drawn within this share of the lens. */
@@ -62,6 +64,7 @@ export class SliceView {
     this.viewport.overlay.append(this.#point);
     this.#lens = new Lens(this.viewport, "slice-lens");
     this.viewport.onView = () => {
+      if (refine(session, DEVIATION_PIXELS * this.viewport.pixel.x)) this.#drawCurves();
       this.#placePoint();
       this.#lookCloser();
     };
@@ -74,10 +77,8 @@ export class SliceView {
       this.fit();
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
-      const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
-      if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
       if (changed.has("configuration")) this.#follow();
-      this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
+      this.#drawCurves(changed.has("configuration") || changed.has("space"));
       this.#placePoint();
       this.#lookCloser();
       set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
@@ -87,6 +88,13 @@ export class SliceView {
       if (kernel && steps.length > 0) this.fit();
       set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
     }
+  }
+
+  #drawCurves(fill = true): void {
+    const { planar: kernel, state } = this.#session;
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
+    if (fill) this.#fill(kernel);
+    this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
   }
 
   /** Shows all contacts, and the configuration and the way that is played if they are not far away. */
