@@ -5,7 +5,7 @@ import type { Browser } from "puppeteer-core";
 import { addressOf, open } from "./harness.js";
 
 /** The window that it is taken in (pixels). */
-const WINDOW = { width: 1100, height: 720 };
+const WINDOW = { width: 1366, height: 650 };
 
 /** The panes of which that is taken which is shown: of a pair in the plane, on fixed axes, of any. */
 const PANES = ["#space", "#plane", "#right"];

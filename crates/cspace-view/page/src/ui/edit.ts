@@ -2,21 +2,18 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, ScenePart } from "../scene.js";
-import { svg } from "./dom.js";
-import { addVertex, bend, moveVertex, nearestOn, removeVertex, setRadius } from "./edit-shape.js";
+import { Handles } from "./edit-handles.js";
+import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
+import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
 import type { Loop } from "./edit-shape.js";
-import { arcOf, edgeOf, middleOf } from "./outline.js";
+import { isAxes } from "./mechanism.js";
+import { arcOf, edgeOf } from "./outline.js";
 import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import { ServerError } from "./server.js";
 import type { EditAnswer, PartEdit, Server } from "./server.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
-
-export type Handle =
-  | { kind: "vertex"; part: number; loop: number; index: number }
-  | { kind: "bulge"; part: number; loop: number; index: number }
-  | { kind: "pivot"; part: number };
 
 export interface EditReport {
   /** Of the last answer: the space alone, all that the server did, and until it was here (s). */
@@ -27,14 +24,6 @@ export interface EditReport {
   changes: string;
   error: string | null;
 }
-
-/** How near to a handle it is grabbed, in pixels. */
-const GRAB = 14;
-const HANDLE = 4.5;
-/** How near to an edge a double click adds a vertex to it, in pixels. */
-const ON_EDGE = 10;
-
-type Edited = { loops: ScenePart["loops"]; motion: ScenePart["motion"]; offset: number };
 
 export class Editor {
   onReport: ((report: EditReport) => void) | null = null;
@@ -178,76 +167,36 @@ export class Editor {
       return { ...part, loops: now.loops, motion: now.motion, feature_names: answered.get(part.name)?.feature_names ?? part.feature_names };
     });
     this.#session.replaceParts(parts, index, answer.pair, changed);
+    // A part on a pivot that was moved is elsewhere by the same angle.
+    const { configuration } = this.#session.state;
+    if (isAxes(configuration)) this.#session.setConfiguration(configuration);
     this.#session.store.change({ outdated: false });
   }
 
   #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
     const { pair, kernel } = this.#session;
     if (!before.pair || !before.kernel || !pair || !kernel) return "";
-    return regionChanges({ regions: before.pair.regions, kernel: before.kernel }, { regions: pair.regions, kernel });
+    return regionChanges({ ...before.pair, kernel: before.kernel }, { ...pair, kernel });
   }
 
   // Handles.
 
-  #handlesOf(part: number): Handle[] {
-    const e = this.#edited[part];
-    if (!e) return [];
-    const handles: Handle[] = e.loops.flatMap((loop, l) =>
-      loop.flatMap((_, i): Handle[] => [
-        { kind: "bulge", part, loop: l, index: i },
-        { kind: "vertex", part, loop: l, index: i },
-      ]),
-    );
-    if (e.motion.type === "revolute") handles.push({ kind: "pivot", part });
-    return handles;
-  }
-
-  #all(): Handle[] {
-    const pair = this.#session.pair;
-    return pair && this.#session.state.editing ? [pair.fixed, pair.moving].flatMap((p) => this.#handlesOf(p)) : [];
-  }
-
-  /** In the assembly. */
-  #placeOf(handle: Handle): Place | null {
-    const e = this.#edited[handle.part];
-    if (!e) return null;
-    // A pivot belongs to the ground.
-    if (handle.kind === "pivot") return e.motion.type === "revolute" ? e.motion.center : null;
-    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
-    const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
-    return edge ? apply(placement, handle.kind === "vertex" ? edge.from : middleOf(edge)) : null;
+  get #handles(): Handles {
+    const { pair, state } = this.#session;
+    return new Handles(this.#edited, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : []);
   }
 
   handles(viewport: Viewport): SVGElement[] {
-    return this.#all().flatMap((handle) => {
-      const at = this.#placeOf(handle);
-      if (!at) return [];
-      const { x, y } = viewport.toScreen(at);
-      const chosen = isSame(handle, this.selected) ? " chosen" : "";
-      if (handle.kind === "vertex") {
-        return svg("rect", { class: `handle vertex${chosen}`, x: x - HANDLE, y: y - HANDLE, width: 2 * HANDLE, height: 2 * HANDLE });
-      }
-      return svg("circle", { class: `handle ${handle.kind}${chosen}`, cx: x, cy: y, r: handle.kind === "pivot" ? 8 : HANDLE - 0.5 });
-    });
+    return this.#handles.drawn(viewport, this.selected);
   }
 
-  grab(at: Place, viewport: Viewport, alt = false): Drag | null {
-    let nearest: Handle | null = null;
-    let least = GRAB;
-    for (const handle of this.#all()) {
-      const place = this.#placeOf(handle);
-      if (!place) continue;
-      const away = Math.hypot((place.x - at.x) / viewport.pixel.x, (place.y - at.y) / viewport.pixel.y);
-      // Where they lie on each other, vertices go before middles of edges.
-      if (away < least + (handle.kind === "bulge" ? -2 : 0)) [nearest, least] = [handle, away];
-    }
-    this.selected = nearest;
+  /** With Alt a vertex is removed. */
+  grab(at: Place, viewport: Viewport, alt: boolean): Drag | null {
+    const handle = this.#handles.nearest(at, viewport);
+    this.selected = handle;
     this.onSelect?.();
-    if (!nearest) return null;
-    if (alt && this.removeSelected()) return {
-      move: () => {},
-    };
-    const handle = nearest;
+    if (!handle) return null;
+    if (alt && this.removeSelected()) return { move: () => {} };
     const { store } = this.#session;
     // All of a drag is from the shape at its beginning: radii that gave way come back.
     const before = this.#edited[handle.part];
@@ -273,23 +222,8 @@ export class Editor {
 
   /** Adds a vertex to the edge at a place; whether there is one. */
   addAt(at: Place, viewport: Viewport): boolean {
-    const pair = this.#session.pair;
-    if (!pair || !this.#session.state.editing) return false;
-    let found: (Handle & { kind: "vertex" }) | null = null;
-    let least = ON_EDGE * viewport.pixel.x;
-    let own = at;
-    for (const part of [pair.fixed, pair.moving]) {
-      const p = apply(inverse(this.#session.state.placements[part] ?? IDENTITY), at);
-      this.#edited[part]?.loops.forEach((loop, l) =>
-        loop.forEach((_, index) => {
-          const edge = edgeOf(loop, index);
-          const on = edge ? nearestOn(edge, p).at : null;
-          const away = on ? Math.hypot(on.x - p.x, on.y - p.y) : Infinity;
-          if (away < least) [least, found, own] = [away, { kind: "vertex", part, loop: l, index }, p];
-        }),
-      );
-    }
-    return found !== null && this.#reshape(found, (loop, index) => addVertex(loop, index, own), 1);
+    const edge = this.#handles.edgeAt(at, viewport);
+    return edge !== null && this.#reshape(edge.of, (loop, index) => addVertex(loop, index, edge.own), 1);
   }
 
   /** Removes the vertex that is selected; whether one was. */
@@ -299,7 +233,7 @@ export class Editor {
   }
 
   /** Changes a loop, and selects the vertex that comes so many after the handle. */
-  #reshape(handle: Handle & { kind: "vertex" }, by: (loop: Loop, index: number) => Loop | null, select: number | null): boolean {
+  #reshape(handle: VertexHandle, by: (loop: Loop, index: number) => Loop | null, select: number | null): boolean {
     const e = this.#edited[handle.part];
     const next = e && withLoop(e, handle.loop, (loop) => by(loop, handle.index));
     if (!next) return false;
@@ -361,9 +295,3 @@ function withLoop(e: Edited, index: number, by: (loop: Loop) => Loop | null): Ed
   const changed = loop && by(loop);
   return changed ? { ...e, loops: e.loops.map((was, l) => (l === index ? [...changed] : was)) } : null;
 }
-
-function isSame(a: Handle, b: Handle | null): boolean {
-  if (!b || a.kind !== b.kind || a.part !== b.part) return false;
-  return a.kind === "pivot" || b.kind === "pivot" || (a.loop === b.loop && a.index === b.index);
-}
-

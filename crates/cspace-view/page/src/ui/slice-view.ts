@@ -26,7 +26,7 @@ const DEVIATION_PIXELS = 0.25;
 /** The lens follows at most once in this time (ms): what bounds the room is found by motions. */
 const LENS_PAUSE = 80;
 /** Curves are drawn within this share of the lens. */
-const LENS_DEVIATION = 1 / 400;
+const LENS_DEVIATION = 1 / 1500;
 /** Around a region that is shown alone, of its extent. */
 const REGION_MARGIN = 0.3;
 

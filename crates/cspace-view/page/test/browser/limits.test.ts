@@ -158,12 +158,17 @@ describe("the page at its limits", { skip }, () => {
           return (e as HTMLInputElement).value;
         }, text);
       assert.equal(await clearance("0.01"), "0.01");
-      // The answer to it would be said in place of what is wrong with the next.
-      await page.waitForFunction(() => /ms of 33 ms/.test(document.querySelector("#edit meter + p")?.textContent ?? ""), { timeout: PATIENCE });
+      const bad = (): Promise<string> => page.$$eval("#edit p.bad:not([hidden])", (all) => all.map((e) => e.textContent ?? "").join());
       for (const text of ["", "1e300"]) {
-        assert.equal(await clearance(text), "0.01");
-        assert.match(await page.$eval("#edit p.bad", (e) => e.textContent ?? ""), /clearance: type a number/);
+        assert.equal(await clearance(text), text);
+        assert.match(await bad(), /clearance: type a number/);
       }
+      // The answer to what was typed before says nothing else in its place, nor does leaving the field.
+      await page.waitForFunction(() => /ms of 33 ms/.test(document.querySelector("#edit meter + p")?.textContent ?? ""), { timeout: PATIENCE });
+      await settled(page);
+      assert.match(await bad(), /clearance: type a number/);
+      await clearance("0.01");
+      assert.equal(await bad(), "");
       await page.click('#edit button[aria-label^="Move"]');
       const [panel, pane] = await page.$$eval("#edit, #left", (all) => all.map((e) => e.getBoundingClientRect().right)).then((all) => [Math.min(...all), Math.max(...all)]);
       assert.ok((pane ?? NaN) - (panel ?? NaN) < 20);
