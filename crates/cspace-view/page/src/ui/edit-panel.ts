@@ -1,4 +1,4 @@
-/** Beside the parts while they are edited: the selected handle's numbers, clearance, the budget, undo and save. */
+/** In the side panel while parts are edited: the selected handle's numbers, clearance, the budget, undo and save. */
 
 import type { Actions } from "./actions.js";
 import { byId, html, say, set } from "./dom.js";
@@ -39,13 +39,10 @@ export class EditPanel {
       // More clearance is less material.
       else if (value !== (-editor.offsetOf(moving) || 0)) editor.setOffset(moving, -value);
     });
-    const side = html("button", { type: "button", class: "small", title: "Move this panel to the other side, where it covers no handle", "aria-label": "Move this panel to the other side" }, "⇄");
-    side.addEventListener("click", () => byId("edit").classList.toggle("at-the-right"));
     const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
     const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
     byId("edit").append(
-      side,
-      html("p", {}, "Drag squares (vertices), dots (bends of edges) and rings (pivots); radii stay. A double click on an edge adds a vertex, Delete or Alt-click removes one."),
+      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it."),
       this.#fields,
       clearance,
       this.#refused,

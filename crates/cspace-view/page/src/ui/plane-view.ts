@@ -15,6 +15,7 @@ import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { pointMark } from "./slice-view.js";
 import type { Key, State } from "./state.js";
+import { unhurried } from "./unhurried.js";
 import { Viewport, wheelSlide } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
@@ -23,7 +24,7 @@ const GRAB = 26;
 const DEVIATION = 1 / 4000;
 /** A part that stands still has a strip of this width (model unit or radians), so that there is something to see. */
 const STILL = 1;
-/** The lens follows at most once in this time (ms): what bounds the room is found by motions. */
+/** The lens follows so much later (ms): what bounds the room is found by motions. */
 const LENS_PAUSE = 80;
 /** Curves are drawn within this share of the lens. */
 const LENS_DEVIATION = 1 / 200;
@@ -37,7 +38,7 @@ export class PlaneView {
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
   readonly #lens: Lens;
-  #looking: ReturnType<typeof setTimeout> | null = null;
+  readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
   #drawn: { kernel: AxesKernel; deviation: number; curves: DrawnCurve[]; free: FreePolygon[] } | null = null;
 
   constructor(parent: HTMLElement, session: Session) {
@@ -108,13 +109,6 @@ export class PlaneView {
       if (of === region) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
     }
     this.viewport.fit(box, 0.06);
-  }
-
-  #lookCloser(): void {
-    this.#looking ??= setTimeout(() => {
-      this.#looking = null;
-      this.#drawLens();
-    }, LENS_PAUSE);
   }
 
   #drawLens(): void {

@@ -14,6 +14,7 @@ import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { FAR, currentSlice, refine, sliceExtent, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
+import { unhurried } from "./unhurried.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
@@ -23,7 +24,7 @@ const GRAB = 26;
 const JOINED = 1e-6;
 /** Curves are drawn within so many pixels, or finer. */
 const DEVIATION_PIXELS = 0.25;
-/** The lens follows at most once in this time (ms): what bounds the room is found by motions. */
+/** The lens follows so much later (ms): what bounds the room is found by motions. */
 const LENS_PAUSE = 80;
 /** Curves are drawn within this share of the lens. */
 const LENS_DEVIATION = 1 / 1500;
@@ -40,7 +41,7 @@ export class SliceView {
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
   readonly #lens: Lens;
-  #looking: ReturnType<typeof setTimeout> | null = null;
+  readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -118,13 +119,6 @@ export class SliceView {
     if (!kernel || !isPlanar(c)) return;
     const curves = currentSlice(this.#session).filter((curve) => curve.region === region);
     if (curves.length > 0) this.viewport.fit(boxOfCurves(curves), REGION_MARGIN);
-  }
-
-  #lookCloser(): void {
-    this.#looking ??= setTimeout(() => {
-      this.#looking = null;
-      this.#drawLens();
-    }, LENS_PAUSE);
   }
 
   #drawLens(): void {

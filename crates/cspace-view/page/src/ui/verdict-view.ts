@@ -6,9 +6,10 @@ import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 import { details, headline } from "./verdict.js";
+import { unhurried } from "./unhurried.js";
 import type { Told } from "./verdict.js";
 
-/** While something is dragged, play is told at most once in this time (ms): the headline follows at once. */
+/** Play is told so much later than the headline (ms): it is found by motions. */
 const PAUSE = 120;
 
 export class VerdictView {
@@ -16,7 +17,7 @@ export class VerdictView {
   readonly #element: HTMLElement;
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
   readonly #details = html("div", { class: "detail" });
-  #waiting: ReturnType<typeof setTimeout> | null = null;
+  readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -34,10 +35,7 @@ export class VerdictView {
     if (told) say(this.#headline, headline(told));
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
     else say(this.#headline, pair && lowerPair(pair) ? "Joined: the parts always touch." : "No configuration space.");
-    this.#waiting ??= setTimeout(() => {
-      this.#waiting = null;
-      this.#tell();
-    }, PAUSE);
+    this.#tellLater();
   }
 
   #told(): Told | null {
