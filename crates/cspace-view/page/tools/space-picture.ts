@@ -2,10 +2,10 @@
 
 import { PNG } from "pngjs";
 import type { Browser } from "puppeteer-core";
-import { addressOf, open } from "./harness.js";
+import { PATIENCE, addressOf, open } from "./harness.js";
 
 /** The window that it is taken in (pixels). */
-const WINDOW = { width: 1100, height: 720 };
+const WINDOW = { width: 1366, height: 650 };
 
 /** The panes of which that is taken which is shown: of a pair in the plane, on fixed axes, of any. */
 const PANES = ["#space", "#plane", "#right"];
@@ -16,6 +16,8 @@ export async function spaceOf(browser: Browser, page_file: string): Promise<{ pi
   if (faults.length > 0) {
     throw new Error(faults.join("; "));
   }
+  // The page can be used before its surface is complete.
+  await page.waitForFunction(() => document.querySelector<HTMLElement>("#building")?.hidden ?? true, { timeout: PATIENCE });
   const pair = (await page.evaluate("window.cspace.pair()")) as [string, string];
   for (const pane of PANES) {
     const element = await page.$(pane);

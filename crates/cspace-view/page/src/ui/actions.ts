@@ -6,11 +6,13 @@ export interface Actions {
   toggleColouring(): void;
   toggleTheme(): void;
   toggleEdit(): void;
+  toggleMeasure(): void;
   fit(): void;
   help(): void;
   play(): void;
   undo(): void;
   redo(): void;
+  removeVertex(): void;
   openRecord(): void;
   saveSvg(): void;
   savePng(): void;

@@ -1,4 +1,4 @@
-/** Beside the parts while they are edited: the selected handle's numbers, clearance, the budget, undo and save. */
+/** In the side panel while parts are edited: the selected handle's numbers, clearance, the budget, undo and save. */
 
 import type { Actions } from "./actions.js";
 import { byId, html, say, set } from "./dom.js";
@@ -17,6 +17,7 @@ export class EditPanel {
   readonly #meter = html("meter", { min: 0, max: 2 * BUDGET, high: BUDGET, optimum: 0, value: 0, "aria-label": "Time of the last computation" });
   readonly #time = html("p", {}, "nothing computed yet");
   readonly #said = html("p");
+  readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #undo = html("button", { type: "button" }, "Undo");
   readonly #redo = html("button", { type: "button" }, "Redo");
 
@@ -31,22 +32,20 @@ export class EditPanel {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
       if (moving === undefined) return;
+      // What is wrong stays, with what is said of it, until it is mended: leaving the field is no change.
+      set(this.#offset, { "aria-invalid": value === null ? "true" : null });
+      this.#refused.hidden = value !== null;
+      if (value === null) say(this.#refused, refusal("clearance"));
       // More clearance is less material.
-      if (value !== null) editor.setOffset(moving, -value);
-      else {
-        this.#refuse("clearance");
-        this.#offset.value = String(-editor.offsetOf(moving) || 0);
-      }
+      else if (value !== (-editor.offsetOf(moving) || 0)) editor.setOffset(moving, -value);
     });
-    const side = html("button", { type: "button", class: "small", title: "Move this panel to the other side, where it covers no handle", "aria-label": "Move this panel to the other side" }, "⇄");
-    side.addEventListener("click", () => byId("edit").classList.toggle("at-the-right"));
     const unit = session.scene.unit ? ` (${session.scene.unit})` : "";
     const clearance = html("label", { for: "edit-offset", title: "The moving part is shrunk by this all round" }, `clearance${unit}`, this.#offset);
     byId("edit").append(
-      side,
-      html("p", {}, "Drag squares (vertices), dots (bulges of edges) and rings (pivots)."),
+      html("p", {}, "Drag squares (vertices), dots (edges) and rings (pivots). Double-click an edge to add a vertex, Alt-click one to remove it."),
       this.#fields,
       clearance,
+      this.#refused,
       this.#meter,
       this.#time,
       this.#said,
@@ -56,6 +55,10 @@ export class EditPanel {
     editor.onSelect = () => this.#draw();
     session.store.subscribe((changed, state) => {
       if (changed.has("editing")) byId("edit").hidden = !state.editing;
+      if (changed.has("pair")) {
+        set(this.#offset, { "aria-invalid": null });
+        this.#refused.hidden = true;
+      }
       if (changed.has("pair") || changed.has("editing")) this.#draw();
     });
   }
@@ -75,14 +78,14 @@ export class EditPanel {
 
   #refuse(name: string): void {
     set(this.#said, { class: "bad" });
-    say(this.#said, `${name}: type a number of at most ${LARGEST_NUMBER}; nothing is changed`);
+    say(this.#said, refusal(name));
   }
 
   #draw(): void {
     this.#undo.disabled = !this.#editor.canUndo;
     this.#redo.disabled = !this.#editor.canRedo;
     const moving = this.#session.pair?.moving ?? -1;
-    if (document.activeElement !== this.#offset) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
+    if (document.activeElement !== this.#offset && this.#refused.hidden) this.#offset.value = String(-this.#editor.offsetOf(moving) || 0);
     // A number that is being typed stays.
     if (this.#fields.contains(document.activeElement)) return;
     this.#fields.replaceChildren(
@@ -101,6 +104,10 @@ export class EditPanel {
       }),
     );
   }
+}
+
+function refusal(name: string): string {
+  return `${name}: type a number of at most ${LARGEST_NUMBER}; nothing is changed`;
 }
 
 /** What is typed into a field for numbers, which is empty where it is none. */

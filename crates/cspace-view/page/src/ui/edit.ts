@@ -2,19 +2,18 @@
 
 import type { Kernel } from "../kernel/api.js";
 import type { Place, ScenePair, ScenePart } from "../scene.js";
-import { svg } from "./dom.js";
-import { arcOf, bulgeOfRadius, bulgeThrough, edgeOf, middleOf } from "./outline.js";
+import { Handles } from "./edit-handles.js";
+import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
+import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
+import type { Loop } from "./edit-shape.js";
+import { isAxes } from "./mechanism.js";
+import { arcOf, edgeOf } from "./outline.js";
 import { IDENTITY, apply, inverse } from "./placement.js";
 import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 import { WorkError } from "./workshop.js";
 import type { EditAnswer, PartEdit, Workshop } from "./workshop.js";
-
-export type Handle =
-  | { kind: "vertex"; part: number; loop: number; index: number }
-  | { kind: "bulge"; part: number; loop: number; index: number }
-  | { kind: "pivot"; part: number };
 
 export interface EditReport {
   /** Of the last answer: the space alone, and until it was here (s). */
@@ -27,13 +26,6 @@ export interface EditReport {
 
 /** A computation that takes longer is ended once the shape has changed again (ms). */
 const PATIENCE = 1000;
-/** How near to a handle it is grabbed, in pixels. */
-const GRAB = 14;
-const HANDLE = 4.5;
-/** A bulge of less is a line: it is drawn so by whoever drags the middle back onto the chord. Of the edge's length. */
-const STRAIGHT = 0.004;
-
-type Edited = { loops: ScenePart["loops"]; motion: ScenePart["motion"]; offset: number };
 
 export class Editor {
   onReport: ((report: EditReport) => void) | null = null;
@@ -183,97 +175,80 @@ export class Editor {
       return { ...part, loops: now.loops, motion: now.motion, feature_names: answered.get(part.name)?.feature_names ?? part.feature_names };
     });
     this.#session.replaceParts(parts, index, answer.pair, changed);
+    // A part on a pivot that was moved is elsewhere by the same angle.
+    const { configuration } = this.#session.state;
+    if (isAxes(configuration)) this.#session.setConfiguration(configuration);
     this.#session.store.change({ outdated: false });
   }
 
   #changesSince(before: { pair: ScenePair | undefined; kernel: Kernel | null }): string {
     const { pair, kernel } = this.#session;
     if (!before.pair || !before.kernel || !pair || !kernel) return "";
-    return regionChanges({ regions: before.pair.regions, kernel: before.kernel }, { regions: pair.regions, kernel });
+    return regionChanges({ ...before.pair, kernel: before.kernel }, { ...pair, kernel });
   }
 
   // Handles.
 
-  #handlesOf(part: number): Handle[] {
-    const e = this.#edited[part];
-    if (!e) return [];
-    const handles: Handle[] = e.loops.flatMap((loop, l) =>
-      loop.flatMap((_, i): Handle[] => [
-        { kind: "bulge", part, loop: l, index: i },
-        { kind: "vertex", part, loop: l, index: i },
-      ]),
-    );
-    if (e.motion.type === "revolute") handles.push({ kind: "pivot", part });
-    return handles;
-  }
-
-  #all(): Handle[] {
-    const pair = this.#session.pair;
-    return pair && this.#session.state.editing ? [pair.fixed, pair.moving].flatMap((p) => this.#handlesOf(p)) : [];
-  }
-
-  /** In the assembly. */
-  #placeOf(handle: Handle): Place | null {
-    const e = this.#edited[handle.part];
-    if (!e) return null;
-    // A pivot belongs to the ground.
-    if (handle.kind === "pivot") return e.motion.type === "revolute" ? e.motion.center : null;
-    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
-    const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
-    return edge ? apply(placement, handle.kind === "vertex" ? edge.from : middleOf(edge)) : null;
+  get #handles(): Handles {
+    const { pair, state } = this.#session;
+    return new Handles(this.#edited, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : []);
   }
 
   handles(viewport: Viewport): SVGElement[] {
-    return this.#all().flatMap((handle) => {
-      const at = this.#placeOf(handle);
-      if (!at) return [];
-      const { x, y } = viewport.toScreen(at);
-      const chosen = isSame(handle, this.selected) ? " chosen" : "";
-      if (handle.kind === "vertex") {
-        return svg("rect", { class: `handle vertex${chosen}`, x: x - HANDLE, y: y - HANDLE, width: 2 * HANDLE, height: 2 * HANDLE });
-      }
-      return svg("circle", { class: `handle ${handle.kind}${chosen}`, cx: x, cy: y, r: handle.kind === "pivot" ? 8 : HANDLE - 0.5 });
-    });
+    return this.#handles.drawn(viewport, this.selected);
   }
 
-  grab(at: Place, viewport: Viewport): Drag | null {
-    let nearest: Handle | null = null;
-    let least = GRAB;
-    for (const handle of this.#all()) {
-      const place = this.#placeOf(handle);
-      if (!place) continue;
-      const away = Math.hypot((place.x - at.x) / viewport.pixel.x, (place.y - at.y) / viewport.pixel.y);
-      // Where they lie on each other, vertices go before middles of edges.
-      if (away < least + (handle.kind === "bulge" ? -2 : 0)) [nearest, least] = [handle, away];
-    }
-    this.selected = nearest;
+  /** With Alt a vertex is removed. */
+  grab(at: Place, viewport: Viewport, alt: boolean): Drag | null {
+    const handle = this.#handles.nearest(at, viewport);
+    this.selected = handle;
     this.onSelect?.();
-    if (!nearest) return null;
-    const handle = nearest;
+    if (!handle) return null;
+    if (alt && this.removeSelected()) return { move: () => {} };
     const { store } = this.#session;
+    // All of a drag is from the shape at its beginning: radii that gave way come back.
+    const before = this.#edited[handle.part];
     let begun = false;
     return {
       move: (to) => {
         if (!begun) this.#remember();
         begun = true;
         store.change({ dragging: true });
-        this.#moveTo(handle, to);
+        if (before) this.#moveTo(handle, before, to);
       },
       end: () => store.change({ dragging: false }),
     };
   }
 
-  #moveTo(handle: Handle, to: Place): void {
-    const placement = this.#session.state.placements[handle.part] ?? IDENTITY;
-    const own = apply(inverse(placement), to);
-    this.#change(handle.part, (e) => {
+  #moveTo(handle: Handle, e: Edited, to: Place): void {
+    const own = apply(inverse(this.#session.state.placements[handle.part] ?? IDENTITY), to);
+    this.#change(handle.part, () => {
       if (handle.kind === "pivot") return e.motion.type === "revolute" ? { ...e, motion: { ...e.motion, center: to } } : e;
-      const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
-      if (!edge) return e;
-      if (handle.kind === "vertex") return withVertex(e, handle, own);
-      const bulge = bulgeThrough(edge, own);
-      return withVertex(e, handle, { bulge: Math.abs(bulge) < STRAIGHT ? 0 : bulge });
+      return withLoop(e, handle.loop, (loop) => (handle.kind === "vertex" ? moveVertex : bend)(loop, handle.index, own)) ?? e;
     });
+  }
+
+  /** Adds a vertex to the edge at a place; whether there is one. */
+  addAt(at: Place, viewport: Viewport): boolean {
+    const edge = this.#handles.edgeAt(at, viewport);
+    return edge !== null && this.#reshape(edge.of, (loop, index) => addVertex(loop, index, edge.own), 1);
+  }
+
+  /** Removes the vertex that is selected; whether one was. */
+  removeSelected(): boolean {
+    const handle = this.selected;
+    return handle?.kind === "vertex" && this.#session.state.editing && this.#reshape(handle, removeVertex, null);
+  }
+
+  /** Changes a loop, and selects the vertex that comes so many after the handle. */
+  #reshape(handle: VertexHandle, by: (loop: Loop, index: number) => Loop | null, select: number | null): boolean {
+    const e = this.#edited[handle.part];
+    const next = e && withLoop(e, handle.loop, (loop) => by(loop, handle.index));
+    if (!next) return false;
+    this.selected = select === null ? null : { ...handle, index: handle.index + select };
+    this.#remember();
+    this.#change(handle.part, () => next);
+    return true;
   }
 
   // What is typed.
@@ -304,16 +279,13 @@ export class Editor {
     const edge = edgeOf(e.loops[handle.loop] ?? [], handle.index);
     if (!edge) return [];
     if (handle.kind === "vertex") {
-      return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withVertex(was, handle, { [k]: value })) }));
+      return (["x", "y"] as const).map((k) => ({ name: k, value: edge.from[k], change: typed((was, value) => withLoop(was, handle.loop, (loop) => moveVertex(loop, handle.index, { ...edge.from, [k]: value }))) }));
     }
     return [
       {
         name: "radius",
         value: arcOf(edge)?.radius ?? null,
-        change: typed((was, value) => {
-          const bulge = bulgeOfRadius(edge, value);
-          return bulge === null ? null : withVertex(was, handle, { bulge });
-        }),
+        change: typed((was, value) => withLoop(was, handle.loop, (loop) => setRadius(loop, handle.index, value))),
       },
     ];
   }
@@ -325,13 +297,9 @@ export class Editor {
   }
 }
 
-function withVertex(e: Edited, handle: Handle & { loop: number; index: number }, to: Partial<ScenePart["loops"][number][number]>): Edited {
-  const loops = e.loops.map((loop, l) => (l === handle.loop ? loop.map((v, i) => (i === handle.index ? { ...v, ...to } : v)) : loop));
-  return { ...e, loops };
+/** A part with one of its loops changed; null if that cannot be. */
+function withLoop(e: Edited, index: number, by: (loop: Loop) => Loop | null): Edited | null {
+  const loop = e.loops[index];
+  const changed = loop && by(loop);
+  return changed ? { ...e, loops: e.loops.map((was, l) => (l === index ? [...changed] : was)) } : null;
 }
-
-function isSame(a: Handle, b: Handle | null): boolean {
-  if (!b || a.kind !== b.kind || a.part !== b.part) return false;
-  return a.kind === "pivot" || b.kind === "pivot" || (a.loop === b.loop && a.index === b.index);
-}
-

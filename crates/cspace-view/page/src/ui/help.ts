@@ -8,9 +8,11 @@ const KEYS: [string[], string][] = [
   [["Page Up", "Page Down"], "next and previous band"],
   [["s"], "let the moving part stop and slide at contact, or not"],
   [["c"], "cut the surface at the current orientation"],
+  [["m"], "measure: click two corners or edges of parts"],
   [["f"], "show everything again"],
   [["0"], "parts as they are drawn"],
   [["Space"], "play or pause a record"],
+  [["Delete"], "remove the selected vertex; also Alt-click on it"],
   [["Ctrl", "z"], "undo an edit; with Shift redo it"],
   [["?"], "this help"],
 ];
@@ -20,6 +22,7 @@ const POINTER: [string, string][] = [
   ["wheel over the moving part", "turns it; anywhere with Shift (with Alt ten times finer)"],
   ["drag the point", "moves the configuration in the slice; in 3-D with Shift up and down, which turns the part"],
   ["drag beside them", "moves the picture, or looks from elsewhere; wheel or two fingers zoom, a double click shows all"],
+  ["double click an edge", "adds a vertex to it, while parts are edited"],
   ["drop a file", "plays what cspace plan or cspace simulate prints with --format json"],
 ];
 

@@ -41,10 +41,13 @@ export function listenToKeys(session: Session, actions: Actions, viewports: { pa
       PageDown: () => session.stepBand(-1),
       s: actions.toggleStop,
       c: actions.toggleCut,
+      m: actions.toggleMeasure,
       f: actions.fit,
       "0": () => session.reset(),
       "?": actions.help,
       " ": actions.play,
+      Delete: actions.removeVertex,
+      Backspace: actions.removeVertex,
     };
     // A button takes the space bar for itself.
     if (key === " " && target?.matches("button, summary, a")) return;

@@ -3,8 +3,10 @@
 import type { Configuration, PatchKind } from "../kernel/api.js";
 import { KINDS, KIND_NAMES, TOUCHING, regionColour } from "./colours.js";
 import { html } from "./dom.js";
+import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { regionOf } from "./verdict.js";
 
 /** A space may have thousands of regions: as many are listed. */
 const LISTED = 40;
@@ -12,9 +14,12 @@ const LISTED = 40;
 export class Legend {
   readonly #session: Session;
   readonly #element: HTMLElement;
+  readonly #fit: (region: number) => void;
 
-  constructor(parent: HTMLElement, session: Session) {
+  /** `fit` shows a region as large as the views allow. */
+  constructor(parent: HTMLElement, session: Session, fit: (region: number) => void) {
     this.#session = session;
+    this.#fit = fit;
     this.#element = parent;
     session.store.subscribe((changed) => {
       if ((["space", "colouring", "hidden", "pair"] as Key[]).some((k) => changed.has(k))) this.#draw();
@@ -28,7 +33,7 @@ export class Legend {
     if (pair && kernel && kernel.class !== "lower") {
       const byKind = state.colouring === "kind";
       if (byKind) items.push(...(Object.keys(KINDS) as PatchKind[]).map((kind) => html("li", {}, swatch(KINDS[kind]), html("span", {}, KIND_NAMES[kind]))));
-      items.push(...pair.regions.slice(0, LISTED).map((region, i) => this.#region(i, region, byKind)));
+      items.push(...pair.regions.slice(0, LISTED).map((region, i) => this.#region(i, regionName(pair, i), region.sample, byKind)));
       if (pair.regions.length > LISTED) items.push(html("li", {}, `and ${pair.regions.length - LISTED} more regions`));
       items.push(html("li", {}, swatch(TOUCHING), html("span", {}, "touching")));
     }
@@ -37,7 +42,7 @@ export class Legend {
     if (focused) document.getElementById(focused)?.focus();
   }
 
-  #region(index: number, region: { unbounded: boolean; sample: number[] }, byKind: boolean): HTMLElement {
+  #region(index: number, name: string, sample: number[], byKind: boolean): HTMLElement {
     const { store } = this.#session;
     const id = `region-${index}`;
     const box = html("input", { type: "checkbox", id });
@@ -48,10 +53,16 @@ export class Legend {
       else hidden.add(index);
       store.change({ hidden });
     });
-    const label = html("label", { for: id }, ...(byKind ? [] : [swatch(regionColour(index))]), `region ${index}${region.unbounded ? ", unbounded" : ""}`);
-    const go = html("button", { type: "button", class: "small", title: "Go to a configuration in it", "aria-label": `Go to region ${index}` }, "→");
-    go.addEventListener("click", () => this.#session.setConfiguration(configurationOf(region.sample)));
-    return html("li", {}, box, label, go);
+    const label = html("label", { for: id }, ...(byKind ? [] : [swatch(regionColour(index))]), name);
+    const go = html("button", { type: "button", class: "small", title: "Go to a configuration in it", "aria-label": `Go to ${name}` }, "→");
+    go.addEventListener("click", () => this.#session.setConfiguration(configurationOf(sample)));
+    const fit = html("button", { type: "button", class: "small", title: "Show all of it, as large as the views allow", "aria-label": `Fit to ${name}` }, "Fit");
+    fit.addEventListener("click", () => {
+      if (regionOf({ where: this.#session.state.where, kernel: this.#session.kernel }) !== index) go.click();
+      store.flush();
+      this.#fit(index);
+    });
+    return html("li", {}, box, label, go, fit);
   }
 }
 

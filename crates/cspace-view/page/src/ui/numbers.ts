@@ -25,9 +25,14 @@ export function length(value: number, unit: string | null): string {
 /** Angles of less are rounding (degrees). */
 const NO_ANGLE = 1e-9;
 
-export function degrees(angle: number): string {
+export function degrees(angle: number, digits = SHOWN_DIGITS): string {
   const value = (angle * 180) / Math.PI;
-  return `${short(Math.abs(value) < NO_ANGLE ? 0 : value)}°`;
+  return `${short(Math.abs(value) < NO_ANGLE ? 0 : rounded(value, digits))}°`;
+}
+
+/** To the few digits that people compare by eye. */
+export function rounded(value: number, digits = 3): number {
+  return Number.isFinite(value) ? Number(value.toPrecision(digits)) : value;
 }
 
 const LENGTH_STEPS = [1, 2, 5] as const;

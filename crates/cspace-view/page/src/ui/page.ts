@@ -7,7 +7,9 @@ import { USUAL, readAddress, writeAddress } from "./address.js";
 import { byId, download, fileName, html, say, textOf } from "./dom.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
+import { Graphs } from "./graphs.js";
 import { makeHelp } from "./help.js";
+import { showHints } from "./hints.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
 import { showMessage } from "./message.js";
@@ -22,6 +24,7 @@ import { Session } from "./session.js";
 import { SliceView } from "./slice-view.js";
 import { SpaceView } from "./space-view.js";
 import type { Key } from "./state.js";
+import { VerdictView } from "./verdict-view.js";
 import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
@@ -47,7 +50,16 @@ export function openPage(scene: Scene, worker: string): void {
   const sliceView = new SliceView(byId("slice"), session);
   const planeView = new PlaneView(byId("plane"), session);
   const spaceView = openSpaceView(session, address.camera ?? null);
-  new Legend(byId("legend"), session);
+  new VerdictView(byId("verdict"), session);
+  new Legend(byId("legend"), session, (region) => {
+    // What is around a pocket would hide it.
+    const others = session.pair?.regions.map((_, i) => i).filter((i) => i !== region) ?? [];
+    if (session.planar) store.change({ hidden: new Set(others) });
+    spaceView?.fitRegion(region);
+    sliceView.fitRegion(region);
+    planeView.fitRegion(region);
+  });
+  new Graphs(byId("graphs"), session);
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session);
@@ -72,8 +84,10 @@ export function openPage(scene: Scene, worker: string): void {
     toggleCut: () => store.change({ cut: !store.state.cut }),
     toggleColouring: () => store.change({ colouring: store.state.colouring === "kind" ? "region" : "kind" }),
     toggleTheme: () => store.change({ theme: ({ auto: "dark", dark: "light", light: "auto" } as const)[store.state.theme] }),
+    toggleMeasure: () => store.change({ measuring: !store.state.measuring }),
     toggleEdit: () => editor && store.change({ editing: !store.state.editing }),
     fit: () => {
+      if (store.state.hidden.size > 0) store.change({ hidden: new Set() });
       partsView.fit();
       spaceView?.lookFromTheFront();
       sliceView.fit();
@@ -83,11 +97,13 @@ export function openPage(scene: Scene, worker: string): void {
     play: () => timeline.toggle(),
     undo: () => editor?.undo(),
     redo: () => editor?.redo(),
+    removeVertex: () => editor?.removeSelected(),
     openRecord: () => chooseFile((file) => void timeline.open(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then((text) => download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" })), failed),
   };
+  showHints(byId("hints"), session);
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
   if (editor) new EditPanel(session, editor, actions);
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });

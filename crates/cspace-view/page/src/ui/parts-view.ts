@@ -5,8 +5,10 @@ import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import type { Editor } from "./edit.js";
 import { lowerPair } from "./lower.js";
+import { Measure } from "./measure.js";
 import { placed } from "./mechanism.js";
 import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } from "./outline.js";
+import { PartNames } from "./part-names.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
 import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
@@ -35,6 +37,8 @@ export class PartsView {
   readonly #editor: Editor | null;
   readonly #parts: SVGGElement;
   readonly #pivots: SVGGElement;
+  readonly #names = new PartNames();
+  readonly #measure: Measure;
   readonly #marks: SVGGElement;
   readonly #handles: SVGGElement;
   #drawn: Drawn[] = [];
@@ -48,14 +52,16 @@ export class PartsView {
       label: "The parts. Drag a part to move it; the wheel over the moving part turns it.",
       grab: (at, event) => this.#grab(at, event),
       wheel: (at, event) => this.#wheel(at, event),
+      double: (at) => editor?.addAt(at, this.viewport) ?? false,
     });
+    this.#measure = new Measure(session, this.viewport);
     this.viewport.unit = session.scene.unit ?? "";
     this.#parts = svg("g");
     this.viewport.world.append(this.#parts);
     this.#pivots = svg("g", { class: "pivots" });
     this.#marks = svg("g", { class: "marks" });
     this.#handles = svg("g", { class: "handles" });
-    this.viewport.overlay.append(this.#pivots, this.#marks, this.#handles);
+    this.viewport.overlay.append(this.#pivots, this.#names.group, this.#marks, this.#measure.group, this.#handles);
     this.viewport.onView = () => this.#drawOverlay();
     session.store.subscribe((changed, state) => this.#update(changed, state));
     this.fit();
@@ -93,7 +99,7 @@ export class PartsView {
     }
     if (changed.has("where") || changed.has("parts")) this.#touching(state);
     if (changed.has("record") && state.record) this.fit();
-    if (["placements", "where", "parts", "pair", "editing"].some((k) => changed.has(k as Key))) this.#drawOverlay();
+    if (["placements", "where", "parts", "pair", "editing", "measuring"].some((k) => changed.has(k as Key))) this.#drawOverlay();
   }
 
   #build(state: Readonly<State>): void {
@@ -154,6 +160,9 @@ export class PartsView {
   #drawOverlay(): void {
     const { state, pair } = { state: this.#session.state, pair: this.#session.pair };
     this.#pivots.replaceChildren(...this.#pivotMarks());
+    const centers = state.parts.flatMap(({ motion }) => (motion.type === "revolute" ? [this.viewport.toScreen(motion.center)] : []));
+    this.#names.draw(this.viewport, state.parts, state.placements, pair, centers);
+    this.#measure.draw();
     const marks: SVGElement[] = [];
     if (pair) {
       const frame = this.#session.axes ? IDENTITY : (state.placements[pair.fixed] ?? IDENTITY);
@@ -198,7 +207,9 @@ export class PartsView {
   }
 
   #grab(at: Place, event: PointerEvent): Drag | null {
-    const edited = this.#editor?.grab(at, this.viewport);
+    const measured = this.#measure.grab(at);
+    if (measured) return measured;
+    const edited = this.#editor?.grab(at, this.viewport, event.altKey);
     if (edited) return edited;
     const part = partOf(event.target);
     const pair = this.#session.pair;

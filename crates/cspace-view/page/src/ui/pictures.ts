@@ -5,7 +5,7 @@ import { svg } from "./dom.js";
 /** What CSS says of elements that a file has to say itself. */
 const PROPERTIES = [
   "fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-linecap", "stroke-linejoin", "stroke-dasharray",
-  "vector-effect", "opacity", "visibility", "display", "font-size", "font-family", "font-weight",
+  "vector-effect", "opacity", "visibility", "display", "font-size", "font-family", "font-weight", "paint-order", "text-anchor", "dominant-baseline",
 ] as const;
 
 /** PNG files have this many pixels for each of the screen's. */

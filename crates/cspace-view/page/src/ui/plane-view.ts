@@ -1,16 +1,21 @@
 /** The plane (u, v) of a pair with fixed axes: free regions, blocked space, contact curves, and the configuration. */
 
-import type { AxesKernel, AxisInfo, DrawnCurve } from "../kernel/api.js";
+import type { AxesKernel, AxisInfo, DrawnCurve, FreePolygon } from "../kernel/api.js";
 import type { Place } from "../scene.js";
 import { regionColour } from "./colours.js";
 import { curvePaths, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { isAxes } from "./mechanism.js";
+import { Lens, lensBox } from "./lens.js";
+import { degrees, length, rounded } from "./numbers.js";
+import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
 import { TURN, wrap } from "./placement.js";
+import { playOf } from "./play.js";
 import type { Session } from "./session.js";
 import { pointMark } from "./slice-view.js";
 import type { Key, State } from "./state.js";
+import { unhurried } from "./unhurried.js";
 import { Viewport, wheelSlide } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
@@ -19,6 +24,10 @@ const GRAB = 26;
 const DEVIATION = 1 / 4000;
 /** A part that stands still has a strip of this width (model unit or radians), so that there is something to see. */
 const STILL = 1;
+/** The lens follows so much later (ms): what bounds the room is found by motions. */
+const LENS_PAUSE = 80;
+/** Curves are drawn within this share of the lens. */
+const LENS_DEVIATION = 1 / 200;
 
 export class PlaneView {
   readonly viewport: Viewport;
@@ -28,7 +37,9 @@ export class PlaneView {
   readonly #curves: SVGGElement;
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
-  #drawn: { kernel: AxesKernel; curves: DrawnCurve[] } | null = null;
+  readonly #lens: Lens;
+  readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
+  #drawn: { kernel: AxesKernel; deviation: number; curves: DrawnCurve[]; free: FreePolygon[] } | null = null;
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -48,7 +59,11 @@ export class PlaneView {
     this.viewport.world.append(clip, content);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);
-    this.viewport.onView = () => this.#placePoint();
+    this.#lens = new Lens(this.viewport, "plane-lens");
+    this.viewport.onView = () => {
+      this.#placePoint();
+      this.#lookCloser();
+    };
     session.store.subscribe((changed, state) => this.#update(changed, state));
   }
 
@@ -59,6 +74,7 @@ export class PlaneView {
     if (["space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) this.#paint(state, kernel);
     if (changed.has("record") || changed.has("space")) this.#drawPath(state, kernel);
     if (changed.has("configuration") || changed.has("space")) this.#placePoint();
+    if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) this.#lookCloser();
     if (changed.has("where")) set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
   }
 
@@ -71,9 +87,9 @@ export class PlaneView {
     const clip = this.viewport.world.querySelector("clipPath rect");
     if (clip) set(clip, attributes);
     const deviation = Math.min(box.x1 - box.x0, box.y1 - box.y0) * DEVIATION;
-    this.#drawn = { kernel, curves: kernel.curves(deviation) };
+    this.#drawn = { kernel, deviation, curves: kernel.curves(deviation), free: kernel.free(deviation) };
     const byRegion = new Map<number, string>();
-    for (const { region, points } of kernel.free(deviation)) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
+    for (const { region, points } of this.#drawn.free) byRegion.set(region, (byRegion.get(region) ?? "") + pathOf(points, true));
     this.#free.replaceChildren(
       ...[...byRegion].map(([region, d]) => svg("path", { class: "free-region", "data-region": region, fill: regionColour(region), stroke: regionColour(region), d }, svg("title", {}, `region ${region}`))),
     );
@@ -84,6 +100,40 @@ export class PlaneView {
   fit(): void {
     const kernel = this.#session.axes;
     if (kernel) this.viewport.fit(periodOf(kernel), 0.06);
+  }
+
+  /** Shows all of a region. */
+  fitRegion(region: number): void {
+    const box = emptyBox();
+    for (const { region: of, points } of this.#drawn?.free ?? []) {
+      if (of === region) for (let i = 0; i + 1 < points.length; i += 2) grow(box, { x: points[i] ?? 0, y: points[i + 1] ?? 0 });
+    }
+    this.viewport.fit(box, 0.06);
+  }
+
+  #drawLens(): void {
+    const { axes: kernel, state } = this.#session;
+    const c = state.configuration;
+    const inside = state.where.classification === "free" || state.where.classification === "contact";
+    const drawn = this.#drawn;
+    if (!kernel || !isAxes(c) || !inside || drawn?.kernel !== kernel) return this.#lens.hide();
+    const play = playOf(kernel as never, c);
+    const of = (name: "u" | "v") => play.find((w) => w.coordinate === name) ?? { back: 0, forth: 0 };
+    const at = inPeriod(kernel, c);
+    const box = play.length === 2 ? lensBox(at, { across: of("u"), up: of("v") }, this.viewport.pixel, this.#lens.side) : null;
+    if (!box) return this.#lens.hide();
+    const within = Math.min(box.x1 - box.x0, box.y1 - box.y0) * LENS_DEVIATION;
+    if (within < drawn.deviation) Object.assign(drawn, { deviation: within, curves: kernel.curves(within), free: kernel.free(within) });
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
+    const rooms = drawn.free.map(({ region, points }) => svg("path", { class: "free-region", fill: regionColour(region), stroke: "none", d: pathOf(points, true) }));
+    const blocked = svg("rect", { class: "blocked-space", x: box.x0, y: box.y0, width: box.x1 - box.x0, height: box.y1 - box.y0 });
+    const text = (value: number, axis: AxisInfo) => (axis.kind === "angle" ? degrees(value, 3) : length(rounded(value), this.#session.scene.unit));
+    this.#lens.show(
+      box,
+      at,
+      [blocked, svg("g", {}, ...rooms), ...curvePaths(kernel as never, drawn.curves, shown)],
+      `u ${text(box.x1 - box.x0, kernel.u)}, v ${text(box.y1 - box.y0, kernel.v)}`,
+    );
   }
 
   #axisText(): string {

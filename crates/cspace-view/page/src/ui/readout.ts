@@ -4,8 +4,10 @@ import type { AxisInfo, Touch } from "../kernel/api.js";
 import { html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { degrees, length, short } from "./numbers.js";
+import { regionName } from "./region-names.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { regionOf } from "./verdict.js";
 
 /** As many touching features are listed. */
 const LISTED = 8;
@@ -21,18 +23,18 @@ export class Readout {
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
-    const entry = (name: string, ...classes: string[]) => {
+    const entry = (name: string, room: string, ...classes: string[]) => {
       const value = html("dd", { class: classes.join(" ") });
-      parent.append(html("div", {}, html("dt", {}, name), value));
+      parent.append(html("div", { class: room }, html("dt", {}, name), value));
       return value;
     };
     this.#outdated = html("div", { class: "outdated-note", role: "status" });
     parent.append(this.#outdated);
-    this.#configuration = entry("configuration", "number");
-    this.#class = entry("is", "class");
-    this.#region = entry("region");
-    this.#nearest = entry("nearest features", "number");
-    this.#touching = entry("touching", "touching-list");
+    this.#configuration = entry("configuration", "", "number");
+    this.#class = entry("is", "short", "class");
+    this.#region = entry("region", "short");
+    this.#nearest = entry("nearest features", "tall", "number");
+    this.#touching = entry("touching", "", "touching-list");
     this.#class.setAttribute("aria-live", "polite");
     session.store.subscribe((changed) => {
       if ((["where", "configuration", "space", "outdated"] as Key[]).some((k) => changed.has(k))) this.#draw();
@@ -41,7 +43,7 @@ export class Readout {
 
   #draw(): void {
     const { state, scene, axes, kernel } = this.#session;
-    const { classification, region, nearest, touching, patches } = state.where;
+    const { classification, region, nearest, touching } = state.where;
     const c = state.configuration;
     // A shape that crosses itself has no space.
     this.#outdated.hidden = !state.outdated;
@@ -56,8 +58,10 @@ export class Readout {
     say(this.#class, classification ?? outside);
     set(this.#class, { "data-class": classification ?? "" });
     // A configuration in contact bounds the region of the patch it is on.
-    const bounds = patches[0] !== undefined && kernel ? kernel.patch(patches[0]).region : null;
-    say(this.#region, region !== null ? String(region) : bounds !== null ? `at the edge of ${bounds}` : "–");
+    const bounds = region === null ? regionOf({ where: state.where, kernel }) : null;
+    const pair = this.#session.pair;
+    const name = (index: number) => (pair ? regionName(pair, index) : String(index));
+    say(this.#region, region !== null ? name(region) : bounds !== null ? `edge of ${name(bounds)}` : "–");
     const known = this.#session.pair?.resolution ?? 0;
     say(this.#nearest, nearest ? `${distanceText(nearest.distance, known, scene.unit)}: ${nearest.fixed} | ${nearest.moving}` : "–");
     if (touching.length === 0) say(this.#touching, "nothing");

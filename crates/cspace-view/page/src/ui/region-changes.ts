@@ -1,10 +1,12 @@
 /** Which free regions opened or closed when a space was computed again. */
 
 import type { Configuration, Kernel } from "../kernel/api.js";
-import type { SceneRegion } from "../scene.js";
+import type { ScenePair, SceneRegion } from "../scene.js";
+import { regionName } from "./region-names.js";
 
 interface Regions {
-  regions: readonly SceneRegion[];
+  class: ScenePair["class"];
+  regions: SceneRegion[];
   kernel: Pick<Kernel, "region">;
 }
 
@@ -27,8 +29,8 @@ export function regionChanges(before: Regions, after: Regions): string {
   const closed = before.regions.flatMap((_, i) => (kept.has(i) ? [] : [i]));
   const opened = after.regions.flatMap((_, i) => (known.has(i) ? [] : [i]));
   const said: string[] = [];
-  if (closed.length > 0) said.push(`${named(closed)} closed`);
-  if (opened.length > 0) said.push(`${named(opened)} opened`);
+  if (closed.length > 0) said.push(`${named(before, closed)} closed`);
+  if (opened.length > 0) said.push(`${named(after, opened)} opened`);
   if (said.length === 0 && before.regions.length > after.regions.length) said.push("regions joined");
   if (said.length === 0 && before.regions.length < after.regions.length) said.push("a region was divided");
   return said.length > 0 ? `${said.join(", ")}: ${count(before)} before, ${count(after)} now` : "";
@@ -39,8 +41,8 @@ function regionAt({ kernel }: Regions, { sample: [a = 0, b = 0, c] }: SceneRegio
   return kernel.region(at);
 }
 
-function named(regions: readonly number[]): string {
-  return `${regions.length === 1 ? "region" : "regions"} ${regions.join(", ")}`;
+function named(of: Regions, regions: readonly number[]): string {
+  return regions.map((index) => regionName(of, index)).join(", ");
 }
 
 function count({ regions }: Regions): string {

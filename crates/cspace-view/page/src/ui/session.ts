@@ -5,14 +5,19 @@ import { openPair } from "../kernel/index.js";
 import type { Scene, ScenePair } from "../scene.js";
 import { USUAL } from "./address.js";
 import type { Address } from "./address.js";
+import { firstPair } from "./first-pair.js";
 import { lowerPair } from "./lower.js";
 import { atRest, configurationOf, hasAxes, isAxes, isPlanar, placed } from "./mechanism.js";
 import type { Anchor } from "./mechanism.js";
 import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./placement.js";
 import type { Placement } from "./placement.js";
+import { regionName } from "./region-names.js";
 import { ServerError } from "./server.js";
+import { sliceExtent } from "./slices.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
+import { neighbour, stepMessage, stepTo } from "./step-band.js";
+import { regionOf } from "./verdict.js";
 import { WorkError } from "./workshop.js";
 
 /** Fetches a pair with its space: from the server, of the model as it is edited. */
@@ -35,8 +40,7 @@ export class Session {
   constructor(scene: Scene, address: Address, fetch: Fetcher | null) {
     this.#fetch = fetch;
     const placements = atRest(scene);
-    // Joints have the least to show.
-    const first = Math.max(0, scene.pairs.findIndex((p) => p.class !== "lower"));
+    const first = firstPair(scene);
     const pair = scene.pairs[address.pair ?? first];
     this.store = new Store({
       scene,
@@ -57,6 +61,7 @@ export class Session {
       playing: false,
       speed: 1,
       editing: false,
+      measuring: false,
       outdated: false,
       message: null,
     });
@@ -318,16 +323,21 @@ export class Session {
     this.aim({ ...c, theta });
   }
 
-  /** Goes to the middle of the next band, or of the previous. */
+  /** Goes to the middle of the next band, or of the previous: to a place of the same region, where contacts are to stop parts. */
   stepBand(by: 1 | -1): void {
-    const kernel = this.planar;
-    const c = this.state.configuration;
-    if (!kernel || !isPlanar(c) || kernel.bands.length === 0) return;
-    const at = kernel.bandAt(c.theta);
-    const count = kernel.bands.length;
-    const next = kernel.window.fullTurn ? (at + by + count) % count : Math.min(count - 1, Math.max(0, at + by));
-    const band = kernel.bands[next];
-    if (band) this.setConfiguration({ ...c, theta: (band[0] + band[1]) / 2 });
+    const { pair, planar: kernel } = this;
+    const { configuration: c, where } = this.state;
+    if (!pair || !kernel || !isPlanar(c) || kernel.bands.length === 0) return;
+    if (!this.state.stop || where.classification === "blocked") {
+      const band = kernel.bands[neighbour(kernel, kernel.bandAt(c.theta), by) ?? -1];
+      if (band) this.setConfiguration({ ...c, theta: (band[0] + band[1]) / 2 });
+      return;
+    }
+    const region = regionOf({ where, kernel });
+    const step = stepTo(kernel, c, region, by, sliceExtent(this));
+    if (step) this.setConfiguration(step.at);
+    const message = stepMessage(step, region === null ? "the moving part" : regionName(pair, region));
+    if (message !== null) this.store.change({ message });
   }
 
   /** Everything as it is drawn. */

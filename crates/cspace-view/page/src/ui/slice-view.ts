@@ -6,11 +6,15 @@ import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
 import { isPlanar } from "./mechanism.js";
+import { Lens, lensBox } from "./lens.js";
+import { length, rounded } from "./numbers.js";
 import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
+import { playOf } from "./play.js";
 import type { Session } from "./session.js";
-import { FAR, currentSlice, sliceExtent, swings } from "./slices.js";
+import { FAR, currentSlice, refine, sliceExtent, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
+import { unhurried } from "./unhurried.js";
 import { Viewport, wheelAngle } from "./viewport.js";
 import type { Drag } from "./viewport.js";
 
@@ -18,6 +22,14 @@ import type { Drag } from "./viewport.js";
 const GRAB = 26;
 /** Ends of curves nearer than this share of the slice's extent are one point, to fill what they are around. */
 const JOINED = 1e-6;
+/** Curves are drawn within so many pixels, or finer. */
+const DEVIATION_PIXELS = 0.25;
+/** The lens follows so much later (ms): what bounds the room is found by motions. */
+const LENS_PAUSE = 80;
+/** Curves are drawn within this share of the lens. */
+const LENS_DEVIATION = 1 / 1500;
+/** Around a region that is shown alone, of its extent. */
+const REGION_MARGIN = 0.3;
 
 export class SliceView {
   readonly viewport: Viewport;
@@ -28,6 +40,8 @@ export class SliceView {
   readonly #blocked: SVGPathElement;
   readonly #path: SVGPathElement;
   readonly #point: SVGGElement;
+  readonly #lens: Lens;
+  readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
@@ -49,7 +63,12 @@ export class SliceView {
     this.viewport.world.append(this.#blocked, this.#path, this.#curves);
     this.#point = pointMark();
     this.viewport.overlay.append(this.#point);
-    this.viewport.onView = () => this.#placePoint();
+    this.#lens = new Lens(this.viewport, "slice-lens");
+    this.viewport.onView = () => {
+      if (refine(session, DEVIATION_PIXELS * this.viewport.pixel.x)) this.#drawCurves();
+      this.#placePoint();
+      this.#lookCloser();
+    };
     session.store.subscribe((changed, state) => this.#update(changed, state));
   }
 
@@ -59,11 +78,10 @@ export class SliceView {
       this.fit();
     }
     if (["configuration", "space", "where", "colouring", "hidden"].some((k) => changed.has(k as Key))) {
-      const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
-      if (changed.has("configuration") || changed.has("space")) this.#fill(kernel);
       if (changed.has("configuration")) this.#follow();
-      this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
+      this.#drawCurves(changed.has("configuration") || changed.has("space"));
       this.#placePoint();
+      this.#lookCloser();
       set(this.#point, { class: `point ${state.where.classification ?? "unknown"}` });
     }
     if (changed.has("record")) {
@@ -71,6 +89,13 @@ export class SliceView {
       if (kernel && steps.length > 0) this.fit();
       set(this.#path, { d: pathOf(steps.flatMap(({ at }) => (isPlanar(at) ? [at.x, at.y] : []))) });
     }
+  }
+
+  #drawCurves(fill = true): void {
+    const { planar: kernel, state } = this.#session;
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(state.where.patches) };
+    if (fill) this.#fill(kernel);
+    this.#curves.replaceChildren(...(kernel ? curvePaths(kernel as never, currentSlice(this.#session), shown) : []));
   }
 
   /** Shows all contacts, and the configuration and the way that is played if they are not far away. */
@@ -85,6 +110,30 @@ export class SliceView {
     if (isPlanar(c) && !(awayFrom(box, c) > far)) grow(box, c);
     for (const { at } of state.record?.kind === "plan" ? state.record.steps : []) if (isPlanar(at) && !(awayFrom(box, at) > far)) grow(box, at);
     this.viewport.fit(box);
+  }
+
+  /** Shows what bounds a region at the current orientation. */
+  fitRegion(region: number): void {
+    const { planar: kernel, state } = this.#session;
+    const c = state.configuration;
+    if (!kernel || !isPlanar(c)) return;
+    const curves = currentSlice(this.#session).filter((curve) => curve.region === region);
+    if (curves.length > 0) this.viewport.fit(boxOfCurves(curves), REGION_MARGIN);
+  }
+
+  #drawLens(): void {
+    const { planar: kernel, state, scene } = this.#session;
+    const { configuration: c, where } = state;
+    const inside = where.classification === "free" || where.classification === "contact";
+    if (!kernel || !isPlanar(c) || !inside) return this.#lens.hide();
+    const [across, up] = playOf(kernel as never, c);
+    const box = across && up && lensBox(c, { across, up }, this.viewport.pixel, this.#lens.side);
+    if (!box) return this.#lens.hide();
+    const curves = kernel.slice(c.theta, (box.x1 - box.x0) * LENS_DEVIATION);
+    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session) * JOINED);
+    const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(where.patches) };
+    const blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd", d: loops.map((points) => pathOf(points, true)).join("") });
+    this.#lens.show(box, c, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
   }
 
   /** Where contacts of other orientations are elsewhere, the view goes along. */

@@ -48,11 +48,26 @@ export function swings(session: Session, kernel: PlanarKernel): boolean {
   return extentOf(session, kernel) > FAR * sliceExtent(session);
 }
 
+/** How many times finer than usual slices are drawn: a power of the step. */
+let finer = 1;
+const FINER_STEP = 8;
+const FINEST = FINER_STEP ** 6;
+
+/** Draws slices within a deviation (model unit), or as usual if that is finer. Whether they are drawn otherwise than before. */
+export function refine(session: Session, deviation: number): boolean {
+  const usual = sliceExtent(session) * DEVIATION;
+  const before = finer;
+  finer = 1;
+  while (usual / finer > deviation && finer < FINEST) finer *= FINER_STEP;
+  if (finer !== before) last = null;
+  return finer !== before;
+}
+
 export function currentSlice(session: Session): DrawnCurve[] {
   const kernel = session.planar;
   const c = session.state.configuration;
   if (!kernel || !isPlanar(c)) return [];
   if (last?.kernel === kernel && last.theta === c.theta) return last.curves;
-  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, sliceExtent(session) * DEVIATION) };
+  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, (sliceExtent(session) * DEVIATION) / finer) };
   return last.curves;
 }

@@ -1,6 +1,7 @@
 /** What moves in the 3-D view: the slice on its plane, the configuration, the patch that touches, a planned way. */
 
 import {
+  BackSide,
   BufferAttribute,
   BufferGeometry,
   DoubleSide,
@@ -30,6 +31,9 @@ import { swing } from "./space-scale.js";
 const SLICE_WIDTH = 3;
 const WAY_WIDTH = 4;
 const POINT_RADIUS = 7;
+
+/** How much of the point is seen through what is before it. */
+const HIDDEN_OPACITY = 0.3;
 
 const WAY = "#cc3399";
 
@@ -77,14 +81,13 @@ export class SpaceMarks {
     this.#shining.renderOrder = 4;
     this.#dot = new MeshBasicMaterial({ color: 0xffffff });
     const ball = new SphereGeometry(1, 24, 16);
-    const rim = new Mesh(ball, new MeshBasicMaterial({ color: 0x000000, depthTest: false, transparent: true, opacity: 0.85 }));
-    rim.scale.setScalar(1.35);
-    rim.renderOrder = 8;
-    const core = new Mesh(ball, this.#dot);
-    core.renderOrder = 9;
-    this.#dot.depthTest = false;
-    this.#dot.transparent = true;
-    this.#point.add(rim, core);
+    const dark = { color: 0x000000, side: BackSide };
+    const rim = new Mesh(ball, new MeshBasicMaterial(dark));
+    // Within the surface the point is hidden, and a faint ring tells where it is.
+    const ghost = new Mesh(ball, new MeshBasicMaterial({ ...dark, depthTest: false, transparent: true, opacity: HIDDEN_OPACITY }));
+    for (const outer of [rim, ghost]) outer.scale.setScalar(1.35);
+    ghost.renderOrder = 8;
+    this.#point.add(rim, new Mesh(ball, this.#dot), ghost);
     this.group.add(this.#plane, this.#slice, this.#way, this.#lit, this.#shining, this.#point);
   }
 

@@ -27,6 +27,10 @@ const DEVIATION = 1 / 700;
 /** What lies at the window's ends is still drawn: so much of the extent beyond them. */
 const BESIDE_WINDOW = 1e-3;
 const FIELD_OF_VIEW = 32;
+/** Width to height of a view in which the space is seen whole from the usual distance. */
+const SQUARE = 1.1;
+/** A region that is looked at has so much room around it. */
+const AROUND_REGION = 1.1;
 /** Surfaces of edited parts are made again once the parts have not changed for this long (ms). */
 const SETTLED = 160;
 /** The screen's pixels for each of a coarse frame, along a side. */
@@ -125,9 +129,26 @@ export class SpaceView {
 
   lookFromTheFront(): void {
     const z = this.#kernel ? ((this.#kernel.window.lo + this.#kernel.window.hi) / 2) * this.#scale.perRadian : 0;
-    this.setCamera([0.55, 1.08, 3.25, 0, 0, z / this.#size]);
+    // A narrow view needs more distance for the same width.
+    this.setCamera([0.55, 1.08, 3.25 * Math.max(1, SQUARE / this.#camera.aspect), 0, 0, z / this.#size]);
     this.#moved = false;
     this.onCamera?.();
+  }
+
+  /** Looks at what bounds a region, from where the user looks now. */
+  fitRegion(region: number): void {
+    const box = this.#surface?.boxOf(region);
+    if (!box || box.isEmpty()) return;
+    const away = this.#camera.position.clone().sub(this.#controls.target).normalize();
+    const to = box.getCenter(new Vector3());
+    const radius = box.getSize(new Vector3()).length() / 2;
+    const narrow = Math.min(1, this.#camera.aspect);
+    this.#moved = true;
+    this.#controls.target.copy(to);
+    this.#camera.position.copy(to).addScaledVector(away, (AROUND_REGION * radius) / (narrow * Math.sin((FIELD_OF_VIEW * Math.PI) / 360)));
+    this.#controls.update();
+    this.onCamera?.();
+    this.#draw();
   }
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
@@ -250,6 +271,7 @@ export class SpaceView {
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
     this.#marks.resize(width, height);
+    if (this.#kernel && !this.#moved) this.lookFromTheFront();
     this.drawNow();
   }
 

@@ -51,6 +51,8 @@ export interface State {
   playing: boolean;
   speed: number;
   editing: boolean;
+  /** Whether clicks on parts measure distances. */
+  measuring: boolean;
   /** Whether the space is of a shape before the one that is drawn, which has none. */
   outdated: boolean;
   /** What went wrong last, for the user. */

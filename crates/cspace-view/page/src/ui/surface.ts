@@ -3,10 +3,11 @@
  * orientation first, so that the page can be used meanwhile.
  */
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial } from "three";
+import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Group, LineSegments, Mesh, MeshLambertMaterial } from "three";
 import type { Plane } from "three";
 import type { PatchKind, PlanarKernel } from "../kernel/api.js";
 import { TURN } from "./placement.js";
+import { rimOf, rimMaterial } from "./surface-rim.js";
 import { channels, patchColour } from "./colours.js";
 import type { Colouring } from "./colours.js";
 import { swing, swingSlope } from "./space-scale.js";
@@ -41,18 +42,26 @@ interface Placed {
 
 class RegionMesh {
   readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
+  /** Along the rims of patches: closes the seams between them. */
+  readonly rims: LineSegments<BufferGeometry, MeshLambertMaterial>;
   readonly placed: Placed[] = [];
   #positions = new Float32Array(3 * FIRST_ROOM);
   #normals = new Float32Array(3 * FIRST_ROOM);
   #colours = new Uint8Array(3 * FIRST_ROOM);
   #indices = new Uint32Array(3 * FIRST_ROOM);
+  #rimIndices = new Uint32Array(FIRST_ROOM);
   #vertices = 0;
   #used = 0;
+  #rimsUsed = 0;
 
   constructor(clip: Clip) {
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, forceSinglePass: true, clippingPlanes: clip.window });
+    // Behind the lines on it: the slice, the way and its own rims.
+    const behind = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, forceSinglePass: true, clippingPlanes: clip.window, ...behind });
     this.mesh = new Mesh(new BufferGeometry(), material);
-    this.mesh.frustumCulled = false;
+    this.rims = new LineSegments(new BufferGeometry(), rimMaterial(clip.window));
+    this.mesh.frustumCulled = this.rims.frustumCulled = false;
+    this.mesh.add(this.rims);
     this.#attach();
   }
 
@@ -65,6 +74,13 @@ class RegionMesh {
     geometry.setIndex(new BufferAttribute(this.#indices, 1));
     geometry.setDrawRange(0, this.#used);
     this.mesh.geometry = geometry;
+    // Both have the same vertices, and are given up together: the graphics card keeps one copy.
+    this.rims.geometry.dispose();
+    const rims = new BufferGeometry();
+    for (const [name, attribute] of Object.entries(geometry.attributes)) rims.setAttribute(name, attribute);
+    rims.setIndex(new BufferAttribute(this.#rimIndices, 1));
+    rims.setDrawRange(0, this.#rimsUsed);
+    this.rims.geometry = rims;
   }
 
   add(patch: Omit<Placed, "start" | "count">, made: ReturnType<PlanarKernel["surface"]>, turn: number, scale: SpaceScale, colouring: Colouring): void {
@@ -92,6 +108,13 @@ class RegionMesh {
     this.#normals.set(made.normals, 3 * start);
     if (scale.arm.x !== 0 || scale.arm.y !== 0) this.#shear(made, start, scale);
     for (let i = 0; i < made.indices.length; i += 1) this.#indices[this.#used + i] = (made.indices[i] ?? 0) + start;
+    const rim = rimOf(made.indices);
+    while (this.#rimsUsed + rim.length > this.#rimIndices.length) {
+      this.#rimIndices = doubled(this.#rimIndices, Uint32Array);
+      grew = true;
+    }
+    rim.forEach((index, i) => (this.#rimIndices[this.#rimsUsed + i] = index + start));
+    this.#rimsUsed += rim.length;
     this.#vertices += count;
     this.#used += made.indices.length;
     const placed = { ...patch, start, count };
@@ -120,6 +143,13 @@ class RegionMesh {
     }
     if (geometry.index) geometry.index.needsUpdate = true;
     geometry.setDrawRange(0, this.#used);
+    const rims = this.rims.geometry;
+    if (rims.index) rims.index.needsUpdate = true;
+    rims.setDrawRange(0, this.#rimsUsed);
+  }
+
+  box(): Box3 {
+    return new Box3().setFromArray(this.#positions.subarray(0, 3 * this.#vertices));
   }
 
   paint(colouring: Colouring): void {
@@ -136,6 +166,8 @@ class RegionMesh {
   dispose(): void {
     this.mesh.geometry.dispose();
     this.mesh.material.dispose();
+    this.rims.geometry.dispose();
+    this.rims.material.dispose();
   }
 }
 
@@ -213,6 +245,11 @@ export class Surface {
     return mesh;
   }
 
+  /** Bounds of what is drawn of a region. */
+  boxOf(region: number): Box3 | null {
+    return this.#regions.get(region)?.box() ?? null;
+  }
+
   paint(colouring: Colouring): void {
     if (colouring === this.#colouring) return;
     this.#colouring = colouring;
@@ -220,18 +257,20 @@ export class Surface {
   }
 
   show(hidden: ReadonlySet<number>, cut: boolean): void {
-    for (const [region, { mesh }] of this.#regions) {
+    for (const [region, { mesh, rims }] of this.#regions) {
       mesh.visible = region === null || !hidden.has(region);
-      mesh.material.clippingPlanes = cut ? [...this.#clip.window, this.#clip.cut] : this.#clip.window;
+      for (const material of [mesh.material, rims.material]) material.clippingPlanes = cut ? [...this.#clip.window, this.#clip.cut] : this.#clip.window;
     }
   }
 
   /** A surface that is being computed again is shown faintly. */
   fade(faint: boolean): void {
-    for (const { mesh } of this.#regions.values()) {
+    for (const { mesh, rims } of this.#regions.values()) {
       mesh.material.transparent = faint;
       mesh.material.opacity = faint ? 0.35 : 1;
       mesh.material.needsUpdate = true;
+      // Lines over faint triangles would be seen.
+      rims.visible = !faint;
     }
   }
 

@@ -26,6 +26,7 @@ export class Toolbar {
     const colours = button("Kinds", "Colour patches by the kind of contact", actions.toggleColouring);
     const cut = button("Cut", "Cut the surface away above the current orientation (c)", actions.toggleCut);
     const fit = button("Fit", "Show everything (f)", actions.fit);
+    const measure = button("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
     button("Open record", "Play what cspace plan or cspace simulate printed", actions.openRecord);
     button("SVG", "Save a picture as SVG", actions.saveSvg);
@@ -41,6 +42,7 @@ export class Toolbar {
       pressed(colours, state.colouring === "kind");
       pressed(cut, state.cut);
       pressed(edit, state.editing);
+      pressed(measure, state.measuring);
       say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
       if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;

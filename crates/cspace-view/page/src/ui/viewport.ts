@@ -22,6 +22,8 @@ export interface ViewportOptions {
   grab(at: Place, event: PointerEvent): Drag | null;
   /** Whether the wheel is for what is at a place, and not to zoom. */
   wheel?(at: Place, event: WheelEvent): boolean;
+  /** Whether a double click is for what is at a place, and not to show everything. */
+  double?(at: Place): boolean;
 }
 
 export type AxisKind = "length" | "angle";
@@ -77,6 +79,11 @@ export class Viewport {
     this.#listen();
     new ResizeObserver(() => this.#resized()).observe(this.svg);
     this.#resized();
+  }
+
+  /** In pixels. */
+  get size(): { width: number; height: number } {
+    return { width: this.#width, height: this.#height };
   }
 
   get pixel(): Place {
@@ -243,7 +250,9 @@ export class Viewport {
       },
       { passive: false },
     );
-    element.addEventListener("dblclick", () => this.#options.fit());
+    element.addEventListener("dblclick", (event) => {
+      if (!this.#options.double?.(this.toWorld(event))) this.#options.fit();
+    });
   }
 
   #endDrag(): void {

@@ -1,0 +1,36 @@
+/** The pair that is shown first: one that has something to tell. */
+
+import type { Scene, ScenePair } from "../scene.js";
+import { boxOf } from "./outline.js";
+
+/** The first of those that matter most; joints have the least to show. */
+export function firstPair(scene: Scene): number {
+  let best = 0;
+  let most = -Infinity;
+  scene.pairs.forEach((pair, i) => {
+    const weight = weightOf(scene, pair);
+    if (weight > most) [most, best] = [weight, i];
+  });
+  return best;
+}
+
+/** Cages before contacts, parts that are drawn beside each other before those that are not, and pairs that never meet last but joints. */
+function weightOf(scene: Scene, pair: ScenePair): number {
+  if (pair.class === "lower") return -2;
+  if (pair.error !== null || neverMeets(pair)) return -1;
+  const caged = pair.class !== "fixed-axes" && pair.regions.some((r) => !r.unbounded);
+  return (caged ? 2 : 0) + (areNear(scene, pair) ? 1 : 0);
+}
+
+/** Whether a space that is known has no contacts. */
+function neverMeets({ space }: ScenePair): boolean {
+  const { patches, pieces } = (space ?? {}) as { patches?: unknown; pieces?: unknown };
+  const all = patches ?? pieces;
+  return Array.isArray(all) && all.length === 0;
+}
+
+/** Whether the boxes of both parts, as they are drawn, have a point in common. */
+function areNear({ parts }: Scene, { fixed, moving }: ScenePair): boolean {
+  const [a, b] = [boxOf(parts[fixed]?.loops ?? []), boxOf(parts[moving]?.loops ?? [])];
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}

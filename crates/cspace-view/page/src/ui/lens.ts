@@ -1,0 +1,84 @@
+/**
+ * A lens in the corner of a view: what is around the configuration, at a scale at which its room can be seen. It is there where the room
+ * is less than the mark of the configuration covers.
+ */
+
+import type { Place } from "../scene.js";
+import { set, svg } from "./dom.js";
+import type { Box } from "./outline.js";
+import type { Viewport } from "./viewport.js";
+
+/** Side of the lens, and its distance from the view's edges (pixels); no more than a share of the view. */
+const SIDE = 150;
+const MARGIN = 10;
+const MOST_OF_VIEW = 0.5;
+/** The mark of a configuration covers as much (pixels). */
+const COVERED = 24;
+/** A lens that shows less than this many times larger is not worth its place. */
+const LEAST_ZOOM = 1.5;
+/** The lens is wider than the room by this, and no longer than so many times its width. */
+const AROUND = 1.5;
+const LONGEST = 3;
+/** Room of less is none, of that along the other coordinate. */
+const WEDGED = 1e-6;
+
+/** How far it is to the first contacts, back and forth along both coordinates of the view. */
+export interface Room {
+  across: { back: number; forth: number };
+  up: { back: number; forth: number };
+}
+
+/** What the lens shows (units of the view); null where the view itself shows the room. */
+export function lensBox(at: Place, { across, up }: Room, pixel: Place, side: number): Box | null {
+  const widths = [(across.back + across.forth) / pixel.x, (up.back + up.forth) / pixel.y];
+  const [least, most] = [Math.min(...widths), Math.max(...widths)];
+  if (!(least < COVERED) || most === 0) return null;
+  // Wedged along one coordinate, it has only the other.
+  const width = AROUND * Math.min(most, least > WEDGED * most ? LONGEST * least : most / LONGEST);
+  if (side < LEAST_ZOOM * width) return null;
+  const middle = ({ back, forth }: Room["across"], per: number) => ((back + forth) / per <= width ? (forth - back) / 2 : 0);
+  const center = { x: at.x + middle(across, pixel.x), y: at.y + middle(up, pixel.y) };
+  const half = { x: (width / 2) * pixel.x, y: (width / 2) * pixel.y };
+  return { x0: center.x - half.x, x1: center.x + half.x, y0: center.y - half.y, y1: center.y + half.y };
+}
+
+export class Lens {
+  readonly group = svg("g", { class: "lens", visibility: "hidden" });
+  readonly #viewport: Viewport;
+  readonly #world = svg("g");
+  readonly #point = svg("circle", { class: "lens-point", r: 4 });
+  readonly #text = svg("text", { class: "lens-text" });
+  readonly #frame = svg("rect", { class: "lens-frame", rx: 6 });
+  readonly #ground = svg("rect", { class: "lens-ground", rx: 6 });
+  readonly #clip = svg("rect", { rx: 6 });
+
+  constructor(viewport: Viewport, id: string) {
+    this.#viewport = viewport;
+    const inside = svg("g", { "clip-path": `url(#${id})` }, this.#world, this.#point);
+    this.group.append(svg("clipPath", { id }, this.#clip), this.#ground, inside, this.#frame, this.#text);
+    viewport.overlay.append(this.group);
+  }
+
+  get side(): number {
+    const { width, height } = this.#viewport.size;
+    return Math.min(SIDE, MOST_OF_VIEW * width, MOST_OF_VIEW * height);
+  }
+
+  hide(): void {
+    set(this.group, { visibility: "hidden" });
+  }
+
+  show(box: Box, at: Place, content: readonly SVGElement[], text: string): void {
+    const side = this.side;
+    const x = this.#viewport.size.width - side - MARGIN;
+    const [sx, sy] = [side / (box.x1 - box.x0), side / (box.y1 - box.y0)];
+    const square = { x, y: MARGIN, width: side, height: side };
+    for (const rect of [this.#clip, this.#ground, this.#frame]) set(rect, square);
+    set(this.#world, { transform: `matrix(${sx} 0 0 ${-sy} ${x - sx * box.x0} ${MARGIN + sy * box.y1})` });
+    this.#world.replaceChildren(...content);
+    set(this.#point, { cx: x + sx * (at.x - box.x0), cy: MARGIN + sy * (box.y1 - at.y) });
+    set(this.#text, { x: x + side / 2, y: MARGIN + side + 4, "text-anchor": "middle", "dominant-baseline": "hanging" });
+    this.#text.textContent = text;
+    set(this.group, { visibility: null });
+  }
+}

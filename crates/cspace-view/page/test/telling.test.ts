@@ -1,0 +1,141 @@
+/** What is told in words and drawn beside the views, from made-up answers of a kernel and made-up records. */
+
+import assert from "node:assert/strict";
+import { describe, it } from "node:test";
+import type { Kernel, PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
+import type { Scene, ScenePair } from "../src/scene.js";
+import { firstPair } from "../src/ui/first-pair.js";
+import { labelPlace } from "../src/ui/label-place.js";
+import { lensBox } from "../src/ui/lens.js";
+import { graphOf, seriesOf, valueAt } from "../src/ui/record-series.js";
+import { readRecord } from "../src/ui/records.js";
+import { regionName } from "../src/ui/region-names.js";
+import { stepTo } from "../src/ui/step-band.js";
+import { rimOf } from "../src/ui/surface-rim.js";
+import { details, headline } from "../src/ui/verdict.js";
+import type { Told } from "../src/ui/verdict.js";
+
+const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0] }));
+
+function told(classification: Told["where"]["classification"], region: number | null, patches: number[] = []): Told {
+  const kernel = { patch: () => ({ region: 1 }) } as unknown as Kernel;
+  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", unit: "mm" };
+}
+
+describe("regions", () => {
+  it("are called by what they are", () => {
+    assert.deepEqual([0, 1].map((i) => regionName({ class: "general", regions }, i)), ["outside", "pocket 1"]);
+    assert.equal(regionName({ class: "fixed-axes", regions }, 1), "region 1");
+  });
+});
+
+describe("the verdict", () => {
+  it("is whether the part can leave", () => {
+    assert.equal(headline(told("free", 1)), "bolt is caged in pocket 1: it cannot leave.");
+    assert.equal(headline(told("free", 0)), "bolt is outside: it can leave.");
+    assert.equal(headline(told("contact", null, [3])), "bolt touches lock, caged in pocket 1: it cannot leave.");
+    assert.match(headline(told("blocked", null)), /overlap/);
+  });
+  it("has the play of a cage, to three digits", () => {
+    const way = (coordinate: "x" | "y" | "theta", width: number) => ({ coordinate, kind: coordinate === "theta" ? ("angle" as const) : ("length" as const), back: width / 4, forth: (3 * width) / 4 });
+    assert.deepEqual(details(told("free", 1), [way("x", 0.123456), way("y", Infinity), way("theta", Math.PI / 180)]), ["Play from here: 0.123 mm along x, any length along y; it turns by 1°."]);
+    assert.deepEqual(details(told("blocked", null), []), []);
+  });
+});
+
+describe("the lens", () => {
+  const room = (across: number, up: number) => ({ across: { back: 0, forth: across }, up: { back: up / 2, forth: up / 2 } });
+  const pixel = { x: 1, y: 1 };
+  it("is there where room is less than the mark covers, and shows all of it", () => {
+    const box = lensBox({ x: 5, y: 7 }, room(4, 2), pixel, 150)!;
+    assert.ok(box.x0 < 5 && box.x1 > 9 && box.y0 < 6 && box.y1 > 8, JSON.stringify(box));
+    assert.equal(lensBox({ x: 5, y: 7 }, room(40, 60), pixel, 150), null);
+  });
+  it("shows the width of a long corridor, and nothing where there is no room at all", () => {
+    const box = lensBox({ x: 5, y: 7 }, room(1000, 0.01), pixel, 150)!;
+    assert.ok(box.y1 - box.y0 < 0.1 && box.x0 < 5 && box.x1 > 5, JSON.stringify(box));
+    assert.equal(lensBox({ x: 5, y: 7 }, room(0, 0), pixel, 150), null);
+  });
+});
+
+describe("a step of a band", () => {
+  // Three bands; in the second only x > 2 is free, in the third nothing of region 1 is.
+  const bands: [number, number][] = [[0, 1], [1, 2], [2, 3]];
+  const bandAt = (theta: number) => Math.min(2, Math.floor(theta));
+  const isFree = ({ x, theta }: PlanarConfiguration) => [true, x > 2, false][bandAt(theta)] ?? false;
+  const kernel = {
+    bands,
+    bandAt,
+    window: { lo: 0, hi: 3, fullTurn: false },
+    classify: (c: PlanarConfiguration) => (isFree(c) ? "free" : "blocked"),
+    region: (c: PlanarConfiguration) => (isFree(c) ? 1 : null),
+    // Upwards along x = 2, free space on its right.
+    slice: (theta: number) => (bandAt(theta) === 1 ? [{ patch: 0, region: 1, points: Float64Array.of(2, -9, 2, 9) }] : []),
+    slide: (from: PlanarConfiguration) => ({ at: from, stopped: 0 }),
+  } as unknown as PlanarKernel;
+  it("goes to the nearest free place of the region", () => {
+    const step = stepTo(kernel, { x: 0, y: 4, theta: 0.5 }, 1, 1, 10)!;
+    assert.equal(bandAt(step.at.theta), 1);
+    assert.ok(step.at.x > 2 && step.at.x < 2.01 && Math.abs(step.at.y - 4) < 0.01, JSON.stringify(step));
+    assert.equal(step.passed, 0);
+    assert.deepEqual(stepTo(kernel, { x: 5, y: 4, theta: 0.5 }, 1, 1, 10)!.at, { x: 5, y: 4, theta: 1.5 });
+  });
+  it("is none where no band has the region", () => {
+    assert.equal(stepTo(kernel, { x: 5, y: 4, theta: 1.5 }, 1, 1, 10), null);
+    assert.equal(stepTo(kernel, { x: 5, y: 4, theta: 0.5 }, 1, -1, 10), null);
+  });
+});
+
+describe("graphs", () => {
+  const samples = Array.from({ length: 5001 }, (_, i) => ({ t: i / 1000, wheel: i === 2500 ? 9 : Math.sin(i / 100), rest: 1 }));
+  const record = readRecord("run", { parts: ["wheel", "rest"], samples, events: [], status: "done" });
+  const [wheel, ...others] = seriesOf(record, [{ name: "wheel", loops: [], feature_names: {}, motion: { type: "revolute", center: { x: 0, y: 0 }, range: null } }], { fixed: "", moving: "" });
+  it("are of what changes, and keep extremes when they are thinned", () => {
+    assert.ok(wheel && others.length === 0);
+    assert.equal(wheel.kind, "angle");
+    const points = graphOf(wheel, 5, 100);
+    assert.ok(points.length < 500);
+    assert.equal(Math.max(...points.map(([, y]) => y)), 1);
+    assert.ok(points.every(([x], i) => i === 0 || x >= points[i - 1]![0]));
+  });
+  it("have the value that is played", () => {
+    assert.ok(wheel);
+    assert.equal(valueAt(wheel, 2.5004, false), 9);
+    assert.ok(Math.abs(valueAt(wheel, 2.5005, true) - (9 + Math.sin(25.01)) / 2) < 1e-9);
+  });
+});
+
+describe("names and rims", () => {
+  const corners = (points: [number, number][]) => points.map(([x, y]) => ({ x, y, bulge: 0 }));
+  it("stand in the material", () => {
+    // A C whose middle is empty: its back is the widest.
+    const c = corners([[0, 0], [10, 0], [10, 2], [2, 2], [2, 8], [10, 8], [10, 10], [0, 10]]);
+    const { at, width } = labelPlace([c])!;
+    assert.equal(width, 10);
+    assert.ok(at.x === 5 && (at.y < 2 || at.y > 8), JSON.stringify(at));
+    assert.equal(labelPlace([]), null);
+  });
+  it("are the edges of one triangle only", () => {
+    const rim = rimOf([0, 1, 2, 2, 1, 3]);
+    const pairs = Array.from({ length: rim.length / 2 }, (_, i) => [rim[2 * i]!, rim[2 * i + 1]!].sort().join("-"));
+    assert.deepEqual(pairs.sort(), ["0-1", "0-2", "1-3", "2-3"]);
+  });
+});
+
+describe("the first pair", () => {
+  const square = (x: number) => ({ name: "", feature_names: {}, motion: { type: "planar" as const }, loops: [[[x, 0], [x + 1, 0], [x + 1, 1]].map(([a = 0, b = 0]) => ({ x: a, y: b, bulge: 0 }))] });
+  const pair = (more: object): ScenePair => ({ fixed: 0, moving: 1, class: "general", space: null, error: null, regions: [regions[0]!], ...more }) as unknown as ScenePair;
+  const scene = (pairs: ScenePair[]) => ({ parts: [square(0), square(1), square(9)], pairs }) as unknown as Scene;
+  it("is one that matters", () => {
+    const joint = pair({ class: "lower" });
+    const apart = pair({ moving: 2 });
+    const never = pair({ space: { patches: [] } });
+    const near = pair({});
+    const caged = pair({ moving: 2, regions });
+    assert.equal(firstPair(scene([joint, apart, never, near])), 3);
+    assert.equal(firstPair(scene([joint, never, apart])), 2);
+    assert.equal(firstPair(scene([joint, never])), 1);
+    assert.equal(firstPair(scene([near, caged])), 1);
+    assert.equal(firstPair(scene([near, near])), 0);
+  });
+});
