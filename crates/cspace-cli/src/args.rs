@@ -10,7 +10,7 @@ use cspace_io::model::Setting;
 
 use crate::angle;
 use crate::failure::Failure;
-use crate::picture::PictureArgs;
+use crate::picture::{PictureArgs, SheetArgs};
 use crate::template::Template;
 
 /// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
@@ -517,7 +517,7 @@ pub(crate) struct ModesArgs {
     #[arg(long, value_name = "u=U,v=V,w=W", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
     #[command(flatten)]
-    pub(crate) picture: PictureArgs,
+    pub(crate) picture: SheetArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it

@@ -34,6 +34,22 @@ pub fn tolerances_answer(
     serde_json::to_value(command::tolerances::answer::rows(variations, found))
 }
 
+/// What `cspace modes --format json` prints of three parts of a mechanism and a configuration of them, where that is, and how many seconds it
+/// took: its schema is `docs/answers/modes.schema.json`.
+///
+/// # Errors
+/// If it cannot be written as JSON.
+pub fn modes_answer(
+    mechanism: &cspace::Mechanism,
+    modes: &cspace_modes::Modes,
+    requested: ([f64; 3], cspace_modes::ModePlace),
+    seconds: f64,
+) -> serde_json::Result<serde_json::Value> {
+    serde_json::to_value(command::modes::answer::of(
+        mechanism, modes, requested, seconds,
+    ))
+}
+
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 done, 1 the work could not be
 /// done, 2 bad input.
 pub fn main(arguments: &[OsString]) -> u8 {

@@ -10,16 +10,24 @@ use crate::angle;
 use crate::failure::Failure;
 use crate::output;
 
-/// Options of pictures.
+/// What may be said of every picture.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Pictures (.svg, .png, .pdf)")]
-pub(crate) struct PictureArgs {
+pub(crate) struct SheetArgs {
     /// Width and height in dots
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub(crate) size: Option<(f64, f64)>,
     /// What is written above it
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
+}
+
+/// Options of pictures.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Pictures (.svg, .png, .pdf)")]
+pub(crate) struct PictureArgs {
+    #[command(flatten)]
+    sheet: SheetArgs,
     /// Which names and numbers it has [default: auto, those that fit]
     #[arg(long, value_enum)]
     pub(crate) labels: Option<LabelChoice>,
@@ -91,8 +99,8 @@ impl PictureArgs {
             .help(format_args!("give {wanted}")));
         }
         Ok(PictureOptions {
-            size: self.size,
-            title: self.title.clone().unwrap_or(title),
+            size: self.sheet.size,
+            title: self.sheet.title.clone().unwrap_or(title),
             unit: unit.map(str::to_owned),
             labels: match self.labels {
                 None | Some(LabelChoice::Auto) => Labels::Auto,
@@ -107,24 +115,39 @@ impl PictureArgs {
     /// The first option that was given, if any: where no picture is written it says nothing.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let all = [
-            ("--size", self.size.is_some()),
-            ("--title", self.title.is_some()),
             ("--labels", self.labels.is_some()),
             ("--x", self.x.is_some()),
             ("--y", self.y.is_some()),
             ("--u", self.u.is_some()),
             ("--v", self.v.is_some()),
         ];
-        all.into_iter().find(|o| o.1).map(|o| o.0)
+        let own = || all.into_iter().find(|o| o.1).map(|o| o.0);
+        self.sheet.given().or_else(own)
     }
 
     /// Refuses options of pictures where none is written.
     pub(crate) fn refuse(&self) -> Result<(), Failure> {
-        match self.given() {
-            None => Ok(()),
-            Some(option) => Err(Failure::input(format_args!("{option} is about pictures"))
-                .help("let the name after -o end in .svg, .png or .pdf, or leave the option out")),
-        }
+        refuse(self.given())
+    }
+}
+
+impl SheetArgs {
+    fn given(&self) -> Option<&'static str> {
+        let title = || self.title.as_ref().map(|_| "--title");
+        self.size.map(|_| "--size").or_else(title)
+    }
+
+    /// Refuses options of pictures where none is written.
+    pub(crate) fn refuse(&self) -> Result<(), Failure> {
+        refuse(self.given())
+    }
+}
+
+fn refuse(given: Option<&str>) -> Result<(), Failure> {
+    match given {
+        None => Ok(()),
+        Some(option) => Err(Failure::input(format_args!("{option} is about pictures"))
+            .help("let the name after -o end in .svg, .png or .pdf, or leave the option out")),
     }
 }
 

@@ -165,12 +165,15 @@ impl Plot {
         items.push(Item::drawn(lines, INK, 0.08 * em));
         items.extend(numbers);
         let [x, y] = labels;
+        let room = |length: f64| length + 2.0 * Self::RIGHT * em;
         let below = Dot::new(0.5 * (area.lo.x + area.hi.x), area.hi.y + 2.7 * em);
         if with_x {
-            items.push(text(x.text.clone(), below, em, Anchor::Middle, INK));
+            let x = fitting(&x.text, em, room(area.width()));
+            items.push(text(x, below, em, Anchor::Middle, INK));
         }
         let left = Dot::new(area.lo.x - 4.1 * em, 0.5 * (area.lo.y + area.hi.y));
-        let mut upwards = text(y.text.clone(), left, em, Anchor::Middle, INK);
+        let y = fitting(&y.text, em, room(area.height()));
+        let mut upwards = text(y, left, em, Anchor::Middle, INK);
         if let Item::Text(t) = &mut upwards {
             t.upwards = true;
         }
@@ -229,17 +232,22 @@ pub(crate) fn haloed(item: Item) -> Item {
     }
 }
 
-/// The title at the top, cut where it would leave the picture.
-pub(crate) fn title(items: &mut Vec<Item>, title: &str, width: f64, em: f64) {
-    let size = 1.25 * em;
-    let mut shown = title.to_owned();
-    while font::width(&shown, size) > width - 2.0 * em && shown.pop().is_some() {}
-    if shown.len() < title.len() {
+/// A line of text, cut where it would be longer than there is room.
+fn fitting(text: &str, size: f64, room: f64) -> String {
+    let mut shown = text.to_owned();
+    while font::width(&shown, size) > room && shown.pop().is_some() {}
+    if shown.len() < text.len() {
         shown.pop();
         shown.push('…');
     }
+    shown
+}
+
+/// The title at the top, cut where it would leave the picture.
+pub(crate) fn title(items: &mut Vec<Item>, title: &str, width: f64, em: f64) {
+    let size = 1.25 * em;
     items.push(text(
-        shown,
+        fitting(title, size, width - 2.0 * em),
         Dot::new(em, 1.7 * em),
         size,
         Anchor::Start,

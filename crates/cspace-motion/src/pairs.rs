@@ -4,11 +4,10 @@ use cspace::mechanism::MechanismError;
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
     PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
-    Rotation, Slice, contact_function, touching_place,
+    Rotation, contact_function, touching_place,
 };
 use rayon::prelude::*;
 
-use crate::error::SimulateError;
 use crate::system::{Placed, Row, System};
 
 /// Contacts this near count as touching, relative to the size of the pair: a dozen times the resolution of a space, so that
@@ -328,49 +327,5 @@ impl MovingPair {
         let p = place.on_fixed.midpoint(place.on_moving);
         let [x, y] = system.placement(self.fixed, q).point([p.x, p.y]);
         Ok(Point::new(x, y))
-    }
-
-    /// Whether parts on axes that count as blocked only touch: what slides along another part without a gap does so for ever.
-    fn is_flush(&self, system: &System, q: &[f64]) -> bool {
-        if !matches!(self.space, PairSpace::FixedAxes(_)) {
-            return false;
-        }
-        let relative = system.relative(self.fixed, self.moving, q);
-        let slice = Slice::compute(self.space.fixed(), self.space.moving(), relative.theta);
-        let here = relative.position();
-        (slice.nearest(here)).is_some_and(|(_, there)| there.distance(here) <= self.touch)
-    }
-
-    /// That the parts do not overlap at the start.
-    ///
-    /// # Errors
-    /// If they do, or nothing was computed there.
-    pub fn check_start(&self, system: &System, q: &[f64]) -> Result<(), SimulateError> {
-        let [fixed, moving] =
-            [self.fixed, self.moving].map(|i| system.mechanism().parts[i].part.name().to_owned());
-        let failed = |error: QueryError| SimulateError::Query {
-            fixed: fixed.clone(),
-            moving: moving.clone(),
-            error,
-        };
-        match self.classify(system, q) {
-            Ok(Classification::Blocked) if self.is_flush(system, q) => Err(SimulateError::Flush {
-                fixed,
-                moving,
-                gap: self.touch,
-            }),
-            Ok(Classification::Blocked) => {
-                let at = self.coordinates(system, q);
-                let nearest = self.space.nearest_contact(at).map_err(failed)?;
-                Err(SimulateError::Overlap {
-                    fixed,
-                    moving,
-                    depth: nearest.map_or(f64::INFINITY, |n| n.distance),
-                })
-            }
-            Ok(_) => Ok(()),
-            Err(QueryError::Outside) => Err(SimulateError::Outside { fixed, moving }),
-            Err(error) => Err(failed(error)),
-        }
     }
 }

@@ -3,6 +3,7 @@
 use cspace::{Mechanism, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
+use crate::contact::check_start;
 use crate::error::SimulateError;
 use crate::forces::has_forces;
 use crate::inertial::{self, Scheme};
@@ -99,9 +100,7 @@ impl Simulation {
             return Err(system.open_joint(&system.start()));
         };
         check_ranges(&system, &start)?;
-        for pair in pairs.list() {
-            pair.check_start(&system, &start)?;
-        }
+        check_start(&system, &pairs, &start)?;
         Ok(Self {
             system,
             pairs,
@@ -123,9 +122,7 @@ impl Simulation {
             });
         }
         check_ranges(&self.system, &at.coordinates)?;
-        for pair in self.pairs.list() {
-            pair.check_start(&self.system, &at.coordinates)?;
-        }
+        check_start(&self.system, &self.pairs, &at.coordinates)?;
         self.start.clone_from(&at.coordinates);
         self.taken_up = Some((at.t, at.rates.clone()));
         Ok(self)

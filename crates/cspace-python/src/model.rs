@@ -1,11 +1,13 @@
 //! Models: parts, how they move, parameters and requirements.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use cspace::{Mechanism, PairEntry};
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Template};
+use cspace_modes::Modes;
 use cspace_motion::{Report, Settings, Simulation};
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::IntoPyObjectExt;
@@ -266,6 +268,34 @@ impl Model {
         })?;
         let answer = cspace_cli::tolerances_answer(&variations, &found).map_err(error)?;
         pythonize::pythonize(py, &answer).map_err(error)
+    }
+
+    /// The operating modes of three parts, or of those that move on axes, and where a configuration of them is: what the command prints as JSON.
+    fn _modes<'py>(
+        &self,
+        py: Python<'py>,
+        parts: Option<[String; 3]>,
+        at: [f64; 3],
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let mechanism = self.mechanism();
+        let parts = match parts {
+            None => cspace_modes::moving_parts(mechanism).map_err(error)?,
+            Some([a, b, c]) => [
+                self.part_index(&a)?,
+                self.part_index(&b)?,
+                self.part_index(&c)?,
+            ],
+        };
+        let begin = Instant::now();
+        let model = Arc::clone(&self.model);
+        let (modes, place) = work::run(py, move |_| {
+            let modes = Modes::compute(&model.mechanism, parts).map_err(|e| e.to_string())?;
+            let place = modes.locate(at).map_err(|e| e.to_string())?;
+            Ok((modes, place))
+        })?;
+        let seconds = begin.elapsed().as_secs_f64();
+        let answer = cspace_cli::modes_answer(mechanism, &modes, (at, place), seconds);
+        pythonize::pythonize(py, &answer.map_err(error)?).map_err(error)
     }
 
     /// The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a

@@ -207,3 +207,27 @@ def test_tolerances_are_those_of_the_command(models, command):
         model.tolerances("dwel")
     with pytest.raises(cs.Error, match="`samples` is -1"):
         model.tolerances(samples=-1)
+
+
+def test_modes_are_those_of_the_command(models, command):
+    """All that is told of three parts, in their order or another, and what is no three parts or no configuration."""
+    file = str(models / "shift_interlock.toml")
+    model = cs.Model.load(file)
+    names = ["second rail", "plunger", "first rail"]
+    for parts, options in ((None, ["--at", "u=8"]), (names, ["--parts", ",".join(names), "--at", "u=8"])):
+        found = model.modes(parts, at=(8, 0, 0))
+        told = printed(command, "modes", file, *options, "--format", "json")
+        del told["seconds"]
+        assert vars(found) == told
+        assert [part["name"] for part in found.parts] == (names if parts else names[::-1])
+    assert model.modes().requested["mode"] == 0 and found.doubts == 0
+    for wrong, said in (
+        ({"parts": names[:2]}, "`parts` is .* where three names"),
+        ({"parts": "abc"}, "`parts` is 'abc' where three names"),
+        ({"parts": ["first rail", "plunger", "rail"]}, "there is no part named \"rail\""),
+        ({"parts": ["plunger", "plunger", "first rail"]}, "is named twice"),
+        ({"at": (1, 2)}, "`at` is .* where three numbers"),
+        ({"at": (0, 0, float("nan"))}, "`at` is nan"),
+    ):
+        with pytest.raises(cs.Error, match=said):
+            model.modes(**wrong)

@@ -25,5 +25,6 @@ mod plan;
 mod play;
 mod questions;
 mod random;
+mod resume;
 mod schemas;
 mod simulate;

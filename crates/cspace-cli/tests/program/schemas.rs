@@ -162,6 +162,8 @@ fn answers_are_as_their_schemas_say() {
     cspace(&["simulate", &driven[0], "--time", "0.2", "-o", record])
         .assert()
         .success();
+    let bytes = std::fs::read(record).unwrap();
+    is_told("simulate", &serde_json::from_slice(&bytes).unwrap());
     is_told(
         "clash",
         &json(&["clash", &driven[0], "--along", record, "--within", "9"]),

@@ -10,6 +10,7 @@ mod meeting;
 mod overlap;
 mod path;
 mod pinch;
+mod start;
 mod straight;
 #[cfg(test)]
 mod tests;
@@ -25,4 +26,5 @@ pub(crate) use ends::{PAST_END, ends};
 pub(crate) use overlap::{is_long, overlapping};
 pub(crate) use path::Path;
 pub(crate) use pinch::pinched;
+pub(crate) use start::check_start;
 pub(crate) use watch::{LONGEST, Watch};

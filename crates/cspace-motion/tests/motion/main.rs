@@ -21,4 +21,5 @@ mod models;
 mod oversize;
 mod planar;
 mod random;
+mod taken_up;
 mod turning;

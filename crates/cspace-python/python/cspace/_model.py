@@ -10,7 +10,7 @@ from . import _rust
 from ._arrays import column, number, position, table, window
 from ._errors import Error
 from ._part import Part
-from ._results import Assembly, Checked, Escape, Pass, Simulation, Solved, Step, Table, Tolerances
+from ._results import Assembly, Checked, Escape, Modes, Pass, Simulation, Solved, Step, Table, Tolerances
 from ._space import ContactSpace
 
 
@@ -167,6 +167,21 @@ class Model:
         `gap`."""
         found = _rust._assembly(self._model, None if gap is None else number("gap", gap))
         return Assembly(steps=[Step(*step) for step in found.pop("steps")], **found)
+
+    def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> Modes:
+        """The operating modes of three parts, by name, whose coordinates are u, v and w in that order; of those that move on axes without
+        names. `at` (u, v, w), radians of a part that turns, is the configuration of which the mode is told.
+
+        >>> model.modes(at=(8, 0, 0)).requested["mode"]  # doctest: +SKIP
+        """
+        if parts is not None and (isinstance(parts, str) or len(parts) != 3):
+            raise Error(f"`parts` is {parts!r} where three names are expected")
+        if len(at) != 3:
+            raise Error(f"`at` is {at!r} where three numbers (u, v, w) are expected")
+        u, v, w = (number("at", t) for t in at)
+        found = self._model._modes(None if parts is None else list(parts), (u, v, w))
+        found.pop("seconds")
+        return Modes(**found)
 
     def simulate(self, time: float, every: float | None = None) -> Simulation:
         """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""

@@ -203,6 +203,20 @@ class Tolerances:
 
 
 @dataclass(frozen=True)
+class Modes:
+    """The operating modes of three parts on axes, as in the answer of `cspace modes --format json`: each of `modes` has the ranges of `u`, `v`
+    and `w`, its `turns` and a `sample` in it; `requested` is where the configuration is that was asked for; `left_out` are pairs that are
+    not considered. If there are `doubts`, modes are not to be relied upon."""
+
+    parts: list[Any]
+    pairs: list[Any]
+    modes: list[Any]
+    requested: dict[str, Any]
+    left_out: list[Any]
+    doubts: int
+
+
+@dataclass(frozen=True)
 class Solved:
     """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`."""
 

@@ -98,6 +98,9 @@ class Model:
     def _loads(text: Any, path: Any, set: Any) -> Any:
         """The model in a text, TOML unless the extension of `path` is .json."""
 
+    def _modes(self, parts: Any, at: Any) -> Any:
+        """The operating modes of three parts, or of those that move on axes, and where a configuration of them is: what the command prints as JSON."""
+
     def _simulate(self, time: Any, every: Any = None) -> Any:
         """The motion of the mechanism: times, coordinates and rates as arrays, and what happens, as a dictionary."""
 

@@ -1,7 +1,6 @@
 //! The answer of `cspace modes`, as data and as text.
 
 use std::fmt::{self, Write};
-use std::time::Instant;
 
 use cspace::{AxisMotion, Mechanism};
 use cspace_io::shown;
@@ -14,7 +13,7 @@ use crate::wording::count;
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
-pub(super) struct Answer {
+pub(crate) struct Answer {
     parts: Vec<Part>,
     pairs: Vec<Pair>,
     modes: Vec<Row>,
@@ -83,11 +82,11 @@ fn at([u, v, w]: [f64; 3]) -> At {
     At { u, v, w }
 }
 
-pub(super) fn of(
+pub(crate) fn of(
     model: &Mechanism,
     modes: &Modes,
     (requested, place): ([f64; 3], ModePlace),
-    begin: Instant,
+    seconds: f64,
 ) -> Answer {
     let names = modes.names();
     let part = |k: usize| {
@@ -130,7 +129,7 @@ pub(super) fn of(
         },
         left_out: left_out(model, modes.parts()),
         doubts: modes.doubts(),
-        seconds: begin.elapsed().as_secs_f64(),
+        seconds,
     }
 }
 

@@ -1,6 +1,6 @@
 //! `cspace modes`.
 
-mod answer;
+pub(crate) mod answer;
 mod ask;
 mod picture;
 
@@ -20,7 +20,6 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let format = pictures::format(output);
     if format.is_some() {
         args.result.refuse_format()?;
-        picture::check(&args.picture)?;
     } else {
         args.result.check_answer()?;
         args.picture.refuse()?;
@@ -36,10 +35,11 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
         Modes::compute(&model, parts).map_err(|error| ask::rejected(&path, &model, &error))?;
     let place = modes.locate(at).map_err(Failure::input)?;
     if let Some(format) = format {
-        let scene = picture::scene(args, &model, &modes, (at, place))?;
+        let scene = picture::scene(args, &model, &modes, (at, place));
         return pictures::write(output, format, &scene);
     }
-    let answer = answer::of(&model, &modes, (at, place), begin);
+    let seconds = begin.elapsed().as_secs_f64();
+    let answer = answer::of(&model, &modes, (at, place), seconds);
     let answer = match args.result.format() {
         Format::Json => super::json(&answer)?,
         Format::Text => answer::text(&model, &modes, &answer)

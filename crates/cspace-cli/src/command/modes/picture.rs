@@ -6,43 +6,29 @@ use cspace_modes::{ModePlace, Modes};
 
 use super::ask::LETTERS;
 use crate::args::ModesArgs;
-use crate::failure::{Failure, note};
-use crate::picture::{PictureArgs, Plane};
+use crate::failure::note;
 
 /// More modes than these are not drawn.
 const MOST: usize = 7;
 /// Fields of each plane along each coordinate: as many as a plane has dots in a picture of the usual size.
 const FIELDS: usize = 280;
 
-/// Rejects options that say nothing of this picture.
-pub(super) fn check(args: &PictureArgs) -> Result<(), Failure> {
-    let of_one_plane = [
-        ("--x", args.x.is_some()),
-        ("--y", args.y.is_some()),
-        ("--u", args.u.is_some()),
-        ("--v", args.v.is_some()),
-        ("--labels", args.labels.is_some()),
-    ];
-    match of_one_plane.into_iter().find(|o| o.1) {
-        None => Ok(()),
-        Some((option, _)) => Err(Failure::input(format_args!(
-            "{option} is about pictures of one plane, and this picture has three"
-        ))
-        .help("leave it out; `cspace slice --pair FIXED,MOVING` draws one plane")),
-    }
-}
-
 pub(super) fn scene(
     args: &ModesArgs,
     model: &Mechanism,
     found: &Modes,
     (at, place): ([f64; 3], ModePlace),
-) -> Result<Scene, Failure> {
+) -> Scene {
     let unit = model.unit.as_deref();
     let names = found.names();
     let of = unit.map_or(String::new(), |u| format!(", lengths in {u}"));
     let title = format!("{}: modes of {}{of}", model.name, names.join(", "));
-    let options: PictureOptions = args.picture.options(Plane::Motions, title, unit)?;
+    let options = PictureOptions {
+        size: args.picture.size,
+        title: args.picture.title.clone().unwrap_or(title),
+        unit: unit.map(str::to_owned),
+        ..PictureOptions::default()
+    };
     let extents = found.extents();
     let planes = [0, 1, 2].map(|k| {
         let pair = &found.pairs()[k];
@@ -76,5 +62,5 @@ pub(super) fn scene(
         planes,
         modes: rows.collect(),
     };
-    Ok(modes(&picture, &options))
+    modes(&picture, &options)
 }

@@ -9,6 +9,10 @@ use cspace_motion::{
 };
 use serde::Serialize;
 
+use crate::failure::Failure;
+
+use super::made_of::MadeOf;
+
 /// What is told beside coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wanted {
@@ -33,6 +37,9 @@ pub(super) struct Told {
     /// Of a record that is kept: the states on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) states: Option<States>,
+    /// Of a record that is kept: what it was made of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) model: Option<MadeOf>,
     pub(super) events: Vec<Event>,
     pub(super) contacts: Vec<ContactInterval>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -152,7 +159,7 @@ impl Told {
         (record, report): (&Record, &Report),
         wanted: Wanted,
         seconds: f64,
-    ) -> Self {
+    ) -> Result<Self, Failure> {
         let by_name = |all: &[f64]| -> BTreeMap<String, Numbers> {
             moving(model, system)
                 .map(|(name, part)| (name.to_owned(), Numbers::of(&all[part.indices()])))
@@ -164,7 +171,8 @@ impl Told {
             rates: wanted.rates.then(|| by_name(&s.rates)),
             forces: s.forces.clone().filter(|_| wanted.forces),
         };
-        Self {
+        let made_of = wanted.states.then(|| MadeOf::of(model)).transpose()?;
+        Ok(Self {
             status: record.status,
             reason: record.reason.clone(),
             obstacles: record.obstacles.clone(),
@@ -172,12 +180,13 @@ impl Told {
             parts: moving(model, system).map(|(n, _)| n.to_owned()).collect(),
             samples: record.samples.iter().map(row).collect(),
             states: wanted.states.then(|| States::of(record)),
+            model: made_of,
             events: record.events.clone(),
             contacts: report.contacts.clone(),
             cycle: report.cycle.as_ref().map(|c| Period::of(model, c)),
             energy: record.energy,
             summary: report.summary.clone(),
             seconds,
-        }
+        })
     }
 }

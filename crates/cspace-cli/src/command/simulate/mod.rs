@@ -3,6 +3,7 @@
 mod answer;
 mod force;
 mod frames;
+mod made_of;
 mod picture;
 mod resume;
 mod scheme;
@@ -57,7 +58,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         (Mode::Dynamic, Some(step)) => Way::Stepping(step),
     };
     let earlier = match &args.resume {
-        Some(file) => Some(resume::record(file, &model, args.time)?),
+        Some(file) => Some(resume::record(file, &model, mode, args.time)?),
         None => None,
     };
     let (simulation, mut record) = Bar::new(shown::text(&model.name).into_owned())
@@ -100,7 +101,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         (&record, &report),
         wanted,
         begin.elapsed().as_secs_f64(),
-    );
+    )?;
     let answer = match args.result.format() {
         Format::Json => super::json(&told)?,
         Format::Text => {

@@ -7,17 +7,25 @@ use cspace_motion::{Event, Record, Sample, Status, System};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+use crate::args::Mode;
 use crate::command::record::{json, wrong};
 use crate::failure::Failure;
 
 use super::answer::moving;
+use super::made_of::MadeOf;
 
 /// Times nearer than this are the same, relative to the duration: rounding.
 const SAME: f64 = 1e-11;
 
-/// Of a model, which is to go on to a time.
-pub(super) fn record(file: &Path, model: &Mechanism, time: f64) -> Result<Record, Failure> {
-    const HELP: &str = "give what `cspace simulate` wrote with -o RECORD.json, of the same model";
+const HELP: &str = "give what `cspace simulate` wrote with -o RECORD.json, of the same model";
+
+/// Of a model, which is to go on in the same mode to a time.
+pub(super) fn record(
+    file: &Path,
+    model: &Mechanism,
+    mode: Mode,
+    time: f64,
+) -> Result<Record, Failure> {
     let value = json(file, model, false)?;
     let bad = |what: &str| wrong(file, what, HELP);
     let system = System::new(model);
@@ -25,6 +33,21 @@ pub(super) fn record(file: &Path, model: &Mechanism, time: f64) -> Result<Record
     let told = value["parts"].as_array().into_iter().flatten();
     if !told.map(Value::as_str).eq(names.iter().map(|n| Some(*n))) {
         return Err(bad("its parts are not those that move in the model"));
+    }
+    let others = MadeOf::of(model)?.others(&value["model"]);
+    if !others.is_empty() {
+        let what = format!("it was made with other {}", others.join(", "));
+        return Err(bad(&what));
+    }
+    // The balance of energy is told of motions with masses alone.
+    let (its_mode, its_name) = match value.get("energy") {
+        Some(_) => (Mode::Dynamic, "dynamic"),
+        None => (Mode::Kinematic, "kinematic"),
+    };
+    if its_mode != mode {
+        let what = format!("its motion is {its_name}");
+        let help = format!("go on with --mode {its_name}");
+        return Err(wrong(file, &what, &help));
     }
     let status: Status = part(&value, "status").map_err(|e| bad(&e))?;
     if !matches!(status, Status::Done | Status::Interrupted) {

@@ -1,0 +1,66 @@
+//! What of a model a motion depends on, in a record of it: a motion goes on only with what it was made of.
+
+use std::collections::BTreeMap;
+
+use cspace::Mechanism;
+use serde::Serialize;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+use crate::failure::Failure;
+
+/// So many bytes of a hash tell models apart that are not made to have the same.
+const BYTES: usize = 8;
+
+/// Hashes by what they are of. Neither the model's name nor its unit moves anything.
+#[derive(Debug, Serialize)]
+#[serde(transparent)]
+pub(super) struct MadeOf(BTreeMap<&'static str, String>);
+
+impl MadeOf {
+    pub(super) fn of(model: &Mechanism) -> Result<Self, Failure> {
+        let dynamics = &model.dynamics;
+        let all = [
+            ("parts", hash(&model.parts)?),
+            ("joints", hash(&model.joints)?),
+            ("pairs", hash(&model.pairs)?),
+            ("masses", hash(&dynamics.parts)?),
+            ("gravity", hash(&dynamics.gravity)?),
+            (
+                "friction",
+                hash(&(dynamics.friction, dynamics.restitution, &dynamics.pairs))?,
+            ),
+            ("drives", hash(&dynamics.drives)?),
+            ("loads", hash(&dynamics.loads)?),
+            ("springs", hash(&dynamics.springs)?),
+        ];
+        Ok(Self(all.into()))
+    }
+
+    /// What is another in a record, in words. What an older record does not tell counts as the same.
+    pub(super) fn others(&self, told: &Value) -> Vec<&'static str> {
+        let is_other = |&(what, hash): &(&&str, &String)| {
+            let told = told.get(*what).and_then(Value::as_str);
+            told.is_some_and(|told| told != hash)
+        };
+        let others = self.0.iter().filter(is_other);
+        others.map(|(what, _)| in_words(what)).collect()
+    }
+}
+
+/// Of what is read and written as data: the same numbers have the same hash.
+fn hash(what: &impl Serialize) -> Result<String, Failure> {
+    let text = serde_json::to_vec(what).map_err(Failure::work)?;
+    let digest = Sha256::digest(&text);
+    let bytes = digest.iter().take(BYTES);
+    Ok(bytes.map(|b| format!("{b:02x}")).collect())
+}
+
+fn in_words(what: &'static str) -> &'static str {
+    match what {
+        "parts" => "outlines or axes of parts",
+        "masses" => "masses, starts or rates of parts",
+        "friction" => "friction or restitution",
+        what => what,
+    }
+}

@@ -1,0 +1,77 @@
+//! Whether a motion can begin where the parts are.
+
+use cspace::{Classification, PairSpace, QueryError, Slice};
+
+use crate::error::SimulateError;
+use crate::pairs::{MovingPair, Pairs};
+use crate::system::System;
+
+use super::pinch::pinching;
+
+/// That no parts overlap.
+///
+/// # Errors
+/// If some do, or nothing was computed there.
+pub(crate) fn check_start(system: &System, pairs: &Pairs, q: &[f64]) -> Result<(), SimulateError> {
+    (0..pairs.list().len()).try_for_each(|index| check_pair(system, pairs, index, q))
+}
+
+fn check_pair(
+    system: &System,
+    pairs: &Pairs,
+    index: usize,
+    q: &[f64],
+) -> Result<(), SimulateError> {
+    let pair = &pairs.list()[index];
+    let [fixed, moving] =
+        [pair.fixed, pair.moving].map(|i| system.mechanism().parts[i].part.name().to_owned());
+    let failed = |error: QueryError| match error {
+        QueryError::Outside => SimulateError::Outside {
+            fixed: fixed.clone(),
+            moving: moving.clone(),
+        },
+        error => SimulateError::Query {
+            fixed: fixed.clone(),
+            moving: moving.clone(),
+            error,
+        },
+    };
+    if pair.classify(system, q).map_err(failed)? != Classification::Blocked
+        || is_held(system, pairs, index, q).map_err(failed)?
+    {
+        return Ok(());
+    }
+    if is_flush(pair, system, q) {
+        let gap = pair.touch;
+        return Err(SimulateError::Flush { fixed, moving, gap });
+    }
+    let at = pair.coordinates(system, q);
+    let nearest = pair.space.nearest_contact(at).map_err(failed)?;
+    Err(SimulateError::Overlap {
+        fixed,
+        moving,
+        depth: nearest.map_or(f64::INFINITY, |n| n.distance),
+    })
+}
+
+/// Whether parts that count as blocked only touch: a part that is wedged stands at the last orientation at which it fits, or turned by rounding beyond
+/// it, where nothing is free and no contact near.
+fn is_held(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Result<bool, QueryError> {
+    let pair = &pairs.list()[index];
+    if !matches!(pair.space, PairSpace::Planar(_)) {
+        return Ok(false);
+    }
+    let touches = pair.touches(index, system, q, pair.touch)?;
+    Ok(!touches.is_empty() || !pinching(system, pairs, index, q).is_empty())
+}
+
+/// Whether parts on axes that count as blocked only touch: what slides along another part without a gap does so for ever.
+fn is_flush(pair: &MovingPair, system: &System, q: &[f64]) -> bool {
+    if !matches!(pair.space, PairSpace::FixedAxes(_)) {
+        return false;
+    }
+    let relative = system.relative(pair.fixed, pair.moving, q);
+    let slice = Slice::compute(pair.space.fixed(), pair.space.moving(), relative.theta);
+    let here = relative.position();
+    (slice.nearest(here)).is_some_and(|(_, there)| there.distance(here) <= pair.touch)
+}
