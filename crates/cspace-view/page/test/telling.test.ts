@@ -54,7 +54,11 @@ describe("the lens", () => {
   it("shows the width of a long corridor, and nothing where there is no room at all", () => {
     const box = lensBox({ x: 5, y: 7 }, room(1000, 0.01), pixel, 150)!;
     assert.ok(box.y1 - box.y0 < 0.1 && box.x0 < 5 && box.x1 > 5, JSON.stringify(box));
+    // A peg in its hole, that may leave upwards.
+    const hole = lensBox({ x: 5, y: 7 }, room(0.1, Infinity), pixel, 150)!;
+    assert.ok(hole.x0 < 5 && hole.x1 > 5.1 && hole.x1 - hole.x0 < 1 && hole.y0 < 7 && hole.y1 > 7, JSON.stringify(hole));
     assert.equal(lensBox({ x: 5, y: 7 }, room(0, 0), pixel, 150), null);
+    assert.equal(lensBox({ x: 5, y: 7 }, room(0, Infinity), pixel, 150), null);
   });
 });
 

@@ -18,6 +18,7 @@ export class EditPanel {
   readonly #time = html("p", {}, "nothing computed yet");
   readonly #said = html("p");
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
+  readonly #remove = html("button", { type: "button", title: "Remove the selected vertex (Delete, or Alt-click on it)" }, "Remove vertex");
   readonly #undo = html("button", { type: "button" }, "Undo");
   readonly #redo = html("button", { type: "button" }, "Redo");
 
@@ -28,6 +29,7 @@ export class EditPanel {
     save.addEventListener("click", actions.saveModel);
     this.#undo.addEventListener("click", actions.undo);
     this.#redo.addEventListener("click", actions.redo);
+    this.#remove.addEventListener("click", actions.removeVertex);
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
@@ -49,7 +51,7 @@ export class EditPanel {
       this.#meter,
       this.#time,
       this.#said,
-      html("div", { class: "buttons" }, this.#undo, this.#redo, save),
+      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
     );
     editor.onReport = (report) => this.#report(report);
     editor.onSelect = () => this.#draw();
@@ -82,6 +84,7 @@ export class EditPanel {
   }
 
   #draw(): void {
+    this.#remove.disabled = this.#editor.selected?.kind !== "vertex";
     this.#undo.disabled = !this.#editor.canUndo;
     this.#redo.disabled = !this.#editor.canRedo;
     const moving = this.#session.pair?.moving ?? -1;
