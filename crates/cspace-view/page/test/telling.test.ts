@@ -9,7 +9,7 @@ import { labelPlace } from "../src/ui/label-place.js";
 import { lensBox } from "../src/ui/lens.js";
 import { graphOf, seriesOf, valueAt } from "../src/ui/record-series.js";
 import { readRecord } from "../src/ui/records.js";
-import { regionName } from "../src/ui/region-names.js";
+import { regionName, regionNames } from "../src/ui/region-names.js";
 import { stepTo } from "../src/ui/step-band.js";
 import { rimOf } from "../src/ui/surface-rim.js";
 import { details, headline } from "../src/ui/verdict.js";
@@ -26,6 +26,8 @@ describe("regions", () => {
   it("are called by what they are", () => {
     assert.deepEqual([0, 1].map((i) => regionName({ class: "general", regions }, i)), ["outside", "pocket 1"]);
     assert.equal(regionName({ class: "fixed-axes", regions }, 1), "region 1");
+    assert.equal(regionNames({ class: "general", regions: [...regions, ...regions.slice(1)] }, [0, 1, 2]), "outside, pockets 1, 2");
+    assert.equal(regionNames({ class: "fixed-axes", regions }, [0, 1]), "regions 0, 1");
   });
 });
 

@@ -16,7 +16,7 @@ export class EditPanel {
   readonly #offset = html("input", { type: "number", step: "any", id: "edit-offset" });
   readonly #meter = html("meter", { min: 0, max: 2 * BUDGET, high: BUDGET, optimum: 0, value: 0, "aria-label": "Time of the last computation" });
   readonly #time = html("p", {}, "nothing computed yet");
-  readonly #said = html("p");
+  readonly #said = html("p", { class: "said" });
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #remove = html("button", { type: "button", title: "Remove the selected vertex (Delete, or Alt-click on it)" }, "Remove vertex");
   readonly #undo = html("button", { type: "button" }, "Undo");
@@ -66,7 +66,7 @@ export class EditPanel {
   }
 
   #report({ seconds, total, roundTrip, changes, error }: EditReport): void {
-    set(this.#said, { class: error ? "bad" : "" });
+    set(this.#said, { class: error ? "said bad" : "said" });
     if (error) say(this.#said, error);
     else {
       const [space, server, all] = [seconds, total, roundTrip].map((s) => (s * 1000).toFixed(1));
@@ -79,7 +79,7 @@ export class EditPanel {
   }
 
   #refuse(name: string): void {
-    set(this.#said, { class: "bad" });
+    set(this.#said, { class: "said bad" });
     say(this.#said, refusal(name));
   }
 
