@@ -21,7 +21,7 @@ const along = (...intervals: [number, number][]) => ({
 describe("changes of regions", () => {
   it("tell what closed and opened", () => {
     assert.equal(regionChanges(along([0, 1], [2, 3]), along([0, 1])), "pocket 1 closed: 2 regions before, 1 region now");
-    assert.equal(regionChanges(along([0, 1]), along([5, 6], [0, 1], [7, 8])), "pocket 0, pocket 2 opened: 1 region before, 3 regions now");
+    assert.equal(regionChanges(along([0, 1]), along([5, 6], [0, 1], [7, 8])), "pockets 0, 2 opened: 1 region before, 3 regions now");
   });
   it("are none where a region only moved or was numbered anew", () => {
     assert.equal(regionChanges(along([0, 1], [2, 3]), along([2.2, 3.2], [0.2, 1.2])), "");

@@ -9,7 +9,7 @@ import { labelPlace } from "../src/ui/label-place.js";
 import { lensBox } from "../src/ui/lens.js";
 import { graphOf, seriesOf, valueAt } from "../src/ui/record-series.js";
 import { readRecord } from "../src/ui/records.js";
-import { regionName } from "../src/ui/region-names.js";
+import { regionName, regionNames } from "../src/ui/region-names.js";
 import { stepTo } from "../src/ui/step-band.js";
 import { rimOf } from "../src/ui/surface-rim.js";
 import { details, headline } from "../src/ui/verdict.js";
@@ -26,6 +26,8 @@ describe("regions", () => {
   it("are called by what they are", () => {
     assert.deepEqual([0, 1].map((i) => regionName({ class: "general", regions }, i)), ["outside", "pocket 1"]);
     assert.equal(regionName({ class: "fixed-axes", regions }, 1), "region 1");
+    assert.equal(regionNames({ class: "general", regions: [...regions, ...regions.slice(1)] }, [0, 1, 2]), "outside, pockets 1, 2");
+    assert.equal(regionNames({ class: "fixed-axes", regions }, [0, 1]), "regions 0, 1");
   });
 });
 
@@ -54,7 +56,11 @@ describe("the lens", () => {
   it("shows the width of a long corridor, and nothing where there is no room at all", () => {
     const box = lensBox({ x: 5, y: 7 }, room(1000, 0.01), pixel, 150)!;
     assert.ok(box.y1 - box.y0 < 0.1 && box.x0 < 5 && box.x1 > 5, JSON.stringify(box));
+    // A peg in its hole, that may leave upwards.
+    const hole = lensBox({ x: 5, y: 7 }, room(0.1, Infinity), pixel, 150)!;
+    assert.ok(hole.x0 < 5 && hole.x1 > 5.1 && hole.x1 - hole.x0 < 1 && hole.y0 < 7 && hole.y1 > 7, JSON.stringify(hole));
     assert.equal(lensBox({ x: 5, y: 7 }, room(0, 0), pixel, 150), null);
+    assert.equal(lensBox({ x: 5, y: 7 }, room(0, Infinity), pixel, 150), null);
   });
 });
 

@@ -16,8 +16,9 @@ export class EditPanel {
   readonly #offset = html("input", { type: "number", step: "any", id: "edit-offset" });
   readonly #meter = html("meter", { min: 0, max: 2 * BUDGET, high: BUDGET, optimum: 0, value: 0, "aria-label": "Time of the last computation" });
   readonly #time = html("p", {}, "nothing computed yet");
-  readonly #said = html("p");
+  readonly #said = html("p", { class: "said" });
   readonly #refused = html("p", { class: "bad", role: "alert", hidden: "" });
+  readonly #remove = html("button", { type: "button", title: "Remove the selected vertex (Delete, or Alt-click on it)" }, "Remove vertex");
   readonly #undo = html("button", { type: "button" }, "Undo");
   readonly #redo = html("button", { type: "button" }, "Redo");
 
@@ -28,6 +29,7 @@ export class EditPanel {
     save.addEventListener("click", actions.saveModel);
     this.#undo.addEventListener("click", actions.undo);
     this.#redo.addEventListener("click", actions.redo);
+    this.#remove.addEventListener("click", actions.removeVertex);
     this.#offset.addEventListener("change", () => {
       const value = typedNumber(this.#offset.value);
       const moving = session.pair?.moving;
@@ -49,7 +51,7 @@ export class EditPanel {
       this.#meter,
       this.#time,
       this.#said,
-      html("div", { class: "buttons" }, this.#undo, this.#redo, save),
+      html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
     );
     editor.onReport = (report) => this.#report(report);
     editor.onSelect = () => this.#draw();
@@ -64,7 +66,7 @@ export class EditPanel {
   }
 
   #report({ seconds, roundTrip, changes, error }: EditReport): void {
-    set(this.#said, { class: error ? "bad" : "" });
+    set(this.#said, { class: error ? "said bad" : "said" });
     if (error) say(this.#said, error);
     else {
       const [space, all] = [seconds, roundTrip].map((s) => (s * 1000).toFixed(0));
@@ -77,11 +79,12 @@ export class EditPanel {
   }
 
   #refuse(name: string): void {
-    set(this.#said, { class: "bad" });
+    set(this.#said, { class: "said bad" });
     say(this.#said, refusal(name));
   }
 
   #draw(): void {
+    this.#remove.disabled = this.#editor.selected?.kind !== "vertex";
     this.#undo.disabled = !this.#editor.canUndo;
     this.#redo.disabled = !this.#editor.canRedo;
     const moving = this.#session.pair?.moving ?? -1;

@@ -3,6 +3,7 @@
  * is less than the mark of the configuration covers.
  */
 
+import type { Classification } from "../kernel/api.js";
 import type { Place } from "../scene.js";
 import { set, svg } from "./dom.js";
 import type { Box } from "./outline.js";
@@ -34,8 +35,9 @@ export function lensBox(at: Place, { across, up }: Room, pixel: Place, side: num
   const [least, most] = [Math.min(...widths), Math.max(...widths)];
   if (!(least < COVERED) || most === 0) return null;
   // Wedged along one coordinate, it has only the other.
-  const width = AROUND * Math.min(most, least > WEDGED * most ? LONGEST * least : most / LONGEST);
-  if (side < LEAST_ZOOM * width) return null;
+  const ends = Number.isFinite(most);
+  const width = AROUND * Math.min(most, !ends || least > WEDGED * most ? LONGEST * least : most / LONGEST);
+  if (width === 0 || side < LEAST_ZOOM * width) return null;
   const middle = ({ back, forth }: Room["across"], per: number) => ((back + forth) / per <= width ? (forth - back) / 2 : 0);
   const center = { x: at.x + middle(across, pixel.x), y: at.y + middle(up, pixel.y) };
   const half = { x: (width / 2) * pixel.x, y: (width / 2) * pixel.y };
@@ -68,7 +70,7 @@ export class Lens {
     set(this.group, { visibility: "hidden" });
   }
 
-  show(box: Box, at: Place, content: readonly SVGElement[], text: string): void {
+  show(box: Box, at: Place, classification: Classification | null, content: readonly SVGElement[], text: string): void {
     const side = this.side;
     const x = this.#viewport.size.width - side - MARGIN;
     const [sx, sy] = [side / (box.x1 - box.x0), side / (box.y1 - box.y0)];
@@ -79,6 +81,6 @@ export class Lens {
     set(this.#point, { cx: x + sx * (at.x - box.x0), cy: MARGIN + sy * (box.y1 - at.y) });
     set(this.#text, { x: x + side / 2, y: MARGIN + side + 4, "text-anchor": "middle", "dominant-baseline": "hanging" });
     this.#text.textContent = text;
-    set(this.group, { visibility: null });
+    set(this.group, { "data-class": classification, visibility: null });
   }
 }

@@ -131,6 +131,7 @@ export class PlaneView {
     this.#lens.show(
       box,
       at,
+      state.where.classification,
       [blocked, svg("g", {}, ...rooms), ...curvePaths(kernel as never, drawn.curves, shown)],
       `u ${text(box.x1 - box.x0, kernel.u)}, v ${text(box.y1 - box.y0, kernel.v)}`,
     );

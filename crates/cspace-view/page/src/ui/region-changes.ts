@@ -2,7 +2,7 @@
 
 import type { Configuration, Kernel } from "../kernel/api.js";
 import type { ScenePair, SceneRegion } from "../scene.js";
-import { regionName } from "./region-names.js";
+import { regionNames } from "./region-names.js";
 
 interface Regions {
   class: ScenePair["class"];
@@ -29,8 +29,8 @@ export function regionChanges(before: Regions, after: Regions): string {
   const closed = before.regions.flatMap((_, i) => (kept.has(i) ? [] : [i]));
   const opened = after.regions.flatMap((_, i) => (known.has(i) ? [] : [i]));
   const said: string[] = [];
-  if (closed.length > 0) said.push(`${named(before, closed)} closed`);
-  if (opened.length > 0) said.push(`${named(after, opened)} opened`);
+  if (closed.length > 0) said.push(`${regionNames(before, closed)} closed`);
+  if (opened.length > 0) said.push(`${regionNames(after, opened)} opened`);
   if (said.length === 0 && before.regions.length > after.regions.length) said.push("regions joined");
   if (said.length === 0 && before.regions.length < after.regions.length) said.push("a region was divided");
   return said.length > 0 ? `${said.join(", ")}: ${count(before)} before, ${count(after)} now` : "";
@@ -39,10 +39,6 @@ export function regionChanges(before: Regions, after: Regions): string {
 function regionAt({ kernel }: Regions, { sample: [a = 0, b = 0, c] }: SceneRegion): number | null {
   const at: Configuration = c === undefined ? { u: a, v: b } : { x: a, y: b, theta: c };
   return kernel.region(at);
-}
-
-function named(of: Regions, regions: readonly number[]): string {
-  return regions.map((index) => regionName(of, index)).join(", ");
 }
 
 function count({ regions }: Regions): string {

@@ -8,3 +8,13 @@ export function regionName({ class: kind, regions }: Pick<ScenePair, "class" | "
   if (!regions[index]?.unbounded) return `pocket ${index}`;
   return regions.filter((r) => r.unbounded).length > 1 ? `outside ${index}` : "outside";
 }
+
+/** Several at once: `outside, pockets 1, 2`. */
+export function regionNames(of: Pick<ScenePair, "class" | "regions">, indices: readonly number[]): string {
+  const kind = of.class === "fixed-axes" ? "region" : "pocket";
+  const isNumbered = (index: number) => of.class === "fixed-axes" || !of.regions[index]?.unbounded;
+  const numbered = indices.filter(isNumbered);
+  const named = indices.filter((index) => !isNumbered(index)).map((index) => regionName(of, index));
+  if (numbered.length > 0) named.push(`${kind}${numbered.length > 1 ? "s" : ""} ${numbered.join(", ")}`);
+  return named.join(", ");
+}

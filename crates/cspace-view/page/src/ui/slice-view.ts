@@ -133,7 +133,7 @@ export class SliceView {
     const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session) * JOINED);
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(where.patches) };
     const blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd", d: loops.map((points) => pathOf(points, true)).join("") });
-    this.#lens.show(box, c, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
+    this.#lens.show(box, c, where.classification, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
   }
 
   /** Where contacts of other orientations are elsewhere, the view goes along. */

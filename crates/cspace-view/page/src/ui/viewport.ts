@@ -182,7 +182,7 @@ export class Viewport {
     const label = (kind: AxisKind, value: number, step: number) =>
       kind === "angle" ? `${lineText((value * 180) / Math.PI, (step * 180) / Math.PI)}°` : lineText(value, step);
     // The unit has the corner for itself, with a larger font.
-    const end = this.#width - (this.unit ? 1.2 * widthOf(this.unit) + NUMBER_GAP : 0);
+    const end = this.#width - (this.unit ? 1.2 * widthOf(this.unit) + rem : 0);
     const across = gridLines(box.x0, box.x1, dx).map(({ index, value }) => ({ index, x: this.toScreen({ x: value, y: 0 }).x, text: label(this.kinds[0], value, dx) }));
     // Long numbers stand at every second or third line.
     const every = Math.max(1, Math.ceil((Math.max(...across.map(({ text }) => widthOf(text))) + NUMBER_GAP) / (dx * this.#scale.x)));
