@@ -91,7 +91,7 @@ export class Planar extends Lower implements PlanarKernel {
     const first = this.bands[0];
     if (!first) return -1;
     const t = fullTurn ? theta - TAU * Math.floor((theta - first[0]) / TAU) : theta;
-    return this.bands.findLastIndex((band) => band[0] <= t);
+    return this.bands.reduce((last, band, i) => (band[0] <= t ? i : last), -1);
   }
 
   slice(theta: number, deviation: number): DrawnCurve[] {

@@ -128,10 +128,11 @@ function besideContact(page: Page, among: Numbers[], axes: boolean): Promise<Num
 function planarWithin(pair: ScenePair, fixed: ScenePart, moving: ScenePart, next: () => number): () => Numbers {
   const space = pair.space;
   assert.ok(space?.format === "contact-space");
+  const window = space["window"] as { lo: number; hi: number };
   const [a, b] = [circle(fixed), circle(moving)];
   const reach = 1.1 * (a.radius + b.radius);
   return () => {
-    const theta = space.window.lo + next() * (space.window.hi - space.window.lo);
+    const theta = window.lo + next() * (window.hi - window.lo);
     const [cos, sin] = [Math.cos(theta), Math.sin(theta)];
     const x = a.x + (2 * next() - 1) * reach - (cos * b.x - sin * b.y);
     const y = a.y + (2 * next() - 1) * reach - (sin * b.x + cos * b.y);
