@@ -4,6 +4,7 @@
 mod models;
 mod places;
 mod random;
+mod speed;
 mod weighted;
 
 use cspace::{Configuration, Coordinates};

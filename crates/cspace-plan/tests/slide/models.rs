@@ -47,3 +47,8 @@ pub(crate) fn all() -> impl Iterator<Item = (String, PairSpace)> {
         })
     })
 }
+
+/// Whether a model is among those that the variable MODELS names by parts of their names; without it all are.
+pub(crate) fn is_asked(name: &str) -> bool {
+    std::env::var("MODELS").map_or(true, |only| only.split(',').any(|part| name.contains(part)))
+}
