@@ -59,13 +59,13 @@ pub(super) fn slide_on(
         let on = ground.advance(next, to)?;
         // What is but pressed on is in contact as before.
         let is_far = size(minus(on.at, next)) > PRESSED * ground.contact() || on.stopped.is_none();
-        if is_far && ground.is_blocked(on.at)? {
+        if is_far && ground.is_blocked(on.at) {
             return Ok(Stop { at: next, ..at });
         }
         at = on;
     }
     match last {
-        Some(last) if ground.is_blocked(at.at)? => Ok(Stop {
+        Some(last) if ground.is_blocked(at.at) => Ok(Stop {
             at: last.next,
             ..at
         }),

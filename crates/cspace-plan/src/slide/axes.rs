@@ -4,7 +4,7 @@ use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{Axis, AxisMotion, Classification, FixedAxesSpace, MotionError, PatchId, QueryError};
 
 use super::ground::{Constraint, Ground, Stop, last_not_blocked};
-use super::tolerance::TOUCHES;
+use super::tolerance::{DEPTH, TOUCHES};
 use super::vector::{Vec3, between};
 
 #[derive(Debug)]
@@ -41,38 +41,11 @@ impl<'a> OnAxes<'a> {
         })
     }
 
-    /// From a configuration that is not blocked straight to another, which is in the ranges.
-    pub(super) fn advance(
-        &self,
-        from: [f64; 2],
-        goal: [f64; 2],
-    ) -> Result<([f64; 2], Option<PatchId>), QueryError> {
-        let (start, end) = (self.weighted(from), self.weighted(goal));
-        let found = self.straight(start, end)?;
-        if !self.is_blocked(found.at)? {
-            let at = self.unweighted(found.at);
-            return Ok((found.stopped.map_or(goal, |_| at), found.stopped));
-        }
-        let at = |t: f64| between(start, found.at, t);
-        let last = last_not_blocked(|t| self.is_blocked(at(t)), 1.0, 0.0)?;
-        let at = self.unweighted(at(last));
-        let near = self.space.contacts(at[0], at[1], f64::INFINITY);
-        let nearest = near.first().map(|&(patch, _)| PatchId(patch));
-        Ok((at, found.stopped.or(nearest)))
-    }
-
-    pub(super) fn weighted(&self, [u, v]: [f64; 2]) -> Vec3 {
-        [u / self.units[0], v / self.units[1], 0.0]
-    }
-
-    pub(super) fn unweighted(&self, at: Vec3) -> [f64; 2] {
-        [at[0] * self.units[0], at[1] * self.units[1]]
-    }
-
     /// The first contact of a straight motion.
     fn straight(&self, from: Vec3, to: Vec3) -> Result<Stop, QueryError> {
         let ([u, v], [a, b]) = (self.unweighted(from), self.unweighted(to));
-        let outcome = match self.space.first_contact((u, v), (a - u, b - v), 1.0) {
+        let (by, depth) = ((a - u, b - v), DEPTH * self.space.contact_distance());
+        let outcome = match self.space.first_contact_below((u, v), by, 1.0, depth) {
             // A little too deep in what it touches: there is no way from there.
             Err(MotionError::StartsBlocked) => {
                 return Ok(Stop {
@@ -93,14 +66,43 @@ impl<'a> OnAxes<'a> {
             stopped,
         })
     }
-
-    pub(super) fn is_blocked_at(&self, [u, v]: [f64; 2]) -> bool {
-        let class = self.space.classify(u, v);
-        class.is_none_or(|c| c == Classification::Blocked)
-    }
 }
 
 impl Ground for OnAxes<'_> {
+    type At = [f64; 2];
+
+    fn straight_to(
+        &self,
+        from: [f64; 2],
+        goal: [f64; 2],
+    ) -> Result<([f64; 2], Option<PatchId>), QueryError> {
+        let (start, end) = (self.weighted(from), self.weighted(goal));
+        let found = self.straight(start, end)?;
+        if !self.is_blocked(found.at) {
+            let at = self.unweighted(found.at);
+            return Ok((found.stopped.map_or(goal, |_| at), found.stopped));
+        }
+        let at = |t: f64| between(start, found.at, t);
+        let last = last_not_blocked(|t| self.is_blocked(at(t)), 1.0, 0.0);
+        let at = self.unweighted(at(last));
+        let near = self.space.contacts(at[0], at[1], f64::INFINITY);
+        let nearest = near.first().map(|&(patch, _)| PatchId(patch));
+        Ok((at, found.stopped.or(nearest)))
+    }
+
+    fn weighted(&self, [u, v]: [f64; 2]) -> Vec3 {
+        [u / self.units[0], v / self.units[1], 0.0]
+    }
+
+    fn unweighted(&self, at: Vec3) -> [f64; 2] {
+        [at[0] * self.units[0], at[1] * self.units[1]]
+    }
+
+    fn is_blocked_at(&self, [u, v]: [f64; 2]) -> bool {
+        let class = self.space.classify(u, v);
+        class.is_none_or(|c| c == Classification::Blocked)
+    }
+
     fn advance(&self, from: Vec3, to: Vec3) -> Result<Stop, QueryError> {
         self.straight(from, self.weighted(self.within(self.unweighted(to))))
     }
@@ -122,10 +124,6 @@ impl Ground for OnAxes<'_> {
             value: value * self.scale,
             gradient: [by_u * a, by_v * b, 0.0],
         })
-    }
-
-    fn is_blocked(&self, at: Vec3) -> Result<bool, QueryError> {
-        Ok(self.is_blocked_at(self.unweighted(at)))
     }
 
     fn limits(&self) -> [Option<(f64, f64)>; 3] {

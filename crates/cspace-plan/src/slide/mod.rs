@@ -26,6 +26,7 @@ use cspace::{Classification, Configuration, Coordinates, PairSpace, PatchId, Que
 
 use along::slide_on;
 use axes::OnAxes;
+use ground::Ground;
 use joined::along_joint;
 use planar::Planar;
 
@@ -118,6 +119,8 @@ impl<'a> Slider<'a> {
     }
 
     fn moved(&self, from: Coordinates, to: Coordinates, slides: bool) -> Result<Slid, QueryError> {
+        // Out of blocked space any way leads.
+        let leads_anywhere = self.space.classify(from)? == Classification::Blocked;
         match (&self.kind, from, to) {
             (Kind::Joined(pair), Coordinates::Planar(_), Coordinates::Planar(to)) => {
                 finite([to.x, to.y, to.theta])?;
@@ -126,47 +129,23 @@ impl<'a> Slider<'a> {
             }
             (Kind::OnAxes(pair), Coordinates::Axes { u, v }, Coordinates::Axes { u: a, v: b }) => {
                 finite([a, b, 0.0])?;
-                let told = |([u, v], stopped): ([f64; 2], Option<PatchId>)| {
-                    let at = Coordinates::Axes { u, v };
-                    Slid { at, stopped }
-                };
                 let goal = pair.within([a, b]);
-                if self.space.classify(from)? == Classification::Blocked {
-                    return Ok(told((goal, None)));
-                }
-                let first = pair.advance([u, v], goal)?;
-                let Some(patch) = first.1.filter(|_| slides) else {
-                    return Ok(told(first));
+                let ([u, v], stopped) = match leads_anywhere {
+                    true => (goal, None),
+                    false => moved(pair, [u, v], goal, slides)?,
                 };
-                let (at, to) = (pair.weighted(first.0), pair.weighted(goal));
-                let found = slide_on(pair, at, to, patch)?;
-                let at = found.stopped.map_or(goal, |_| pair.unweighted(found.at));
-                Ok(told(match pair.is_blocked_at(at) {
-                    true => first,
-                    false => (at, found.stopped),
-                }))
+                let at = Coordinates::Axes { u, v };
+                Ok(Slid { at, stopped })
             }
             (Kind::Planar(pair), Coordinates::Planar(from), Coordinates::Planar(to)) => {
                 finite([to.x, to.y, to.theta])?;
-                let told = |(at, stopped): (Configuration, Option<PatchId>)| {
-                    let at = Coordinates::Planar(at);
-                    Slid { at, stopped }
-                };
                 let goal = pair.within(to);
-                if self.space.classify(Coordinates::Planar(from))? == Classification::Blocked {
-                    return Ok(told((goal, None)));
-                }
-                let first = pair.advance(from, goal)?;
-                let Some(patch) = first.1.filter(|_| slides) else {
-                    return Ok(told(first));
+                let (at, stopped) = match leads_anywhere {
+                    true => (goal, None),
+                    false => moved(pair, from, goal, slides)?,
                 };
-                let (at, to) = (pair.weighted(first.0), pair.weighted(goal));
-                let found = slide_on(pair, at, to, patch)?;
-                let at = found.stopped.map_or(goal, |_| pair.unweighted(found.at));
-                Ok(told(match pair.is_blocked_at(at) {
-                    true => first,
-                    false => (at, found.stopped),
-                }))
+                let at = Coordinates::Planar(at);
+                Ok(Slid { at, stopped })
             }
             (Kind::OnAxes(_), Coordinates::Axes { .. }, given)
             | (_, Coordinates::Planar(_), given)
@@ -186,6 +165,26 @@ impl<'a> Slider<'a> {
             given: given.names(),
         }
     }
+}
+
+/// Straight from a configuration that is not blocked to another, and if it slides on along the surface.
+fn moved<G: Ground>(
+    ground: &G,
+    from: G::At,
+    goal: G::At,
+    slides: bool,
+) -> Result<(G::At, Option<PatchId>), QueryError> {
+    let first = ground.straight_to(from, goal)?;
+    let Some(patch) = first.1.filter(|_| slides) else {
+        return Ok(first);
+    };
+    let (at, to) = (ground.weighted(first.0), ground.weighted(goal));
+    let found = slide_on(ground, at, to, patch)?;
+    let at = found.stopped.map_or(goal, |_| ground.unweighted(found.at));
+    Ok(match ground.is_blocked_at(at) {
+        true => first,
+        false => (at, found.stopped),
+    })
 }
 
 /// Refuses what is not finite.

@@ -39,64 +39,6 @@ impl<'a> Planar<'a> {
         Configuration::new(c.x, c.y, c.theta.clamp(window.lo, window.hi))
     }
 
-    /// From a configuration that is not blocked straight to another, which is in the window: as far as that is free, and the patch
-    /// that stops it.
-    pub(super) fn advance(
-        &self,
-        from: Configuration,
-        goal: Configuration,
-    ) -> Result<(Configuration, Option<PatchId>), QueryError> {
-        let by = [goal.x - from.x, goal.y - from.y, goal.theta - from.theta];
-        let (time, patch) = end_of(self.space.first_contact(from, by, 1.0)?);
-        let at = |t: f64| {
-            let [x, y, theta] = by.map(|b| t * b);
-            if t >= 1.0 {
-                goal
-            } else {
-                Configuration::new(from.x + x, from.y + y, from.theta + theta)
-            }
-        };
-        let drawn = self.frame.moving_center.to_vector().length() * self.frame.scale;
-        let speed = by[0].hypot(by[1]) * self.frame.scale + by[2].abs() * (self.radius + drawn);
-        let is_blocked = |t: f64| Ok(self.is_blocked_at(at(t)));
-        let last = last_not_blocked(is_blocked, time, self.contact() / speed)?;
-        if last >= 1.0 {
-            return Ok((goal, None));
-        }
-        let nearest = || Some(PatchId(self.space.nearest_contact(at(last))?.patch));
-        Ok((at(last), patch.or_else(nearest)))
-    }
-
-    pub(super) fn is_blocked_at(&self, c: Configuration) -> bool {
-        let class = self.space.classify(c);
-        class.is_none_or(|c| c == Classification::Blocked)
-    }
-
-    pub(super) fn weighted(&self, c: Configuration) -> Vec3 {
-        let p = self.inner(c);
-        [p.x, p.y, c.theta * self.radius]
-    }
-
-    pub(super) fn unweighted(&self, v: Vec3) -> Configuration {
-        let window = self.space.window();
-        let theta = v[2] / self.radius;
-        // At the window's ends rounding may leave it just beyond.
-        let at_end = |end: f64| !window.full_turn && (theta - end).abs() <= SEAM;
-        let theta = if at_end(window.lo) || at_end(window.hi) {
-            theta.clamp(window.lo, window.hi)
-        } else {
-            theta
-        };
-        let PairFrame {
-            fixed_center,
-            moving_center,
-            scale,
-        } = self.frame;
-        let arm = Rotation::by(theta) * moving_center.to_vector();
-        let p = fixed_center + (Vector::new(v[0], v[1]) * (1.0 / scale) - arm);
-        Configuration::new(p.x, p.y, theta)
-    }
-
     /// The centre of the moving part in the pair's frame.
     fn inner(&self, c: Configuration) -> Point {
         let arm = Rotation::by(c.theta) * self.frame.moving_center.to_vector();
@@ -149,6 +91,64 @@ fn end_of(outcome: MotionOutcome) -> (f64, Option<PatchId>) {
 }
 
 impl Ground for Planar<'_> {
+    type At = Configuration;
+
+    fn straight_to(
+        &self,
+        from: Configuration,
+        goal: Configuration,
+    ) -> Result<(Configuration, Option<PatchId>), QueryError> {
+        let by = [goal.x - from.x, goal.y - from.y, goal.theta - from.theta];
+        let (time, patch) = end_of(self.space.first_contact(from, by, 1.0)?);
+        let at = |t: f64| {
+            let [x, y, theta] = by.map(|b| t * b);
+            if t >= 1.0 {
+                goal
+            } else {
+                Configuration::new(from.x + x, from.y + y, from.theta + theta)
+            }
+        };
+        let drawn = self.frame.moving_center.to_vector().length() * self.frame.scale;
+        let speed = by[0].hypot(by[1]) * self.frame.scale + by[2].abs() * (self.radius + drawn);
+        let is_blocked = |t: f64| self.is_blocked_at(at(t));
+        let last = last_not_blocked(is_blocked, time, self.contact() / speed);
+        if last >= 1.0 {
+            return Ok((goal, None));
+        }
+        let nearest = || Some(PatchId(self.space.nearest_contact(at(last))?.patch));
+        Ok((at(last), patch.or_else(nearest)))
+    }
+
+    fn is_blocked_at(&self, c: Configuration) -> bool {
+        let class = self.space.classify(c);
+        class.is_none_or(|c| c == Classification::Blocked)
+    }
+
+    fn weighted(&self, c: Configuration) -> Vec3 {
+        let p = self.inner(c);
+        [p.x, p.y, c.theta * self.radius]
+    }
+
+    fn unweighted(&self, v: Vec3) -> Configuration {
+        let window = self.space.window();
+        let theta = v[2] / self.radius;
+        // At the window's ends rounding may leave it just beyond.
+        let at_end = |end: f64| !window.full_turn && (theta - end).abs() <= SEAM;
+        let theta = if at_end(window.lo) || at_end(window.hi) {
+            theta.clamp(window.lo, window.hi)
+        } else {
+            theta
+        };
+        let PairFrame {
+            fixed_center,
+            moving_center,
+            scale,
+        } = self.frame;
+        let arm = Rotation::by(theta) * moving_center.to_vector();
+        let p = fixed_center + (Vector::new(v[0], v[1]) * (1.0 / scale) - arm);
+        Configuration::new(p.x, p.y, theta)
+    }
+
     fn advance(&self, from: Vec3, to: Vec3) -> Result<Stop, QueryError> {
         let mut to = to;
         if let [.., Some((lo, hi))] = self.limits() {
@@ -192,10 +192,6 @@ impl Ground for Planar<'_> {
             value: function.value(p, theta),
             gradient: [normal.x, normal.y, by_theta / self.radius],
         })
-    }
-
-    fn is_blocked(&self, at: Vec3) -> Result<bool, QueryError> {
-        Ok(self.is_blocked_at(self.unweighted(at)))
     }
 
     fn limits(&self) -> [Option<(f64, f64)>; 3] {

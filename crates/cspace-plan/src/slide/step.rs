@@ -92,7 +92,7 @@ impl<G: Ground> Step<'_, G> {
                     // Where contacts meet at a small angle, what presses on both is too far into the corner: less far it is not.
                     for share in [1.0, SHORT_OF_CORNER] {
                         let found = plus(self.at, times(by, share));
-                        if size(minus(self.to, found)) < most && !self.ground.is_blocked(found)? {
+                        if size(minus(self.to, found)) < most && !self.ground.is_blocked(found) {
                             let next = Some(found);
                             return Ok(Tried { next, met: None });
                         }

@@ -4,6 +4,8 @@
 //! move the part. What counts as contact (the distance of contact) is a length that the space gives; shares of it and multiples have no
 //! unit.
 
+/// Motions of parts on axes may sink by this share of the distance of contact, so that one along a contact is not stopped by rounding.
+pub(super) const DEPTH: f64 = 0.5;
 /// Motions along a contact stop short of others by this share of the distance of contact: so a part comes out again of where two meet at
 /// a small angle.
 pub(super) const ABOVE: f64 = 0.5;

@@ -7,12 +7,18 @@ use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::contact::Cycle;
 use crate::geometry::time_of_known_angle;
-use crate::number::halved;
+use crate::number::{Ball, Dual, Real, halved};
 use crate::query::{Classification, MotionError};
 use core::f64::consts::TAU;
 
 /// Branches are looked up along ways that are shorter than this share of the extent.
 const SHORT: f64 = 0.125;
+
+/// A contact function that has sunk to this share of a depth is taken for as deep: the rest is little of what counts as contact.
+const AT_DEPTH: f64 = 0.8;
+
+/// An enclosure over times, with its derivative by time.
+type Jet = Dual<1, Ball>;
 
 /// Where a motion on fixed axes first touches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,7 +82,37 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<AxesMotionOutcome, MotionError> {
+        self.first_below(from, rates, duration, 0.0)
+    }
+
+    /// The same, but contact is where the contact function sinks to −`depth` (model length): so that a motion along contact, which
+    /// rounding and curvature bring a little below it and above, goes on. A depth of less than the
+    /// [`contact_distance`](Self::contact_distance) leaves it in contact.
+    ///
+    /// # Errors
+    /// As [`first_contact`](Self::first_contact), and if the depth is negative or not finite.
+    pub fn first_contact_below(
+        &self,
+        from: (f64, f64),
+        rates: (f64, f64),
+        duration: f64,
+        depth: f64,
+    ) -> Result<AxesMotionOutcome, MotionError> {
+        if !(depth >= 0.0 && depth.is_finite()) {
+            return Err(MotionError::NotFinite);
+        }
+        self.first_below(from, rates, duration, depth)
+    }
+
+    fn first_below(
+        &self,
+        from: (f64, f64),
+        rates: (f64, f64),
+        duration: f64,
+        depth: f64,
+    ) -> Result<AxesMotionOutcome, MotionError> {
         check(from, rates, duration)?;
+        let depth = depth * self.setting.map.frame.scale;
         let touches = match self.classify(from.0, from.1) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
@@ -92,7 +128,7 @@ impl FixedAxesSpace {
         let mut first: Option<(f64, u32)> = None;
         let mut look = |b: &AxesBranch| {
             let until = first.map_or(end, |f| f.0);
-            if let Some(time) = self.meets(&way, b.cell, until, touches) {
+            if let Some(time) = self.meets(&way, b.cell, until, touches, depth) {
                 let earlier = first.is_none_or(|f| (time, b.patch) < f);
                 if earlier {
                     first = Some((time, b.patch));
@@ -147,7 +183,7 @@ impl FixedAxesSpace {
         let mut found = Vec::new();
         self.along(&way, end, &mut |b| {
             let mut add = |way: &Way, enters: bool| {
-                self.falls_through(way, b.cell, end, |time| {
+                self.falls_through(way, b.cell, end, 0.0, |time| {
                     let time = if enters { time } else { end - time };
                     found.push((time, b.patch, enters));
                     false
@@ -220,20 +256,26 @@ impl FixedAxesSpace {
     }
 
     /// The first time at which the motion goes through a cell into blocked space, up to `until`.
-    fn meets(&self, way: &Way, cell: u32, until: f64, starts_touching: bool) -> Option<f64> {
-        let along = Along {
-            condition: self.graphs().condition(cell),
-            way,
-        };
+    fn meets(
+        &self,
+        way: &Way,
+        cell: u32,
+        until: f64,
+        starts_touching: bool,
+        depth: f64,
+    ) -> Option<f64> {
+        let along = Along::new(self.graphs().condition(cell), way, depth);
         let mut found = None;
         let distance = self.setting.inner_contact_distance();
         if starts_touching && self.touches_at(way, cell, 0.0) {
             let (value, slope) = along.distance(0.0);
-            if value.abs() <= distance && slope < 0.0 {
+            // At the depth already, or as good as.
+            let is_deep = depth == 0.0 || value <= -AT_DEPTH * depth;
+            if value.abs() <= distance && slope < 0.0 && is_deep {
                 return Some(0.0);
             }
         }
-        self.falls_through(way, cell, until, |time| {
+        self.falls_through(way, cell, until, depth, |time| {
             found = Some(time);
             true
         });
@@ -241,11 +283,15 @@ impl FixedAxesSpace {
     }
 
     /// Calls `take` with every time at which the motion goes through a cell into blocked space, until it returns true.
-    fn falls_through(&self, way: &Way, cell: u32, until: f64, mut take: impl FnMut(f64) -> bool) {
-        let along = Along {
-            condition: self.graphs().condition(cell),
-            way,
-        };
+    fn falls_through(
+        &self,
+        way: &Way,
+        cell: u32,
+        until: f64,
+        depth: f64,
+        mut take: impl FnMut(f64) -> bool,
+    ) {
+        let along = Along::new(self.graphs().condition(cell), way, depth);
         // Only while the way is in the cell's box.
         let (x_range, y_range) = self.graphs().cell_box(cell);
         let both = (
@@ -300,9 +346,27 @@ pub(super) struct Way {
 pub(super) struct Along<'a> {
     pub(super) condition: &'a Condition,
     pub(super) way: &'a Way,
+    /// What G is there where the contact function is as deep as it is sought, with the other sign.
+    above: f64,
 }
 
-impl Along<'_> {
+impl<'a> Along<'a> {
+    /// A condition at a depth (length of the pair's frame).
+    pub(super) fn new(condition: &'a Condition, way: &'a Way, depth: f64) -> Self {
+        // G is K d + λ₁ λ₂ d²/2 for the distance d, of which the second term is nothing at a depth that is less than a contact.
+        let above = if depth > 0.0 {
+            let (a, b) = condition.moved(way.x, way.y);
+            a.total(&b).abs() * depth
+        } else {
+            0.0
+        };
+        Self {
+            condition,
+            way,
+            above,
+        }
+    }
+
     /// The contact function and its derivative by time.
     pub(super) fn distance(&self, t: f64) -> (f64, f64) {
         let (x, y) = (self.way.x + self.way.dx * t, self.way.y + self.way.dy * t);
@@ -344,7 +408,20 @@ impl Along<'_> {
             + normal(&a) * normal(&b) * (spin + turn) * (spin + turn);
         let slopes = self.condition.slopes(&a, &b);
         let slope = slopes.0 * dx + slopes.1 * dy;
-        (a.apart(&b), slope, bend)
+        (a.apart(&b) + self.above, slope, bend)
+    }
+
+    /// A bound on the second derivative of G over times from `lo` to `hi`, by the derivative of its slope, enclosed: near to the true
+    /// one on short intervals, and so of a motion that keeps to a contact far less than that of [`smooth`](Self::smooth).
+    fn bends(&self, lo: f64, hi: f64) -> f64 {
+        let t = Jet::variable(Ball::between(lo, hi), 0);
+        let along = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
+        let Way { x, y, dx, dy } = *self.way;
+        let (a, b) = self.condition.moved(along(x, dx), along(y, dy));
+        let slopes = self.condition.slopes(&a, &b);
+        let slope = slopes.0 * Jet::constant(dx) + slopes.1 * Jet::constant(dy);
+        let bend = slope.slope[0];
+        bend.mid.abs() + bend.radius
     }
 
     /// Calls `take` with every time at which the condition falls through zero, in order, until it returns true. Returns
@@ -354,9 +431,16 @@ impl Along<'_> {
         /// than rounding.
         const NARROWEST: f64 = 1e-11;
         let half = 0.5 * (hi - lo);
-        let (value, slope, bend) = self.smooth(lo, hi);
-        if value.abs() > slope.abs() * half + 0.5 * bend * half * half {
+        let (value, slope, mut bend) = self.smooth(lo, hi);
+        let is_clear = |bend: f64| value.abs() > slope.abs() * half + 0.5 * bend * half * half;
+        if is_clear(bend) {
             return false;
+        }
+        if slope.abs() <= bend * half {
+            bend = bend.min(self.bends(lo, hi));
+            if is_clear(bend) {
+                return false;
+            }
         }
         let narrow = half <= NARROWEST * (1.0 + hi.abs());
         if slope.abs() > bend * half || narrow {

@@ -2,9 +2,11 @@
 
 use core::f64::consts::TAU;
 
-use crate::geometry::{Configuration, Vector};
+use crate::geometry::{Configuration, Point, Vector};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
+
+use super::ray::END_ERROR;
 
 /// What a configuration is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -39,27 +41,57 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
-        if self.is_plainly_contact(c) {
-            return Some(Classification::Contact);
+        match self.plainly(c) {
+            Some(class) => Some(class),
+            None => Some(self.located(c)?.0),
         }
-        Some(self.located(c)?.0)
     }
 
-    /// Whether a contact curve is near, told without the slice. False where that is in doubt, or would take as long.
-    fn is_plainly_contact(&self, c: Configuration) -> bool {
-        if self.places.made().is_none()
-            || !self.covers(c)
-            || self.doubts().hold(self.settled(c.theta))
-        {
-            return false;
+    /// What a configuration is by the nearest contact curve, without the slice: contact if it is near, otherwise what is on this side of
+    /// it, for the way there meets no other. `None` where that is in doubt, or would take as long as the slice.
+    fn plainly(&self, c: Configuration) -> Option<Classification> {
+        /// Curves that are nearer to each other than this may be in the other order, and their ends are known to it (length of the
+        /// pair's frame).
+        const CLEAR: f64 = 2.0 * END_ERROR;
+        self.places.made()?;
+        if !self.covers(c) || self.doubts().hold(self.settled(c.theta)) {
+            return None;
         }
-        let (near, mut found) = (self.contact_distance(), false);
-        self.visit_near(c, near, |_, _, distance| {
-            found |= distance <= near;
-            // Nothing is nearer than what was found needs to be.
-            if found { -1.0 } else { near }
+        let clear = self.data.frame.outer_length(CLEAR);
+        let near = self.contact_distance();
+        let mut nearest: Option<(u32, Point, f64)> = None;
+        let mut next = f64::INFINITY;
+        self.visit_near(c, f64::INFINITY, |patch, q, distance| {
+            match nearest {
+                Some((first, ..)) if first == patch => {}
+                Some((_, _, least)) if distance >= least => next = next.min(distance),
+                _ => {
+                    next = nearest.map_or(next, |n| n.2);
+                    nearest = Some((patch, q, distance));
+                }
+            }
+            match nearest {
+                // Nothing else is asked of a contact.
+                Some((_, _, least)) if least <= near => -1.0,
+                Some((_, _, least)) => least + clear,
+                None => f64::INFINITY,
+            }
         });
-        found
+        let (patch, q, distance) = nearest?;
+        if distance <= near {
+            return Some(Classification::Contact);
+        }
+        let patch = &self.data.patches[patch as usize];
+        let curve = self.curve(patch, self.alive(patch, self.settled(c.theta))?);
+        let ends = [0.0, 1.0].map(|s| curve.point(s));
+        if next <= distance + clear || ends.iter().any(|e| e.distance(q) <= clear) {
+            return None;
+        }
+        let above = (patch.function).value(self.data.frame.inner_from_outer(c), c.theta) > 0.0;
+        Some(match above {
+            true => Classification::Free,
+            false => Classification::Blocked,
+        })
     }
 
     /// The free region that holds a configuration, an index into [`free_regions`](Self::free_regions): two free
