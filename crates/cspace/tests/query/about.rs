@@ -40,8 +40,8 @@ impl SmoothMotion for About {
     }
 }
 
-/// A pin 6 long, drawn from its end, turns about its middle while this moves towards a wall: the middle is at 7.9 + t − 10 before the
-/// face at x = 10, and the corner at (3, 0.25) from it is (3 cos θ + 0.25 sin θ) ahead.
+/// A pin 6 long and 0.5 wide, drawn from its end, turns about its middle while this moves towards a wall: it reaches 3 |cos θ| + 0.25 |sin θ|
+/// ahead of its middle.
 #[test]
 fn a_pin_turns_about_its_middle_while_it_moves() {
     let wall = Part::rectangle("wall", (11.0, 0.0), 2.0, 60.0).unwrap();
@@ -56,10 +56,9 @@ fn a_pin_turns_about_its_middle_while_it_moves() {
             .first_contact_about(from, rates, middle, 10.0)
             .unwrap();
         let contact = found.contact().unwrap();
-        // Before the pin is level, its upper end is ahead, and of that the lower corner.
         let ahead = |t: f64| {
             let theta = 0.5 * PI + turning * t;
-            5.0 + speed * t + 3.0 * theta.cos() + 0.25 * theta.sin() - 10.0
+            5.0 + speed * t + 3.0 * theta.cos().abs() + 0.25 * theta.sin().abs() - 10.0
         };
         let (mut lo, mut hi) = (0.0, 0.0);
         while ahead(hi) < 0.0 {
