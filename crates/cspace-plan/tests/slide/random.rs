@@ -136,7 +136,6 @@ fn where_a_dragged_part_stays_no_straight_motion_leads_nearer() {
     let mut stuck = Vec::new();
     let (mut held, mut dragged) = (0, 0);
     for (name, space) in all() {
-        println!("{name}: {held} of {dragged} held before");
         let pair = Pair::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(11);
         for _ in 0..DRAGS {
