@@ -51,7 +51,14 @@ pub(super) fn slide_on(
             break;
         };
         remember(&mut known, stopped);
-        let Some(taken) = step_towards(ground, at.at, to, &mut known, least, last.as_ref())? else {
+        let remembers = known.len() > 1;
+        let mut step = step_towards(ground, at.at, to, &mut known, least, last.as_ref())?;
+        if step.is_none() && remembers {
+            // What is remembered may be left behind, and bars ways that lead on.
+            known = vec![stopped];
+            step = step_towards(ground, at.at, to, &mut known, least, last.as_ref())?;
+        }
+        let Some(taken) = step else {
             break;
         };
         let next = taken.next;

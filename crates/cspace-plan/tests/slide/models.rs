@@ -24,7 +24,8 @@ pub(crate) fn space_of(mechanism: &Mechanism, pair: usize) -> PairSpace {
     mechanism.compute(&mechanism.pairs[pair], &options).unwrap()
 }
 
-/// All pairs that are not joined, with what they are called.
+/// All pairs that are not joined, with what they are called; of models that the variable MODELS names, if it is set, by parts of their
+/// names.
 pub(crate) fn all() -> impl Iterator<Item = (String, PairSpace)> {
     let of = |folder: PathBuf| {
         let entries = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path());
@@ -35,7 +36,8 @@ pub(crate) fn all() -> impl Iterator<Item = (String, PairSpace)> {
         found
     };
     let files = of(folder()).into_iter().chain(of(folder().join("paper")));
-    files.flat_map(|file| {
+    let asked = files.filter(|file| is_asked(&file.to_string_lossy()));
+    asked.flat_map(|file| {
         let mechanism = read(&fs::read_to_string(&file).unwrap());
         let name = file.file_stem().unwrap().to_string_lossy().into_owned();
         let pairs = 0..mechanism.pairs.len();
@@ -48,7 +50,6 @@ pub(crate) fn all() -> impl Iterator<Item = (String, PairSpace)> {
     })
 }
 
-/// Whether a model is among those that the variable MODELS names by parts of their names; without it all are.
-pub(crate) fn is_asked(name: &str) -> bool {
+fn is_asked(name: &str) -> bool {
     std::env::var("MODELS").map_or(true, |only| only.split(',').any(|part| name.contains(part)))
 }

@@ -6,7 +6,7 @@ use cspace_plan::slide::Slider;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::models::{all, is_asked};
+use crate::models::all;
 use crate::weighted::Weighted;
 
 const DRAGS: usize = 12;
@@ -135,7 +135,7 @@ fn normal(rng: &mut ChaCha8Rng) -> f64 {
 fn where_a_dragged_part_stays_no_straight_motion_leads_nearer() {
     let mut stuck = Vec::new();
     let (mut held, mut dragged) = (0, 0);
-    for (name, space) in all().filter(|(name, _)| is_asked(name)) {
+    for (name, space) in all() {
         let pair = Pair::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(11);
         for _ in 0..DRAGS {

@@ -6,7 +6,7 @@ use cspace_plan::slide::Slider;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::models::{all, is_asked};
+use crate::models::all;
 use crate::random::Pair;
 
 const DRAGS: usize = 12;
@@ -16,7 +16,7 @@ const STEPS: usize = 40;
 #[ignore = "prints times"]
 fn how_long_a_slide_takes() {
     println!("µs: first, median, mean, most of slides; median of advances");
-    for (name, space) in all().filter(|(name, _)| is_asked(name)) {
+    for (name, space) in all() {
         let pair = Pair::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(5);
         let (mut slides, mut advances) = (Vec::new(), Vec::new());

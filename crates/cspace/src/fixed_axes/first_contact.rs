@@ -17,6 +17,9 @@ const SHORT: f64 = 0.125;
 /// A contact function that has sunk to this share of a depth is taken for as deep: the rest is little of what counts as contact.
 const AT_DEPTH: f64 = 0.8;
 
+/// Rounding of a condition (length of the pair's frame).
+const FLAT: f64 = 4.0 * f64::EPSILON;
+
 /// An enclosure over times, with its derivative by time.
 type Jet = Dual<1, Ball>;
 
@@ -348,6 +351,8 @@ pub(super) struct Along<'a> {
     pub(super) way: &'a Way,
     /// What G is there where the contact function is as deep as it is sought, with the other sign.
     above: f64,
+    /// What G varies by without doing more than touch: rounding, or little of the depth.
+    flat: f64,
 }
 
 impl<'a> Along<'a> {
@@ -364,6 +369,7 @@ impl<'a> Along<'a> {
             condition,
             way,
             above,
+            flat: FLAT.max((1.0 - AT_DEPTH) * above),
         }
     }
 
@@ -432,17 +438,17 @@ impl<'a> Along<'a> {
         const NARROWEST: f64 = 1e-11;
         let half = 0.5 * (hi - lo);
         let (value, slope, mut bend) = self.smooth(lo, hi);
-        let is_clear = |bend: f64| value.abs() > slope.abs() * half + 0.5 * bend * half * half;
-        if is_clear(bend) {
+        let varies = |bend: f64| slope.abs() * half + 0.5 * bend * half * half;
+        if value.abs() > varies(bend) {
             return false;
         }
         if slope.abs() <= bend * half {
             bend = bend.min(self.bends(lo, hi));
-            if is_clear(bend) {
+            if value.abs() > varies(bend) {
                 return false;
             }
         }
-        let narrow = half <= NARROWEST * (1.0 + hi.abs());
+        let narrow = half <= NARROWEST * (1.0 + hi.abs()) || varies(bend) <= self.flat;
         if slope.abs() > bend * half || narrow {
             let (a, b) = (self.smooth(lo, lo).0, self.smooth(hi, hi).0);
             let falls = a >= 0.0 && b < 0.0;

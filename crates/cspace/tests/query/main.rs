@@ -1,6 +1,7 @@
 //! Questions to spaces, and to pairs of any class.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod about;
 #[cfg(feature = "serde")]
 mod answers_saved;
 mod classifier;
