@@ -48,7 +48,7 @@ fn coin(radius: f64, offset: f64) -> Value {
 
 /// What a pair's space says of the moving part at (x, 0, 0).
 fn class_at(pair: &Value, x: f64) -> Classification {
-    let file = SavedFile::from_json(&pair["space"].to_string(), "space.json").unwrap();
+    let file = SavedFile::from_json(pair["space"].as_str().unwrap(), "space.json").unwrap();
     let at = Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
     file.space.classify(at).unwrap()
 }
@@ -131,8 +131,9 @@ fn motions_can_be_edited() {
         json!({ "type": "prismatic", "direction": { "x": 1.0, "y": 0.0 }, "range": [0.0, 9.0] });
     let answer = edit(&opened, &[wheel]).unwrap();
     assert_eq!(answer["pair"]["class"], "fixed-axes");
-    let file = cspace_io::SavedFile::from_json(&answer["pair"]["space"].to_string(), "space.json")
-        .unwrap();
+    let file =
+        cspace_io::SavedFile::from_json(answer["pair"]["space"].as_str().unwrap(), "space.json")
+            .unwrap();
     let at = |v: f64| {
         file.space
             .classify(Coordinates::Axes { u: 0.0, v })

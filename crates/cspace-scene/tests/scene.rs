@@ -29,7 +29,7 @@ fn numbers() -> impl Iterator<Item = f64> {
 /// The space in a pair's JSON is the pair's space: both say the same of many configurations.
 #[track_caller]
 fn is_the_space(pair: &Value, space: &PairSpace) {
-    let read = SavedFile::from_json(&pair["space"].to_string(), "scene.json")
+    let read = SavedFile::from_json(pair["space"].as_str().unwrap(), "scene.json")
         .unwrap()
         .space;
     let size = space.fixed().size() + space.moving().size();

@@ -57,7 +57,10 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
     let compiled = compile(&compiler, &crates.join("cspace-wasm/Cargo.toml"), target)?;
     let mut bindings = Bindgen::new();
     let bindings = bindings.input_path(compiled).out_name("cspace").web(true)?;
-    let bindings = bindings.typescript(true).omit_default_module_path(true).remove_name_section(true);
+    let bindings = bindings
+        .typescript(true)
+        .omit_default_module_path(true)
+        .remove_name_section(true);
     bindings
         .generate(glue)
         .map_err(|e| format!("wasm-bindgen: {e}"))?;

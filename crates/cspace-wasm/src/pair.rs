@@ -147,9 +147,20 @@ impl Pair {
     pub fn nearest(&self, c: &[f64]) -> Result<JsValue, JsError> {
         /// More than rounding, as a share.
         const MORE: f64 = 1e-6;
+        /// Of parts that overlap, features are looked for within this share of their size first, and then within ever more.
+        const FIRST: f64 = 1.0 / 4096.0;
         let at = self.coordinates(c)?;
-        let apart = self.space.clearance(at).unwrap_or(0.0);
-        let near = self.near(at, apart * (1.0 + MORE) + self.space.resolution());
+        let size = self.space.fixed().size().max(self.space.moving().size());
+        let mut within = match self.space.clearance(at) {
+            Ok(apart) => apart * (1.0 + MORE) + self.space.resolution(),
+            Err(_) => size * FIRST,
+        };
+        let mut near = self.near(at, within);
+        // No overlap is deeper than a part.
+        while near.is_empty() && within < size {
+            within *= 2.0;
+            near = self.near(at, within);
+        }
         plain(&near.first().map(|n| self.touch(at, n)))
     }
 

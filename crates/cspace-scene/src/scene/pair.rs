@@ -2,7 +2,6 @@
 
 use cspace::{Coordinates, FeatureCounts, PairClass, PairEntry, PairSpace, Part};
 use serde::Serialize;
-use serde_json::value::{RawValue, to_raw_value};
 
 /// A pair, with its configuration space if that is known.
 #[derive(Debug, Clone, Serialize)]
@@ -13,8 +12,8 @@ pub struct ScenePair {
     pub moving: usize,
     /// The class. Before the space is known, symmetric pairs count as general.
     pub class: PairClass,
-    /// The saved data, as compact JSON.
-    pub space: Option<Box<RawValue>>,
+    /// The saved data, as the text of compact JSON: the kernel reads it as it was written, to the sign of a zero.
+    pub space: Option<String>,
     /// Why there is none, if it cannot be computed.
     pub error: Option<String>,
     /// Lines, arcs and vertices that are not smooth joints.
@@ -118,7 +117,7 @@ impl ScenePair {
             fixed: entry.fixed,
             moving: entry.moving,
             class: space.class(),
-            space: Some(to_raw_value(&space.data())?),
+            space: Some(serde_json::to_string(&space.data())?),
             error: None,
             features: Counts {
                 fixed: features.fixed,

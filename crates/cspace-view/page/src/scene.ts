@@ -73,8 +73,8 @@ export interface ScenePair {
   /** Index of the part that moves in that frame. */
   moving: number;
   class: PairClass;
-  /** The configuration space as `cspace export -o OUT.json` writes it, for the kernel; null until it is computed. */
-  space: SavedSpace | LowerSpace | null;
+  /** The configuration space as `cspace export -o OUT.json` writes it, as text for the kernel; null until it is computed. */
+  space: string | null;
   /** Why there is none, if it cannot be computed. */
   error: string | null;
   /** Lines, arcs and vertices that are not smooth joints, of both parts; and how often each repeats in a turn. */
@@ -105,17 +105,8 @@ export interface SceneRecord {
   record: unknown;
 }
 
-/** Of a saved space the page knows only which it is; `docs/*.schema.json` describe the fields. */
-export interface SavedSpace {
-  format: "contact-space" | "fixed-axes-space";
-  version: number;
-  [key: string]: unknown;
-}
-
+/** What the page reads of the space of a lower pair. */
 export interface LowerSpace {
-  format: "lower-pair";
-  version: number;
   joint: { type: "revolute" | "prismatic" | "rigid"; at?: Place; direction?: Place };
   limits: [number, number] | null;
-  [key: string]: unknown;
 }

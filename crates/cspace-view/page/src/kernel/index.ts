@@ -9,7 +9,7 @@ import { Axes, Planar, Lower } from "./pairs.js";
 export function openPair(scene: Scene, pairIndex: number): Kernel | null {
   const space = scene.pairs[pairIndex]?.space;
   if (!space) return null;
-  const pair = new Pair(JSON.stringify(space));
+  const pair = new Pair(space);
   switch (pair.class) {
     case "fixed-axes":
       return new Axes(pair) as unknown as Kernel;

@@ -1,12 +1,14 @@
 /** Pairs joined for good: one motion, no contacts. */
 
 import type { PlanarConfiguration } from "../kernel/api.js";
-import type { LowerSpace, ScenePair } from "../scene.js";
+import type { LowerSpace, Place, ScenePair } from "../scene.js";
 import { ofMotion, turnAbout, unit } from "./placement.js";
 
 export interface LowerPair {
   type: "revolute" | "prismatic" | "rigid";
   limits: [number, number] | null;
+  /** Where a revolute joint is, in the fixed part's frame. */
+  pivot: Place | null;
   at(s: number): PlanarConfiguration;
   /** The motion whose configuration is nearest. */
   coordinate(c: PlanarConfiguration): number;
@@ -14,21 +16,22 @@ export interface LowerPair {
 
 /** What a lower pair's space tells of its joint; null for other pairs. */
 export function lowerPair(pair: ScenePair): LowerPair | null {
-  if (pair.space?.format !== "lower-pair") return null;
-  const { joint, limits } = pair.space as LowerSpace;
+  if (pair.class !== "lower" || pair.space === null) return null;
+  const { joint, limits } = JSON.parse(pair.space) as LowerSpace;
   const held = (s: number) => (limits ? Math.min(limits[1], Math.max(limits[0], s)) : s);
   if (joint.type === "revolute" && joint.at) {
     const at = joint.at;
-    return { type: joint.type, limits, at: (s) => turnAbout(at, held(s)), coordinate: (c) => held(c.theta) };
+    return { type: joint.type, limits, pivot: at, at: (s) => turnAbout(at, held(s)), coordinate: (c) => held(c.theta) };
   }
   if (joint.type === "prismatic" && joint.direction) {
     const direction = unit(joint.direction);
     return {
       type: joint.type,
       limits,
+      pivot: null,
       at: (s) => ofMotion({ type: "prismatic", direction, range: null }, held(s)),
       coordinate: (c) => held(c.x * direction.x + c.y * direction.y),
     };
   }
-  return { type: "rigid", limits: [0, 0], at: () => ({ x: 0, y: 0, theta: 0 }), coordinate: () => 0 };
+  return { type: "rigid", limits: [0, 0], pivot: null, at: () => ({ x: 0, y: 0, theta: 0 }), coordinate: () => 0 };
 }

@@ -280,12 +280,9 @@ function centerOf(part: ScenePart, p: Placement): Place {
   return apply(p, { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 });
 }
 
-function lowerHinge(session: Session): Place | null {
-  const pair = session.pair;
-  const lower = pair ? lowerPair(pair) : null;
-  if (!pair || lower?.type !== "revolute" || pair.space?.format !== "lower-pair") return null;
-  const joint = (pair.space as { joint: { at?: Place } }).joint;
-  return joint.at ? apply(session.state.placements[pair.fixed] ?? IDENTITY, joint.at) : null;
+function lowerHinge({ pair, state }: Session): Place | null {
+  const pivot = pair && lowerPair(pair)?.pivot;
+  return pair && pivot ? apply(state.placements[pair.fixed] ?? IDENTITY, pivot) : null;
 }
 
 function matrix(p: Placement): string {

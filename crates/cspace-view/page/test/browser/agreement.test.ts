@@ -126,9 +126,7 @@ function besideContact(page: Page, among: Numbers[], axes: boolean): Promise<Num
 
 /** Of a pair in the plane: positions at which the parts' boxes may meet, and some farther away. */
 function planarWithin(pair: ScenePair, fixed: ScenePart, moving: ScenePart, next: () => number): () => Numbers {
-  const space = pair.space;
-  assert.ok(space?.format === "contact-space");
-  const window = space["window"] as { lo: number; hi: number };
+  const { window } = JSON.parse(pair.space!) as { window: { lo: number; hi: number } };
   const [a, b] = [circle(fixed), circle(moving)];
   const reach = 1.1 * (a.radius + b.radius);
   return () => {

@@ -1,7 +1,7 @@
 /** Configurations as vectors of which all coordinates count alike: the way in which sliding takes the nearest one to a goal. */
 
 import type { AxesKernel, AxisInfo, Configuration, Kernel, PlanarKernel } from "../../src/kernel/api.js";
-import type { Place, SavedSpace, ScenePair } from "../../src/scene.js";
+import type { Place, ScenePair } from "../../src/scene.js";
 
 export interface Weighted {
   vector(c: Configuration): number[];
@@ -14,13 +14,16 @@ export interface Weighted {
   moves: boolean[];
 }
 
+/** What is read of a saved space. */
+type Saved = Record<string, unknown>;
+
 export function weightedOf(pair: ScenePair, kernel: Kernel): Weighted {
   return kernel.coordinates === "axes"
-    ? onAxes(pair.space as SavedSpace, kernel as unknown as AxesKernel)
-    : inPlane(pair.space as SavedSpace, kernel as unknown as PlanarKernel);
+    ? onAxes(JSON.parse(pair.space!) as Saved, kernel as unknown as AxesKernel)
+    : inPlane(JSON.parse(pair.space!) as Saved, kernel as unknown as PlanarKernel);
 }
 
-function onAxes(space: SavedSpace, kernel: AxesKernel): Weighted {
+function onAxes(space: Saved, kernel: AxesKernel): Weighted {
   const map = space["map"] as { swapped: boolean; x_unit: number; y_unit: number };
   const [a, b] = map.swapped ? [map.y_unit, map.x_unit] : [map.x_unit, map.y_unit];
   const along = (axis: AxisInfo, next: () => number) => (axis.kind === "still" ? 0 : axis.lo + (axis.hi - axis.lo) * next());
@@ -34,7 +37,7 @@ function onAxes(space: SavedSpace, kernel: AxesKernel): Weighted {
 }
 
 /** The moving part's centre, and its orientation by how far that moves the part. */
-function inPlane(space: SavedSpace, kernel: PlanarKernel): Weighted {
+function inPlane(space: Saved, kernel: PlanarKernel): Weighted {
   const { moving_center: m, scale } = space["frame"] as { moving_center: Place; scale: number };
   const outline = (space as unknown as { moving: { loops: Place[][] } }).moving.loops.flat();
   const radius = Math.max(...outline.map((p) => Math.hypot(p.x - m.x, p.y - m.y))) * scale;
