@@ -1,6 +1,5 @@
 //! `cspace plan`.
 
-mod answer;
 mod picture;
 mod proof;
 
@@ -22,7 +21,7 @@ use crate::progress::Bar;
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
 
-use answer::{Name, Parts, Told};
+use cspace_answers::plan::{Name, Parts, Told};
 
 /// Why there is no proof where there is a way that is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";

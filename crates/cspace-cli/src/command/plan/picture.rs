@@ -11,7 +11,7 @@ use crate::picture::{self, Plane};
 use crate::subject::Chosen;
 use crate::wording::length;
 
-use super::answer::{Place, Told};
+use cspace_answers::plan::{Place, Told};
 
 /// So many outlines are shown along a path.
 const STEPS: usize = 40;

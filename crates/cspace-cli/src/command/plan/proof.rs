@@ -7,7 +7,7 @@ use crate::failure::Failure;
 use crate::progress::Bar;
 use crate::subject::Chosen;
 
-use super::answer::Told;
+use cspace_answers::plan::Told;
 
 /// Adds a proof to an answer, or why there is none.
 ///

@@ -1,9 +1,7 @@
 //! `cspace simulate`.
 
-mod answer;
 mod force;
 mod frames;
-mod made_of;
 mod picture;
 mod resume;
 mod scheme;
@@ -25,7 +23,7 @@ use crate::picture::format;
 use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 
-use answer::{Told, Wanted};
+use cspace_answers::simulate::{Told, Wanted};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
@@ -101,7 +99,8 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         (&record, &report),
         wanted,
         begin.elapsed().as_secs_f64(),
-    )?;
+    )
+    .map_err(Failure::work)?;
     let answer = match args.result.format() {
         Format::Json => super::json(&told)?,
         Format::Text => {

@@ -11,8 +11,8 @@ use crate::args::Mode;
 use crate::command::record::{json, wrong};
 use crate::failure::Failure;
 
-use super::answer::moving;
-use super::made_of::MadeOf;
+use cspace_answers::MadeOf;
+use cspace_answers::simulate::moving;
 
 /// Times nearer than this are the same, relative to the duration: rounding.
 const SAME: f64 = 1e-11;
@@ -34,7 +34,7 @@ pub(super) fn record(
     if !told.map(Value::as_str).eq(names.iter().map(|n| Some(*n))) {
         return Err(bad("its parts are not those that move in the model"));
     }
-    let others = MadeOf::of(model)?.others(&value["model"]);
+    let others = MadeOf::of(model).map_err(Failure::work)?.others(&value["model"]);
     if !others.is_empty() {
         let what = format!("it was made with other {}", others.join(", "));
         return Err(bad(&what));

@@ -5,7 +5,7 @@ use cspace_motion::{Forces, Record, Simulation};
 
 use crate::failure::Failure;
 
-use super::answer::{Wanted, moving};
+use cspace_answers::simulate::{Wanted, moving};
 use super::force;
 
 /// The columns `t`, then those of each part that can move, then their rates and the forces if they are asked for.

@@ -8,7 +8,7 @@ use cspace_motion::{Energy, Event, EventKind, Status, What};
 
 use crate::wording::{count, degrees, length};
 
-use super::answer::{Numbers, Told};
+use cspace_answers::simulate::{Numbers, Told};
 
 pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
     /// More of them are for programs.

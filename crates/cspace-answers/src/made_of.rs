@@ -7,7 +7,6 @@ use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::failure::Failure;
 
 /// So many bytes of a hash tell models apart that are not made to have the same.
 const BYTES: usize = 8;
@@ -15,10 +14,14 @@ const BYTES: usize = 8;
 /// Hashes by what they are of. Neither the model's name nor its unit moves anything.
 #[derive(Debug, Serialize)]
 #[serde(transparent)]
-pub(super) struct MadeOf(BTreeMap<&'static str, String>);
+pub struct MadeOf(BTreeMap<&'static str, String>);
 
 impl MadeOf {
-    pub(super) fn of(model: &Mechanism) -> Result<Self, Failure> {
+    /// Of a model.
+    ///
+    /// # Errors
+    /// If it cannot be written as JSON, which plain data always can.
+    pub fn of(model: &Mechanism) -> serde_json::Result<Self> {
         let dynamics = &model.dynamics;
         let all = [
             ("parts", hash(&model.parts)?),
@@ -38,7 +41,7 @@ impl MadeOf {
     }
 
     /// What is another in a record, in words. What an older record does not tell counts as the same.
-    pub(super) fn others(&self, told: &Value) -> Vec<&'static str> {
+    pub fn others(&self, told: &Value) -> Vec<&'static str> {
         let is_other = |&(what, hash): &(&&str, &String)| {
             let told = told.get(*what).and_then(Value::as_str);
             told.is_some_and(|told| told != hash)
@@ -49,8 +52,8 @@ impl MadeOf {
 }
 
 /// Of what is read and written as data: the same numbers have the same hash.
-fn hash(what: &impl Serialize) -> Result<String, Failure> {
-    let text = serde_json::to_vec(what).map_err(Failure::work)?;
+fn hash(what: &impl Serialize) -> serde_json::Result<String> {
+    let text = serde_json::to_vec(what)?;
     let digest = Sha256::digest(&text);
     let bytes = digest.iter().take(BYTES);
     Ok(bytes.map(|b| format!("{b:02x}")).collect())

@@ -1,4 +1,4 @@
-//! What becomes of a mechanism, as JSON.
+//! What `cspace simulate` answers: its schema is `docs/answers/simulate.schema.json`.
 
 use std::collections::BTreeMap;
 
@@ -9,52 +9,63 @@ use cspace_motion::{
 };
 use serde::Serialize;
 
-use crate::failure::Failure;
-
-use super::made_of::MadeOf;
+use crate::made_of::MadeOf;
 
 /// What is told beside coordinates.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted {
-    pub(super) rates: bool,
-    pub(super) forces: bool,
+pub struct Wanted {
+    /// Rates of coordinates.
+    pub rates: bool,
+    /// Forces of contacts.
+    pub forces: bool,
     /// The states between samples, too.
-    pub(super) states: bool,
+    pub states: bool,
 }
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
-pub(super) struct Told {
-    pub(super) status: Status,
+pub struct Told {
+    /// How it ended.
+    pub status: Status,
+    /// Why it ended before its time.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) reason: Option<String>,
+    pub reason: Option<String>,
+    /// What stopped it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) obstacles: Vec<Obstacle>,
-    pub(super) until: f64,
+    pub obstacles: Vec<Obstacle>,
+    /// The time of the last state (s).
+    pub until: f64,
     /// Those that can move.
-    pub(super) parts: Vec<String>,
-    pub(super) samples: Vec<Row>,
+    pub parts: Vec<String>,
+    /// Samples at equal intervals.
+    pub samples: Vec<Row>,
     /// Of a record that is kept: the states on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) states: Option<States>,
+    pub states: Option<States>,
     /// Of a record that is kept: what it was made of.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) model: Option<MadeOf>,
-    pub(super) events: Vec<Event>,
-    pub(super) contacts: Vec<ContactInterval>,
+    pub model: Option<MadeOf>,
+    /// What happened, in order of time.
+    pub events: Vec<Event>,
+    /// Which features touched, and when.
+    pub contacts: Vec<ContactInterval>,
+    /// The cycle in which it repeats.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) cycle: Option<Period>,
+    pub cycle: Option<Period>,
+    /// The energy at the beginning and the end.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) energy: Option<Energy>,
-    pub(super) summary: Vec<String>,
-    pub(super) seconds: f64,
+    pub energy: Option<Energy>,
+    /// What happened, in sentences.
+    pub summary: Vec<String>,
+    /// How long it took to compute (s).
+    pub seconds: f64,
 }
 
 /// All states of a motion that are known: each is its time, then the coordinates of all parts in their order, then their rates. Where contacts
 /// come and go there are several of one time; what goes at once from one balance to another passes through them.
 #[derive(Debug, Serialize)]
 #[serde(transparent)]
-pub(super) struct States(Vec<Vec<f64>>);
+pub struct States(Vec<Vec<f64>>);
 
 impl States {
     fn of(record: &Record) -> Self {
@@ -70,19 +81,23 @@ impl States {
 
 /// All parts at a time.
 #[derive(Debug, Serialize)]
-pub(super) struct Row {
-    pub(super) t: f64,
+pub struct Row {
+    /// The time (s).
+    pub t: f64,
+    /// Coordinates by the part's name.
     #[serde(flatten)]
-    pub(super) parts: BTreeMap<String, Numbers>,
+    pub parts: BTreeMap<String, Numbers>,
+    /// Rates, if they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) rates: Option<BTreeMap<String, Numbers>>,
+    pub rates: Option<BTreeMap<String, Numbers>>,
+    /// Forces, if they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) forces: Option<Forces>,
+    pub forces: Option<Forces>,
 }
 
 /// The cycle in which the motion repeats.
 #[derive(Debug, Serialize)]
-pub(super) struct Period {
+pub struct Period {
     period: f64,
     since: f64,
     difference: f64,
@@ -128,8 +143,10 @@ impl Period {
 /// Of a part with one degree of freedom, or with three.
 #[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
-pub(super) enum Numbers {
+pub enum Numbers {
+    /// Of one degree of freedom.
     One(f64),
+    /// Of three: x, y, θ.
     Three([f64; 3]),
 }
 
@@ -144,7 +161,7 @@ impl Numbers {
 }
 
 /// Names and coordinates of the parts that can move.
-pub(super) fn moving<'a>(
+pub fn moving<'a>(
     model: &'a Mechanism,
     system: &'a System,
 ) -> impl Iterator<Item = (&'a str, PartCoordinates)> {
@@ -153,13 +170,17 @@ pub(super) fn moving<'a>(
 }
 
 impl Told {
-    pub(super) fn of(
+    /// Of a motion, which took so many seconds to compute.
+    ///
+    /// # Errors
+    /// If the model cannot be written as JSON, which plain data always can.
+    pub fn of(
         model: &Mechanism,
         system: &System,
         (record, report): (&Record, &Report),
         wanted: Wanted,
         seconds: f64,
-    ) -> Result<Self, Failure> {
+    ) -> serde_json::Result<Self> {
         let by_name = |all: &[f64]| -> BTreeMap<String, Numbers> {
             moving(model, system)
                 .map(|(name, part)| (name.to_owned(), Numbers::of(&all[part.indices()])))

@@ -1,115 +1,148 @@
-//! What `cspace plan` answers, as JSON.
+//! What `cspace plan` answers: its schema is `docs/answers/plan.schema.json`.
 
-use cspace::{Coordinates, PairSpace, Part, RegionId};
+use cspace::{Coordinates, FeatureName, PairSpace, Part, RegionId};
 use cspace_check::Proof;
 use cspace_plan::{Answer, Blocked, Checked, Narrow, Path, Verdict};
 use serde::Serialize;
 
-use crate::subject::FeaturePair;
+/// A feature of the fixed part and one of the moving part.
+pub type FeaturePair = (FeatureName, FeatureName);
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
-pub(super) struct Told {
-    pub(super) verdict: Name,
+pub struct Told {
+    /// What there is.
+    pub verdict: Name,
     /// Configurations; empty if there is no path.
-    pub(super) path: Vec<Coordinates>,
-    pub(super) clearance: Option<f64>,
+    pub path: Vec<Coordinates>,
+    /// The clearance of the path.
+    pub clearance: Option<f64>,
     /// Where the path is narrowest.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) narrowest: Option<Place>,
+    pub narrowest: Option<Place>,
+    /// The clearance of the widest way, if it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) bottleneck: Option<Bottleneck>,
-    pub(super) regions: Regions,
+    pub bottleneck: Option<Bottleneck>,
+    /// The free regions of start and goal.
+    pub regions: Regions,
     /// What encloses start or goal, if that is why there is no path.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) enclosed: Option<Enclosed>,
+    pub enclosed: Option<Enclosed>,
     /// What overlaps at start or goal.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) blocked: Option<Overlap>,
+    pub blocked: Option<Overlap>,
     /// Where a path that is judged meets a contact.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) contact: Option<Contact>,
+    pub contact: Option<Contact>,
     /// Orientations that are not relied upon.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) doubtful: Vec<(f64, f64)>,
+    pub doubtful: Vec<(f64, f64)>,
     /// The proof that there is no path, if one is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) proof: Option<Proof>,
+    pub proof: Option<Proof>,
     /// Why there is no proof, if one is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) unproved: Option<String>,
-    pub(super) seconds: f64,
+    pub unproved: Option<String>,
+    /// How long it took.
+    pub seconds: f64,
 }
 
+/// What a question for a path comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Name {
+pub enum Name {
+    /// A path.
     Path,
+    /// No path.
     NoPath,
+    /// The parts overlap at the start.
     FromBlocked,
+    /// The parts overlap at the goal.
     ToBlocked,
+    /// Neither a path nor that there is none.
     Unknown,
 }
 
+/// Free regions.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
-pub(super) struct Regions {
-    pub(super) from: Option<RegionId>,
-    pub(super) to: Option<RegionId>,
+pub struct Regions {
+    /// That of the start.
+    pub from: Option<RegionId>,
+    /// That of the goal.
+    pub to: Option<RegionId>,
 }
 
+/// A configuration with what is nearest there.
 #[derive(Debug, Serialize)]
-pub(super) struct Place {
-    pub(super) at: Coordinates,
+pub struct Place {
+    /// The configuration.
+    pub at: Coordinates,
     /// Features of the fixed and of the moving part.
-    pub(super) touching: Option<[String; 2]>,
+    pub touching: Option<[String; 2]>,
+    /// The same, not as text.
     #[serde(skip)]
-    pub(super) features: Option<FeaturePair>,
+    pub features: Option<FeaturePair>,
 }
 
+/// The widest way.
 #[derive(Debug, Serialize)]
-pub(super) struct Bottleneck {
+pub struct Bottleneck {
     /// The clearance of the widest way there.
-    pub(super) clearance: f64,
+    pub clearance: f64,
     /// No way has more.
-    pub(super) most: f64,
+    pub most: f64,
+    /// Where that is.
     #[serde(flatten)]
-    pub(super) place: Place,
+    pub place: Place,
 }
 
+/// Why there is no path: a region that contacts enclose.
 #[derive(Debug, Serialize)]
-pub(super) struct Enclosed {
-    pub(super) region: RegionId,
-    pub(super) patches: usize,
-    pub(super) touching: Vec<[String; 2]>,
+pub struct Enclosed {
+    /// The region.
+    pub region: RegionId,
+    /// The number of patches about it.
+    pub patches: usize,
+    /// Features whose contacts enclose it.
+    pub touching: Vec<[String; 2]>,
+    /// The same, not as text.
     #[serde(skip)]
-    pub(super) features: Vec<FeaturePair>,
+    pub features: Vec<FeaturePair>,
 }
 
+/// Parts that overlap.
 #[derive(Debug, Serialize)]
-pub(super) struct Overlap {
+pub struct Overlap {
     /// How far it is to the nearest free configuration.
-    pub(super) depth: Option<f64>,
-    pub(super) nearest: Option<Coordinates>,
-    pub(super) touching: Option<[String; 2]>,
+    pub depth: Option<f64>,
+    /// That configuration.
+    pub nearest: Option<Coordinates>,
+    /// Features that overlap.
+    pub touching: Option<[String; 2]>,
+    /// The same, not as text.
     #[serde(skip)]
-    pub(super) features: Option<FeaturePair>,
+    pub features: Option<FeaturePair>,
 }
 
+/// A contact on a path that is judged.
 #[derive(Debug, Serialize)]
-pub(super) struct Contact {
+pub struct Contact {
     /// The leg, counted from 0.
-    pub(super) leg: usize,
+    pub leg: usize,
     /// How much of the leg is free.
-    pub(super) fraction: f64,
+    pub fraction: f64,
+    /// Where that is.
     #[serde(flatten)]
-    pub(super) place: Place,
+    pub place: Place,
 }
 
 /// The parts whose features have names.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Parts<'a> {
-    pub(super) fixed: &'a Part,
-    pub(super) moving: &'a Part,
+pub struct Parts<'a> {
+    /// The fixed part.
+    pub fixed: &'a Part,
+    /// The moving part.
+    pub moving: &'a Part,
 }
 
 impl Parts<'_> {
@@ -154,7 +187,7 @@ impl Told {
     }
 
     /// Of a question for a path.
-    pub(super) fn planned(space: &PairSpace, answer: Answer, seconds: f64) -> Self {
+    pub fn planned(space: &PairSpace, answer: Answer, seconds: f64) -> Self {
         let parts = Parts {
             fixed: space.fixed(),
             moving: space.moving(),
@@ -195,7 +228,7 @@ impl Told {
     }
 
     /// Of a path that is judged.
-    pub(super) fn checked(
+    pub fn checked(
         parts: Parts<'_>,
         path: Vec<Coordinates>,
         checked: &Checked,

@@ -1,0 +1,9 @@
+//! What the command `cspace` answers, as JSON: the same wherever it is asked, in a terminal or on a page.
+//!
+//! The schemas are in the folder `docs/answers` of the project's repository.
+
+mod made_of;
+pub mod plan;
+pub mod simulate;
+
+pub use made_of::MadeOf;
