@@ -60,6 +60,7 @@ mod drive;
 pub mod dynamic;
 mod error;
 mod forces;
+mod hand;
 mod inertial;
 mod kinematic;
 mod linear;
@@ -73,6 +74,7 @@ mod system;
 pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
 pub use forces::has_forces;
+pub use hand::{Dragged, Ending, Hand, Stopper, Target};
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
     ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED,
