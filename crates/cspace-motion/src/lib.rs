@@ -38,6 +38,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # By hand
+//!
+//! A [`Hand`] drags a part of a mechanism: it follows the same motion from one state to the next, with the part in place of all drives.
+//!
 //! # Dynamic motion
 //!
 //! [`Simulation::dynamic`] follows parts with masses from event to event, with impacts and friction; [`Simulation::stepping`] does so in
