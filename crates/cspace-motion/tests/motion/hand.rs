@@ -7,7 +7,7 @@ use cspace::{Configuration, Mechanism, Part, PartEntry, Point};
 use cspace_motion::{Dragged, Ending, Hand, PartCoordinates, SimulateError, Target, What};
 use cspace_oracle::Oracle;
 
-use crate::helpers::{mechanism, model, near};
+use crate::helpers::{mechanism, model, near, read};
 
 /// No two parts overlap by more than the resolution.
 #[track_caller]
@@ -181,6 +181,49 @@ fn a_block_slides_along_a_wall() {
     for (found, wanted) in hand.state().iter().zip([3.0, 1.5, 0.0]) {
         near("coordinate", *found, wanted, 1e-9);
     }
+}
+
+/// A coupler between two parallel cranks of 8.5, dragged by its middle, which goes around on a circle.
+#[test]
+fn joints_hold_a_coupler_on_its_circle() {
+    let mut text =
+        "[[part]]\nname = \"coupler\"\nloops = [ [[-4, 8], [4, 8], [4, 9], [-4, 9]] ]\n".to_owned();
+    for x in [-3.0, 3.0] {
+        let (a, b) = (x - 0.5, x + 0.5);
+        text += &format!(
+            "[[part]]\nname = \"crank {x}\"\nmotion = {{ type = \"revolute\", center = [{x}, 0] }}\nloops = [ [[{a}, 0], [{b}, 0], [{x}, 8]] ]\n\
+             [[joint]]\nparts = [\"crank {x}\", \"coupler\"]\ntype = \"revolute\"\nat = [{x}, 8.5]\n"
+        );
+    }
+    let mut hand = Hand::new(&read(&text)).unwrap();
+    let of = Point::new(0.0, 8.5);
+    for (k, (x, y)) in [(0.3, 9.0), (1.0, 12.0), (5.0, 20.0), (-2.0, 5.0)]
+        .into_iter()
+        .enumerate()
+    {
+        let to = Point::new(x, y);
+        // It is far for one call.
+        let mut calls = (0..20).map(|_| hand.drag(0, Target::Point { of, to }).unwrap().ending);
+        let ending = calls.find(|ending| *ending != Ending::Unfinished);
+        assert_eq!(ending, Some(Ending::Held), "{k}");
+        let [px, py] = hand.placement(0).unwrap().point([of.x, of.y]);
+        let far = 8.5 / x.hypot(y);
+        near("x", px, far * x, 1e-7);
+        near("y", py, far * y, 1e-7);
+        near("turned", hand.state()[2], 0.0, 1e-11);
+    }
+}
+
+/// Whatever hand it is, the same drags lead to the same place.
+#[test]
+fn drags_are_repeated_to_the_last_bit() {
+    let ratchet = model("ratchet_mechanism");
+    let dragged = || {
+        let mut hand = Hand::new(&ratchet).unwrap();
+        let all = turn(&mut hand, &ratchet, 1, 1.0, 20);
+        (hand.state().to_vec(), all)
+    };
+    assert_eq!(dragged(), dragged());
 }
 
 #[test]
