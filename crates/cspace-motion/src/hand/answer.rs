@@ -11,7 +11,8 @@ pub enum Ending {
     Stopped,
     /// Joints keep it from there, by themselves or with contacts.
     Held,
-    /// The steps of one call are used up; another call goes on.
+    /// The steps of one call are used up; another call goes on. Where loads come to a balance only after many trials it may come no farther: then
+    /// the target is to be another, or the model without these loads.
     Unfinished,
     /// It cannot be told how the motion goes on, for this reason. Parts are where that is.
     Lost(String),

@@ -21,7 +21,8 @@ use super::{Hand, is_deep};
 /// A spring pulls no farther than this at a time, relative to the size of the mechanism; and parts that overlap go no farther before it is
 /// asked whether they still do.
 const PIECE: f64 = 0.05;
-/// One call makes so many steps, each change of contact counted as one, where all parts have axes: some milliseconds. With pairs that are
+/// One call makes so many steps, each change of contact counted as one, where all parts have axes: some milliseconds, and more where many
+/// contacts are chosen among. With pairs that are
 /// free in the plane it makes as many fewer as there are.
 const MOST_STEPS: usize = 200;
 /// A contact keeps a part that is pulled if it carries more than this share of the pull.
