@@ -58,6 +58,12 @@ impl DriveCurve {
         Self { shape }
     }
 
+    /// From one place to another in the first second, at an even rate; at its end exactly there.
+    pub(crate) fn from_to(from: f64, to: f64) -> Self {
+        let shape = Shape::Spline(natural(&[(0.0, from), (1.0, to)]));
+        Self { shape }
+    }
+
     /// A part that stands where this one is at a time.
     pub(crate) fn still(&self, time: f64) -> Self {
         let shape = Shape::Even {

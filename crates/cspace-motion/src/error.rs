@@ -110,6 +110,22 @@ pub enum SimulateError {
         /// By how much, in the model's unit of length.
         gap: f64,
     },
+    /// A part is not among those of the mechanism.
+    #[error("part {part} is asked for, and the mechanism has {count}, counted from 0")]
+    NoPart {
+        /// Its index.
+        part: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A part cannot be dragged as it is asked for.
+    #[error("{part} {why}")]
+    Drag {
+        /// Name of the part.
+        part: String,
+        /// Why.
+        why: &'static str,
+    },
     /// A state is not one of the mechanism.
     #[error(
         "a state has {found} coordinates, and the mechanism has {count}: it is of another model"

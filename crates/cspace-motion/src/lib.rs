@@ -38,6 +38,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # By hand
+//!
+//! A [`Hand`] drags a part of a mechanism: it follows the same motion from one state to the next, with the part in place of all drives.
+//!
 //! # Dynamic motion
 //!
 //! [`Simulation::dynamic`] follows parts with masses from event to event, with impacts and friction; [`Simulation::stepping`] does so in
@@ -60,6 +64,7 @@ mod drive;
 pub mod dynamic;
 mod error;
 mod forces;
+mod hand;
 mod inertial;
 mod kinematic;
 mod linear;
@@ -73,6 +78,7 @@ mod system;
 pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
 pub use forces::has_forces;
+pub use hand::{Dragged, Ending, Hand, Stopper, Target};
 pub use pairs::{MovingPair, Pairs, Touch};
 pub use record::{
     ContactForce, DriveForce, End, Energy, Event, EventKind, Forces, JointForce, MOST_TRACED,

@@ -34,6 +34,8 @@ pub struct MovingPair {
     /// The coefficient of friction between them.
     pub friction: f64,
     ranges: [Option<(f64, f64)>; 2],
+    /// Its place among all pairs.
+    order: usize,
 }
 
 /// A contact of two features.
@@ -82,6 +84,7 @@ impl Touch {
 pub struct Pairs {
     list: Vec<MovingPair>,
     apart: Vec<(usize, usize)>,
+    left_out: Vec<MovingPair>,
 }
 
 impl Pairs {
@@ -91,25 +94,53 @@ impl Pairs {
     /// # Errors
     /// If a space cannot be computed.
     pub fn compute(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, MechanismError> {
-        let candidates = mechanism.pairs.par_iter().filter(|pair| {
-            let moves = |i: usize| {
-                mechanism.parts[i]
-                    .axis
-                    .is_none_or(|a| a.motion != cspace::AxisMotion::Fixed)
-            };
-            (moves(pair.fixed) || moves(pair.moving))
-                && !matches!(mechanism.relation(pair), Relation::Joint(..))
+        let candidates = (mechanism.pairs.par_iter()).filter(|pair| can_meet(mechanism, pair));
+        let computed = candidates.map(|pair| {
+            let space = mechanism.compute_with(pair, &Options::default(), progress)?;
+            Ok((*pair, space))
         });
-        let computed: Vec<MovingPair> = candidates
-            .map(|pair| MovingPair::compute(mechanism, pair, progress))
-            .collect::<Result<_, _>>()?;
-        let (list, apart): (Vec<_>, Vec<_>) = computed
-            .into_iter()
-            .partition(|p| p.space.patch_count() > 0);
-        Ok(Self {
+        let computed: Vec<_> = computed.collect::<Result<_, MechanismError>>()?;
+        Ok(Self::of(mechanism, computed))
+    }
+
+    /// The pairs with spaces that are known. Those that a joint connects are left out, and so are those whose parts both stand still.
+    pub fn of(
+        mechanism: &Mechanism,
+        spaces: impl IntoIterator<Item = (PairEntry, PairSpace)>,
+    ) -> Self {
+        let known = spaces.into_iter();
+        let known = known.filter(|(pair, _)| can_meet(mechanism, pair));
+        let all = known.enumerate().map(|(order, (pair, space))| {
+            let moving = MovingPair::of(mechanism, &pair, space);
+            MovingPair { order, ..moving }
+        });
+        let (list, apart): (Vec<_>, Vec<_>) = all.partition(|p| p.space.patch_count() > 0);
+        Self {
             list,
             apart: apart.iter().map(|p| (p.fixed, p.moving)).collect(),
-        })
+            left_out: Vec::new(),
+        }
+    }
+
+    /// Leaves those out of contact of which this is true, and no others: they are not among the list.
+    pub(crate) fn leave_out(&mut self, is_out: impl Fn(&MovingPair) -> bool) {
+        let mut all = core::mem::take(&mut self.list);
+        all.append(&mut self.left_out);
+        all.sort_by_key(|pair| pair.order);
+        (self.left_out, self.list) = all.into_iter().partition(is_out);
+    }
+
+    /// The same without friction.
+    pub(crate) fn smooth(mut self) -> Self {
+        for pair in &mut self.list {
+            pair.friction = 0.0;
+        }
+        self
+    }
+
+    /// Those that are left out of contact.
+    pub(crate) fn left_out(&self) -> &[MovingPair] {
+        &self.left_out
     }
 
     /// Those that can meet.
@@ -121,6 +152,16 @@ impl Pairs {
     pub fn apart(&self) -> &[(usize, usize)] {
         &self.apart
     }
+}
+
+/// Whether the parts of a pair can meet, as far as their motions and joints tell.
+fn can_meet(mechanism: &Mechanism, pair: &PairEntry) -> bool {
+    let moves = |i: usize| {
+        let part = mechanism.parts.get(i);
+        part.is_some_and(|p| p.axis.is_none_or(|a| a.motion != cspace::AxisMotion::Fixed))
+    };
+    (moves(pair.fixed) || moves(pair.moving))
+        && !matches!(mechanism.relation(pair), Relation::Joint(..))
 }
 
 /// The contact function of two features.
@@ -151,25 +192,21 @@ impl Placed<1> for Across {
 }
 
 impl MovingPair {
-    fn compute(
-        mechanism: &Mechanism,
-        pair: &PairEntry,
-        progress: &dyn Progress,
-    ) -> Result<Self, MechanismError> {
-        let space = mechanism.compute_with(pair, &Options::default(), progress)?;
+    fn of(mechanism: &Mechanism, pair: &PairEntry, space: PairSpace) -> Self {
         let size = space.fixed().size().max(space.moving().size());
         let ranges = match mechanism.relation(pair) {
             Relation::Axes { fixed, moving } => [fixed.range, moving.range],
             _ => [None, None],
         };
-        Ok(Self {
+        Self {
             fixed: pair.fixed,
             moving: pair.moving,
             touch: (TOUCHING * size).max(RESOLUTIONS * space.resolution()),
             friction: (mechanism.dynamics).friction_between(pair.fixed, pair.moving),
             space,
             ranges,
-        })
+            order: 0,
+        }
     }
 
     /// The configuration of the pair.

@@ -1,5 +1,7 @@
 //! From a mechanism to what becomes of it.
 
+use core::cell::Cell;
+
 use cspace::{Mechanism, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
@@ -19,6 +21,8 @@ const SAMPLES: f64 = 200.0;
 const MOST_SAMPLES: usize = 10_000_000;
 /// More steps of one length take days.
 const MOST_STEPS: f64 = 1e10;
+/// Whether a motion without inertia goes on is asked after so many steps.
+const ASK_AFTER: u32 = 64;
 /// A duration is a whole number of steps to this share of one.
 const STEP_ROUNDING: f64 = 1e-6;
 
@@ -154,6 +158,11 @@ impl Simulation {
                     false => &self.system,
                 };
                 let start = self.start.clone();
+                let steps = Cell::new(0_u32);
+                let goes_on = |share| {
+                    steps.set(steps.get().wrapping_add(1));
+                    !steps.get().is_multiple_of(ASK_AFTER) || goes_on(share)
+                };
                 return Ok(run(
                     system,
                     &self.pairs,
@@ -345,7 +354,7 @@ fn steps(time: f64, step: f64) -> Result<usize, SimulateError> {
 }
 
 /// That all parts are within their ranges.
-fn check_ranges(system: &System, q: &[f64]) -> Result<(), SimulateError> {
+pub(crate) fn check_ranges(system: &System, q: &[f64]) -> Result<(), SimulateError> {
     for (i, part) in system.parts().iter().enumerate() {
         if let PartCoordinates::Axis {
             first,

@@ -23,35 +23,60 @@ fn check_pair(
     q: &[f64],
 ) -> Result<(), SimulateError> {
     let pair = &pairs.list()[index];
-    let [fixed, moving] =
-        [pair.fixed, pair.moving].map(|i| system.mechanism().parts[i].part.name().to_owned());
-    let failed = |error: QueryError| match error {
-        QueryError::Outside => SimulateError::Outside {
-            fixed: fixed.clone(),
-            moving: moving.clone(),
-        },
-        error => SimulateError::Query {
-            fixed: fixed.clone(),
-            moving: moving.clone(),
-            error,
-        },
-    };
-    if pair.classify(system, q).map_err(failed)? != Classification::Blocked
-        || is_held(system, pairs, index, q).map_err(failed)?
-    {
+    let Some(depth) = depth(pair, system, q)? else {
         return Ok(());
+    };
+    let [fixed, moving] = names(pair, system);
+    match is_held(system, pairs, index, q) {
+        Ok(true) => Ok(()),
+        Ok(false) if is_flush(pair, system, q) => {
+            let gap = pair.touch;
+            Err(SimulateError::Flush { fixed, moving, gap })
+        }
+        Ok(false) => Err(SimulateError::Overlap {
+            fixed,
+            moving,
+            depth,
+        }),
+        Err(error) => Err(SimulateError::Query {
+            fixed,
+            moving,
+            error,
+        }),
     }
-    if is_flush(pair, system, q) {
-        let gap = pair.touch;
-        return Err(SimulateError::Flush { fixed, moving, gap });
-    }
+}
+
+fn names(pair: &MovingPair, system: &System) -> [String; 2] {
+    let parts = &system.mechanism().parts;
+    [pair.fixed, pair.moving].map(|i| parts[i].part.name().to_owned())
+}
+
+/// How far the moving part is from contact if the parts overlap: along or about its axis if both are on axes, otherwise by
+/// translation. `None` if they do not.
+///
+/// # Errors
+/// If nothing was computed there.
+pub(crate) fn depth(
+    pair: &MovingPair,
+    system: &System,
+    q: &[f64],
+) -> Result<Option<f64>, SimulateError> {
     let at = pair.coordinates(system, q);
-    let nearest = pair.space.nearest_contact(at).map_err(failed)?;
-    Err(SimulateError::Overlap {
-        fixed,
-        moving,
-        depth: nearest.map_or(f64::INFINITY, |n| n.distance),
-    })
+    let found = match pair.space.classify(at) {
+        Ok(Classification::Blocked) => pair.space.nearest_contact(at).map(Some),
+        Ok(_) => Ok(None),
+        Err(error) => Err(error),
+    };
+    let [fixed, moving] = names(pair, system);
+    match found {
+        Ok(blocked) => Ok(blocked.map(|n| n.map_or(f64::INFINITY, |n| n.distance))),
+        Err(QueryError::Outside) => Err(SimulateError::Outside { fixed, moving }),
+        Err(error) => Err(SimulateError::Query {
+            fixed,
+            moving,
+            error,
+        }),
+    }
 }
 
 /// Whether parts that count as blocked only touch: a part that is wedged stands at the last orientation at which it fits, or turned by rounding beyond

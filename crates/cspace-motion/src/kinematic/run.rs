@@ -168,6 +168,10 @@ impl<'a> Run<'a> {
     pub(super) fn go(&mut self, state: &mut State, progress: &dyn Fn(f64) -> bool) -> Option<Stop> {
         while state.time < self.duration && !self.is_settled() {
             let (time, q) = (state.time, &state.q);
+            if !progress(time / self.duration) {
+                self.interrupted = Some((time, q.clone()));
+                return None;
+            }
             let mut bounds = touching(self.system, self.pairs, q);
             let before = core::mem::take(&mut state.before);
             add(&mut bounds, before.clone());
@@ -224,7 +228,7 @@ impl<'a> Run<'a> {
         let (mut crawled, mut hurried, mut near) = (0, 0, 0_usize);
         loop {
             *steps += 1;
-            if steps.is_multiple_of(64) && !progress(flow.time / self.duration) {
+            if !progress(flow.time / self.duration) {
                 self.interrupted = Some((flow.time, flow.q));
                 return None;
             }

@@ -146,7 +146,12 @@ impl<'a> Run<'a> {
         run.settling = Some(Settling::new(self.system, at, forced));
         let begun = start.clone();
         let mut state = State::new(0.0, start);
-        let stop = run.go(&mut state, &|_| progress(time / self.duration))?;
+        let Some(stop) = run.go(&mut state, &|_| progress(time / self.duration)) else {
+            // As far as they have come.
+            let (_, q) = run.interrupted.unwrap_or((0.0, state.q));
+            self.interrupted = Some((time, q));
+            return None;
+        };
         // What creeps is followed faster.
         if run.gave_up.is_some() && !last {
             return Some(Settled::Slow);

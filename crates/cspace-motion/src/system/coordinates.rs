@@ -18,27 +18,27 @@ use crate::error::SimulateError;
 /// in the order of the parts. Coordinates of driven parts are known functions of time, the others are free.
 #[derive(Debug, Clone)]
 pub struct System {
-    mechanism: Mechanism,
-    parts: Vec<PartCoordinates>,
+    pub(super) mechanism: Mechanism,
+    pub(super) parts: Vec<PartCoordinates>,
     pub(super) moments: Vec<AreaMoments>,
     masses: Vec<Option<MassProperties>>,
     /// Centres of mass in the parts' frames.
     centers: Vec<Point>,
     count: usize,
     /// The prescribed coordinates.
-    drives: Vec<(usize, DriveCurve)>,
-    free: Vec<usize>,
+    pub(super) drives: Vec<(usize, DriveCurve)>,
+    pub(super) free: Vec<usize>,
     /// Parts with a brake.
-    braked: Vec<usize>,
+    pub(super) braked: Vec<usize>,
     /// Joints that are not already what the parts' own axes say.
     joints: Vec<JointEntry>,
     size: f64,
     lengths: Vec<f64>,
     /// How far each part's coordinates move its points at most.
-    levers: Vec<[f64; 3]>,
+    pub(super) levers: Vec<[f64; 3]>,
     /// The largest distance of each part's points from its origin.
     reaches: Vec<f64>,
-    law: Law,
+    pub(super) law: Law,
     /// The metric, if it is the same everywhere.
     pub(super) metric: Option<Metric>,
 }
@@ -321,6 +321,11 @@ impl System {
     /// The joints between parts that move.
     pub(crate) fn joint_entries(&self) -> &[JointEntry] {
         &self.joints
+    }
+
+    /// The moments of the outline of a part.
+    pub(crate) fn moments(&self, part: usize) -> &AreaMoments {
+        &self.moments[part]
     }
 
     /// The mass of a part, where it is and how it is spread.

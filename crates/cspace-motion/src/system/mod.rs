@@ -2,6 +2,7 @@
 
 mod coordinates;
 mod force;
+mod hand;
 mod joint;
 mod layout;
 mod metric;

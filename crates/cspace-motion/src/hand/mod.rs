@@ -1,0 +1,172 @@
+//! A mechanism that is moved by hand.
+
+mod answer;
+mod drag;
+mod target;
+
+use cspace::{Mechanism, Placement, Progress, Silent};
+
+use crate::assemble::assemble;
+use crate::contact::depth;
+use crate::error::SimulateError;
+use crate::kinematic::close;
+use crate::pairs::{MovingPair, Pairs};
+use crate::simulate::check_ranges;
+use crate::system::System;
+
+pub use answer::{Dragged, Ending, Stopper};
+pub use target::Target;
+
+/// Parts may be moved by this much to make joints hold in a state that is set, relative to the size of the mechanism.
+const MOST_ASSEMBLING: f64 = 10.0;
+
+/// A mechanism that is moved by hand: one part is dragged at a time, and moves what it pushes.
+///
+/// All drives are released; contacts and joints are those of [`Simulation::kinematic`](crate::Simulation::kinematic), and loads, springs and
+/// weights balance. There is no friction, in which a part that is dragged would stick. Where forces act, parts that the model drives hold as brakes do: no load moves them, and a part that is dragged does. What
+/// nothing loads stays where it is until it is pushed.
+///
+/// Parts that overlap in a state that is set are left out of contact with each other until they are apart, so that they can be pulled apart.
+/// No other parts come to overlap by more than [`MovingPair::touch`].
+///
+/// A drag depends on the state and on the target alone. It uses neither clocks nor threads, and its steps are limited: what is too far away
+/// for one call is reached by asking again.
+///
+/// ```
+/// use cspace::mechanism::{Mechanism, PartEntry};
+/// use cspace::Part;
+/// use cspace_motion::{Ending, Hand, Target};
+/// // A slider, a block that it pushes, and a wall.
+/// let mut mechanism = Mechanism::new("pushed to a wall");
+/// mechanism.parts.push(PartEntry::prismatic(Part::rectangle("slider", (0.0, 0.0), 2.0, 2.0)?, (1.0, 0.0)));
+/// mechanism.parts.push(PartEntry::planar(Part::rectangle("block", (4.0, 0.5), 2.0, 2.0)?));
+/// mechanism.parts.push(PartEntry::fixed(Part::rectangle("wall", (9.0, 0.0), 2.0, 6.0)?));
+/// mechanism.pairs = mechanism.every_two();
+/// let mut hand = Hand::new(&mechanism)?;
+/// // They are 2 apart.
+/// let dragged = hand.drag(0, Target::Axis(2.5))?;
+/// assert!(dragged.reached());
+/// assert!((hand.state()[1] - 0.5).abs() < 1e-9);
+/// // The block comes to the wall, 3 farther on than it was drawn.
+/// let dragged = hand.drag(0, Target::Axis(7.0))?;
+/// assert_eq!(dragged.ending, Ending::Stopped);
+/// assert!((hand.state()[0] - 5.0).abs() < 1e-9);
+/// // Nothing draws the block back.
+/// hand.drag(0, Target::Axis(0.0))?;
+/// assert!((hand.state()[1] - 3.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Hand {
+    /// Without drives.
+    system: System,
+    pairs: Pairs,
+    state: Vec<f64>,
+}
+
+impl Hand {
+    /// Computes the spaces of the pairs of a mechanism; its parts are where they start.
+    ///
+    /// # Errors
+    /// If the mechanism makes no sense, nothing of it moves, joints cannot hold, or a part is outside of its range or of the window of a pair.
+    pub fn new(mechanism: &Mechanism) -> Result<Self, SimulateError> {
+        Self::new_with(mechanism, &Silent)
+    }
+
+    /// As [`new`](Self::new), telling `progress` of the stages of each space.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); and what `progress` returns.
+    pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
+        mechanism.check()?;
+        Self::of(mechanism, Pairs::compute(mechanism, progress)?)
+    }
+
+    /// With the spaces of the pairs, which are known ([`Pairs::of`]); pairs that are not among them never meet.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of(mechanism: &Mechanism, pairs: Pairs) -> Result<Self, SimulateError> {
+        mechanism.check()?;
+        let driven = System::new(mechanism);
+        if driven.count() == 0 {
+            return Err(SimulateError::NothingMoves);
+        }
+        let Some(state) = assemble(&driven, &pairs) else {
+            return Err(driven.open_joint(&driven.start()));
+        };
+        let system = System::released(mechanism);
+        let mut hand = Self {
+            system,
+            pairs: pairs.smooth(),
+            state: Vec::new(),
+        };
+        hand.set_state(&state)?;
+        Ok(hand)
+    }
+
+    /// The coordinates of all parts.
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// All coordinates, in the order of [`system`](Self::system).
+    pub fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// Where a part is, in the assembly's frame; `None` if there is none of the index.
+    pub fn placement(&self, part: usize) -> Option<Placement<f64>> {
+        let is_there = part < self.system.parts().len();
+        is_there.then(|| self.system.placement(part, &self.state))
+    }
+
+    /// The parts that overlap each other, as they are listed in their pairs: they are left out of contact until they are apart.
+    pub fn overlapping(&self) -> Vec<(usize, usize)> {
+        let all = self.pairs.left_out().iter();
+        all.map(|pair| (pair.fixed, pair.moving)).collect()
+    }
+
+    /// Puts all parts elsewhere; they are moved the shortest way to where joints hold. Pairs of parts that overlap there are left out of contact.
+    ///
+    /// # Errors
+    /// If the numbers are not those of the mechanism's coordinates or not finite, joints cannot hold there, or a part is outside of its range or
+    /// of the window of a pair. Then nothing is moved.
+    pub fn set_state(&mut self, state: &[f64]) -> Result<(), SimulateError> {
+        let (found, count) = (state.len(), self.system.count());
+        if found != count {
+            return Err(SimulateError::Count { found, count });
+        }
+        let mut q = state.to_vec();
+        let room = MOST_ASSEMBLING * self.system.size();
+        let is_finite = q.iter().all(|x| x.is_finite());
+        if !is_finite || close(&self.system, &self.pairs, &[], 0.0, &mut q, room).is_none() {
+            return Err(self.system.open_joint(state));
+        }
+        check_ranges(&self.system, &q)?;
+        let overlapping = self.overlaps(&q)?;
+        self.pairs
+            .leave_out(|pair| overlapping.contains(&(pair.fixed, pair.moving)));
+        self.state = q;
+        Ok(())
+    }
+
+    /// The pairs that overlap at a configuration by more than contacts are known to.
+    fn overlaps(&self, q: &[f64]) -> Result<Vec<(usize, usize)>, SimulateError> {
+        let mut found = Vec::new();
+        for pair in self.pairs.list().iter().chain(self.pairs.left_out()) {
+            if is_deep(pair, &self.system, q)? {
+                found.push((pair.fixed, pair.moving));
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Whether parts overlap by more than contacts are known to. Parts that are wedged at the last orientation at which they fit are beyond it by
+/// rounding, and no translation frees them: they are near a contact when they are turned by as little.
+fn is_deep(pair: &MovingPair, system: &System, q: &[f64]) -> Result<bool, SimulateError> {
+    let depth = depth(pair, system, q)?;
+    let is_near = || (pair.touches(0, system, q, pair.touch)).is_ok_and(|found| !found.is_empty());
+    Ok(depth.is_some_and(|depth| depth > pair.touch) && !is_near())
+}
