@@ -7,7 +7,6 @@ use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-
 /// So many bytes of a hash tell models apart that are not made to have the same.
 const BYTES: usize = 8;
 

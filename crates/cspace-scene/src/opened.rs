@@ -170,6 +170,23 @@ impl Opened {
         Some(pair.unwrap_or_else(|error| self.unknown(entry).failed(error)))
     }
 
+    /// The mechanism with edited parts, and the space of one of its pairs.
+    ///
+    /// # Errors
+    /// If there is no such pair, the parts are none, or the space cannot be computed.
+    pub fn edited_space(
+        &self,
+        index: usize,
+        parts: &[EditedPart],
+        progress: &dyn Progress,
+    ) -> Result<(Mechanism, PairSpace), EditedPairError> {
+        let pairs = self.pairs.len();
+        let entry = (self.pairs.get(index)).ok_or(EditedPairError::NoPair { index, pairs })?;
+        let model = edited(&self.model, parts)?;
+        let space = self.compute(&model, entry, progress)?;
+        Ok((model, space))
+    }
+
     /// A pair after parts were edited; `clock` as for [`pair`](Self::pair).
     ///
     /// # Errors
@@ -181,14 +198,9 @@ impl Opened {
         clock: &dyn Fn() -> f64,
         progress: &dyn Progress,
     ) -> Result<EditAnswer, EditedPairError> {
-        let pairs = self.pairs.len();
-        let entry = self
-            .pairs
-            .get(index)
-            .ok_or(EditedPairError::NoPair { index, pairs })?;
-        let model = edited(&self.model, parts)?;
         let begin = clock();
-        let space = self.compute(&model, entry, progress)?;
+        let (model, space) = self.edited_space(index, parts, progress)?;
+        let entry = &self.pairs[index];
         Ok(EditAnswer {
             pair: ScenePair::known(entry, &space, clock() - begin)?,
             parts: parts

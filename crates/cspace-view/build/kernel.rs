@@ -15,8 +15,10 @@ use wasm_bindgen_cli_support::Bindgen;
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the crate and what it depends on are made of, beside this crate's folder.
-const CRATES: [&str; 7] = [
+const CRATES: [&str; 9] = [
     "cspace",
+    "cspace-answers",
+    "cspace-check",
     "cspace-drawing",
     "cspace-io",
     "cspace-motion",

@@ -1,10 +1,11 @@
 //! The library for JavaScript: what the page and the npm package `cspace` compute with.
 //!
 //! A [`Pair`](pair::Pair) is a configuration space that was computed, and answers questions about it. A [`Model`](model::Model) is a
-//! model, of whose pairs spaces are computed, also once its parts are edited. Types for TypeScript are in `types.ts`, and come with
+//! model, of whose pairs spaces are computed, also once its parts are edited; it is planned and set in motion. A [`MechanismHand`](hand::MechanismHand) drags all of its parts. Types for TypeScript are in `types.ts`, and come with
 //! what the compiler writes.
 
 mod drawn;
+mod hand;
 mod model;
 mod pair;
 mod plane;

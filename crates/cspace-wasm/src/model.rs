@@ -1,7 +1,10 @@
-//! A model, as JavaScript has it: its pairs are computed, also once its parts are edited.
+//! A model, as JavaScript has it: its pairs are computed, also once its parts are edited, and it is planned and set in motion.
 
-use cspace::Silent;
-use cspace_scene::{EditedPart, Opened};
+use cspace::{Coordinates, Mechanism, Silent};
+use cspace_answers::{plan, simulate};
+use cspace_motion::{Record, Report, Settings, Simulation, Way};
+use cspace_plan::{Clearance, Planner, Wishes};
+use cspace_scene::{EditedPart, Opened, edited};
 use wasm_bindgen::prelude::*;
 
 use crate::fault;
@@ -25,20 +28,28 @@ fn json(answer: &impl serde::Serialize) -> Result<String, JsError> {
     serde_json::to_string(answer).map_err(fault)
 }
 
+/// A configuration as JavaScript has it: [x, y, theta], or [u, v].
+pub(crate) fn coordinates(c: &[f64]) -> Result<Coordinates, JsError> {
+    match *c {
+        [u, v] => Ok(Coordinates::Axes { u, v }),
+        [x, y, theta] => Ok(Coordinates::Planar(cspace::Configuration::new(x, y, theta))),
+        _ => Err(fault("a configuration is [x, y, theta] or [u, v]")),
+    }
+}
+
 #[wasm_bindgen]
 impl Model {
     /// The model that a scene says it was made of: the JSON of its `source`.
     #[wasm_bindgen(js_name = fromSource)]
     pub fn from_source(source: &str) -> Result<Model, JsError> {
         let source = serde_json::from_str(source).map_err(fault)?;
-        let opened = Opened::from_source(&source).map_err(fault)?;
+        let opened = Opened::from_source(&source).map_err(told)?;
         Ok(Self { opened })
     }
 
-    /// A model file: TOML or JSON, as the command reads it; `name` is the file's.
+    /// A model file or a saved space: TOML or JSON, as the command reads it; `name` is the file's.
     pub fn read(text: &str, name: &str) -> Result<Model, JsError> {
-        let model = cspace_io::read_from(text.as_bytes(), name).map_err(told)?;
-        let opened = match model {
+        let opened = match cspace_io::read_from(text.as_bytes(), name).map_err(told)? {
             cspace_io::Document::Model(model) => {
                 let pairs = model.mechanism.pairs.clone();
                 Opened::model(model.mechanism, pairs, false)
@@ -61,9 +72,7 @@ impl Model {
 
     /// A pair with its space after parts were edited, as JSON.
     pub fn edit(&self, pair: usize, edits: &str) -> Result<String, JsError> {
-        let answer = self
-            .opened
-            .edited_pair(pair, &parts(edits)?, &seconds, &Silent);
+        let answer = (self.opened).edited_pair(pair, &parts(edits)?, &seconds, &Silent);
         json(&answer.map_err(fault)?)
     }
 
@@ -71,10 +80,74 @@ impl Model {
     pub fn toml(&self, edits: &str) -> Result<String, JsError> {
         self.opened.edited_model(&parts(edits)?).map_err(fault)
     }
+
+    /// What `cspace plan --format json` answers of a pair of edited parts: a path from one configuration to another, if need be the
+    /// widest, or why there is none.
+    pub fn plan(
+        &self,
+        pair: usize,
+        edits: &str,
+        from: &[f64],
+        to: &[f64],
+        widest: bool,
+    ) -> Result<String, JsError> {
+        let space = (self.opened).edited_space(pair, &parts(edits)?, &Silent);
+        let space = space.map_err(fault)?.1;
+        let begin = seconds();
+        let wishes = Wishes {
+            clearance: if widest {
+                Clearance::Widest
+            } else {
+                Clearance::Half
+            },
+            steps: [f64::INFINITY; 3],
+        };
+        let planner = Planner::new(&space).map_err(fault)?;
+        let answer = planner.plan_with(coordinates(from)?, coordinates(to)?, &wishes, &Silent);
+        let answer = answer.map_err(fault)?;
+        json(&plan::Told::planned(&space, answer, seconds() - begin))
+    }
+
+    /// What `cspace simulate --format json` answers of the mechanism with edited parts, with states between samples: its motion for a
+    /// time (s), with masses if it has any.
+    pub fn simulate(&self, edits: &str, time: f64, every: f64) -> Result<String, JsError> {
+        let model = edited(&self.opened.model, &parts(edits)?).map_err(fault)?;
+        let begin = seconds();
+        let way = match model.has_masses() {
+            true => Way::Dynamic,
+            false => Way::Kinematic,
+        };
+        let settings = Settings {
+            time,
+            every: Some(every),
+        };
+        let simulation = Simulation::new_with(&model, &Silent).map_err(fault)?;
+        let record = simulation
+            .kept_with(way, &settings, &Silent)
+            .map_err(fault)?;
+        let told = answer(&model, &simulation, &record, seconds() - begin);
+        json(&told.map_err(fault)?)
+    }
+}
+
+fn answer(
+    model: &Mechanism,
+    simulation: &Simulation,
+    record: &Record,
+    seconds: f64,
+) -> serde_json::Result<simulate::Told> {
+    let system = simulation.system();
+    let report = Report::of(system, record);
+    let wanted = simulate::Wanted {
+        rates: false,
+        forces: false,
+        states: true,
+    };
+    simulate::Told::of(model, system, (record, &report), wanted, seconds)
 }
 
 /// An error of a model, and what to do.
-fn told(error: cspace_io::ModelError) -> JsError {
+pub(crate) fn told(error: cspace_io::ModelError) -> JsError {
     match error.help() {
         Some(help) => fault(format_args!("{error} ({help})")),
         None => fault(error),

@@ -8,6 +8,7 @@ use cspace_plan::slide::{Slid, Slider};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
+use crate::model::coordinates;
 use crate::{drawn, fault, plain, plane, surface};
 
 /// The configuration space of a pair.
@@ -280,11 +281,12 @@ impl Pair {
 
     /// (x, y, θ), or (u, v) of a pair with fixed axes.
     fn coordinates(&self, c: &[f64]) -> Result<Coordinates, JsError> {
-        match (self.space.class(), c) {
-            (PairClass::FixedAxes, &[u, v]) => Ok(Coordinates::Axes { u, v }),
-            (PairClass::FixedAxes, _) => Err(fault("a configuration of this pair is [u, v]")),
-            (_, &[x, y, theta]) => Ok(Coordinates::Planar(cspace::Configuration::new(x, y, theta))),
-            _ => Err(fault("a configuration of this pair is [x, y, theta]")),
+        let at = coordinates(c)?;
+        let on_axes = self.space.class() == PairClass::FixedAxes;
+        match (on_axes, at) {
+            (true, Coordinates::Axes { .. }) | (false, Coordinates::Planar(_)) => Ok(at),
+            (true, _) => Err(fault("a configuration of this pair is [u, v]")),
+            (false, _) => Err(fault("a configuration of this pair is [x, y, theta]")),
         }
     }
 

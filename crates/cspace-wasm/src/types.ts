@@ -67,3 +67,17 @@ export interface AxisInfo {
   hi: number;
   round: boolean;
 }
+
+/** What became of a drag of a mechanism. */
+export interface Came {
+  /** The coordinates of each part: none, [u], or [x, y, theta]. */
+  parts: number[][];
+  /** Whether the part is where it was dragged to. */
+  reached: boolean;
+  /** What stops it, in words. */
+  stopped: string[];
+  /** Names of parts that overlap each other. */
+  overlapping: [string, string][];
+  /** Names of parts that went at once to where forces balance. */
+  snaps: string[];
+}

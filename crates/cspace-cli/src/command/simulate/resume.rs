@@ -34,7 +34,9 @@ pub(super) fn record(
     if !told.map(Value::as_str).eq(names.iter().map(|n| Some(*n))) {
         return Err(bad("its parts are not those that move in the model"));
     }
-    let others = MadeOf::of(model).map_err(Failure::work)?.others(&value["model"]);
+    let others = MadeOf::of(model)
+        .map_err(Failure::work)?
+        .others(&value["model"]);
     if !others.is_empty() {
         let what = format!("it was made with other {}", others.join(", "));
         return Err(bad(&what));
