@@ -47,6 +47,25 @@ fn installed() -> Result<(), String> {
     npm(&["ci", "--ignore-scripts"]).map_err(|e| format!("the packages cannot be fetched: {e}"))
 }
 
+/// The kernel that was compiled for the page of this command, put where the page's tests look for it.
+fn kernel() -> Result<(), String> {
+    let command = Path::new(env!("CARGO_BIN_EXE_cspace"));
+    let built = command.ancestors().nth(2).unwrap_or(command);
+    let (from, to) = (built.join("wasm/kernel"), package().join("build/kernel"));
+    let failed = |e: std::io::Error| {
+        format!(
+            "the page was built without its kernel: {}: {e}",
+            from.display()
+        )
+    };
+    std::fs::create_dir_all(&to).map_err(failed)?;
+    for entry in std::fs::read_dir(&from).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        std::fs::copy(entry.path(), to.join(entry.file_name())).map_err(failed)?;
+    }
+    Ok(())
+}
+
 /// Whether a browser is in one of the places in which the tests look for it.
 fn has_browser() -> bool {
     let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
@@ -62,7 +81,7 @@ fn has_browser() -> bool {
 /// One after the other: both use the same packages and processors.
 #[test]
 fn the_page_passes_its_tests() {
-    if let Err(why) = installed() {
+    if let Err(why) = kernel().and_then(|()| installed()) {
         return skip("the page", &why);
     }
     for script in ["check", "test"] {

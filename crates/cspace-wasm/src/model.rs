@@ -1,6 +1,9 @@
 //! A model, as JavaScript has it: its pairs are computed, also once its parts are edited, and it is planned and set in motion.
 
-use cspace::{Coordinates, Mechanism, Silent};
+use core::f64::consts::TAU;
+
+use cspace::mechanism::DriveMotion;
+use cspace::{AxisMotion, Coordinates, Mechanism, Silent};
 use cspace_answers::{plan, simulate};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
@@ -108,18 +111,24 @@ impl Model {
         json(&plan::Told::planned(&space, answer, seconds() - begin))
     }
 
-    /// What `cspace simulate --format json` answers of the mechanism with edited parts, with states between samples: its motion for a
-    /// time (s), with masses if it has any.
-    pub fn simulate(&self, edits: &str, time: f64, every: f64) -> Result<String, JsError> {
+    /// What `cspace simulate --format json` answers of the mechanism with edited parts, with states between samples: its motion while the
+    /// slowest drive makes a turn, with masses if it has any.
+    pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
         let model = edited(&self.opened.model, &parts(edits)?).map_err(fault)?;
+        let has_masses = model.has_masses();
+        if !has_masses && model.dynamics.drives.is_empty() && !cspace_motion::has_forces(&model) {
+            return Err(fault(
+                "nothing moves: the model has no drives, loads or springs",
+            ));
+        }
         let begin = seconds();
-        let way = match model.has_masses() {
+        let way = match has_masses {
             true => Way::Dynamic,
             false => Way::Kinematic,
         };
         let settings = Settings {
-            time,
-            every: Some(every),
+            time: turn(&model),
+            every: None,
         };
         let simulation = Simulation::new_with(&model, &Silent).map_err(fault)?;
         let record = simulation
@@ -128,6 +137,23 @@ impl Model {
         let told = answer(&model, &simulation, &record, seconds() - begin);
         json(&told.map_err(fault)?)
     }
+}
+
+/// How long the slowest drive that turns evenly takes for a turn (s).
+fn turn(model: &Mechanism) -> f64 {
+    /// Without such a drive.
+    const USUAL: f64 = 2.0;
+    let drives = model.dynamics.drives.iter();
+    let times = drives.filter_map(|drive| {
+        match (&drive.motion, model.parts.get(drive.part)?.axis?.motion) {
+            (&DriveMotion::Rate(rate), AxisMotion::Revolute { .. }) if rate != 0.0 => {
+                Some(TAU / rate.abs())
+            }
+            (DriveMotion::Table(points), _) => points.last().map(|p| p.0),
+            _ => None,
+        }
+    });
+    times.reduce(f64::max).unwrap_or(USUAL)
 }
 
 fn answer(

@@ -1,5 +1,6 @@
 //! A configuration space, as JavaScript asks it.
 
+use cspace::fixed_axes::AxesData;
 use cspace::{
     Axis, AxisMotion, Classification, ContactSpace, Coordinates, FeatureKind, FixedAxesSpace,
     Location, LowerPair, NearFeatures, PairClass, PairSpace, PatchId, QueryError, RegionId,
@@ -60,9 +61,12 @@ struct AxisInfo {
 
 #[wasm_bindgen]
 impl Pair {
-    /// The space of which this is the saved data.
+    /// The space of which this is the saved data; `own` says whether this module has computed it.
+    ///
+    /// Sines of other machines may differ in their last bit, and by them the order of two roots that are all but one: of a pair with
+    /// fixed axes that was computed elsewhere, the partition is computed again. That takes less time than to read many another space.
     #[wasm_bindgen(constructor)]
-    pub fn new(json: &str) -> Result<Pair, JsError> {
+    pub fn new(json: &str, own: bool) -> Result<Pair, JsError> {
         let head: Head = serde_json::from_str(json).map_err(fault)?;
         // It is of the page's own making: unlike a file, it is not computed again without a checksum.
         let space = match head.format.as_str() {
@@ -71,8 +75,16 @@ impl Pair {
                 PairSpace::Planar(ContactSpace::from_data(data).map_err(fault)?.into())
             }
             "fixed-axes-space" => {
-                let data = serde_json::from_str(json).map_err(fault)?;
-                PairSpace::FixedAxes(FixedAxesSpace::from_data(data).map_err(fault)?.into())
+                let data: AxesData = serde_json::from_str(json).map_err(fault)?;
+                let (fixed, moving) = (&data.fixed, &data.moving);
+                let space = match own {
+                    false => {
+                        FixedAxesSpace::compute(fixed, data.fixed_axis, moving, data.moving_axis)
+                            .map_err(fault)
+                    }
+                    true => FixedAxesSpace::from_data(data).map_err(fault),
+                };
+                PairSpace::FixedAxes(space?.into())
             }
             "lower-pair" => {
                 let data = serde_json::from_str(json).map_err(fault)?;

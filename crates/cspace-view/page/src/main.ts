@@ -6,9 +6,9 @@ import { showFailure } from "./ui/message.js";
 import { openPage, readScene } from "./ui/page.js";
 
 const opened = async () => {
-  const scene = readScene();
+  const shown = readScene();
   await loadKernel(textOf("kernel"));
-  openPage(scene, textOf("worker"));
+  openPage(shown, textOf("worker"));
 };
 
 opened().catch((error: unknown) => {

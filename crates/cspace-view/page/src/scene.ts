@@ -75,6 +75,8 @@ export interface ScenePair {
   class: PairClass;
   /** The configuration space as `cspace export -o OUT.json` writes it, as text for the kernel; null until it is computed. */
   space: string | null;
+  /** Whether the page has computed it itself. */
+  own?: boolean;
   /** Why there is none, if it cannot be computed. */
   error: string | null;
   /** Lines, arcs and vertices that are not smooth joints, of both parts; and how often each repeats in a turn. */

@@ -7,9 +7,9 @@ import { Axes, Planar, Lower } from "./pairs.js";
 
 /** A kernel of any class; null as long as the scene has no space of the pair. The kernel is loaded before. */
 export function openPair(scene: Scene, pairIndex: number): Kernel | null {
-  const space = scene.pairs[pairIndex]?.space;
-  if (!space) return null;
-  const pair = new Pair(space);
+  const of = scene.pairs[pairIndex];
+  if (!of?.space) return null;
+  const pair = new Pair(of.space, of.own ?? false);
   switch (pair.class) {
     case "fixed-axes":
       return new Axes(pair) as unknown as Kernel;

@@ -13,6 +13,9 @@ export interface Actions {
   undo(): void;
   redo(): void;
   removeVertex(): void;
+  toggleWhole(): void;
+  wayOut(widest: boolean): void;
+  playMechanism(): void;
   openRecord(): void;
   saveSvg(): void;
   savePng(): void;

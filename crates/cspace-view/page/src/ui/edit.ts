@@ -72,7 +72,7 @@ export class Editor {
   }
 
   /** All parts that differ from the opened model. */
-  get #edits(): PartEdit[] {
+  get edits(): PartEdit[] {
     return this.#edited.flatMap((e, index): PartEdit[] => {
       const was = this.#opened[index];
       return was && e.loops === was.loops && e.motion === was.motion && e.offset === 0 ? [] : [{ index, loops: e.loops, motion: e.motion, offset: e.offset }];
@@ -82,7 +82,7 @@ export class Editor {
   async #fetch(pair: number): Promise<ScenePair> {
     for (;;) {
       const edited = this.#edited;
-      const edits = this.#edits;
+      const edits = this.edits;
       const answer = edits.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
       // Parts that were edited meanwhile have another space.
       if (edited === this.#edited) return answer;
@@ -90,7 +90,7 @@ export class Editor {
   }
 
   async model(): Promise<string> {
-    return this.#workshop.model(this.#edits);
+    return this.#workshop.model(this.edits);
   }
 
   undo(): void {
@@ -149,7 +149,7 @@ export class Editor {
     const edited = this.#edited;
     const before = { pair: this.#session.pair, kernel: this.#session.kernel };
     try {
-      const answer = await this.#workshop.edit(index, this.#edits);
+      const answer = await this.#workshop.edit(index, this.edits);
       const seconds = { seconds: answer.pair.seconds, roundTrip: (performance.now() - begin) / 1000 };
       this.#take(answer, index, edited);
       this.onReport?.({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });

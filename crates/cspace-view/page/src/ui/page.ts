@@ -12,7 +12,9 @@ import { makeHelp } from "./help.js";
 import { showHints } from "./hints.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
+import { MechanismHand } from "./mechanism-hand.js";
 import { showMessage } from "./message.js";
+import { isModel, sceneOfFile, sceneToShow, showScene } from "./model-file.js";
 import { PartsView } from "./parts-view.js";
 import { picture, pngFile, svgFile } from "./pictures.js";
 import type { Pane } from "./pictures.js";
@@ -29,6 +31,7 @@ import { applyTheme, onSystemTheme } from "./theme.js";
 import { ThetaSlider } from "./theta-slider.js";
 import { Timeline } from "./timeline.js";
 import { Toolbar } from "./toolbar.js";
+import { Ways } from "./ways.js";
 import { Workshop } from "./workshop.js";
 
 /** The address is written once the state has not changed for this long (ms): browsers refuse to write it at every frame. */
@@ -36,17 +39,26 @@ const ADDRESS_DELAY = 250;
 /** The script's `ready` waits for the surface to be complete, but not longer than this (ms): the page can be used before. */
 const READY_DELAY = 1000;
 
+/** What the page shows. */
+export interface Shown {
+  scene: Scene;
+  /** Whether the user has opened it here: the server knows nothing of it. */
+  isOpened: boolean;
+}
+
 /** `worker` is the source text of the worker. */
-export function openPage(scene: Scene, worker: string): void {
+export function openPage({ scene, isOpened }: Shown, worker: string): void {
   const address = readAddress(location.hash, scene);
   const workshop = scene.source ? new Workshop(worker, scene.source) : null;
-  const fetcher = isServed() ? servedPair : workshop ? (pair: number) => workshop.pair(pair) : null;
+  const fetcher = isServed() && !isOpened ? servedPair : workshop ? (pair: number) => workshop.pair(pair) : null;
   const session = new Session(scene, address, fetcher);
   const { store } = session;
   applyTheme(store.state.theme);
   const editor = workshop && fetcher ? new Editor(session, workshop, fetcher) : null;
 
-  const partsView = new PartsView(byId("parts"), session, editor);
+  const edits = () => editor?.edits ?? [];
+  const hand = workshop ? new MechanismHand(session, workshop, edits) : null;
+  const partsView = new PartsView(byId("parts"), session, editor, hand);
   const sliceView = new SliceView(byId("slice"), session);
   const planeView = new PlaneView(byId("plane"), session);
   const spaceView = openSpaceView(session, address.camera ?? null);
@@ -63,6 +75,7 @@ export function openPage(scene: Scene, worker: string): void {
   new Readout(byId("readout"), session);
   new ThetaSlider(byId("theta"), session);
   const timeline = new Timeline(byId("timeline"), session);
+  const ways = workshop ? new Ways(session, workshop, timeline, edits) : null;
   const help = makeHelp();
 
   const select = (pair: number) => {
@@ -78,6 +91,11 @@ export function openPage(scene: Scene, worker: string): void {
     return [partsView.viewport.svg, ...(spaceView ? [spaceView.canvas] : []), sliceView.viewport.svg];
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
+  const openFile = async (file: File) => {
+    const text = isModel(file) ? await file.text() : null;
+    if (text === null) await timeline.open(file);
+    else showScene(sceneOfFile(text, file.name));
+  };
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
@@ -98,7 +116,10 @@ export function openPage(scene: Scene, worker: string): void {
     undo: () => editor?.undo(),
     redo: () => editor?.redo(),
     removeVertex: () => editor?.removeSelected(),
-    openRecord: () => chooseFile((file) => void timeline.open(file).catch(failed)),
+    toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
+    wayOut: (widest) => void ways?.out(widest).catch(failed),
+    playMechanism: () => void ways?.mechanism().catch(failed),
+    openRecord: () => chooseFile((file) => void openFile(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then((text) => download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" })), failed),
@@ -107,7 +128,7 @@ export function openPage(scene: Scene, worker: string): void {
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
   if (editor) new EditPanel(session, editor, actions);
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
-  listenToDrops((file) => void timeline.open(file).catch(failed));
+  listenToDrops((file) => void openFile(file).catch(failed));
 
   store.subscribe((changed, state) => {
     if (changed.has("theme")) {
@@ -184,7 +205,7 @@ function noSpace(session: Session): string | null {
 }
 
 function chooseFile(take: (file: File) => void): void {
-  const input = html("input", { type: "file", accept: ".json,.gz,application/json" });
+  const input = html("input", { type: "file", accept: ".toml,.json,.gz,application/json" });
   input.addEventListener("change", () => {
     const file = input.files?.[0];
     if (file) take(file);
@@ -240,10 +261,11 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
   });
 }
 
-/** The scene in the page; throws what the user is to read. */
-export function readScene(): Scene {
-  const scene = JSON.parse(textOf("scene")) as Scene;
+/** The scene in the page, or that of a model that was opened in it; throws what the user is to read. */
+export function readScene(): Shown {
+  const opened = sceneToShow();
+  const scene = opened ?? (JSON.parse(textOf("scene")) as Scene);
   if (scene.format !== "cspace-scene") throw new Error("What is in this page is no scene.");
   if (scene.version !== SCENE_VERSION) throw new Error(`The scene has version ${scene.version}, and this page reads version ${SCENE_VERSION}.`);
-  return scene;
+  return { scene, isOpened: opened !== null };
 }

@@ -11,6 +11,7 @@ import { boxOf, edgeOf, edgePath, emptyBox, featurePlace, grow, outlinePath } fr
 import { PartNames } from "./part-names.js";
 import { IDENTITY, TURN, apply, coordinateOf, inverse, ofMotion, rotate, shortestTurn, unit } from "./placement.js";
 import type { Placement } from "./placement.js";
+import type { MechanismHand } from "./mechanism-hand.js";
 import type { Session } from "./session.js";
 import type { Key, State } from "./state.js";
 import { Viewport, wheelAngle, wheelSlide } from "./viewport.js";
@@ -35,6 +36,7 @@ export class PartsView {
   readonly viewport: Viewport;
   readonly #session: Session;
   readonly #editor: Editor | null;
+  readonly #hand: MechanismHand | null;
   readonly #parts: SVGGElement;
   readonly #pivots: SVGGElement;
   readonly #names = new PartNames();
@@ -43,9 +45,10 @@ export class PartsView {
   readonly #handles: SVGGElement;
   #drawn: Drawn[] = [];
 
-  constructor(parent: HTMLElement, session: Session, editor: Editor | null) {
+  constructor(parent: HTMLElement, session: Session, editor: Editor | null, hand: MechanismHand | null) {
     this.#session = session;
     this.#editor = editor;
+    this.#hand = hand;
     this.viewport = new Viewport(parent, {
       uniform: true,
       fit: () => this.fit(),
@@ -93,7 +96,7 @@ export class PartsView {
 
   #update(changed: ReadonlySet<Key>, state: Readonly<State>): void {
     if (changed.has("parts")) this.#build(state);
-    if (changed.has("pair") || changed.has("parts")) this.#classes();
+    if (changed.has("pair") || changed.has("parts") || changed.has("held")) this.#classes();
     if (changed.has("placements") || changed.has("parts")) {
       this.#drawn.forEach((d, i) => set(d.group, { transform: matrix(state.placements[i] ?? IDENTITY) }));
     }
@@ -125,8 +128,9 @@ export class PartsView {
   #classes(): void {
     const pair = this.#session.pair;
     this.#drawn.forEach((d, i) => {
+      const overlaps = this.#session.state.held?.overlapping.some((names) => names.includes(d.part.name));
       const role = !pair ? "other" : i === pair.fixed ? "fixed" : i === pair.moving ? "moving" : "other";
-      set(d.group, { class: `part ${role}` });
+      set(d.group, { class: `part ${role}${overlaps ? " overlapping" : ""}` });
     });
     // Those of the pair are drawn over the others.
     for (const i of pair ? [pair.fixed, pair.moving] : []) {
@@ -213,6 +217,9 @@ export class PartsView {
     if (edited) return edited;
     const part = partOf(event.target);
     const pair = this.#session.pair;
+    if (part !== null && this.#hand && this.#session.state.whole) {
+      return this.#session.state.parts[part]?.motion.type === "fixed" ? null : this.#hand.grab(part, at);
+    }
     if (part === null || !pair || (part !== pair.fixed && part !== pair.moving)) return null;
     const start = this.#session.state.placements[part] ?? IDENTITY;
     const motion = this.#session.state.parts[part]?.motion ?? { type: "planar" };

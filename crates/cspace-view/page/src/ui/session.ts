@@ -63,6 +63,8 @@ export class Session {
       editing: false,
       measuring: false,
       outdated: false,
+      whole: false,
+      held: null,
       message: null,
     });
   }

@@ -55,6 +55,10 @@ export interface State {
   measuring: boolean;
   /** Whether the space is of a shape before the one that is drawn, which has none. */
   outdated: boolean;
+  /** Whether what is dragged pushes all parts of the mechanism, and not the selected pair alone. */
+  whole: boolean;
+  /** Of the last drag of the mechanism: what stopped it, in words, and the names of parts that overlap. */
+  held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[] } | null;
   /** What went wrong last, for the user. */
   message: string | null;
 }

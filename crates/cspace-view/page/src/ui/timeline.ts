@@ -67,6 +67,12 @@ export class Timeline {
     });
   }
 
+  /** Plays what the page has computed itself. */
+  play(name: string, text: string): void {
+    this.#open(() => readRecordText(name, text));
+    if (this.#session.state.record?.name === name) this.#session.store.change({ playing: true });
+  }
+
   /** Takes a record that the user opens, and plays it; one that is none of this model is told and forgotten. */
   #open(read: () => PlayableRecord): void {
     this.#told(() => {

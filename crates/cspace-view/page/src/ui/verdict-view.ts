@@ -12,18 +12,23 @@ import type { Told } from "./verdict.js";
 /** Play is told so much later than the headline (ms): it is found by motions. */
 const PAUSE = 120;
 
+/** Of what stops a mechanism so many are listed. */
+const LISTED = 3;
+
 export class VerdictView {
   readonly #session: Session;
   readonly #element: HTMLElement;
   readonly #headline = html("p", { class: "headline", "aria-live": "polite" });
   readonly #details = html("div", { class: "detail" });
+  readonly #held = html("div", { class: "detail", "aria-live": "polite" });
   readonly #tellLater = unhurried(() => this.#tell(), PAUSE);
 
   constructor(parent: HTMLElement, session: Session) {
     this.#session = session;
     this.#element = parent;
-    parent.append(this.#headline, this.#details);
+    parent.append(this.#headline, this.#details, this.#held);
     session.store.subscribe((changed) => {
+      if (changed.has("held")) this.#sayHeld();
       if ((["where", "space", "pair", "parts"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
@@ -36,6 +41,14 @@ export class VerdictView {
     else if (state.space.state === "loading") say(this.#headline, "Computing …");
     else say(this.#headline, pair && lowerPair(pair) ? "Joined: the parts always touch." : "No configuration space.");
     this.#tellLater();
+  }
+
+  /** What stopped the last drag of the mechanism, and which parts overlap. */
+  #sayHeld(): void {
+    const { stopped, overlapping } = this.#session.state.held ?? { stopped: [], overlapping: [] };
+    const lines = overlapping.map(([a, b]) => `${a} and ${b} overlap: drag them apart.`);
+    if (stopped.length > 0) lines.push(`Stopped: ${stopped.slice(0, LISTED).join("; ")}${stopped.length > LISTED ? ` and ${stopped.length - LISTED} more` : ""}.`);
+    this.#held.replaceChildren(...lines.map((line) => html("p", {}, line)));
   }
 
   #told(): Told | null {

@@ -1,5 +1,6 @@
 /** Computes in a worker: pairs, and pairs of edited parts. The page goes on meanwhile. */
 
+import type { Came } from "../../build/kernel/cspace.js";
 import { compiledKernel } from "../kernel/load.js";
 import type { ScenePair, ScenePart, SceneSource } from "../scene.js";
 
@@ -23,13 +24,25 @@ export interface Start {
   source: string;
 }
 
-export interface Request {
-  id: number;
-  what: "pair" | "edit" | "toml";
-  pair: number;
-  /** {@link PartEdit}s as JSON. */
-  edits: string;
+/** What is asked; edits are {@link PartEdit}s as JSON. Answers are JSON. */
+export type Question =
+  | { what: "pair"; pair: number }
+  | { what: "edit"; pair: number; edits: string }
+  | { what: "toml"; edits: string }
+  | { what: "plan"; pair: number; edits: string; from: number[]; to: number[]; widest: boolean }
+  | { what: "simulate"; edits: string }
+  | { what: "drag"; edits: string; drag: MechanismDrag };
+
+/** A point of a part, in the part's frame, that is dragged to a place in the assembly. */
+export interface MechanismDrag {
+  part: number;
+  of: [number, number];
+  to: [number, number];
+  /** Where the parts are when the drag begins: the coordinates of all that move, in order; null while it goes on. */
+  state: number[] | null;
 }
+
+export type Request = { id: number } & Question;
 
 export interface Answer {
   id: number;
@@ -95,23 +108,38 @@ export class Workshop {
     if (this.#waiting.length > 0) this.#restart(new WorkError("a newer request came", true));
   }
 
-  #ask(what: Request["what"], pair: number, edits: readonly PartEdit[]): Promise<string> {
-    const request = { id: (this.#count += 1), what, pair, edits: JSON.stringify(edits) };
+  #ask(question: Question): Promise<string> {
+    const request = { id: (this.#count += 1), ...question };
     return new Promise((resolve, reject) => {
       this.#waiting.push({ request, resolve, reject });
       this.#worker.postMessage(request);
     });
   }
 
-  async pair(index: number): Promise<ScenePair> {
-    return JSON.parse(await this.#ask("pair", index, [])) as ScenePair;
+  async pair(pair: number): Promise<ScenePair> {
+    return { ...(JSON.parse(await this.#ask({ what: "pair", pair })) as ScenePair), own: true };
   }
 
   async edit(pair: number, parts: readonly PartEdit[]): Promise<EditAnswer> {
-    return JSON.parse(await this.#ask("edit", pair, parts)) as EditAnswer;
+    const answer = JSON.parse(await this.#ask({ what: "edit", pair, edits: JSON.stringify(parts) })) as EditAnswer;
+    return { ...answer, pair: { ...answer.pair, own: true } };
   }
 
   model(parts: readonly PartEdit[]): Promise<string> {
-    return this.#ask("toml", 0, parts);
+    return this.#ask({ what: "toml", edits: JSON.stringify(parts) });
+  }
+
+  /** What `cspace plan --format json` prints. */
+  plan(pair: number, parts: readonly PartEdit[], from: number[], to: number[], widest: boolean): Promise<string> {
+    return this.#ask({ what: "plan", pair, edits: JSON.stringify(parts), from, to, widest });
+  }
+
+  /** What `cspace simulate --format json` prints, of as long as the slowest drive takes for a turn. */
+  simulate(parts: readonly PartEdit[]): Promise<string> {
+    return this.#ask({ what: "simulate", edits: JSON.stringify(parts) });
+  }
+
+  async drag(parts: readonly PartEdit[], drag: MechanismDrag): Promise<Came> {
+    return JSON.parse(await this.#ask({ what: "drag", edits: JSON.stringify(parts), drag })) as Came;
   }
 }

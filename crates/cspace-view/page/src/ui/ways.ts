@@ -1,0 +1,66 @@
+/** What the page plans and plays itself: the way out of the selected pair, and the motion of the mechanism. */
+
+import type { Timeline } from "./timeline.js";
+import type { Session } from "./session.js";
+import { numbersOf } from "./records.js";
+import { regionName } from "./region-names.js";
+import type { PartEdit, Workshop } from "./workshop.js";
+
+/** What is read of a plan. */
+interface Plan {
+  verdict: "path" | "no-path" | "from-blocked" | "to-blocked" | "unknown";
+  enclosed?: { region: number; patches: number; touching: [string, string][] };
+}
+
+export class Ways {
+  readonly #session: Session;
+  readonly #workshop: Workshop;
+  readonly #timeline: Timeline;
+  readonly #edits: () => readonly PartEdit[];
+
+  constructor(session: Session, workshop: Workshop, timeline: Timeline, edits: () => readonly PartEdit[]) {
+    this.#session = session;
+    this.#workshop = workshop;
+    this.#timeline = timeline;
+    this.#edits = edits;
+  }
+
+  /** Plays a way from here to where the part is free for good, the widest if that is wanted; or says why there is none. */
+  async out(widest: boolean): Promise<void> {
+    const { pair, state } = this.#session;
+    const goal = pair?.regions.find((r) => r.unbounded)?.sample;
+    if (!pair || !goal) throw new Error("The parts of this pair never come apart.");
+    const text = await this.#busy("Looking for a way out …", () =>
+      this.#workshop.plan(state.pair, this.#edits(), numbersOf(state.configuration), goal, widest),
+    );
+    const plan = JSON.parse(text) as Plan;
+    if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text);
+    else this.#session.store.change({ message: this.#why(plan) });
+  }
+
+  #why({ verdict, enclosed }: Plan): string {
+    const { pair } = this.#session;
+    if (verdict === "from-blocked") return "The parts overlap here: there is no way out of an overlap.";
+    if (!enclosed || !pair) return "No way out was found.";
+    const [first, ...others] = enclosed.touching.map(([a, b]) => `${a} | ${b}`);
+    const by = first === undefined ? "" : `, by ${first}${others.length > 0 ? ` and ${others.length} more` : ""}`;
+    return `There is no way out: ${regionName(pair, enclosed.region)} is enclosed${by}.`;
+  }
+
+  /** Plays the whole mechanism, as its drives move it. */
+  async mechanism(): Promise<void> {
+    const text = await this.#busy("Computing the motion of the mechanism …", () => this.#workshop.simulate(this.#edits()));
+    this.#timeline.play("mechanism", text);
+  }
+
+  /** Says what is done as long as it is. */
+  async #busy<T>(message: string, work: () => Promise<T>): Promise<T> {
+    const { store } = this.#session;
+    store.change({ message });
+    try {
+      return await work();
+    } finally {
+      if (store.state.message === message) store.change({ message: null });
+    }
+  }
+}
