@@ -69,7 +69,7 @@ pub(super) fn last_not_blocked(is_blocked: impl Fn(f64) -> bool, time: f64, fine
     let (mut lo, mut hi) = (0.0, time);
     // It has mostly gone too far by little.
     let mut back = FIRST_BACK * fine;
-    while back < time {
+    while 0.0 < back && back < time {
         if !is_blocked(time - back) {
             lo = time - back;
             break;

@@ -4,6 +4,7 @@
 mod models;
 mod places;
 mod random;
+mod sliders;
 mod speed;
 mod weighted;
 
