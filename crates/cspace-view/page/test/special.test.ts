@@ -84,9 +84,9 @@ for (const [name, text] of Object.entries(CASES)) {
 }
 
 test("features are called by the names of the model", { skip }, () => {
-  withModel(model([["block", loop(slot(6))], ["peg", loop(rectangle(5, 8))]]), (path) => {
+  const block = `${loop(slot(6))}]\nnames = { "line 5 of loop 0" = "floor" }\n#`;
+  withModel(model([["block", block], ["peg", loop(rectangle(5, 8))]]), (path) => {
     const scene = sceneOf(path);
-    scene.parts[scene.pairs[0]!.fixed]!.feature_names = { "line 5 of loop 0": "floor" };
     const kernel = openPair(scene, 0) as unknown as PlanarKernel;
     const touch = kernel.touching({ x: 0, y: -2, theta: 0 }).map((x) => x.fixed);
     assert.ok(touch.includes("floor"), touch.join());
