@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let reason = if env::var(SWITCH).is_ok_and(|v| v == "skip") {
         Some(format!("{SWITCH}=skip was set"))
     } else {
-        let made = make(&sources, &out.join("page"), &bundle);
+        let made = make(&sources, &out, &bundle);
         made.err().map(|error| {
             // It may be there when the crate is built the next time: a file that is not there is always newer.
             println!("cargo:rerun-if-changed={}", out.join("always").display());
@@ -77,8 +77,9 @@ fn variable(name: &str) -> Result<String, Box<dyn Error>> {
     env::var(name).map_err(|_| format!("{name} is not set").into())
 }
 
-/// Copies the sources to `work`, bundles them there, and puts what comes out in `bundle`.
-fn make(sources: &Path, work: &Path, bundle: &Path) -> Result<(), Box<dyn Error>> {
+/// Copies the sources to a folder of `out`, bundles them there, and puts what comes out in `bundle`.
+fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>> {
+    let work = &out.join("page");
     check_node()?;
     fs::create_dir_all(work)?;
     // What is no longer among the sources is not to be found.
@@ -88,7 +89,7 @@ fn make(sources: &Path, work: &Path, bundle: &Path) -> Result<(), Box<dyn Error>
     }
     let kernel = work.join("build/kernel");
     fs::create_dir_all(&kernel)?;
-    let compiled = target(&env::var_os("OUT_DIR").unwrap_or_default().into()).join("wasm");
+    let compiled = target(out).join("wasm");
     kernel::make(&compiled, &kernel, &work.join("build/kernel.txt"))?;
     // The page's own tests run beside its sources, and take the kernel from there.
     copy(&kernel, &compiled.join("kernel"))?;
@@ -101,7 +102,7 @@ fn make(sources: &Path, work: &Path, bundle: &Path) -> Result<(), Box<dyn Error>
 }
 
 /// The folder of everything that cargo builds, of which `out` is four folders below.
-fn target(out: &PathBuf) -> PathBuf {
+fn target(out: &Path) -> PathBuf {
     out.ancestors().nth(4).unwrap_or(out).to_owned()
 }
 

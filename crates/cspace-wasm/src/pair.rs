@@ -251,7 +251,7 @@ impl Pair {
     #[wasm_bindgen(unchecked_return_type = "PatchSurface")]
     pub fn surface(&self, patch: u32, deviation: f64, per_radian: f64) -> Result<JsValue, JsError> {
         let made = surface::of_patch(&self.space, self.planar()?, patch, deviation, per_radian);
-        Ok(made.map_err(fault)?.into())
+        made.map_err(fault)
     }
 
     /// What u and v of a pair with fixed axes are.

@@ -8,7 +8,7 @@ use cspace::{Classification, Configuration, Coordinates, Mechanism, Part, PartEn
 use cspace_io::SavedFile;
 use cspace_scene::Opened;
 use cspace_view::{Page, Server};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 pub(crate) const TEMPLATE: &str =
     "<!doctype html><head><!--style--></head><body><!--scene--><!--script--></body>";
@@ -147,4 +147,11 @@ impl Client {
             &body.to_string(),
         )
     }
+}
+
+/// What a pair's space says of the moving part at (x, 0, 0).
+pub(crate) fn class_at(pair: &Value, x: f64) -> Classification {
+    let file = SavedFile::from_json(pair["space"].as_str().unwrap(), "space.json").unwrap();
+    let at = Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
+    file.space.classify(at).unwrap()
 }
