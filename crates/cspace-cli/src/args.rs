@@ -89,6 +89,9 @@ pub(crate) enum Command {
     /// Write a contact space to a file, in the format its extension names
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
+    /// Write a site of models: a gallery with a page for each to drag its parts on, and documents
+    #[command(after_long_help = SITE)]
+    Site(SiteArgs),
     /// Measure the pairs of the paper's Figure 5 by the general algorithm and by this one
     #[command(after_long_help = EVALUATE)]
     Evaluate(EvaluateArgs),
@@ -840,6 +843,40 @@ pub(crate) struct ExportArgs {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct SiteArgs {
+    /// Models (.toml, .json), or folders: all .toml in them and in their subfolders [default: those that `cspace new` writes]
+    #[arg(value_name = "MODEL")]
+    pub(crate) models: Vec<PathBuf>,
+    /// Write the site to this folder; whole or not at all
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: PathBuf,
+    /// A folder of Markdown files, which become pages of the site; so does the README.md beside the folder
+    #[arg(long, value_name = "DIR")]
+    pub(crate) docs: Option<PathBuf>,
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
+impl SiteArgs {
+    /// What other commands that take a file are given, of one model of the site.
+    pub(crate) fn common(&self, file: PathBuf) -> Common {
+        Common {
+            file,
+            values: SetArgs::default(),
+            pair: None,
+            general: false,
+            snap: false,
+            result: ResultArgs {
+                format: None,
+                output: None,
+            },
+            threads: self.threads,
+        }
+    }
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct ViewArgs {
     /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
     /// picked as parts; - is a model on standard input
@@ -1553,6 +1590,28 @@ Formats, by the extension of OUT:
   .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which
           is all the format has; the attribute `_PATCH` of a triangle's
           vertices is its patch";
+
+const SITE: &str = "\
+Examples:
+  cspace site -o site
+  cspace site models -o site
+  cspace site models my/latch.toml --docs docs -o site
+
+The site works from disk and from any host of static files, and loads nothing
+from elsewhere. index.html is the gallery: each model has a card with a picture
+of its parts, the classes of its pairs and a link to its page, which is what
+`cspace export MODEL -o NAME.html` writes. The page playground.html begins with
+the peg of `cspace new`, to be edited.
+
+A model that cannot be computed is left out with a warning; if all are, nothing
+is written. With --docs each .md file becomes a page under docs/, and README.md
+beside that folder becomes README.html. Links to these files and to the models
+lead to their pages; images, and other files of the folder that are linked, are
+copied. A link to anything else on the disk becomes plain text, and so does
+HTML within Markdown.
+
+DIR is new or empty, or was written by this command and has no other files in
+it: it is replaced then. DIR/files.txt lists what is of the site.";
 
 const VIEW: &str = "\
 Examples:

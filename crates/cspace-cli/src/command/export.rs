@@ -13,6 +13,7 @@ use cspace_io::write::mesh::{Mesh, MeshOptions};
 use cspace_io::write::obj::obj;
 use cspace_io::write::ply::{Encoding, ply};
 use cspace_io::write::stl::stl;
+use cspace_view::Page;
 
 use super::page;
 use crate::args::ExportArgs;
@@ -55,7 +56,9 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     common.result.refuse_format()?;
     refuse_unused(args, kind, path)?;
     if kind == Kind::Page {
-        return output::write(Some(path), &page::file(args)?);
+        let page = page::bundled(Page::bundled())?;
+        let file = page::file(&page, common, args.window.theta, &args.with)?;
+        return output::write(Some(path), &file);
     }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;

@@ -25,6 +25,7 @@ mod regions;
 mod rows;
 mod several;
 pub(crate) mod simulate;
+pub(crate) mod site;
 pub(crate) mod slice;
 pub(crate) mod solve;
 pub(crate) mod sweep;

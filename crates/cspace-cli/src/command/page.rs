@@ -1,4 +1,4 @@
-//! The page: what it shows, and the file that `cspace export` writes.
+//! The page: what it shows, and the file that `cspace export` and `cspace site` write.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -7,7 +7,7 @@ use cspace::PairEntry;
 use cspace_scene::{Opened, ScenePair, SceneRecord};
 use cspace_view::{Page, PageError};
 
-use crate::args::ExportArgs;
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
@@ -33,22 +33,25 @@ pub(super) fn entries(chosen: &[Chosen<'_>]) -> Vec<PairEntry> {
 
 /// The page as one file, with the spaces of all chosen pairs in it. A pair that cannot be computed says so there and in a
 /// warning; it is a failure if none can.
-pub(super) fn file(args: &ExportArgs) -> Result<Vec<u8>, Failure> {
-    let common = &args.common;
-    let page = bundled(Page::bundled())?;
+pub(super) fn file(
+    page: &Page,
+    common: &Common,
+    window: Option<(f64, f64)>,
+    with: &[PathBuf],
+) -> Result<Vec<u8>, Failure> {
     let subject = Subject::open(common)?;
     // Before anything is computed.
-    for record in &args.with {
+    for record in with {
         output::before_reading(record)?;
     }
-    let chosen = subject.pairs(common, args.window.theta)?;
+    let chosen = subject.pairs(common, window)?;
     let mut known = Vec::new();
     if !matches!(subject, Subject::Saved(_)) {
         known = computed(&chosen)?;
     }
     let entries = entries(&chosen);
     let mut opened = opened(subject, entries, common.general);
-    opened.records = records(&args.with, &opened)?;
+    opened.records = records(with, &opened)?;
     let pairs = match &opened.saved {
         Some(space) => {
             let pair = ScenePair::known(&opened.pairs[0], space, 0.0);

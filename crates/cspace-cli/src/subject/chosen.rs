@@ -100,6 +100,21 @@ impl Chosen<'_> {
         }
     }
 
+    /// The class by motions and joints, or of the saved space; a general pair with a symmetric part is symmetric, unless the
+    /// general method is asked for.
+    pub(crate) fn class_in_full(&self) -> PairClass {
+        let symmetric = |part: &Part| part.symmetry().fold() > 1;
+        match self.class() {
+            _ if self.general => PairClass::General,
+            PairClass::General
+                if !self.is_saved() && (symmetric(self.fixed()) || symmetric(self.moving())) =>
+            {
+                PairClass::Symmetric
+            }
+            class => class,
+        }
+    }
+
     /// Whether the coordinates of a pair with fixed axes are angles.
     pub(crate) fn turns(&self) -> (bool, bool) {
         let turns = |axis: &Axis| matches!(axis.motion, AxisMotion::Revolute { .. });

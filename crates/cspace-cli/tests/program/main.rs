@@ -28,3 +28,4 @@ mod random;
 mod resume;
 mod schemas;
 mod simulate;
+mod site;

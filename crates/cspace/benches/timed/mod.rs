@@ -18,7 +18,7 @@ impl Progress for Clock {
 }
 
 /// The contact space of two parts, whose statistics have times.
-pub fn compute(
+pub(crate) fn compute(
     fixed: &Part,
     moving: &Part,
     options: &Options,

@@ -54,8 +54,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
             pair = subject.one_pair(common, None)?;
             let at = match &args.at {
                 Some(text) => pair.coordinates("--at", text)?,
-                None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
-                None => Coordinates::Planar(Configuration::default()),
+                None => as_drawn(&pair),
             };
             let mut drawn = at_configuration(&pair, at);
             mark_contacts(&mut drawn, &pair, at)?;
@@ -86,7 +85,7 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
 }
 
 /// All parts as they are drawn.
-fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
+pub(super) fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
     PartsPicture {
         parts: (model.parts.iter().enumerate())
             .map(|(number, entry)| PlacedPart {
@@ -98,6 +97,14 @@ fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
             .collect(),
         joints: model.joints.clone(),
         ..PartsPicture::default()
+    }
+}
+
+/// The configuration of a pair in which its parts are drawn.
+pub(super) fn as_drawn(pair: &Chosen<'_>) -> Coordinates {
+    match pair.is_on_axes() {
+        true => Coordinates::Axes { u: 0.0, v: 0.0 },
+        false => Coordinates::Planar(Configuration::default()),
     }
 }
 

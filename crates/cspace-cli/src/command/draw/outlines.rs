@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use cspace::Coordinates;
 use cspace_drawing::{Drawn, DxfVersion, Unit};
 
-use super::{assembly, at_configuration};
+use super::{as_drawn, assembly, at_configuration};
 use crate::args::{DrawArgs, DxfChoice};
 use crate::failure::Failure;
 use crate::output;
@@ -62,8 +61,7 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
             pair = subject.one_pair(common, None)?;
             let at = match &args.at {
                 Some(text) => pair.coordinates("--at", text)?,
-                None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
-                None => Coordinates::Planar(cspace::Configuration::default()),
+                None => as_drawn(&pair),
             };
             at_configuration(&pair, at)
         }

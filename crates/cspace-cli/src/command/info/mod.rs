@@ -7,7 +7,7 @@ mod text;
 use core::f64::consts::PI;
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion, Edge, PairClass, PairSpace, Part};
+use cspace::{Axis, AxisMotion, Edge, PairSpace, Part};
 use cspace_io::model::Parameter;
 use serde::Serialize;
 
@@ -214,7 +214,7 @@ fn pair_info(subject: &Subject, pair: &Chosen<'_>) -> PairInfo {
     PairInfo {
         fixed: pair.fixed().name().to_owned(),
         moving: pair.moving().name().to_owned(),
-        class: class(pair),
+        class: pair.class_in_full().name(),
         features: features(pair.fixed()).total + features(pair.moving()).total,
         theta: pair.window(),
         surface: match subject {
@@ -224,23 +224,6 @@ fn pair_info(subject: &Subject, pair: &Chosen<'_>) -> PairInfo {
             Subject::Saved(_) => SurfaceInfo::default(),
         },
     }
-}
-
-/// The class by motions and joints, or of the saved space; a general pair with a symmetric part is symmetric, unless the
-/// general method is asked for.
-fn class(pair: &Chosen<'_>) -> &'static str {
-    let class = pair.class();
-    if pair.is_general() {
-        return PairClass::General.name();
-    }
-    let symmetric = |part: &Part| part.symmetry().fold() > 1;
-    if class == PairClass::General
-        && !pair.is_saved()
-        && (symmetric(pair.fixed()) || symmetric(pair.moving()))
-    {
-        return PairClass::Symmetric.name();
-    }
-    class.name()
 }
 
 fn part_info(part: &Part, axis: Option<Axis>, dynamics: PartMotion) -> PartInfo {
