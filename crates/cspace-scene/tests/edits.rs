@@ -6,8 +6,8 @@ use core::fmt::{Debug, Display};
 use cspace::mechanism::{Drive, DriveMotion};
 use cspace::pair::Joint;
 use cspace::{
-    Axis, Classification, Configuration, Coordinates, JointEntry, Mechanism, Part, PartEntry,
-    Point, Silent, Vector, Vertex,
+    Classification, Configuration, Coordinates, JointEntry, Mechanism, Part, PartEntry, Point,
+    Silent, Vector,
 };
 use cspace_io::SavedFile;
 use cspace_scene::{EditedPart, Opened};
@@ -132,8 +132,7 @@ fn motions_can_be_edited() {
     let answer = edit(&opened, &[wheel]).unwrap();
     assert_eq!(answer["pair"]["class"], "fixed-axes");
     let file =
-        cspace_io::SavedFile::from_json(answer["pair"]["space"].as_str().unwrap(), "space.json")
-            .unwrap();
+        SavedFile::from_json(answer["pair"]["space"].as_str().unwrap(), "space.json").unwrap();
     let at = |v: f64| {
         file.space
             .classify(Coordinates::Axes { u: 0.0, v })

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use cspace::part::PartFeature;
 use cspace::{
     Configuration, Coordinates, Mechanism, Options, PairClass, PairSpace, Part, PartEntry, Vertex,
 };
