@@ -16,10 +16,10 @@ export class Toolbar {
     choice.addEventListener("change", () => select(choice.selectedIndex));
 
     const tools = byId("tools");
-    const button = (text: string, label: string, action: (event: MouseEvent) => void) => {
+    const button = (text: string, label: string, action: (event: MouseEvent) => void, parent = tools) => {
       const b = html("button", { type: "button", title: label }, text);
       b.addEventListener("click", action);
-      tools.append(b);
+      parent.append(b);
       return b;
     };
     const stop = button("Stop at contact", "The moving part stops and slides where it touches (s)", actions.toggleStop);
@@ -28,15 +28,18 @@ export class Toolbar {
     const fit = button("Fit", "Show everything (f)", actions.fit);
     const measure = button("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
-    const whole = canEdit ? button("Mechanism", "What is dragged pushes all parts, and not the selected pair alone", actions.toggleWhole) : null;
-    const out = canEdit ? button("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey)) : null;
-    if (canEdit) button("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism);
     button("Open", "Open a model (TOML, JSON), or play what cspace plan or cspace simulate printed", actions.openRecord);
     button("SVG", "Save a picture as SVG", actions.saveSvg);
     button("PNG", "Save a picture as PNG", actions.savePng);
     const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);
     button("?", "Help (?)", actions.help).setAttribute("aria-label", "Help");
     fit.setAttribute("aria-label", "Fit");
+    // What the worker computes.
+    const ways = byId("ways");
+    ways.hidden = !canEdit;
+    const out = button("Way out", "Plan a way from here to where the moving part is free, and play it; with Shift the widest", (event) => actions.wayOut(event.shiftKey), ways);
+    button("Play mechanism", "Play the whole mechanism, as its drives move it", actions.playMechanism, ways);
+    const whole = button("Push all parts", "What is dragged pushes all parts of the mechanism, and not the selected pair alone", actions.toggleWhole, ways);
 
     session.store.subscribe((changed, state) => {
       if (changed.has("pair")) choice.selectedIndex = state.pair;
@@ -50,7 +53,7 @@ export class Toolbar {
       say(theme, { auto: "Theme: auto", light: "Theme: light", dark: "Theme: dark" }[state.theme]);
       if ((["pair", "scene", "space"] as Key[]).some((k) => changed.has(k))) {
         const pair = session.pair;
-        if (out) out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
+        out.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
         cut.hidden = pair?.class === "fixed-axes" || pair?.class === "lower";
         const { fixed = 0, moving = 0 } = pair?.features ?? {};
         const known = state.space.state === "ready" && session.kernel ? `, ${session.kernel.patchCount} patches` : "";

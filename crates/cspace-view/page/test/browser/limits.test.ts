@@ -21,7 +21,7 @@ describe("the page at its limits", { skip }, () => {
   async function openRecord(page: Page, name: string, text: string): Promise<void> {
     const file = join(suite.folder, name);
     writeFileSync(file, text);
-    const [chooser] = await Promise.all([page.waitForFileChooser({ timeout: PATIENCE }), press(page, "Open record")]);
+    const [chooser] = await Promise.all([page.waitForFileChooser({ timeout: PATIENCE }), press(page, "Open")]);
     await chooser.accept([file]);
   }
 
@@ -217,10 +217,6 @@ describe("the page at its limits", { skip }, () => {
       await page.mouse.up();
       await page.waitForFunction(() => !document.body.classList.contains("outdated"), { timeout: PATIENCE });
       assert.doesNotMatch(await page.$eval("#readout", (e) => e.textContent ?? ""), /last valid shape/);
-      // The browser tells refused requests by itself; that the server refuses is what is wanted here.
-      const refused = (fault: string): boolean => /422/.test(fault);
-      assert.ok(suite.opened.faults.some(refused));
-      suite.opened.faults.splice(0, suite.opened.faults.length, ...suite.opened.faults.filter((fault) => !refused(fault)));
     } finally {
       server.stop();
     }

@@ -63,7 +63,7 @@ describe("a page in a file computes itself", { skip }, () => {
 
   it("drags the whole mechanism: what is pushed moves", async () => {
     const { page, faults } = await open(browser, addressOf(exported(model("geneva"), folder.path)));
-    await click(page, "Mechanism");
+    await click(page, "Push all parts");
     const wheel = () => page.$eval('[data-part="0"]', (e) => e.getAttribute("transform"));
     const driver = () => page.$eval('[data-part="1"]', (e) => e.getAttribute("transform"));
     const before = [await wheel(), await driver()];
