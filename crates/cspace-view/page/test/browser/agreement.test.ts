@@ -101,7 +101,8 @@ function besideContact(page: Page, among: Numbers[], axes: boolean): Promise<Num
         let hi = blocked[(k * 7) % blocked.length] ?? [];
         const between = (s: number): number[] => lo.map((x, i) => x + s * ((hi[i] ?? 0) - x));
         // Some end all but on the contact, others a little beside it.
-        const enough = k % 2 === 0 ? beside : beside * 1e-6;
+        // Nearer than that the last bits of sines decide, which are the browser's own.
+        const enough = k % 2 === 0 ? beside : beside * 1e-4;
         while (Math.hypot(...lo.map((x, i) => x - (hi[i] ?? 0))) > enough) {
           const middle = between(0.5);
           if (middle.every((x, i) => x === lo[i] || x === hi[i])) {
