@@ -55,8 +55,11 @@ describe("a page in a file computes itself", { skip }, () => {
     const { page, faults } = await open(browser, addressOf(exported(model("geneva"), folder.path)));
     await click(page, "Play mechanism");
     await page.waitForFunction(() => !document.getElementById("timeline")?.hidden, { timeout: PATIENCE });
-    const text = await said(page, "#timeline", "done");
-    assert.match(text, /done/);
+    // A turn of the driver, in which the wheel goes on by a slot.
+    assert.match(await said(page, "#timeline", "mechanism"), /of 1 s/);
+    const wheel = () => document.querySelector('[data-part="0"]')?.getAttribute("transform");
+    const still = await page.evaluate(wheel);
+    await page.waitForFunction((still) => document.querySelector('[data-part="0"]')?.getAttribute("transform") !== still, { timeout: PATIENCE }, still);
     assert.deepEqual(faults, []);
     await page.close();
   });
