@@ -8,6 +8,9 @@ import type { Drag } from "./viewport.js";
 import { WorkError } from "./workshop.js";
 import type { PartEdit, Workshop } from "./workshop.js";
 
+/** What takes longer is told (ms). */
+const PATIENCE = 300;
+
 export class MechanismHand {
   readonly #session: Session;
   readonly #workshop: Workshop;
@@ -34,7 +37,7 @@ export class MechanismHand {
         const to = this.#wanted;
         this.#wanted = null;
         const drag = { part, of: [of.x, of.y] as [number, number], to: [to.x, to.y] as [number, number], state: begin };
-        const came = await this.#workshop.drag(this.#edits(), drag);
+        const came = await this.#patiently(() => this.#workshop.drag(this.#edits(), drag));
         begin = null;
         this.#session.setPlacements(this.#placements(came.parts));
         store.change({ held: { stopped: came.stopped, overlapping: came.overlapping } });
@@ -53,6 +56,19 @@ export class MechanismHand {
       },
       end: () => store.change({ dragging: false }),
     };
+  }
+
+  /** Says what takes so long, if it does: at the first drag the spaces of all pairs are computed. */
+  async #patiently<T>(work: () => Promise<T>): Promise<T> {
+    const { store } = this.#session;
+    const message = "Computing the pairs of the mechanism …";
+    const timer = setTimeout(() => store.change({ message }), PATIENCE);
+    try {
+      return await work();
+    } finally {
+      clearTimeout(timer);
+      if (store.state.message === message) store.change({ message: null });
+    }
   }
 
   /** Of all parts that move, in order. */
