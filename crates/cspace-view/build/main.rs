@@ -87,13 +87,14 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     for name in SOURCES {
         copy(&sources.join(name), &work.join(name))?;
     }
+    // What may fail soon comes before what takes minutes.
+    install(work)?;
     let kernel = work.join("build/kernel");
     fs::create_dir_all(&kernel)?;
     let compiled = target(out).join("wasm");
     kernel::make(&compiled, &kernel, &work.join("build/kernel.txt"))?;
     // The page's own tests run beside its sources, and take the kernel from there.
     copy(&kernel, &compiled.join("kernel"))?;
-    install(work)?;
     npm(work, &["run", "bundle"])?;
     for (from, to) in BUNDLE {
         fs::copy(work.join(from), bundle.join(to)).map_err(|e| format!("{from}: {e}"))?;
