@@ -2,6 +2,7 @@
 //!
 //! The schemas are in the folder `docs/answers` of the project's repository.
 
+pub mod check;
 mod made_of;
 pub mod plan;
 pub mod simulate;

@@ -1,6 +1,6 @@
 //! Structural changes along a sweep: other features that touch, regions that open or close, values that begin or end to exist.
 
-use rayon::prelude::*;
+use cspace::parallel;
 
 use crate::sweep::{State, Sweep};
 
@@ -35,17 +35,16 @@ impl Sweep<'_> {
         let end = |row: &[f64]| row.last().copied().unwrap_or_default();
         let range = (end(last) - end(first)).abs();
         let (tolerance, takeover) = (RESOLUTION * range, TAKEOVER * range);
-        let states: Vec<Vec<State>> = line.par_iter().map(|row| self.states(row)).collect();
+        let states: Vec<Vec<State>> = parallel::map(line, 1, |row| self.states(row));
         let known: Vec<(&Vec<f64>, Vec<State>)> = line.iter().zip(states).collect();
-        let found: Vec<Vec<Step>> = (known.par_windows(2))
-            .map(|w| {
-                let mut steps = Vec::new();
-                let below = (end(w[0].0), &w[0].1[..]);
-                let above = (end(w[1].0), &w[1].1[..]);
-                self.locate(first, below, above, tolerance, &mut steps);
-                steps
-            })
-            .collect();
+        let neighbours: Vec<_> = known.windows(2).collect();
+        let found = parallel::map(&neighbours, 1, |w| {
+            let mut steps = Vec::new();
+            let below = (end(w[0].0), &w[0].1[..]);
+            let above = (end(w[1].0), &w[1].1[..]);
+            self.locate(first, below, above, tolerance, &mut steps);
+            steps
+        });
         let steps: Vec<Step> = found.into_iter().flatten().collect();
         let mut changes = Vec::new();
         for (i, measure) in self.measures().iter().enumerate() {

@@ -52,7 +52,7 @@ pub use check::{Checked, Interrupted, check, check_with};
 pub use displace::{Displaced, Outcome, displace};
 pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach};
 pub use sensitivity::{Sensitivity, sensitivities};
-pub use solve::{Goal, Relation, Solved, Span, solve};
+pub use solve::{ContactGoal, Goal, Relation, Solved, Span, put_contact, solve};
 pub use sweep::{Row, Sweep, Varied};
 pub use tolerance::{
     Allocation, Band, Cell, ChangeKind, Contribution, Criterion, Extreme, LARGEST_FACTOR, Linear,

@@ -2,10 +2,9 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cspace::Silent;
+use cspace::{Silent, parallel};
 use cspace_io::model::{Coordinate, Requirement, Setting, Template};
 use cspace_io::{Host, Model};
-use rayon::prelude::*;
 
 use crate::check::{Spaces, reason};
 use crate::measure::Value;
@@ -166,19 +165,14 @@ impl<'a> Sweep<'a> {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .take();
-        let found: Vec<(Vec<Row>, Arc<Design>)> = (designs.par_iter())
-            .map(|rows| {
-                let known = known.as_ref().filter(|d| self.is_same(&d.values, &rows[0]));
-                let design = known
-                    .cloned()
-                    .unwrap_or_else(|| Arc::new(self.design(&rows[0])));
-                let measured = rows
-                    .par_iter()
-                    .map(|values| self.row(&design, values))
-                    .collect();
-                (measured, design)
-            })
-            .collect();
+        let found: Vec<(Vec<Row>, Arc<Design>)> = parallel::map(&designs, 1, |rows| {
+            let known = known.as_ref().filter(|d| self.is_same(&d.values, &rows[0]));
+            let design = known
+                .cloned()
+                .unwrap_or_else(|| Arc::new(self.design(&rows[0])));
+            let measured = parallel::map(rows, 1, |values| self.row(&design, values));
+            (measured, design)
+        });
         let last = found.last().map(|(_, design)| Arc::clone(design)).or(known);
         *self.last.lock().unwrap_or_else(PoisonError::into_inner) = last;
         found.into_iter().flat_map(|(rows, _)| rows).collect()

@@ -4,9 +4,8 @@ use cspace::mechanism::MechanismError;
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
     PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
-    Rotation, contact_function, touching_place,
+    Rotation, contact_function, parallel, touching_place,
 };
-use rayon::prelude::*;
 
 use crate::system::{Placed, Row, System};
 
@@ -94,13 +93,16 @@ impl Pairs {
     /// # Errors
     /// If a space cannot be computed.
     pub fn compute(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, MechanismError> {
-        let candidates = (mechanism.pairs.par_iter()).filter(|pair| can_meet(mechanism, pair));
-        let computed = candidates.map(|pair| {
+        let candidates = mechanism.pairs.iter().copied();
+        let candidates: Vec<PairEntry> = candidates
+            .filter(|pair| can_meet(mechanism, pair))
+            .collect();
+        let computed = parallel::map(&candidates, 1, |pair| {
             let space = mechanism.compute_with(pair, &Options::default(), progress)?;
             Ok((*pair, space))
         });
-        let computed: Vec<_> = computed.collect::<Result<_, MechanismError>>()?;
-        Ok(Self::of(mechanism, computed))
+        let computed: Result<Vec<_>, MechanismError> = computed.into_iter().collect();
+        Ok(Self::of(mechanism, computed?))
     }
 
     /// The pairs with spaces that are known. Those that a joint connects are left out, and so are those whose parts both stand still.

@@ -6,7 +6,19 @@ use cspace::{AxisMotion, Mechanism, MechanismError, Part, PartEntry, PartError, 
 use cspace_io::shown;
 use serde::Deserialize;
 
+use crate::design::SceneSetting;
 use crate::scene::SceneMotion;
+
+/// All that is changed of a model: values of its parameters first, then parts.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+pub struct Edits {
+    /// Values for parameters.
+    #[serde(default)]
+    pub set: Vec<SceneSetting>,
+    /// Parts in place of the model's.
+    #[serde(default)]
+    pub parts: Vec<EditedPart>,
+}
 
 /// A part that replaces one of the mechanism's.
 #[derive(Debug, Clone, PartialEq, Deserialize)]

@@ -1,15 +1,18 @@
 //! What a page shows of parts and their configuration spaces, as data.
 //!
 //! A [`Scene`] is all that the page is given; `docs/page.md` in the project's repository describes every field. It is made of what
-//! was [`Opened`]: a model or a saved space. Parts of the model can be [`edited`], and a model can be made of the faces of an
+//! was [`Opened`]: a model or a saved space. Parameters of the model can be given
+//! other values and parts can be [`edited`]; a model can be made of the faces of an
 //! [`OpenedDrawing`].
 
+mod design;
 mod drawing;
 mod edit;
 mod opened;
 pub mod scene;
 
+pub use design::{SceneDesign, SceneParameter, SceneSetting, SceneText};
 pub use drawing::{DrawingScene, OpenedDrawing, PickError, PickedPart, SceneFace};
-pub use edit::{EditError, EditedPart, edited};
+pub use edit::{EditError, EditedPart, Edits, edited};
 pub use opened::{EditAnswer, EditedPairError, Opened};
 pub use scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};

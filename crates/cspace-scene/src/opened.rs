@@ -5,10 +5,12 @@ use cspace::{
     Axis, Mechanism, Options, PairClass, PairEntry, PairError, PairSpace, PartEntry, Progress,
     Relation, Symmetry,
 };
-use cspace_io::{ModelError, SavedFile};
+use cspace_io::model::{Setting, Template};
+use cspace_io::{Model, ModelError, SavedFile, shown};
 use serde::Serialize;
 
-use crate::edit::{EditError, EditedPart, edited};
+use crate::design::{Design, SceneDesign, SceneSetting};
+use crate::edit::{EditError, Edits, edited};
 use crate::scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
 
 /// A mechanism, and which of its pairs are shown.
@@ -24,15 +26,18 @@ pub struct Opened {
     pub saved: Option<PairSpace>,
     /// What is to be played.
     pub records: Vec<SceneRecord>,
+    design: Option<Design>,
 }
 
-/// A pair of edited parts, and the parts.
+/// A pair of an edited model, and the parts.
 #[derive(Debug, Clone, Serialize)]
 pub struct EditAnswer {
     /// The pair with its space.
     pub pair: ScenePair,
-    /// The parts as they were edited, in the order in which they were given.
+    /// All parts of the model.
     pub parts: Vec<ScenePart>,
+    /// The parameters of the model, if it has any.
+    pub design: Option<SceneDesign>,
 }
 
 /// Why an edited pair has no space.
@@ -50,10 +55,19 @@ pub enum EditedPairError {
     /// The edited parts are none.
     #[error(transparent)]
     Edit(#[from] EditError),
+    /// Values for parameters of a model that has none, or whose text is not here.
+    #[error("the model has no parameters here")]
+    NoParameters,
+    /// A part was edited, and does not follow parameters any more.
+    #[error("the part {} was edited by hand and follows no parameter; undo its edits first", shown::quoted(.0))]
+    Drawn(String),
+    /// With other values of its parameters the model has other parts.
+    #[error("with these values the model has other parts")]
+    OtherParts,
     /// The space cannot be computed.
     #[error(transparent)]
     Pair(#[from] PairError),
-    /// The model cannot be written.
+    /// The model cannot be read with these values, or not be written.
     #[error(transparent)]
     Model(#[from] ModelError),
     /// It cannot be written as JSON.
@@ -70,7 +84,14 @@ impl Opened {
             general,
             saved: None,
             records: Vec::new(),
+            design: None,
         }
+    }
+
+    /// With the text that the model was read from, and the values that its parameters were given: the page offers sliders for them.
+    pub fn with_text(mut self, template: Template, set: Vec<Setting>) -> Self {
+        self.design = Design::new(template, set);
+        self
     }
 
     /// A saved space.
@@ -113,6 +134,7 @@ impl Opened {
             general: space.class() == PairClass::General,
             saved: Some(space),
             records: Vec::new(),
+            design: None,
         }
     }
 
@@ -122,7 +144,12 @@ impl Opened {
     /// If the model is none.
     pub fn from_source(source: &SceneSource) -> Result<Self, ModelError> {
         let model = cspace_io::model::from_toml(&source.model, "the model of this page")?;
-        Ok(Self::model(model, source.pairs.clone(), source.general))
+        let opened = Self::model(model, source.pairs.clone(), source.general);
+        let design = match &source.design {
+            Some(text) => Design::from_text(text)?,
+            None => None,
+        };
+        Ok(Self { design, ..opened })
     }
 
     /// What the scene is made of, if the model can be written and read again.
@@ -133,7 +160,14 @@ impl Opened {
             model,
             pairs: self.pairs.clone(),
             general: self.general,
+            design: self.design.as_ref().map(Design::text),
         })
+    }
+
+    /// The parameters of the model with further values.
+    fn design(&self, set: &[SceneSetting]) -> Option<SceneDesign> {
+        let design = self.design.as_ref()?;
+        Some(design.scene(&design.model(set).ok()?, set))
     }
 
     /// The scene, without the spaces of its pairs.
@@ -145,6 +179,7 @@ impl Opened {
     pub fn scene_with(&self, pairs: Vec<ScenePair>) -> Scene {
         Scene {
             source: self.source(),
+            design: self.design(&[]),
             ..Scene::of(&self.model, pairs, self.records.clone())
         }
     }
@@ -170,43 +205,93 @@ impl Opened {
         Some(pair.unwrap_or_else(|error| self.unknown(entry).failed(error)))
     }
 
-    /// The mechanism with edited parts, and the space of one of its pairs.
+    /// The model with the values and parts of an edit, and its requirements.
     ///
     /// # Errors
-    /// If there is no such pair, the parts are none, or the space cannot be computed.
+    /// If there are no such parameters, the text is no model with these values, or the parts are none.
+    pub fn edited(&self, edits: &Edits) -> Result<Model, EditedPairError> {
+        let mut model = match &self.design {
+            Some(design) => design.model(&edits.set)?,
+            None if !edits.set.is_empty() => return Err(EditedPairError::NoParameters),
+            None => Model {
+                mechanism: self.model.clone(),
+                parameters: Vec::new(),
+                requirements: Vec::new(),
+            },
+        };
+        let known = self.model.parts.iter().map(|p| p.part.name());
+        if !known.eq(model.mechanism.parts.iter().map(|p| p.part.name())) {
+            return Err(EditedPairError::OtherParts);
+        }
+        // As it was opened it may have been changed since it was read.
+        let base = match edits.set.is_empty() {
+            true => &self.model,
+            false => &model.mechanism,
+        };
+        let mut mechanism = edited(base, &edits.parts)?;
+        mechanism.name.clone_from(&self.model.name);
+        model.mechanism = mechanism;
+        Ok(model)
+    }
+
+    /// The text of the model with its parameters, and all values that they are given.
+    ///
+    /// # Errors
+    /// If the model has none here, or parts were edited, which do not follow parameters.
+    pub fn template(&self, edits: &Edits) -> Result<(&Template, Vec<Setting>), EditedPairError> {
+        if let Some(part) = edits.parts.first() {
+            let name = self.model.parts.get(part.index).map(|p| p.part.name());
+            return Err(EditedPairError::Drawn(name.unwrap_or_default().to_owned()));
+        }
+        let design = (self.design.as_ref()).ok_or(EditedPairError::NoParameters)?;
+        Ok((design.template(), design.settings(&edits.set)))
+    }
+
+    /// A pair of an edited model: its window goes with the model's parameters.
+    ///
+    /// # Errors
+    /// If there is no such pair.
+    pub fn entry(&self, index: usize, model: &Mechanism) -> Result<PairEntry, EditedPairError> {
+        let pairs = self.pairs.len();
+        let entry = (self.pairs.get(index)).ok_or(EditedPairError::NoPair { index, pairs })?;
+        let of_file = self.model.pairs.iter().position(|p| p == entry);
+        let now = of_file.and_then(|i| model.pairs.get(i));
+        Ok(*now.unwrap_or(entry))
+    }
+
+    /// The edited mechanism, and the space of one of its pairs.
+    ///
+    /// # Errors
+    /// If there is no such pair, the edit is none, or the space cannot be computed.
     pub fn edited_space(
         &self,
         index: usize,
-        parts: &[EditedPart],
+        edits: &Edits,
         progress: &dyn Progress,
     ) -> Result<(Mechanism, PairSpace), EditedPairError> {
-        let pairs = self.pairs.len();
-        let entry = (self.pairs.get(index)).ok_or(EditedPairError::NoPair { index, pairs })?;
-        let model = edited(&self.model, parts)?;
-        let space = self.compute(&model, entry, progress)?;
+        let model = self.edited(edits)?.mechanism;
+        let space = self.compute(&model, &self.entry(index, &model)?, progress)?;
         Ok((model, space))
     }
 
-    /// A pair after parts were edited; `clock` as for [`pair`](Self::pair).
+    /// A pair after an edit; `clock` as for [`pair`](Self::pair).
     ///
     /// # Errors
-    /// If there is no such pair, the parts are none, or the space cannot be computed.
+    /// If there is no such pair, the edit is none, or the space cannot be computed.
     pub fn edited_pair(
         &self,
         index: usize,
-        parts: &[EditedPart],
+        edits: &Edits,
         clock: &dyn Fn() -> f64,
         progress: &dyn Progress,
     ) -> Result<EditAnswer, EditedPairError> {
         let begin = clock();
-        let (model, space) = self.edited_space(index, parts, progress)?;
-        let entry = &self.pairs[index];
+        let (model, space) = self.edited_space(index, edits, progress)?;
+        let entry = self.entry(index, &model)?;
         Ok(EditAnswer {
-            pair: ScenePair::known(entry, &space, clock() - begin)?,
-            parts: parts
-                .iter()
-                .map(|p| ScenePart::of(&model.parts[p.index]))
-                .collect(),
+            pair: ScenePair::known(&entry, &space, clock() - begin)?,
+            parts: model.parts.iter().map(ScenePart::of).collect(),
+            design: self.design(&edits.set),
         })
     }
 
@@ -221,12 +306,18 @@ impl Opened {
         ScenePair::unknown(pair, class, fixed, moving)
     }
 
-    /// The model with edited parts, as TOML that is read back as it is.
+    /// The edited model as TOML that is read back as it is: the text of its file with other values where no part was edited, otherwise
+    /// numbers alone.
     ///
     /// # Errors
-    /// If the parts are none, or what was written is refused.
-    pub fn edited_model(&self, parts: &[EditedPart]) -> Result<String, EditedPairError> {
-        let text = cspace_io::model::to_toml(&edited(&self.model, parts)?);
+    /// If the edit is none, or what was written is refused.
+    pub fn edited_text(&self, edits: &Edits) -> Result<String, EditedPairError> {
+        if let (Some(design), []) = (&self.design, &edits.parts[..])
+            && let Some(text) = design.text_with(&edits.set)
+        {
+            return Ok(text);
+        }
+        let text = cspace_io::model::to_toml(&self.edited(edits)?.mechanism);
         cspace_io::model::from_toml(&text, "model.toml")?;
         Ok(text)
     }

@@ -10,7 +10,7 @@ use cspace::{
     Silent, Vector,
 };
 use cspace_io::SavedFile;
-use cspace_scene::{EditedPart, Opened};
+use cspace_scene::{Edits, Opened};
 use serde_json::{Value, json};
 
 /// A square table 4 wide, which does not move, a coin of radius 1 that moves freely, and a lid that turns on the table.
@@ -53,8 +53,8 @@ fn class_at(pair: &Value, x: f64) -> Classification {
     file.space.classify(at).unwrap()
 }
 
-fn parts(edits: &[Value]) -> Vec<EditedPart> {
-    serde_json::from_value(json!(edits)).unwrap()
+fn parts(edits: &[Value]) -> Edits {
+    serde_json::from_value(json!({ "parts": edits })).unwrap()
 }
 
 /// The first pair after an edit, as the page is told.
@@ -73,7 +73,7 @@ fn fails<T: Debug, E: Display>(result: Result<T, E>, words: &[&str]) {
 }
 
 fn saved(opened: &Opened, edits: &[Value]) -> Mechanism {
-    let text = opened.edited_model(&parts(edits)).unwrap();
+    let text = opened.edited_text(&parts(edits)).unwrap();
     cspace_io::model::from_toml(&text, "answer.toml").unwrap()
 }
 
@@ -83,8 +83,8 @@ fn an_edited_part_has_the_space_of_its_new_outline() {
     let answer = edit(&opened, &[coin(2.0, 0.0)]).unwrap();
     assert_eq!(class_at(&answer["pair"], 3.9), Classification::Blocked);
     assert_eq!(class_at(&answer["pair"], 4.1), Classification::Free);
-    assert_eq!(answer["parts"][0]["loops"], coin(2.0, 0.0)["loops"]);
-    assert_eq!(answer["parts"][0]["name"], "coin");
+    assert_eq!(answer["parts"][1]["loops"], coin(2.0, 0.0)["loops"]);
+    assert_eq!(answer["parts"][1]["name"], "coin");
     // Edits replace parts of the model that was opened, and do not change it.
     let again = edit(&opened, &[]).unwrap();
     assert_eq!(class_at(&again["pair"], 3.1), Classification::Free);
@@ -109,7 +109,7 @@ fn a_part_can_be_grown_and_shrunk() {
             Classification::Free
         );
         // What comes back is the part as it is now.
-        let vertices = answer["parts"][0]["loops"][0].as_array().unwrap();
+        let vertices = answer["parts"][1]["loops"][0].as_array().unwrap();
         for v in vertices {
             let radius = v["x"].as_f64().unwrap().hypot(v["y"].as_f64().unwrap());
             assert!((radius - 1.0 - offset).abs() < 1e-9, "{v}");
@@ -223,5 +223,5 @@ fn the_edited_model_is_a_file() {
 
     let planar =
         json!({ "index": 2, "loops": coin(1.0, 0.0)["loops"], "motion": { "type": "fixed" } });
-    fails(opened.edited_model(&parts(&[planar])), &["joint 0"]);
+    fails(opened.edited_text(&parts(&[planar])), &["joint 0"]);
 }

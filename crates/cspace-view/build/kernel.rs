@@ -15,10 +15,11 @@ use wasm_bindgen_cli_support::Bindgen;
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What the crate and what it depends on are made of, beside this crate's folder.
-const CRATES: [&str; 9] = [
+const CRATES: [&str; 10] = [
     "cspace",
     "cspace-answers",
     "cspace-check",
+    "cspace-design",
     "cspace-drawing",
     "cspace-io",
     "cspace-motion",
@@ -128,6 +129,8 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
             Path::new(SYSTEM).join("wasm-ld"),
         );
         cargo.arg("-Zbuild-std=std,panic_abort");
+        // Sorting and writing numbers alone would be a quarter of the kernel.
+        cargo.arg("-Zbuild-std-features=optimize_for_size");
     }
     cargo.arg("build").arg("--manifest-path").arg(manifest);
     cargo.args([

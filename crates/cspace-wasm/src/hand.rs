@@ -2,7 +2,7 @@
 
 use cspace::{Mechanism, Point};
 use cspace_motion::{Dragged, Ending, Hand};
-use cspace_scene::{EditedPart, SceneSource, edited};
+use cspace_scene::{Edits, SceneSource};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -33,13 +33,13 @@ struct Came {
 
 #[wasm_bindgen(js_class = Hand)]
 impl MechanismHand {
-    /// The mechanism that a scene says it was made of, with edited parts; its parts are where it starts.
+    /// The mechanism that a scene says it was made of, edited; its parts are where it starts.
     #[wasm_bindgen(constructor)]
     pub fn new(source: &str, edits: &str) -> Result<MechanismHand, JsError> {
         let source: SceneSource = serde_json::from_str(source).map_err(fault)?;
-        let edits: Vec<EditedPart> = serde_json::from_str(edits).map_err(fault)?;
+        let edits: Edits = serde_json::from_str(edits).map_err(fault)?;
         let opened = cspace_scene::Opened::from_source(&source).map_err(told)?;
-        let mechanism = edited(&opened.model, &edits).map_err(fault)?;
+        let mechanism = opened.edited(&edits).map_err(fault)?.mechanism;
         let hand = Hand::new(&mechanism).map_err(fault)?;
         Ok(Self { mechanism, hand })
     }

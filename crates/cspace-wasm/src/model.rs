@@ -4,10 +4,14 @@ use core::f64::consts::TAU;
 
 use cspace::mechanism::DriveMotion;
 use cspace::{AxisMotion, Coordinates, Mechanism, Silent};
+use cspace_answers::check::Row;
 use cspace_answers::{plan, simulate};
+use cspace_design::{ContactGoal, Span};
+use cspace_io::model::{Coordinate, Template};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
-use cspace_scene::{EditedPart, Opened, edited};
+use cspace_scene::{Edits, Opened, SceneSetting};
+use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
 use crate::fault;
@@ -18,16 +22,57 @@ pub struct Model {
     opened: Opened,
 }
 
+/// A contact that is dragged: it is where a straight motion first meets a contact.
+#[derive(Deserialize)]
+struct ContactDrag {
+    /// Where the motion begins, [x, y, theta] or [u, v], and its displacement.
+    from: Vec<f64>,
+    along: Vec<f64>,
+    /// Which coordinate is to have the value at the contact.
+    of: Of,
+    value: f64,
+    /// Parameters that may change: name, from, to.
+    spans: Vec<(String, f64, f64)>,
+}
+
+/// A coordinate.
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Of {
+    X,
+    Y,
+    U,
+    V,
+}
+
+impl From<Of> for Coordinate {
+    fn from(of: Of) -> Self {
+        match of {
+            Of::X => Self::X,
+            Of::Y => Self::Y,
+            Of::U => Self::U,
+            Of::V => Self::V,
+        }
+    }
+}
+
+/// Values of parameters, or why there are none.
+#[derive(Serialize)]
+struct ContactAnswer {
+    set: Vec<SceneSetting>,
+    none: Option<String>,
+}
+
 /// Seconds since any moment.
 fn seconds() -> f64 {
     js_sys::Date::now() / 1e3
 }
 
-fn parts(json: &str) -> Result<Vec<EditedPart>, JsError> {
-    serde_json::from_str(json).map_err(fault)
+fn parsed(edits: &str) -> Result<Edits, JsError> {
+    serde_json::from_str(edits).map_err(fault)
 }
 
-fn json(answer: &impl serde::Serialize) -> Result<String, JsError> {
+fn json(answer: &impl Serialize) -> Result<String, JsError> {
     serde_json::to_string(answer).map_err(fault)
 }
 
@@ -55,7 +100,8 @@ impl Model {
         let opened = match cspace_io::read_from(text.as_bytes(), name).map_err(told)? {
             cspace_io::Document::Model(model) => {
                 let pairs = model.mechanism.pairs.clone();
-                Opened::model(model.mechanism, pairs, false)
+                let template = Template::from_text(text.to_owned(), name).map_err(told)?;
+                Opened::model(model.mechanism, pairs, false).with_text(template, Vec::new())
             }
             cspace_io::Document::Space(file) => Opened::saved(*file),
         };
@@ -73,18 +119,60 @@ impl Model {
         json(&pair.ok_or_else(|| fault(format_args!("there is no pair {index}")))?)
     }
 
-    /// A pair with its space after parts were edited, as JSON.
+    /// A pair with its space after an edit, as JSON: an `EditAnswer`. Edits are JSON: `{"set": [{"name", "value"}], "parts": [{"index", "loops",
+    /// "motion", "offset"}]}`.
     pub fn edit(&self, pair: usize, edits: &str) -> Result<String, JsError> {
-        let answer = (self.opened).edited_pair(pair, &parts(edits)?, &seconds, &Silent);
+        let edits = parsed(edits)?;
+        let answer = (self.opened).edited_pair(pair, &edits, &seconds, &Silent);
         json(&answer.map_err(fault)?)
     }
 
-    /// The model with edited parts, as TOML.
+    /// The edited model, as TOML.
     pub fn toml(&self, edits: &str) -> Result<String, JsError> {
-        self.opened.edited_model(&parts(edits)?).map_err(fault)
+        self.opened.edited_text(&parsed(edits)?).map_err(fault)
     }
 
-    /// What `cspace plan --format json` answers of a pair of edited parts: a path from one configuration to another, if need be the
+    /// What `cspace check --format json` answers of the edited model.
+    pub fn check(&self, edits: &str) -> Result<String, JsError> {
+        let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
+        let checked = cspace_design::check(&model);
+        let rows: Vec<Row> = (checked.iter()).map(|c| Row::of(&model, c, None)).collect();
+        json(&rows)
+    }
+
+    /// The values of parameters that put a contact of a pair where it is dragged to, with the smallest change relative to the ranges: what is
+    /// dragged is a `ContactDrag`, and the answer `{"set": [{"name", "value"}], "none": why there are none}`.
+    #[wasm_bindgen(js_name = putContact)]
+    pub fn put_contact(&self, pair: usize, edits: &str, dragged: &str) -> Result<String, JsError> {
+        let edits = parsed(edits)?;
+        let dragged: ContactDrag = serde_json::from_str(dragged).map_err(fault)?;
+        let model = self.opened.edited(&edits).map_err(fault)?.mechanism;
+        let (template, set) = self.opened.template(&edits).map_err(fault)?;
+        let spans: Vec<Span> = (dragged.spans.into_iter())
+            .map(|(parameter, lo, hi)| Span { parameter, lo, hi })
+            .collect();
+        let goal = ContactGoal {
+            pair: self.opened.entry(pair, &model).map_err(fault)?,
+            from: coordinates(&dragged.from)?,
+            along: coordinates(&dragged.along)?,
+            of: dragged.of.into(),
+            value: dragged.value,
+        };
+        let solved = cspace_design::put_contact(template, &set, &spans, &goal, &Silent);
+        let values = solved.solutions.into_iter().next().unwrap_or_default();
+        let found = spans.into_iter().zip(values);
+        json(&ContactAnswer {
+            set: found
+                .map(|(span, value)| SceneSetting {
+                    name: span.parameter,
+                    value: format!("{value:?}"),
+                })
+                .collect(),
+            none: solved.none,
+        })
+    }
+
+    /// What `cspace plan --format json` answers of a pair of the edited model: a path from one configuration to another, if need be the
     /// widest, or why there is none.
     pub fn plan(
         &self,
@@ -94,7 +182,8 @@ impl Model {
         to: &[f64],
         widest: bool,
     ) -> Result<String, JsError> {
-        let space = (self.opened).edited_space(pair, &parts(edits)?, &Silent);
+        let edits = parsed(edits)?;
+        let space = (self.opened).edited_space(pair, &edits, &Silent);
         let space = space.map_err(fault)?.1;
         let begin = seconds();
         let wishes = Wishes {
@@ -111,10 +200,10 @@ impl Model {
         json(&plan::Told::planned(&space, answer, seconds() - begin))
     }
 
-    /// What `cspace simulate --format json` answers of the mechanism with edited parts, with states between samples: its motion while the
+    /// What `cspace simulate --format json` answers of the edited mechanism, with states between samples: its motion while the
     /// slowest drive makes a turn, with masses if it has any.
     pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
-        let model = edited(&self.opened.model, &parts(edits)?).map_err(fault)?;
+        let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;
         let has_masses = model.has_masses();
         if !has_masses && model.dynamics.drives.is_empty() && !cspace_motion::has_forces(&model) {
             return Err(fault(

@@ -107,7 +107,7 @@ mod grouped;
 pub mod mechanism;
 pub(crate) mod number;
 pub mod pair;
-pub(crate) mod parallel;
+pub mod parallel;
 pub mod part;
 pub mod query;
 pub mod slice;

@@ -63,9 +63,14 @@ pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     work()
 }
 
-/// What `work` makes of every item, in their order; no thread is given fewer than `least`.
+/// What `work` makes of every item, in their order: the items are divided among threads, none of which is given fewer than `least`.
+///
+/// ```
+/// let squares = cspace::parallel::map(&[1, 2, 3], 1, |x| x * x);
+/// assert_eq!(squares, [1, 4, 9]);
+/// ```
 #[cfg_attr(not(feature = "rayon"), allow(unused_variables))]
-pub(crate) fn map<T: Sync, R: Send>(
+pub fn map<T: Sync, R: Send>(
     items: &[T],
     least: usize,
     work: impl Fn(&T) -> R + Sync + Send,

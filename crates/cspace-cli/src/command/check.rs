@@ -3,12 +3,10 @@
 use std::fmt::{self, Write};
 use std::path::Path;
 
-use cspace::Coordinates;
-use cspace_design::{Checked, Sensitivity, Value as Found};
-use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject};
+use cspace_answers::check::{Row, Told};
+use cspace_design::Sensitivity;
+use cspace_io::model::Dimension;
 use cspace_io::{Document, Model};
-use serde::Serialize;
-use serde_json::{Map, Value};
 
 use crate::args::{CheckArgs, Format};
 use crate::failure::Failure;
@@ -18,55 +16,6 @@ use crate::output;
 use crate::progress::Bar;
 use crate::subject::set_threads;
 use crate::wording::{count, degrees, length};
-
-/// A requirement, measured.
-#[derive(Debug, Serialize)]
-struct Row {
-    name: String,
-    /// The two parts that it is about, if it is about two.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pair: Option<[String; 2]>,
-    /// The part that it is about, if it is about one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    part: Option<String>,
-    measure: &'static str,
-    /// In the model's unit or radians, or true or false; none where it has no value.
-    value: Option<Told>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    limits: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    equals: Option<bool>,
-    /// None of a requirement without limits.
-    met: Option<bool>,
-    margin: Option<f64>,
-    /// The two ends of a play.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    range: Option<[f64; 2]>,
-    /// Where a position is measured.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    at: Option<Coordinates>,
-    touching: Vec<[String; 2]>,
-    /// Why there is no value.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    failure: Option<String>,
-    /// The derivatives by parameters; where they differ for smaller and larger values, that for larger ones.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    sensitivities: Option<Map<String, Value>>,
-    /// The derivatives for smaller and for larger values, where they differ.
-    #[serde(skip_serializing_if = "Map::is_empty")]
-    one_sided: Map<String, Value>,
-    #[serde(skip)]
-    by: Vec<Sensitivity>,
-    #[serde(skip)]
-    dimension: Dimension,
-}
-
-#[derive(Debug, Clone, Copy, Serialize)]
-#[serde(untagged)]
-enum Told {
-    Number(f64),
-    Truth(bool),
-}
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     args.result.check_answer()?;
@@ -100,7 +49,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
             .watch(|bar| cspace_design::check_with(&model, bar))
             .map_err(Failure::work)?
             .iter()
-            .map(|c| row(&model, c, None))
+            .map(|c| Row::of(&model, c, None))
             .collect(),
         Some(template) => bar
             .watch(|bar| {
@@ -109,7 +58,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
             })
             .map_err(Failure::work)?
             .into_iter()
-            .map(|(c, by)| row(&model, &c, Some(by)))
+            .map(|(c, by)| Row::of(&model, &c, Some(by)))
             .collect(),
     };
     let answer = match args.result.format() {
@@ -162,54 +111,6 @@ pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure>
     }
     model.requirements.retain(|r| names.contains(&r.name));
     Ok(())
-}
-
-fn row(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Row {
-    let derivatives = |one_sided: bool| -> Map<String, Value> {
-        let of = |s: &Sensitivity| {
-            let [below, above] = *s.derivative.as_ref().ok()?;
-            let value = if one_sided {
-                Value::from(vec![below, above])
-            } else {
-                above.into()
-            };
-            (!one_sided || below != above).then(|| (s.parameter.clone(), value))
-        };
-        by.iter().flatten().filter_map(of).collect()
-    };
-    let requirement = &checked.requirement;
-    let name = |i: usize| model.mechanism.parts[i].part.name().to_owned();
-    let measured = checked.measured.as_ref().ok();
-    Row {
-        name: requirement.name.clone(),
-        pair: checked.parts.map(|parts| parts.map(name)),
-        part: match requirement.subject {
-            Subject::Motion(_, MotionQuantity::Stroke { part, .. }) => Some(name(part)),
-            _ => None,
-        },
-        measure: requirement.subject.name(),
-        value: measured.map(|m| match m.value {
-            Found::Number(x) => Told::Number(x),
-            Found::Truth(b) => Told::Truth(b),
-        }),
-        limits: requirement.limits(),
-        equals: requirement.equals(),
-        met: checked.is_met(),
-        margin: checked.margin(),
-        range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
-        at: match requirement.subject {
-            Subject::Pair(_, Quantity::Position { .. }) => {
-                measured.and_then(|m| m.stops.first()).map(|s| s.at)
-            }
-            _ => None,
-        },
-        touching: checked.touching.clone(),
-        failure: checked.measured.as_ref().err().map(ToString::to_string),
-        sensitivities: by.as_ref().map(|_| derivatives(false)),
-        one_sided: derivatives(true),
-        by: by.unwrap_or_default(),
-        dimension: requirement.dimension,
-    }
 }
 
 fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {

@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use cspace::PairEntry;
+use cspace_io::Host;
+use cspace_io::model::Template;
 use cspace_scene::{Opened, ScenePair, SceneRecord};
 use cspace_view::{Page, PageError};
 
@@ -18,12 +20,26 @@ pub(super) fn bundled<T>(found: Result<T, PageError>) -> Result<T, Failure> {
     found.map_err(|e| Failure::work(&e).help(e.help()))
 }
 
-/// What is shown of a subject: these of its pairs.
-pub(super) fn opened(subject: Subject, pairs: Vec<PairEntry>, general: bool) -> Opened {
-    match subject {
-        Subject::Model { model, .. } => Opened::model(*model, pairs, general),
+/// What is shown of a subject: these of its pairs. The page has the text of a model in a file, so that its parameters can be given
+/// other values.
+pub(super) fn opened(
+    subject: Subject,
+    pairs: Vec<PairEntry>,
+    common: &Common,
+) -> Result<Opened, Failure> {
+    Ok(match subject {
+        Subject::Model { model, .. } => {
+            let opened = Opened::model(*model, pairs, common.general);
+            // With arcs made tangent the model is another than its text says.
+            if common.snap || common.file == Path::new(output::STANDARD) {
+                return Ok(opened);
+            }
+            // It has been read once, and what is to be remarked was.
+            let template = Template::read(&common.file, &Host::default())?;
+            opened.with_text(template, common.values.set.clone())
+        }
         Subject::Saved(file) => Opened::saved(*file),
-    }
+    })
 }
 
 /// The chosen pairs as the model has them; none of a saved space, whose pair is its own.
@@ -50,7 +66,7 @@ pub(super) fn file(
         known = computed(&chosen)?;
     }
     let entries = entries(&chosen);
-    let mut opened = opened(subject, entries, common.general);
+    let mut opened = opened(subject, entries, common)?;
     opened.records = records(with, &opened)?;
     let pairs = match &opened.saved {
         Some(space) => {

@@ -11,9 +11,8 @@ mod line;
 mod problem;
 mod several;
 
-use cspace::Progress;
-use cspace_io::model::{Setting, Template};
-use rayon::prelude::*;
+use cspace::{Coordinates, PairEntry, Progress, parallel};
+use cspace_io::model::{Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template};
 
 use crate::measure::Value;
 
@@ -44,6 +43,7 @@ pub fn solve(
         set,
         spans,
         goal,
+        own: None,
         progress,
     };
     match spans {
@@ -54,6 +54,61 @@ pub fn solve(
         [span] => problem.in_one(span, samples),
         _ => problem.in_several(),
     }
+}
+
+/// Where a contact is to be: what is first hit on a straight motion has this coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactGoal {
+    /// The pair.
+    pub pair: PairEntry,
+    /// Where the motion begins: free, whatever the parameters.
+    pub from: Coordinates,
+    /// Its whole displacement.
+    pub along: Coordinates,
+    /// Which coordinate counts.
+    pub of: Coordinate,
+    /// Its value at the contact (the model's unit or radians).
+    pub value: f64,
+}
+
+/// Finds the values of parameters that put a contact where it is wanted, and whose change is smallest relative to the ranges.
+///
+/// The contact is that of the first hit q(p) of a straight motion: each step solves qᵢ(p) + ∇qᵢ·Δp = value for the smallest Δp, by exact
+/// derivatives.
+pub fn put_contact(
+    template: &Template,
+    set: &[Setting],
+    spans: &[Span],
+    wanted: &ContactGoal,
+    progress: &dyn Progress,
+) -> Solved {
+    let requirement = Requirement {
+        name: "contact".to_owned(),
+        subject: Subject::Pair(
+            wanted.pair,
+            Quantity::Position {
+                from: wanted.from,
+                along: wanted.along,
+                of: wanted.of,
+            },
+        ),
+        dimension: Dimension::Number,
+        target: None,
+    };
+    let goal = Goal {
+        requirement: requirement.name.clone(),
+        relation: Relation::Equal,
+        value: Value::Number(wanted.value),
+    };
+    let problem = Problem {
+        template,
+        set,
+        spans,
+        goal: &goal,
+        own: Some(&requirement),
+        progress,
+    };
+    problem.from_given()
 }
 
 impl Problem<'_> {
@@ -69,7 +124,7 @@ impl Problem<'_> {
                 }
             })
             .collect();
-        let measured: Vec<At> = values.par_iter().map(|p| self.at(&[*p])).collect();
+        let measured: Vec<At> = parallel::map(&values, 1, |p| self.at(&[*p]));
         let known: Vec<(f64, At)> = values.into_iter().zip(measured).collect();
         let line = Line {
             problem: self,
@@ -77,14 +132,12 @@ impl Problem<'_> {
             place: PLACE * (span.hi - span.lo),
             zero: self.zero(known.iter().map(|k| &k.1)),
         };
-        let parts: Vec<Found> = known
-            .par_windows(2)
-            .map(|w| {
-                let mut found = Found::default();
-                line.search(&w[0], &w[1], &mut found);
-                found
-            })
-            .collect();
+        let neighbours: Vec<_> = known.windows(2).collect();
+        let parts = parallel::map(&neighbours, 1, |w| {
+            let mut found = Found::default();
+            line.search(&w[0], &w[1], &mut found);
+            found
+        });
         let mut all = Found::default();
         for part in parts {
             all.stretches.extend(part.stretches);

@@ -72,6 +72,8 @@ pub(super) struct Problem<'a> {
     pub(super) set: &'a [Setting],
     pub(super) spans: &'a [Span],
     pub(super) goal: &'a Goal,
+    /// The requirement of the goal, if it is none of the model's.
+    pub(super) own: Option<&'a Requirement>,
     pub(super) progress: &'a dyn Progress,
 }
 
@@ -97,9 +99,12 @@ impl Problem<'_> {
 
     fn measured(&self, values: &[f64]) -> Result<At, String> {
         let (mut model, set) = self.model(values)?;
-        model
-            .requirements
-            .retain(|r| r.name == self.goal.requirement);
+        match self.own {
+            Some(own) => model.requirements = vec![own.clone()],
+            None => model
+                .requirements
+                .retain(|r| r.name == self.goal.requirement),
+        }
         let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
         let requirement: &Requirement =
             (model.requirements.first()).ok_or("the model has no such requirement")?;

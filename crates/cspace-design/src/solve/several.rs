@@ -1,7 +1,7 @@
 //! Several parameters: the smallest change relative to the ranges. Each step goes to the nearest place at which the quantity, linear by its
 //! derivatives, is as asked for.
 
-use rayon::prelude::*;
+use cspace::parallel;
 
 use super::problem::{At, Problem, Solved, Span};
 
@@ -15,10 +15,8 @@ impl Problem<'_> {
         // Where derivatives lead nowhere from the model's own values, from others.
         if solutions.is_empty() {
             let starts = starts(self.spans);
-            let found = starts
-                .par_iter()
-                .filter_map(|start| self.least_change(&given, start).ok());
-            solutions = found.collect();
+            let found = parallel::map(&starts, 1, |start| self.least_change(&given, start));
+            solutions = found.into_iter().filter_map(Result::ok).collect();
         }
         let change = |values: &[f64]| -> f64 {
             let parts = values.iter().zip(&given).zip(&wide);
@@ -29,6 +27,17 @@ impl Problem<'_> {
         Solved {
             none: first.err().filter(|_| solutions.is_empty()),
             solutions,
+            ranges: Vec::new(),
+        }
+    }
+
+    /// As [`in_several`](Self::in_several), from the model's own values alone.
+    pub(super) fn from_given(&self) -> Solved {
+        let given = self.given();
+        let found = self.least_change(&given, &given);
+        Solved {
+            none: found.as_ref().err().cloned(),
+            solutions: found.into_iter().collect(),
             ranges: Vec::new(),
         }
     }

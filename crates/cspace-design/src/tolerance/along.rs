@@ -1,9 +1,8 @@
 //! Bands of a requirement along a motion: its nominal value and its extremes where one coordinate has each of many values.
 
-use cspace::Progress;
+use cspace::{Progress, parallel};
 use cspace_io::Model;
 use cspace_io::model::{Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template};
-use rayon::prelude::*;
 
 use super::study::Study;
 use super::{Analysis, Extreme, ToleranceOptions, Variations};
@@ -75,9 +74,10 @@ pub fn along(
             before = middle(requirement, measured.as_ref());
             places.push((value, held, measured));
         }
-        let stations = (places.into_par_iter())
-            .map(|place| analysis.station(&variations, requirement, place))
-            .collect::<Result<_, _>>()?;
+        let stations = parallel::map(&places, 1, |place| {
+            analysis.station(&variations, requirement, place.clone())
+        });
+        let stations = stations.into_iter().collect::<Result<_, _>>()?;
         bands.push(Band {
             requirement: requirement.clone(),
             stations,

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use cspace::parallel;
 use cspace_io::model::{Dimension, Target};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 
 use super::study::Study;
 
@@ -60,10 +60,10 @@ impl Study<'_> {
                 return None;
             }
             let last = (first + TOGETHER).min(blocks);
-            let some: Vec<Vec<Sample>> = (first..last)
-                .into_par_iter()
-                .map(|block| self.block(seed, block, (samples - block * BLOCK).min(BLOCK)))
-                .collect();
+            let together: Vec<u64> = (first..last).collect();
+            let some = parallel::map(&together, 1, |&block| {
+                self.block(seed, block, (samples - block * BLOCK).min(BLOCK))
+            });
             all.extend(some.into_iter().flatten());
             first = last;
         }

@@ -10,11 +10,10 @@ use std::sync::Arc;
 
 use cspace::{
     Configuration, ConfigurationBox, DrawnContact, DrawnPair, Edge, PairEntry, Part, Point,
-    Progress, Real, Relation, Vector, Witness, overlap_as_drawn,
+    Progress, Real, Relation, Vector, Witness, overlap_as_drawn, parallel,
 };
 use cspace_io::Model;
 use cspace_io::model::{Setting, Subject, Template};
-use rayon::prelude::*;
 
 use super::Variations;
 use super::study::Study;
@@ -331,7 +330,7 @@ impl Search<'_> {
                 Err(Interrupted)
             }
         };
-        cells.par_iter().map(state).collect()
+        parallel::map(cells, 1, state).into_iter().collect()
     }
 
     fn look(&self, cell: Cell, known: Option<&[DrawnContact]>) -> Looked {

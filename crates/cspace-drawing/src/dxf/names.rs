@@ -1,12 +1,15 @@
 //! Texts of a DXF file: their encoding, and one copy of each.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
+#[cfg(feature = "encodings")]
 use encoding_rs::{Encoding, UTF_8};
 
 /// Texts that entities share.
 pub(super) struct Names<'a> {
+    #[cfg(feature = "encodings")]
     encoding: &'static Encoding,
     known: HashMap<&'a [u8], Arc<str>>,
     empty: Arc<str>,
@@ -15,14 +18,24 @@ pub(super) struct Names<'a> {
 impl<'a> Names<'a> {
     pub(super) fn new() -> Self {
         Self {
+            #[cfg(feature = "encodings")]
             encoding: UTF_8,
             known: HashMap::new(),
             empty: Arc::from(""),
         }
     }
 
-    /// Follows what the header says in `$DWGCODEPAGE`. Files of R2007 and later are in UTF-8 whatever it says.
+    /// Follows what the header says in `$DWGCODEPAGE`, with the feature `encodings`. Files of R2007 and later are in UTF-8 whatever it says.
+    #[cfg_attr(not(feature = "encodings"), allow(clippy::unused_self))]
     pub(super) fn set_code_page(&mut self, page: &[u8]) {
+        #[cfg(not(feature = "encodings"))]
+        let _ = page;
+        #[cfg(feature = "encodings")]
+        self.follow(page);
+    }
+
+    #[cfg(feature = "encodings")]
+    fn follow(&mut self, page: &[u8]) {
         let page = String::from_utf8_lossy(page).to_ascii_lowercase();
         let number = page.trim_start_matches("ansi_").trim_start_matches("dos");
         let label = match number {
@@ -61,9 +74,12 @@ impl<'a> Names<'a> {
     }
 
     fn decoded(&self, bytes: &[u8]) -> String {
-        let text = match core::str::from_utf8(bytes) {
+        let text: Cow<'_, str> = match core::str::from_utf8(bytes) {
             Ok(text) => text.into(),
+            #[cfg(feature = "encodings")]
             Err(_) => self.encoding.decode_without_bom_handling(bytes).0,
+            #[cfg(not(feature = "encodings"))]
+            Err(_) => bytes.iter().map(|b| char::from(*b)).collect(),
         };
         unescaped(&text)
     }

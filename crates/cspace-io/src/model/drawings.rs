@@ -39,10 +39,13 @@ pub(super) struct Setting<'a> {
     pub(super) notes: Vec<ModelError>,
 }
 
+/// Keys of a part that name a file with its outline.
+pub(super) const DRAWINGS: [&str; 3] = ["dxf", "svg", "points"];
+
 /// The key that names a drawing; none of a part with loops. A part has one outline, and keys that go with it.
 pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
-    let given: Vec<&'static str> = ["loops", "dxf", "svg", "points"]
-        .into_iter()
+    let given: Vec<&'static str> = (["loops"].into_iter())
+        .chain(DRAWINGS)
         .filter(|key| table.get(key).is_some())
         .collect();
     if let [first, second, ..] = given[..] {

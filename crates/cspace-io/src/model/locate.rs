@@ -3,6 +3,7 @@
 //! Values do not remember where they stood: a model has many, and an error only one. When there is one, the text is
 //! gone through again.
 
+use core::ops::Range;
 use std::collections::HashMap;
 
 use serde_json::value::RawValue;
@@ -46,6 +47,21 @@ pub(super) fn in_toml(text: &str, place: &Place) -> Option<(usize, usize)> {
 }
 
 type Children<'a> = (Option<&'a DeTable<'a>>, Option<&'a toml::de::DeArray<'a>>);
+
+/// The bytes of TOML text in which the values of parameters stand; of a table those of its `value`. `None` of one that is not there.
+pub(super) fn parameter_in_toml(text: &str, name: &str) -> Option<Range<usize>> {
+    let root = DeTable::parse(text).ok()?;
+    let mut span = None;
+    let mut table = Some(root.get_ref());
+    for key in ["parameter", name, "value"] {
+        // A value that is no table has no further keys.
+        let Some(inner) = table else { break };
+        let (_, value) = inner.iter().find(|(k, _)| k.get_ref() == key)?;
+        span = Some(value.span());
+        (table, _) = children(value.get_ref());
+    }
+    span
+}
 
 fn children<'a>(value: &'a DeValue<'a>) -> Children<'a> {
     match value {

@@ -4,12 +4,12 @@ use std::path::{Path, PathBuf};
 
 use cspace::{Ball, Dual, Mechanism};
 
-use super::drawings::{Files, Setting};
+use super::drawings::{DRAWINGS, Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
-use super::locate::{in_json, in_toml, line_and_column};
+use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml};
 use super::node::Node;
-use super::parameters::{Entry, Parameter, Parameters, Variation};
+use super::parameters::{self, Entry, Parameter, Parameters, Variation};
 use super::parts::read_parts;
 use super::place::Place;
 use super::profile::add_parameters;
@@ -171,6 +171,7 @@ fn name_of(path: &Path) -> String {
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Debug)]
 pub struct Template {
     tree: Node,
     text: String,
@@ -225,6 +226,18 @@ impl Template {
         &self.path
     }
 
+    /// Whether a part is taken from a drawing, which is in another file.
+    pub fn names_drawings(&self) -> bool {
+        let Node::Table(model) = &self.tree else {
+            return false;
+        };
+        let Some(Node::List(parts)) = model.get("part") else {
+            return false;
+        };
+        let is_drawn = |part: &Node| matches!(part, Node::Table(part) if DRAWINGS.iter().any(|key| part.contains_key(*key)));
+        parts.iter().any(is_drawn)
+    }
+
     /// The model with the values that the host sets.
     ///
     /// # Errors
@@ -245,6 +258,42 @@ impl Template {
             model.mechanism.name = name_of(&self.path);
         }
         Ok(model)
+    }
+
+    /// The text with other values for parameters, where it is TOML; `None` of other text, and where a value stands in no place of its own.
+    ///
+    /// ```
+    /// use cspace_io::model::{Setting, Template};
+    /// let text = "[parameter]\nd = 3 # of the bore\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n";
+    /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
+    /// let text = template.text_with(&[Setting::number("d", 4.5)]);
+    /// assert!(text.is_some_and(|t| t.contains("d = 4.5 # of the bore")));
+    /// # Ok::<(), cspace_io::ModelError>(())
+    /// ```
+    pub fn text_with(&self, set: &[parameters::Setting]) -> Option<String> {
+        if self.is_json {
+            return None;
+        }
+        let mut text = without_mark(&self.text).to_owned();
+        for setting in set {
+            let place = parameter_in_toml(&text, &setting.name)?;
+            let is_number = setting.value.parse::<f64>().is_ok_and(f64::is_finite);
+            let value = match is_number {
+                true => setting.value.clone(),
+                false => format!("\"{}\"", setting.value),
+            };
+            text.replace_range(place, &value);
+        }
+        // What was written is what is read.
+        let read = Self::from_text(text.clone(), &self.path).ok()?;
+        let read = read.model(&Host::default()).ok()?;
+        let wanted = self.model(&Host {
+            set,
+            ..Host::default()
+        });
+        let wanted = wanted.ok()?;
+        let is_same = read.mechanism == wanted.mechanism;
+        is_same.then_some(text)
     }
 
     /// The derivatives of the numbers of a model of this template by one of its parameters, in dual numbers: through expressions,

@@ -12,6 +12,8 @@ use cspace::{Mechanism, PairEntry};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::design::{SceneDesign, SceneText};
+
 /// What `format` is.
 pub const FORMAT: &str = "cspace-scene";
 
@@ -37,6 +39,8 @@ pub struct Scene {
     pub pairs: Vec<ScenePair>,
     /// What is to be played.
     pub records: Vec<SceneRecord>,
+    /// The parameters and requirements of the model, if it has any and its text is here.
+    pub design: Option<SceneDesign>,
     /// What the pairs are computed from again once parts are edited; none of a model that cannot be written.
     pub source: Option<SceneSource>,
 }
@@ -50,6 +54,8 @@ pub struct SceneSource {
     pub pairs: Vec<PairEntry>,
     /// Whether the general method is used whatever the class.
     pub general: bool,
+    /// The text with the parameters of the model.
+    pub design: Option<SceneText>,
 }
 
 /// What `cspace plan` or `cspace simulate` has printed as JSON.
@@ -73,6 +79,7 @@ impl Scene {
             joints: model.joints.iter().map(SceneJoint::of).collect(),
             pairs,
             records,
+            design: None,
             source: None,
         }
     }

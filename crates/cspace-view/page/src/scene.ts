@@ -15,6 +15,8 @@ export interface Scene {
   pairs: ScenePair[];
   /** What `cspace plan` and `cspace simulate` print with `--format json`, to be played. */
   records: SceneRecord[];
+  /** The parameters and requirements of the model; null if it has none, or its text is not here. */
+  design: SceneDesign | null;
   /** What pairs are computed from again once parts are edited; null of a model that cannot be written. */
   source: SceneSource | null;
 }
@@ -26,6 +28,33 @@ export interface SceneSource {
   pairs: { fixed: number; moving: number; window: [number, number] | null }[];
   /** Whether the general method is used whatever the class. */
   general: boolean;
+  /** The text with the parameters of the model, and values that they were given. */
+  design: { text: string; file: string; set: SceneSetting[] } | null;
+}
+
+/** A value for a parameter: a number, an angle such as `18deg`, or an expression of other parameters. */
+export interface SceneSetting {
+  name: string;
+  value: string;
+}
+
+export interface SceneDesign {
+  parameters: SceneParameter[];
+  /** The names of the requirements. */
+  requirements: string[];
+}
+
+export interface SceneParameter {
+  name: string;
+  /** Of an angle in radians. */
+  value: number;
+  /** The expression by which it follows from other parameters. */
+  expression: string | null;
+  is_angle: boolean;
+  /** Whether it says how often something is repeated: a whole number. */
+  is_count: boolean;
+  /** The values that a slider offers first. */
+  range: [number, number];
 }
 
 export interface SceneVertex {

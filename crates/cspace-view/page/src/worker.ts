@@ -42,6 +42,10 @@ function done(known: Known, asked: Request): string {
       return model.plan(asked.pair, asked.edits, Float64Array.from(asked.from), Float64Array.from(asked.to), asked.widest);
     case "simulate":
       return model.simulate(asked.edits);
+    case "check":
+      return model.check(asked.edits);
+    case "contact":
+      return model.putContact(asked.pair, asked.edits, asked.contact);
     case "drag":
       return JSON.stringify(dragged(known, asked.edits, asked.drag));
   }

@@ -19,6 +19,7 @@ const scene = {
   joints: [],
   pairs: [pair(0, 2), pair(1, 2)],
   records: [],
+  design: null,
   source: null,
 } satisfies Scene;
 

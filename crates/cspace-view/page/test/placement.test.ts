@@ -65,6 +65,7 @@ describe("mechanisms", () => {
     ],
     pairs: [{ fixed: 0, moving: 1, class: "general" } as Scene["pairs"][number], { fixed: 0, moving: 2, class: "fixed-axes" } as Scene["pairs"][number]],
     records: [],
+  design: null,
   source: null,
   } satisfies Scene;
   const [general, axes] = scene.pairs as [Scene["pairs"][number], Scene["pairs"][number]];

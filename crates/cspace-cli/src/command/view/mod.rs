@@ -35,7 +35,7 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
         }
     }
     let entries = page::entries(&chosen);
-    let mut opened = page::opened(subject, entries, args.general);
+    let mut opened = page::opened(subject, entries, &common)?;
     opened.records = page::records(&args.with, &opened)?;
     show(
         Server::bind(opened, &page, args.port).map_err(failure)?,

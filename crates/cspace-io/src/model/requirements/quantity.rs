@@ -97,7 +97,8 @@ impl Subject {
 }
 
 /// What a value is, which decides its unit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Dimension {
     /// A length in the model's unit.
     Length,

@@ -12,6 +12,8 @@ export interface Edited {
   loops: ScenePart["loops"];
   motion: ScenePart["motion"];
   offset: number;
+  /** Whether it was changed here: it follows parameters no more. */
+  byHand: boolean;
 }
 
 export type VertexHandle = { kind: "vertex"; part: number; loop: number; index: number };

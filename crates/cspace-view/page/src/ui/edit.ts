@@ -1,7 +1,7 @@
-/** Editing parts: vertices, arcs, pivots and clearances are dragged, and the pair's space is computed again meanwhile. */
+/** Editing: vertices, arcs, pivots and clearances of parts are dragged, parameters are set, and the pair's space is computed again meanwhile. */
 
 import type { Kernel } from "../kernel/api.js";
-import type { Place, ScenePair, ScenePart } from "../scene.js";
+import type { Place, ScenePair, SceneSetting } from "../scene.js";
 import { Handles } from "./edit-handles.js";
 import type { Edited, Handle, VertexHandle } from "./edit-handles.js";
 import { addVertex, bend, moveVertex, removeVertex, setRadius } from "./edit-shape.js";
@@ -13,7 +13,7 @@ import { regionChanges } from "./region-changes.js";
 import type { Fetcher, Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 import { WorkError } from "./workshop.js";
-import type { EditAnswer, PartEdit, Workshop } from "./workshop.js";
+import type { EditAnswer, Edits, PartEdit, Workshop } from "./workshop.js";
 
 export interface EditReport {
   /** Of the last answer: the space alone, and until it was here (s). */
@@ -22,6 +22,12 @@ export interface EditReport {
   /** Regions that opened or closed. */
   changes: string;
   error: string | null;
+}
+
+/** All that can be undone: parts as they are edited, and values of parameters. */
+interface Shape {
+  parts: readonly Edited[];
+  set: readonly SceneSetting[];
 }
 
 /** A computation that takes longer is ended once the shape has changed again (ms). */
@@ -35,11 +41,11 @@ export class Editor {
   readonly #workshop: Workshop;
   /** Gets pairs of the model as it was opened. */
   readonly #opener: Fetcher;
-  /** The model as it was opened. */
-  readonly #opened: readonly ScenePart[];
-  #edited: Edited[];
-  #undo: Edited[][] = [];
-  #redo: Edited[][] = [];
+  #shape: Shape;
+  #undo: Shape[] = [];
+  #redo: Shape[] = [];
+  /** Counts changes by the user. */
+  #version = 0;
   readonly #fetching = new Map<number, Promise<ScenePair>>();
   /** When the computation that is at work began (ms). */
   #begun: number | null = null;
@@ -49,8 +55,7 @@ export class Editor {
     this.#session = session;
     this.#workshop = workshop;
     this.#opener = opener;
-    this.#opened = session.scene.parts;
-    this.#edited = this.#opened.map(({ loops, motion }) => ({ loops, motion, offset: 0 }));
+    this.#shape = { parts: session.scene.parts.map(({ loops, motion }) => ({ loops, motion, offset: 0, byHand: false })), set: [] };
     session.fetcher = (pair) => {
       // A pair that is selected again waits for the answer that is on its way.
       const coming = this.#fetching.get(pair) ?? this.#fetch(pair).finally(() => this.#fetching.delete(pair));
@@ -68,24 +73,28 @@ export class Editor {
   }
 
   offsetOf(part: number): number {
-    return this.#edited[part]?.offset ?? 0;
+    return this.#shape.parts[part]?.offset ?? 0;
   }
 
-  /** All parts that differ from the opened model. */
-  get edits(): PartEdit[] {
-    return this.#edited.flatMap((e, index): PartEdit[] => {
-      const was = this.#opened[index];
-      return was && e.loops === was.loops && e.motion === was.motion && e.offset === 0 ? [] : [{ index, loops: e.loops, motion: e.motion, offset: e.offset }];
-    });
+  /** Values of parameters that were set here. */
+  get set(): readonly SceneSetting[] {
+    return this.#shape.set;
+  }
+
+  /** All that differs from the opened model. */
+  get edits(): Edits {
+    const { parts, set } = this.#shape;
+    const edited = parts.flatMap(({ loops, motion, offset, byHand }, index): PartEdit[] => (byHand ? [{ index, loops, motion, offset }] : []));
+    return { set, parts: edited };
   }
 
   async #fetch(pair: number): Promise<ScenePair> {
     for (;;) {
-      const edited = this.#edited;
+      const version = this.#version;
       const edits = this.edits;
-      const answer = edits.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
+      const answer = edits.parts.length === 0 && edits.set.length === 0 ? await this.#opener(pair) : (await this.#workshop.edit(pair, edits)).pair;
       // Parts that were edited meanwhile have another space.
-      if (edited === this.#edited) return answer;
+      if (version === this.#version) return answer;
     }
   }
 
@@ -101,30 +110,39 @@ export class Editor {
     this.#swap(this.#redo, this.#undo);
   }
 
-  #swap(from: Edited[][], to: Edited[][]): void {
+  #swap(from: Shape[], to: Shape[]): void {
     const taken = from.pop();
     if (!taken) return;
-    to.push(this.#edited);
-    this.#edited = taken;
+    to.push(this.#shape);
+    this.#shape = taken;
     this.#changed();
   }
 
   /** Before the first change of a drag. */
   #remember(): void {
-    this.#undo.push(this.#edited);
+    this.#undo.push(this.#shape);
     this.#redo = [];
   }
 
   #change(part: number, by: (e: Edited) => Edited): void {
-    this.#edited = this.#edited.map((e, i) => (i === part ? by(e) : e));
+    this.#shape = { ...this.#shape, parts: this.#shape.parts.map((e, i) => (i === part ? { ...by(e), byHand: true } : e)) };
+    this.#changed();
+  }
+
+  /** Gives parameters values; all of a drag is one change, of which the first is remembered. */
+  setParameters(values: readonly SceneSetting[], isFirst: boolean): void {
+    if (isFirst) this.#remember();
+    const others = this.#shape.set.filter((s) => !values.some((v) => v.name === s.name));
+    this.#shape = { ...this.#shape, set: [...others, ...values] };
     this.#changed();
   }
 
   #changed(): void {
+    this.#version += 1;
     const parts = this.#session.state.parts.map((part, i) => {
-      const e = this.#edited[i];
-      // A part that is offset is shown as the server answers it.
-      return !e || e.offset !== 0 ? part : { ...part, loops: e.loops, motion: e.motion };
+      const e = this.#shape.parts[i];
+      // A part that is offset, or follows parameters, is shown as it is answered.
+      return !e || e.offset !== 0 || !e.byHand ? part : { ...part, loops: e.loops, motion: e.motion };
     });
     this.#session.store.change({ parts });
     this.#send();
@@ -146,12 +164,11 @@ export class Editor {
     this.#begun = begin;
     this.#waiting = false;
     const index = this.#session.state.pair;
-    const edited = this.#edited;
     const before = { pair: this.#session.pair, kernel: this.#session.kernel };
     try {
       const answer = await this.#workshop.edit(index, this.edits);
       const seconds = { seconds: answer.pair.seconds, roundTrip: (performance.now() - begin) / 1000 };
-      this.#take(answer, index, edited);
+      this.#take(answer, index);
       this.onReport?.({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
       const superseded = error instanceof WorkError && error.cancelled;
@@ -163,18 +180,21 @@ export class Editor {
     if (this.#waiting) void this.#request();
   }
 
-  #take(answer: EditAnswer, index: number, edited: readonly Edited[]): void {
-    const answered = new Map(answer.parts.map((part) => [part.name, part]));
-    const changed = new Set<number>();
-    const parts = this.#session.scene.parts.map((part, i) => {
-      const of = edited[i];
-      const now = this.#edited[i];
-      if (!of || !now) return part;
-      changed.add(i);
-      if (now.offset !== 0) return answered.get(part.name) ?? part;
-      return { ...part, loops: now.loops, motion: now.motion, feature_names: answered.get(part.name)?.feature_names ?? part.feature_names };
+  #take(answer: EditAnswer, index: number): void {
+    const parts = answer.parts.map((part, i) => {
+      const now = this.#shape.parts[i];
+      // The shape under the hand has gone on.
+      return now?.byHand && now.offset === 0 ? { ...part, loops: now.loops, motion: now.motion } : part;
     });
-    this.#session.replaceParts(parts, index, answer.pair, changed);
+    // Edits by hand begin with the outline that parameters gave the part.
+    this.#shape = {
+      ...this.#shape,
+      parts: this.#shape.parts.map((e, i) => {
+        const part = answer.parts[i];
+        return e.byHand || !part ? e : { ...e, loops: part.loops, motion: part.motion };
+      }),
+    };
+    this.#session.replaceParts(parts, answer.design, index, answer.pair);
     // A part on a pivot that was moved is elsewhere by the same angle.
     const { configuration } = this.#session.state;
     if (isAxes(configuration)) this.#session.setConfiguration(configuration);
@@ -191,7 +211,7 @@ export class Editor {
 
   get #handles(): Handles {
     const { pair, state } = this.#session;
-    return new Handles(this.#edited, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : []);
+    return new Handles(this.#shape.parts, state.placements, pair && state.editing ? [pair.fixed, pair.moving] : []);
   }
 
   handles(viewport: Viewport): SVGElement[] {
@@ -207,7 +227,7 @@ export class Editor {
     if (alt && this.removeSelected()) return { move: () => {} };
     const { store } = this.#session;
     // All of a drag is from the shape at its beginning: radii that gave way come back.
-    const before = this.#edited[handle.part];
+    const before = this.#shape.parts[handle.part];
     let begun = false;
     return {
       move: (to) => {
@@ -242,7 +262,7 @@ export class Editor {
 
   /** Changes a loop, and selects the vertex that comes so many after the handle. */
   #reshape(handle: VertexHandle, by: (loop: Loop, index: number) => Loop | null, select: number | null): boolean {
-    const e = this.#edited[handle.part];
+    const e = this.#shape.parts[handle.part];
     const next = e && withLoop(e, handle.loop, (loop) => by(loop, handle.index));
     if (!next) return false;
     this.selected = select === null ? null : { ...handle, index: handle.index + select };
@@ -256,7 +276,7 @@ export class Editor {
   /** The values of what is selected that can be typed; a straight edge has no radius yet. */
   fields(): { name: string; value: number | null; change(value: number): void }[] {
     const handle = this.selected;
-    const e = handle ? this.#edited[handle.part] : undefined;
+    const e = handle ? this.#shape.parts[handle.part] : undefined;
     if (!handle || !e) return [];
     const typed = (by: (e: Edited, value: number) => Edited | null) => (value: number) => {
       const next = by(e, value);

@@ -6,7 +6,7 @@ import type { Placement } from "./placement.js";
 import type { Session } from "./session.js";
 import type { Drag } from "./viewport.js";
 import { WorkError } from "./workshop.js";
-import type { PartEdit, Workshop } from "./workshop.js";
+import type { Edits, Workshop } from "./workshop.js";
 
 /** What takes longer is told (ms). */
 const PATIENCE = 300;
@@ -14,12 +14,12 @@ const PATIENCE = 300;
 export class MechanismHand {
   readonly #session: Session;
   readonly #workshop: Workshop;
-  readonly #edits: () => readonly PartEdit[];
+  readonly #edits: () => Edits;
   /** Where the point is wanted next; null if it is not dragged on. */
   #wanted: Place | null = null;
   #isAsking = false;
 
-  constructor(session: Session, workshop: Workshop, edits: () => readonly PartEdit[]) {
+  constructor(session: Session, workshop: Workshop, edits: () => Edits) {
     this.#session = session;
     this.#workshop = workshop;
     this.#edits = edits;

@@ -5,6 +5,8 @@ import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, writeAddress } from "./address.js";
 import { byId, download, fileName, html, say, textOf } from "./dom.js";
+import { ContactHand } from "./contact-hand.js";
+import { DesignPanel } from "./design-panel.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
 import { Graphs } from "./graphs.js";
@@ -56,11 +58,15 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   applyTheme(store.state.theme);
   const editor = workshop && fetcher ? new Editor(session, workshop, fetcher) : null;
 
-  const edits = () => editor?.edits ?? [];
+  const edits = () => editor?.edits ?? { set: [], parts: [] };
   const hand = workshop ? new MechanismHand(session, workshop, edits) : null;
   const partsView = new PartsView(byId("parts"), session, editor, hand);
-  const sliceView = new SliceView(byId("slice"), session);
-  const planeView = new PlaneView(byId("plane"), session);
+  // Requirements are measured apart from what the hand waits for.
+  let checks: Workshop | null = null;
+  const design = editor && scene.source ? new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, scene.source!))) : null;
+  const contacts = editor && workshop && design ? new ContactHand(session, workshop, editor, () => design.spans) : null;
+  const sliceView = new SliceView(byId("slice"), session, contacts);
+  const planeView = new PlaneView(byId("plane"), session, contacts);
   const spaceView = openSpaceView(session, address.camera ?? null);
   new VerdictView(byId("verdict"), session);
   new Legend(byId("legend"), session, (region) => {

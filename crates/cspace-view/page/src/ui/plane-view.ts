@@ -3,6 +3,7 @@
 import type { AxesKernel, AxisInfo, DrawnCurve, FreePolygon } from "../kernel/api.js";
 import type { Place } from "../scene.js";
 import { regionColour } from "./colours.js";
+import type { ContactHand } from "./contact-hand.js";
 import { curvePaths, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { isAxes } from "./mechanism.js";
@@ -32,6 +33,8 @@ const LENS_DEVIATION = 1 / 200;
 export class PlaneView {
   readonly viewport: Viewport;
   readonly #session: Session;
+  /** What drags contact curves. */
+  readonly #contacts: ContactHand | null;
   readonly #blocked: SVGRectElement;
   readonly #free: SVGGElement;
   readonly #curves: SVGGElement;
@@ -41,8 +44,9 @@ export class PlaneView {
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
   #drawn: { kernel: AxesKernel; deviation: number; curves: DrawnCurve[]; free: FreePolygon[] } | null = null;
 
-  constructor(parent: HTMLElement, session: Session) {
+  constructor(parent: HTMLElement, session: Session, contacts: ContactHand | null) {
     this.#session = session;
+    this.#contacts = contacts;
     this.viewport = new Viewport(parent, {
       uniform: false,
       fit: () => this.fit(),
@@ -187,7 +191,9 @@ export class PlaneView {
     if (!kernel || !isAxes(c)) return null;
     const p = inPeriod(kernel, c);
     const { x, y } = this.viewport.pixel;
-    if (Math.hypot((at.x - p.x) / x, (at.y - p.y) / y) > GRAB) return null;
+    if (Math.hypot((at.x - p.x) / x, (at.y - p.y) / y) > GRAB) {
+      return this.#contacts?.grab(at, this.viewport, kernel, this.#drawn?.curves ?? [], ({ x: u, y: v }) => ({ u, v })) ?? null;
+    }
     const [du, dv] = [c.u - at.x, c.v - at.y];
     const { store } = this.#session;
     store.change({ dragging: true, playing: false });

@@ -139,14 +139,11 @@ export class Session {
     this.store.change({ scene: { ...this.scene, pairs } });
   }
 
-  /** The parts have been edited: spaces of before are no longer theirs, but for that of a pair that is given. */
-  replaceParts(parts: Scene["parts"], index: number, pair: ScenePair, touched: ReadonlySet<number>): void {
-    const pairs = this.scene.pairs.map((p, i) => {
-      if (i === index) return pair;
-      return touched.has(p.fixed) || touched.has(p.moving) ? { ...p, space: null, error: null } : p;
-    });
+  /** The model has been edited: spaces of before are no longer those of its pairs, but for that of a pair that is given. */
+  replaceParts(parts: Scene["parts"], design: Scene["design"], index: number, pair: ScenePair): void {
+    const pairs = this.scene.pairs.map((p, i) => (i === index ? pair : { ...p, space: null, error: null }));
     this.#kernels.clear();
-    this.store.change({ scene: { ...this.scene, parts, pairs }, parts });
+    this.store.change({ scene: { ...this.scene, parts, pairs, design }, parts });
     if (index === this.state.pair) this.#reopen(index);
   }
 

@@ -2,6 +2,7 @@
 
 import type { Place } from "../scene.js";
 import type { DrawnCurve, PlanarKernel } from "../kernel/api.js";
+import type { ContactHand } from "./contact-hand.js";
 import { curvePaths, loopsOf, pathOf } from "./curves.js";
 import { set, svg } from "./dom.js";
 import { DragGoal } from "./drag-goal.js";
@@ -34,6 +35,8 @@ const REGION_MARGIN = 0.3;
 export class SliceView {
   readonly viewport: Viewport;
   readonly #session: Session;
+  /** What drags contact curves. */
+  readonly #contacts: ContactHand | null;
   /** Whether contacts of other orientations are too far away to be shown together. */
   #swings = false;
   readonly #curves: SVGGElement;
@@ -43,8 +46,9 @@ export class SliceView {
   readonly #lens: Lens;
   readonly #lookCloser = unhurried(() => this.#drawLens(), LENS_PAUSE);
 
-  constructor(parent: HTMLElement, session: Session) {
+  constructor(parent: HTMLElement, session: Session, contacts: ContactHand | null) {
     this.#session = session;
+    this.#contacts = contacts;
     this.viewport = new Viewport(parent, {
       uniform: true,
       fit: () => this.fit(),
@@ -164,7 +168,9 @@ export class SliceView {
 
   #grab(at: Place): Drag | null {
     const c = this.#session.state.configuration;
-    if (!isPlanar(c) || !this.#isNear(at)) return null;
+    const kernel = this.#session.planar;
+    if (!isPlanar(c)) return null;
+    if (!this.#isNear(at)) return (kernel && this.#contacts?.grab(at, this.viewport, kernel, currentSlice(this.#session), ({ x, y }) => ({ x, y, theta: c.theta }))) ?? null;
     const [dx, dy] = [c.x - at.x, c.y - at.y];
     const goal = new DragGoal(c, () => this.#session.turnedBy);
     const { store } = this.#session;

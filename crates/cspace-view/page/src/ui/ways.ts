@@ -4,7 +4,7 @@ import type { Timeline } from "./timeline.js";
 import type { Session } from "./session.js";
 import { numbersOf } from "./records.js";
 import { regionName } from "./region-names.js";
-import type { PartEdit, Workshop } from "./workshop.js";
+import type { Edits, Workshop } from "./workshop.js";
 
 /** What is read of a plan. */
 interface Plan {
@@ -16,9 +16,9 @@ export class Ways {
   readonly #session: Session;
   readonly #workshop: Workshop;
   readonly #timeline: Timeline;
-  readonly #edits: () => readonly PartEdit[];
+  readonly #edits: () => Edits;
 
-  constructor(session: Session, workshop: Workshop, timeline: Timeline, edits: () => readonly PartEdit[]) {
+  constructor(session: Session, workshop: Workshop, timeline: Timeline, edits: () => Edits) {
     this.#session = session;
     this.#workshop = workshop;
     this.#timeline = timeline;

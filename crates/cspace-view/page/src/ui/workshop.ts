@@ -2,7 +2,7 @@
 
 import type { Came } from "../../build/kernel/cspace.js";
 import { compiledKernel } from "../kernel/load.js";
-import type { ScenePair, ScenePart, SceneSource } from "../scene.js";
+import type { SceneDesign, ScenePair, ScenePart, SceneSetting, SceneSource } from "../scene.js";
 
 export interface PartEdit {
   index: number;
@@ -12,9 +12,41 @@ export interface PartEdit {
   offset?: number;
 }
 
+/** All that is changed of the model: values of parameters first, then parts. */
+export interface Edits {
+  set: readonly SceneSetting[];
+  parts: readonly PartEdit[];
+}
+
 export interface EditAnswer {
   pair: ScenePair;
+  /** All parts of the model. */
   parts: ScenePart[];
+  design: SceneDesign | null;
+}
+
+/** A requirement, measured, as `cspace check --format json` prints it. */
+export interface CheckRow {
+  name: string;
+  measure: string;
+  value: number | boolean | null;
+  dimension: "length" | "angle" | "time" | "number" | "truth";
+  limits?: [number, number];
+  equals?: boolean;
+  met: boolean | null;
+  margin: number | null;
+  failure?: string;
+}
+
+/** A contact that is dragged: where a straight motion first meets it, one coordinate is to have a value. */
+export interface ContactDrag {
+  from: number[];
+  /** The displacement of the motion. */
+  along: number[];
+  of: "x" | "y" | "u" | "v";
+  value: number;
+  /** Parameters that may change: name, from, to. */
+  spans: [string, number, number][];
 }
 
 /** The first message to a worker. */
@@ -24,13 +56,15 @@ export interface Start {
   source: string;
 }
 
-/** What is asked; edits are {@link PartEdit}s as JSON. Answers are JSON. */
+/** What is asked; edits are {@link Edits} as JSON. Answers are JSON. */
 export type Question =
   | { what: "pair"; pair: number }
   | { what: "edit"; pair: number; edits: string }
   | { what: "toml"; edits: string }
   | { what: "plan"; pair: number; edits: string; from: number[]; to: number[]; widest: boolean }
   | { what: "simulate"; edits: string }
+  | { what: "check"; edits: string }
+  | { what: "contact"; pair: number; edits: string; contact: string }
   | { what: "drag"; edits: string; drag: MechanismDrag };
 
 /** A point of a part, in the part's frame, that is dragged to a place in the assembly. */
@@ -120,26 +154,37 @@ export class Workshop {
     return { ...(JSON.parse(await this.#ask({ what: "pair", pair })) as ScenePair), own: true };
   }
 
-  async edit(pair: number, parts: readonly PartEdit[]): Promise<EditAnswer> {
-    const answer = JSON.parse(await this.#ask({ what: "edit", pair, edits: JSON.stringify(parts) })) as EditAnswer;
+  async edit(pair: number, edits: Edits): Promise<EditAnswer> {
+    const answer = JSON.parse(await this.#ask({ what: "edit", pair, edits: JSON.stringify(edits) })) as EditAnswer;
     return { ...answer, pair: { ...answer.pair, own: true } };
   }
 
-  model(parts: readonly PartEdit[]): Promise<string> {
-    return this.#ask({ what: "toml", edits: JSON.stringify(parts) });
+  model(edits: Edits): Promise<string> {
+    return this.#ask({ what: "toml", edits: JSON.stringify(edits) });
   }
 
   /** What `cspace plan --format json` prints. */
-  plan(pair: number, parts: readonly PartEdit[], from: number[], to: number[], widest: boolean): Promise<string> {
-    return this.#ask({ what: "plan", pair, edits: JSON.stringify(parts), from, to, widest });
+  plan(pair: number, edits: Edits, from: number[], to: number[], widest: boolean): Promise<string> {
+    return this.#ask({ what: "plan", pair, edits: JSON.stringify(edits), from, to, widest });
   }
 
   /** What `cspace simulate --format json` prints, of as long as the slowest drive takes for a turn. */
-  simulate(parts: readonly PartEdit[]): Promise<string> {
-    return this.#ask({ what: "simulate", edits: JSON.stringify(parts) });
+  simulate(edits: Edits): Promise<string> {
+    return this.#ask({ what: "simulate", edits: JSON.stringify(edits) });
   }
 
-  async drag(parts: readonly PartEdit[], drag: MechanismDrag): Promise<Came> {
-    return JSON.parse(await this.#ask({ what: "drag", edits: JSON.stringify(parts), drag })) as Came;
+  async drag(edits: Edits, drag: MechanismDrag): Promise<Came> {
+    return JSON.parse(await this.#ask({ what: "drag", edits: JSON.stringify(edits), drag })) as Came;
+  }
+
+  /** What `cspace check --format json` prints. */
+  async check(edits: Edits): Promise<CheckRow[]> {
+    return JSON.parse(await this.#ask({ what: "check", edits: JSON.stringify(edits) })) as CheckRow[];
+  }
+
+  /** The smallest change of parameters that puts a contact where it is dragged to, or why there is none. */
+  async contact(pair: number, edits: Edits, contact: ContactDrag): Promise<{ set: SceneSetting[]; none: string | null }> {
+    const text = await this.#ask({ what: "contact", pair, edits: JSON.stringify(edits), contact: JSON.stringify(contact) });
+    return JSON.parse(text) as { set: SceneSetting[]; none: string | null };
   }
 }

@@ -1,0 +1,183 @@
+//! A model whose parameters may be given other values, and what the page shows of them.
+
+use cspace_io::model::{Parameter, Setting, Template};
+use cspace_io::{Host, Model, ModelError};
+use serde::{Deserialize, Serialize};
+
+/// The text of a model with parameters or requirements, as the page keeps it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SceneText {
+    /// The text of the file.
+    pub text: String,
+    /// Its name, whose extension says whether it is JSON.
+    pub file: String,
+    /// Values that its parameters were given when it was opened.
+    pub set: Vec<SceneSetting>,
+}
+
+/// A value for a parameter in place of the file's.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SceneSetting {
+    /// The name of the parameter.
+    pub name: String,
+    /// A number, an angle such as `18deg`, or an expression of other parameters.
+    pub value: String,
+}
+
+/// The parameters and requirements of a model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneDesign {
+    /// By name.
+    pub parameters: Vec<SceneParameter>,
+    /// The names of the requirements.
+    pub requirements: Vec<String>,
+}
+
+/// A number of the model that has a name.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneParameter {
+    /// What expressions call it.
+    pub name: String,
+    /// Its value; of an angle in radians.
+    pub value: f64,
+    /// The expression by which its value follows from other parameters.
+    pub expression: Option<String>,
+    /// Whether it is written as an angle.
+    pub is_angle: bool,
+    /// Whether it says how often something is repeated: its values are whole numbers.
+    pub is_count: bool,
+    /// The values that a slider offers first.
+    pub range: (f64, f64),
+}
+
+/// A model as its text says it, of which the parameters may be given other values.
+#[derive(Debug)]
+pub(crate) struct Design {
+    template: Template,
+    set: Vec<Setting>,
+}
+
+impl From<&SceneSetting> for Setting {
+    fn from(setting: &SceneSetting) -> Self {
+        Self {
+            name: setting.name.clone(),
+            value: setting.value.clone(),
+        }
+    }
+}
+
+impl Design {
+    /// The design of a text; `None` of one that has neither parameters nor requirements, or names drawings, which the page does not have.
+    pub(crate) fn new(template: Template, set: Vec<Setting>) -> Option<Self> {
+        let design = Self { template, set };
+        let model = design.model(&[]).ok()?;
+        let says = !model.parameters.is_empty() || !model.requirements.is_empty();
+        (says && !design.template.names_drawings()).then_some(design)
+    }
+
+    /// The design that a scene carries.
+    ///
+    /// # Errors
+    /// If its text is neither TOML nor JSON.
+    pub(crate) fn from_text(text: &SceneText) -> Result<Option<Self>, ModelError> {
+        let template = Template::from_text(text.text.clone(), &text.file)?;
+        Ok(Self::new(
+            template,
+            text.set.iter().map(Into::into).collect(),
+        ))
+    }
+
+    /// What a scene carries of it.
+    pub(crate) fn text(&self) -> SceneText {
+        let file = self.template.path().file_name().unwrap_or_default();
+        let set = self.set.iter().map(|s| SceneSetting {
+            name: s.name.clone(),
+            value: s.value.clone(),
+        });
+        SceneText {
+            text: self.template.text().to_owned(),
+            file: file.to_string_lossy().into_owned(),
+            set: set.collect(),
+        }
+    }
+
+    /// All values that parameters are given, with further ones: of two for one parameter the last counts.
+    pub(crate) fn settings(&self, further: &[SceneSetting]) -> Vec<Setting> {
+        let further = further.iter().map(Setting::from);
+        self.set.iter().cloned().chain(further).collect()
+    }
+
+    /// The text of which the parameters are given values.
+    pub(crate) const fn template(&self) -> &Template {
+        &self.template
+    }
+
+    /// The text with further values of its parameters in it, where they can be written.
+    pub(crate) fn text_with(&self, further: &[SceneSetting]) -> Option<String> {
+        self.template.text_with(&self.settings(further))
+    }
+
+    /// The model with further values of its parameters.
+    ///
+    /// # Errors
+    /// If the text is no model with these values.
+    pub(crate) fn model(&self, further: &[SceneSetting]) -> Result<Model, ModelError> {
+        let set = self.settings(further);
+        self.template.model(&Host {
+            set: &set,
+            ..Host::default()
+        })
+    }
+
+    /// What the page shows of a model of this design.
+    pub(crate) fn scene(&self, model: &Model, further: &[SceneSetting]) -> SceneDesign {
+        let set = self.settings(further);
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let largest = (model.mechanism.parts.iter()).fold(0.0_f64, |m, p| m.max(p.part.size()));
+        let parameters = (model.parameters.iter())
+            .map(|p| {
+                let is_whole = p.value.fract() == 0.0 && p.value >= 1.0 && !p.is_angle;
+                // Numbers of copies have no derivatives.
+                let is_count = is_whole && self.template.slopes(&host, model, &p.name).is_err();
+                SceneParameter {
+                    name: p.name.clone(),
+                    value: p.value,
+                    expression: p.expression.clone(),
+                    is_angle: p.is_angle,
+                    is_count,
+                    range: range(p, is_count, largest),
+                }
+            })
+            .collect();
+        SceneDesign {
+            parameters,
+            requirements: model.requirements.iter().map(|r| r.name.clone()).collect(),
+        }
+    }
+}
+
+/// The values that a slider offers: half as much and half as much again, or about nothing, a share of the largest part.
+fn range(parameter: &Parameter, is_count: bool, largest: f64) -> (f64, f64) {
+    /// Of a parameter that is 0 with a tolerance: so many times the tolerance.
+    const TOLERANCES: f64 = 10.0;
+    /// Of a length that is 0, as a share of the size of the largest part.
+    const SHARE: f64 = 0.05;
+    /// Of an angle that is 0 (rad).
+    const ANGLE: f64 = core::f64::consts::PI / 18.0;
+    let value = parameter.value;
+    if is_count {
+        return ((0.5 * value).ceil().max(1.0), 2.0 * value);
+    }
+    let around = match parameter.deviations {
+        _ if value != 0.0 => 0.5 * value.abs(),
+        Some((below, above)) if below.abs().max(above.abs()) > 0.0 => {
+            TOLERANCES * below.abs().max(above.abs())
+        }
+        _ if parameter.is_angle => ANGLE,
+        _ => SHARE * largest,
+    };
+    (value - around, value + around)
+}

@@ -1,0 +1,196 @@
+/** The requirements of the model: values, whether they are met, and how they go with a parameter. */
+
+import { html, say, set, svg } from "./dom.js";
+import type { Editor } from "./edit.js";
+import { degrees, length, rounded, short } from "./numbers.js";
+import type { Session } from "./session.js";
+import { unhurried } from "./unhurried.js";
+import { WorkError } from "./workshop.js";
+import type { CheckRow, Edits, Workshop } from "./workshop.js";
+
+/** Requirements are measured so much after the last change (ms). */
+const PAUSE = 150;
+/** A strip has values at so many steps of the parameter, and one more: a power of 2. */
+const INTERVALS = 32;
+/** The drawing's own width and height; it is stretched to the strip. */
+const WIDTH = 600;
+const HEIGHT = 100;
+/** Above and below what is drawn, as a share. */
+const MARGIN = 0.08;
+
+interface Item {
+  name: string;
+  mark: HTMLElement;
+  value: HTMLElement;
+  plot: HTMLElement;
+}
+
+/** Values over a parameter, as far as they are known. */
+interface Strip {
+  parameter: string;
+  lo: number;
+  hi: number;
+  /** What is measured where the parameter has the step's value. */
+  rows: (CheckRow[] | undefined)[];
+}
+
+export class Requirements {
+  readonly #session: Session;
+  readonly #editor: Editor;
+  readonly #checks: () => Workshop;
+  readonly #items: Item[];
+  readonly #failure = html("p", { class: "bad", role: "alert", hidden: "" });
+  readonly #choice = html("select", { id: "strip-over" });
+  readonly #checkLater = unhurried(() => void this.#check(), PAUSE);
+  #strip: Strip | null = null;
+  /** Answers of earlier questions are dropped. */
+  #asked = 0;
+
+  constructor(parent: HTMLElement, session: Session, editor: Editor, checks: () => Workshop) {
+    this.#session = session;
+    this.#editor = editor;
+    this.#checks = checks;
+    const design = session.scene.design;
+    this.#items = (design?.requirements ?? []).map((name) => ({ name, mark: html("span", { class: "mark" }, "…"), value: html("output"), plot: html("div", { class: "plot", hidden: "" }) }));
+    const free = design?.parameters.filter((p) => p.expression === null) ?? [];
+    this.#choice.append(html("option", { value: "" }, "no strips"), ...free.map((p) => html("option", { value: p.name }, p.name)));
+    this.#choice.addEventListener("change", () => {
+      this.#strip = null;
+      void this.#check();
+    });
+    const over = free.length > 0 ? [html("label", { class: "faint", for: "strip-over" }, "over the parameter ", this.#choice)] : [];
+    parent.append(
+      html("h2", {}, "Requirements"),
+      ...over,
+      this.#failure,
+      ...this.#items.map((item) => html("div", { class: "requirement strip" }, html("div", { class: "strip-head" }, item.mark, html("b", {}, item.name), item.value), item.plot)),
+    );
+    for (const { plot } of this.#items) plot.addEventListener("click", (event) => this.#choose(event, plot));
+    session.store.subscribe((changed) => {
+      if (changed.has("scene")) this.#checkLater();
+    });
+  }
+
+  /** The parameter that is in hand: strips are over it, if any are shown. */
+  over(name: string): void {
+    if (this.#choice.value === "" || this.#choice.value === name) return;
+    this.#choice.value = name;
+    this.#strip = null;
+  }
+
+  async #check(): Promise<void> {
+    const asked = (this.#asked += 1);
+    const checks = this.#checks();
+    // What is at work is of values that are no longer set.
+    checks.cancel();
+    const edits = this.#editor.edits;
+    const rows = await this.#measured(checks, edits);
+    if (asked !== this.#asked) return;
+    this.#failure.hidden = typeof rows !== "string";
+    if (typeof rows === "string") {
+      say(this.#failure, rows);
+      for (const { mark } of this.#items) mark.className = "mark";
+      return;
+    }
+    for (const item of this.#items) this.#say(item, rows.find((r) => r.name === item.name));
+    await this.#measureStrip(asked, checks, edits, rows);
+  }
+
+  /** The rows, or why there are none. */
+  async #measured(checks: Workshop, edits: Edits): Promise<CheckRow[] | string> {
+    try {
+      return await checks.check(edits);
+    } catch (error) {
+      return error instanceof WorkError ? error.message : String(error);
+    }
+  }
+
+  #say({ mark, value }: Item, row: CheckRow | undefined): void {
+    if (!row) return;
+    const kind = row.met === null ? "" : row.met ? " met" : " unmet";
+    mark.className = `mark${kind}`;
+    say(mark, row.met === null ? "·" : row.met ? "✓" : "✗");
+    mark.title = row.met === null ? "measured alone" : row.met ? "met" : "not met";
+    const is = row.value === null ? (row.failure ?? "none") : this.#text(row, row.value);
+    const ask = row.limits ? ` of ${this.#text(row, row.limits[0])} to ${this.#text(row, row.limits[1])}` : "";
+    say(value, `${is}${ask}`);
+  }
+
+  #text({ dimension }: CheckRow, value: number | boolean): string {
+    if (typeof value === "boolean") return value ? "yes" : "no";
+    if (dimension === "angle") return degrees(value, 4);
+    if (dimension === "time") return `${short(rounded(value, 4))} s`;
+    return dimension === "length" ? length(rounded(value, 4), this.#session.scene.unit) : short(rounded(value, 4));
+  }
+
+  /** Measures along the parameter, every other step first, and draws what is known. */
+  async #measureStrip(asked: number, checks: Workshop, edits: Edits, now: CheckRow[]): Promise<void> {
+    const name = this.#choice.value;
+    const parameter = this.#session.scene.design?.parameters.find((p) => p.name === name);
+    for (const { plot } of this.#items) plot.hidden = !parameter;
+    if (!parameter) return;
+    const others = (of: Edits) => JSON.stringify({ ...of, set: of.set.filter((s) => s.name !== name) });
+    const key = others(edits);
+    const kept = this.#strip as (Strip & { key?: string }) | null;
+    const first = this.#session.scene.design?.parameters.find((p) => p.name === name)?.range ?? [0, 1];
+    // Along the strip the other values stay: what is measured stays too.
+    const strip: Strip & { key?: string } = kept?.key === key && kept.parameter === name ? kept : { parameter: name, lo: first[0], hi: first[1], rows: [], key };
+    this.#strip = strip;
+    this.#drawStrip(strip, now, parameter.value);
+    for (let stride = INTERVALS; stride >= 1; stride /= 2) {
+      for (let i = 0; i <= INTERVALS; i += stride) {
+        if (strip.rows[i]) continue;
+        const value = strip.lo + ((strip.hi - strip.lo) * i) / INTERVALS;
+        if (parameter.is_count && !Number.isInteger(value)) continue;
+        const set = [...edits.set.filter((s) => s.name !== name), { name, value: String(value) }];
+        const rows = await this.#measured(checks, { ...edits, set });
+        if (asked !== this.#asked) return;
+        strip.rows[i] = typeof rows === "string" ? [] : rows;
+        this.#drawStrip(strip, now, parameter.value);
+      }
+    }
+  }
+
+  #drawStrip({ lo, hi, rows }: Strip, now: CheckRow[], at: number): void {
+    for (const { name, plot } of this.#items) {
+      const known = rows.map((all) => all?.find((r) => r.name === name));
+      const values = known.map((r) => (typeof r?.value === "boolean" ? Number(r.value) : (r?.value ?? null)));
+      const limits = now.find((r) => r.name === name)?.limits ?? null;
+      const present = values.filter((v): v is number => typeof v === "number");
+      const [low, high] = extent([...present, ...(limits ?? [])]);
+      const y = (v: number) => (1 - MARGIN - ((1 - 2 * MARGIN) * (v - low)) / (high - low)) * HEIGHT;
+      let d = "";
+      let pen = false;
+      for (let i = 0; i <= INTERVALS; i += 1) {
+        const v = values[i];
+        // What is not measured yet is drawn over; where there is no value the line has a gap.
+        if (v === undefined && known[i] === undefined && rows[i] === undefined) continue;
+        if (typeof v === "number") d += `${pen ? "L" : "M"}${(i / INTERVALS) * WIDTH} ${y(v)}`;
+        pen = typeof v === "number";
+      }
+      const band = limits ? [svg("rect", { class: "limits", x: 0, width: WIDTH, y: y(limits[1]), height: Math.max(1, y(limits[0]) - y(limits[1])) })] : [];
+      const graph = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" }, ...band, svg("path", { d }));
+      plot.replaceChildren(graph, html("i", { class: "cursor" }));
+      const share = hi > lo ? (100 * (at - lo)) / (hi - lo) : 0;
+      set(plot, { style: `--at: ${Math.min(100, Math.max(0, share))}%` });
+      plot.title = `${this.#strip?.parameter ?? ""} from ${short(rounded(lo))} to ${short(rounded(hi))}: click to set it`;
+    }
+  }
+
+  /** A click on a strip sets the parameter. */
+  #choose(event: MouseEvent, plot: HTMLElement): void {
+    const strip = this.#strip;
+    const parameter = this.#session.scene.design?.parameters.find((p) => p.name === strip?.parameter);
+    if (!strip || !parameter) return;
+    const r = plot.getBoundingClientRect();
+    const share = Math.min(1, Math.max(0, (event.clientX - r.left) / Math.max(1, r.width)));
+    const value = strip.lo + share * (strip.hi - strip.lo);
+    this.#editor.setParameters([{ name: strip.parameter, value: String(parameter.is_count ? Math.round(value) : rounded(value, 4)) }], true);
+  }
+}
+
+function extent(values: readonly number[]): [number, number] {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  if (!Number.isFinite(low)) return [0, 1];
+  return high > low ? [low, high] : [low - 1, high + 1];
+}
