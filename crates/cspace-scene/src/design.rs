@@ -159,8 +159,10 @@ impl Design {
     }
 }
 
-/// The values that a slider offers: half as much and half as much again, or about nothing, a share of the largest part.
+/// The values that a slider offers: about the value, or about nothing by a share of the largest part.
 fn range(parameter: &Parameter, is_count: bool, largest: f64) -> (f64, f64) {
+    /// Below and above, as a share of the value.
+    const AROUND: f64 = 0.25;
     /// Of a parameter that is 0 with a tolerance: so many times the tolerance.
     const TOLERANCES: f64 = 10.0;
     /// Of a length that is 0, as a share of the size of the largest part.
@@ -172,7 +174,7 @@ fn range(parameter: &Parameter, is_count: bool, largest: f64) -> (f64, f64) {
         return ((0.5 * value).ceil().max(1.0), 2.0 * value);
     }
     let around = match parameter.deviations {
-        _ if value != 0.0 => 0.5 * value.abs(),
+        _ if value != 0.0 => AROUND * value.abs(),
         Some((below, above)) if below.abs().max(above.abs()) > 0.0 => {
             TOLERANCES * below.abs().max(above.abs())
         }

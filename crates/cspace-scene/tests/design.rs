@@ -73,7 +73,7 @@ fn a_scene_lists_parameters_and_requirements() {
     assert_eq!(design["requirements"], json!(["apart"]));
     let parameters = design["parameters"].as_array().unwrap();
     let of = |name: &str| parameters.iter().find(|p| p["name"] == name).unwrap();
-    assert_eq!(of("r")["range"], json!([0.5, 1.5]));
+    assert_eq!(of("r")["range"], json!([0.75, 1.25]));
     assert_eq!(of("r")["is_count"], false);
     assert_eq!(of("tabs")["is_count"], true);
     assert_eq!(of("tabs")["range"], json!([2.0, 8.0]));

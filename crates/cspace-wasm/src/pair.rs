@@ -270,8 +270,8 @@ impl Pair {
     }
 
     /// All free space of a pair with fixed axes, as polygons that do not overlap.
-    #[wasm_bindgen(unchecked_return_type = "FreePolygon[]")]
-    pub fn free(&self, deviation: f64) -> Result<JsValue, JsError> {
+    #[wasm_bindgen(js_name = freePolygons, unchecked_return_type = "FreePolygon[]")]
+    pub fn free_polygons(&self, deviation: f64) -> Result<JsValue, JsError> {
         Ok(plane::free(self.on_axes()?, deviation).into())
     }
 }

@@ -134,6 +134,6 @@ export class Axes extends Any<AxesConfiguration> implements AxesKernel {
   }
 
   free(deviation: number): FreePolygon[] {
-    return this.pair.free(deviation);
+    return this.pair.freePolygons(deviation);
   }
 }

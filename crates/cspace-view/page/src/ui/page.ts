@@ -61,10 +61,8 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   const edits = () => editor?.edits ?? { set: [], parts: [] };
   const hand = workshop ? new MechanismHand(session, workshop, edits) : null;
   const partsView = new PartsView(byId("parts"), session, editor, hand);
-  // Requirements are measured apart from what the hand waits for.
-  let checks: Workshop | null = null;
-  const design = editor && scene.source ? new DesignPanel(session, editor, () => (checks ??= new Workshop(worker, scene.source!))) : null;
-  const contacts = editor && workshop && design ? new ContactHand(session, workshop, editor, () => design.spans) : null;
+  let design: DesignPanel | null = null;
+  const contacts = editor && workshop ? new ContactHand(session, workshop, editor, () => design?.spans ?? []) : null;
   const sliceView = new SliceView(byId("slice"), session, contacts);
   const planeView = new PlaneView(byId("plane"), session, contacts);
   const spaceView = openSpaceView(session, address.camera ?? null);
@@ -132,7 +130,13 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   };
   showHints(byId("hints"), session);
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);
-  if (editor) new EditPanel(session, editor, actions);
+  if (editor && scene.source) {
+    const { source } = scene;
+    // Requirements are measured apart from what the hand waits for.
+    let checks: Workshop | null = null;
+    design = new DesignPanel(session, editor, actions, () => (checks ??= new Workshop(worker, source)));
+    new EditPanel(session, editor, actions);
+  }
   listenToKeys(session, actions, { parts: partsView.viewport, plane: planeView.viewport });
   listenToDrops((file) => void openFile(file).catch(failed));
 

@@ -1,0 +1,9 @@
+/** `npm run package`. */
+
+import { mkdirSync } from "node:fs";
+import { resolve } from "node:path";
+import { pack } from "./package.js";
+
+const to = resolve(process.cwd(), "build/npm");
+mkdirSync(to, { recursive: true });
+console.log(pack(to));
