@@ -68,7 +68,7 @@ export function wrongName(picks: Picks): string | null {
   return twice === undefined ? null : `Two parts have the name ${twice}: give one another.`;
 }
 
-/** The part as the server takes it. */
+/** The parts as the kernel takes them. */
 export function request(picks: Picks, inside: readonly Place[]): { name: string; at: Place[] }[] {
   return picks.parts.map(({ name, faces }) => ({ name: name.trim(), at: faces.flatMap((f) => inside[f] ?? []) }));
 }
