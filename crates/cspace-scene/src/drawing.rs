@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use cspace::{Mechanism, MechanismError, PartEntry, Point, Vertex};
-use cspace_drawing::{Conversion, Drawing, DrawingError, Pick, Settings, Source};
+use cspace::{Mechanism, MechanismError, Part, PartEntry, Point, Vertex};
+use cspace_drawing::{Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
 use cspace_io::{ModelError, shown};
 use serde::{Deserialize, Serialize};
 
@@ -67,6 +67,17 @@ pub struct DrawingScene {
     pub faces: Vec<SceneFace>,
     /// The number of faces of the drawing.
     pub count: usize,
+    /// The parts that `cspace import` makes without picks, if each is one face; none otherwise.
+    pub parts: Vec<ImportedPart>,
+}
+
+/// A part that `cspace import` makes without picks.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ImportedPart {
+    /// The name that it gives to the part.
+    pub name: String,
+    /// Index of the face.
+    pub face: usize,
 }
 
 /// A face that can be picked.
@@ -211,7 +222,11 @@ impl OpenedDrawing {
     /// # Errors
     /// If the drawing is one of measured points, its settings or coordinates are beyond use, or its curves cross too often.
     pub fn scene(&self) -> Result<DrawingScene, DrawingError> {
-        let found = self.drawing.reading(&self.source.settings())?.faces()?;
+        let settings = self.source.settings();
+        let reading = self.drawing.reading(&settings)?;
+        let found = reading.faces()?;
+        let outlines = reading.outlines();
+        let parts = outlines.map_or(None, |o| one_face_each(&o.parts, &found.faces));
         let faces = found.faces.into_iter().map(|face| SceneFace {
             inside: face.inside,
             area: face.area,
@@ -225,6 +240,7 @@ impl OpenedDrawing {
             curves: found.curves,
             faces: faces.collect(),
             count: found.count,
+            parts: parts.unwrap_or_default(),
         })
     }
 
@@ -262,4 +278,29 @@ impl OpenedDrawing {
         cspace_io::model::from_toml(&text, "model.toml")?;
         Ok(text)
     }
+}
+
+/// A part and a face have the same outline if their areas and boxes differ by no more than this, as a share of the box: both are made of
+/// the same lines and arcs, of which the face's may begin elsewhere and are cut where others end on them.
+const SAME: f64 = 1e-9;
+
+/// The face of each part, if all parts are one face, each another.
+fn one_face_each(parts: &[Part], faces: &[DrawnFace]) -> Option<Vec<ImportedPart>> {
+    let mut is_taken = vec![false; faces.len()];
+    let found = parts.iter().map(|part| {
+        let (bounds, area) = (part.bounds(), part.area());
+        let size = bounds.diagonal();
+        let is_part = |face: &DrawnFace| {
+            (face.area - area).abs() <= SAME * size * size
+                && face.bounds.min.distance(bounds.min) <= SAME * size
+                && face.bounds.max.distance(bounds.max) <= SAME * size
+        };
+        let face = (0..faces.len()).find(|&i| !is_taken[i] && is_part(&faces[i]))?;
+        is_taken[face] = true;
+        Some(ImportedPart {
+            name: part.name().to_owned(),
+            face,
+        })
+    });
+    found.collect()
 }

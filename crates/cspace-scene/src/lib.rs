@@ -11,7 +11,8 @@ mod opened;
 pub mod scene;
 
 pub use drawing::{
-    DrawingScene, DrawingSource, OpenedDrawing, PickError, PickedPart, SceneFace, model_name,
+    DrawingScene, DrawingSource, ImportedPart, OpenedDrawing, PickError, PickedPart, SceneFace,
+    model_name,
 };
 pub use edit::{EditError, EditedPart, edited};
 pub use opened::{EditAnswer, EditedPairError, Opened};

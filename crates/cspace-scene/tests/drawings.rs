@@ -176,6 +176,46 @@ fn what_is_no_drawing_says_what_to_do() {
     assert!(error.help().contains("cspace import"), "{}", error.help());
 }
 
+/// A ring, and a disc in its hole.
+const COIN: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" fill="none" stroke="black">
+    <circle r="2" id="disc"/><circle id="ring" r="5"/><circle r="3"/></svg>"#;
+
+#[test]
+fn parts_that_import_makes_are_known_by_their_faces() {
+    let coin = OpenedDrawing::of_file("coin.svg", COIN.into()).unwrap();
+    let scene = coin.scene().unwrap();
+    let imported = coin.drawing.outlines(&Settings::default()).unwrap().parts;
+    assert_eq!(
+        (imported.len(), scene.parts.len(), scene.faces.len()),
+        (2, 2, 3)
+    );
+    for (part, known) in imported.iter().zip(&scene.parts) {
+        assert_eq!(part.name(), known.name);
+        let picked = coin.model(&[PickedPart {
+            name: known.name.clone(),
+            at: vec![scene.faces[known.face].inside],
+        }]);
+        let picked = &picked.unwrap().parts[0].part;
+        assert!((picked.area() / part.area() - 1.0).abs() < 1e-12);
+        assert_eq!(picked.loops().len(), part.loops().len());
+    }
+    // Where import refuses a drawing no part is known, and none where a part is several faces.
+    assert_eq!(square().scene().unwrap().parts, []);
+    let crossing = r#"<svg xmlns="http://www.w3.org/2000/svg" fill="none" stroke="black">
+        <circle r="2"/><circle cx="3" r="2"/><circle cx="9" r="1"/></svg>"#;
+    let crossing = OpenedDrawing::of_file("crossing.svg", crossing.into()).unwrap();
+    assert_eq!(
+        crossing
+            .drawing
+            .outlines(&Settings::default())
+            .unwrap()
+            .parts
+            .len(),
+        3
+    );
+    assert_eq!(crossing.scene().unwrap().parts, []);
+}
+
 /// The keys of the page's types are those of the scene.
 #[test]
 fn the_page_knows_the_same_fields() {
@@ -196,11 +236,13 @@ fn the_page_knows_the_same_fields() {
         names.sort();
         names
     };
-    let scene = serde_json::to_value(square().scene().unwrap()).unwrap();
+    let coin = OpenedDrawing::of_file("coin.svg", COIN.into()).unwrap();
+    let scene = serde_json::to_value(coin.scene().unwrap()).unwrap();
     for (name, value) in [
         ("DrawingScene", &scene),
         ("DrawingSource", &scene["source"]),
         ("SceneFace", &scene["faces"][0]),
+        ("ImportedPart", &scene["parts"][0]),
     ] {
         assert_eq!(sorted(fields(name)), sorted(keys(value)), "{name}");
     }

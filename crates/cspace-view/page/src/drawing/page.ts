@@ -4,14 +4,14 @@ import { Drawing } from "../../build/kernel/cspace.js";
 import { byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
 import { writeFragment } from "../ui/entries.js";
 import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
-import { showMessage } from "../ui/message.js";
+import { messageDrawn, showMessage } from "../ui/message.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
 import type { SceneVertex } from "../scene.js";
 import { followTheme } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
-import { NOTHING, clicked, fragment, fromFragment, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
+import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
 import type { Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 
@@ -101,15 +101,22 @@ export function openDrawing(scene: DrawingScene): void {
   // The parts, and what can be done with them.
   let drawing: Drawing | null = null;
   const model = (): string => {
-    const wrong = wrongName(picks);
-    if (wrong !== null) throw new Error(wrong);
     drawing ??= Drawing.fromSource(JSON.stringify(scene.source));
     return drawing.toml(JSON.stringify(request(picks, inside)));
   };
-  const save = () => download(fileName(name, "toml"), new Blob([model()], { type: "application/toml" }));
-  const open = () => showModel(model(), fileName(name, "toml"));
+  const made = async () => {
+    const wrong = wrongName(picks);
+    if (wrong !== null) throw new Error(wrong);
+    tell("The model is made …");
+    await messageDrawn();
+    const text = model();
+    tell(null);
+    return text;
+  };
+  const save = async () => download(fileName(name, "toml"), new Blob([await made()], { type: "application/toml" }));
+  const open = async () => showModel(await made(), fileName(name, "toml"));
   const openFile = async (file: File) => {
-    if (!(await showFile(file))) throw new Error(`${file.name} is neither a model (.toml) nor a drawing (.dxf, .svg)`);
+    if (!(await showFile(file, tell))) throw new Error(`${file.name} is neither a model (.toml) nor a drawing (.dxf, .svg)`);
   };
   const taken = (file: File) => void openFile(file).catch(failed);
   listenToDrops(taken);
@@ -186,7 +193,7 @@ export function openDrawing(scene: DrawingScene): void {
   }
 
   const readAddress = () => {
-    picks = fromFragment(location.hash, inside);
+    picks = location.hash.length > 1 ? fromFragment(location.hash, inside) : imported(scene.parts);
     draw();
   };
   readAddress();

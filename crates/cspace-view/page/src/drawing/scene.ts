@@ -15,6 +15,14 @@ export interface DrawingScene {
   faces: SceneFace[];
   /** The number of faces of the drawing, of which `faces` has the largest. */
   count: number;
+  /** The parts that `cspace import` makes without picks, if each is one face; none otherwise. */
+  parts: ImportedPart[];
+}
+
+export interface ImportedPart {
+  name: string;
+  /** Index of the face. */
+  face: number;
 }
 
 /** What the kernel makes the model of: the file, and how it is read. */

@@ -5,16 +5,23 @@ import type { DrawingScene } from "../drawing/scene.js";
 import type { Scene } from "../scene.js";
 import { html } from "./dom.js";
 import { showScene } from "./entries.js";
+import { messageDrawn } from "./message.js";
 
 /** Drawings; of those that are none for the page, the kernel says why. */
 const DRAWINGS = [".dxf", ".svg", ".csv", ".dwg"];
 
-/** Shows a model or a drawing in this page, in place of what is in it; false of another file. Throws what is wrong, as the command says it. */
-export async function showFile(file: File): Promise<boolean> {
+/**
+ * Shows a model or a drawing in this page, in place of what is in it; false of another file. Throws what is wrong, as the command says it;
+ * `tell` says what is done meanwhile.
+ */
+export async function showFile(file: File, tell: (message: string) => void): Promise<boolean> {
   const name = file.name.toLowerCase();
-  if (name.endsWith(".toml")) await showModel(await file.text(), file.name);
-  else if (DRAWINGS.some((ending) => name.endsWith(ending))) await showScene(sceneOfDrawing(new Uint8Array(await file.arrayBuffer()), file.name));
-  else return false;
+  const isModel = name.endsWith(".toml");
+  if (!isModel && !DRAWINGS.some((ending) => name.endsWith(ending))) return false;
+  tell(`${file.name} is read …`);
+  await messageDrawn();
+  if (isModel) await showModel(await file.text(), file.name);
+  else await showScene(sceneOfDrawing(new Uint8Array(await file.arrayBuffer()), file.name));
   return true;
 }
 

@@ -92,7 +92,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
   const openFile = async (file: File) => {
-    if (!(await showFile(file))) await timeline.open(file);
+    if (!(await showFile(file, (message) => store.change({ message })))) await timeline.open(file);
   };
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
   const actions: Actions = {

@@ -192,6 +192,12 @@ describe("a drawing on the page in a browser", { skip }, () => {
       return page;
     }
 
+    /** What the page says of a file, once it is read. */
+    async function refused(page: Page): Promise<string> {
+      await page.waitForFunction(() => /^[^…]+$/.test(document.querySelector("#message:not([hidden]) span")?.textContent ?? ""), { timeout: PATIENCE });
+      return page.$eval("#message span", (e) => e.textContent ?? "");
+    }
+
     it("is picked and opened without a server, and Back leads to the picks and to the first model", async () => {
       const page = await dropped("frame.dxf", Buffer.from(frame()));
       await page.waitForSelector(".face", { timeout: PATIENCE });
@@ -216,7 +222,8 @@ describe("a drawing on the page in a browser", { skip }, () => {
       const page = await dropped("styles.svg", svg);
       const client = await page.createCDPSession();
       await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
-      await page.waitForSelector(".face", { timeout: PATIENCE });
+      await picked(page);
+      await press(page, "Clear");
       for (const face of [0, 1]) {
         await page.$eval(`.face[data-face="${face}"]`, (e) => (e as SVGElement).focus());
         await page.keyboard.press("Enter");
@@ -234,11 +241,25 @@ describe("a drawing on the page in a browser", { skip }, () => {
       assert.equal(saved, readFileSync(join(suite.folder, "told.toml"), "utf8"));
     });
 
+    it("has the parts picked that import makes, until they are taken back", async () => {
+      const name = "styles.svg";
+      const file = join(DRAWINGS, name);
+      const page = await dropped(name, readFileSync(file));
+      const names = (): Promise<string[]> => page.$$eval("#picked-parts input", (all) => all.map((e) => (e as HTMLInputElement).value));
+      await picked(page);
+      const model = JSON.parse(run(["import", file, "--format", "json"])) as { parts: { name: string }[] };
+      assert.ok(model.parts.length > 1);
+      assert.deepEqual(await names(), model.parts.map((p) => p.name));
+      await press(page, "Clear");
+      await page.reload({ waitUntil: "load", timeout: PATIENCE });
+      await page.waitForSelector(".face", { timeout: PATIENCE });
+      assert.deepEqual(await names(), []);
+    });
+
     it("is refused as by the command, and the page stays", async () => {
       const bad = frame().replace("10\n-3\n", "10\nthree\n");
       const page = await dropped("bad.dxf", Buffer.from(bad));
-      await page.waitForFunction(() => !document.getElementById("message")?.hidden, { timeout: PATIENCE });
-      const message = await page.$eval("#message span", (e) => e.textContent ?? "");
+      const message = await refused(page);
       const file = join(suite.folder, "bad.dxf");
       writeFileSync(file, bad);
       const done = spawnSync(binary() ?? "cspace", ["view", file, "--no-open"], { encoding: "utf8" });
@@ -252,8 +273,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       const page = await dropped("frame.dxf", Buffer.from(frame()));
       await page.waitForSelector(".face", { timeout: PATIENCE });
       await drop(page, "notes.txt", Buffer.from("x"));
-      await page.waitForFunction(() => !document.getElementById("message")?.hidden, { timeout: PATIENCE });
-      assert.match(await page.$eval("#message span", (e) => e.textContent ?? ""), /notes\.txt is neither a model \(\.toml\) nor a drawing/);
+      assert.match(await refused(page), /notes\.txt is neither a model \(\.toml\) nor a drawing/);
     });
   });
 
