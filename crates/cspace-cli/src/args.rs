@@ -1630,7 +1630,8 @@ dragged, and the edited model is saved by the browser; FILE stays as it is.
 Of a drawing the page shows the faces, which all lines, arcs and curves enclose
 together: a click makes a part of a face, Shift-click adds faces to it. The
 model is saved by the browser, or its contact spaces are shown at once. The
-options for drawings are those of `cspace import`.
+options for drawings are those of `cspace import`. A model or a drawing that is
+dropped onto the page is opened in it, also in a page that was exported.
 
 --with has what `cspace plan` or `cspace simulate` printed with --format json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";

@@ -3,23 +3,39 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use cspace_drawing::{Conversion, Drawing, Settings, Source};
+use cspace_drawing::{Conversion, Drawing, DrawingError, Settings, Source};
 use cspace_io::shown;
 
 use crate::args::DrawingArgs;
 use crate::failure::{self, Failure};
 use crate::input;
-use crate::traces::quoted;
 
 /// The drawing in a file.
 pub(crate) fn read(args: &DrawingArgs, path: &Path) -> Result<Drawing, Failure> {
-    let source = Source {
+    input::drawing(path, &source(args))?.map_err(|e| failed(path, &e))
+}
+
+/// The drawing in a file, and the file's bytes.
+pub(crate) fn read_with_bytes(
+    args: &DrawingArgs,
+    path: &Path,
+) -> Result<(Drawing, Vec<u8>), Failure> {
+    let bytes = input::drawing_bytes(path)?.map_err(|e| failed(path, &e))?;
+    let drawing = cspace_drawing::named(path, &bytes, &source(args));
+    Ok((drawing.map_err(|e| failed(path, &e))?, bytes))
+}
+
+/// What is wrong with a drawing.
+pub(crate) fn failed(path: &Path, error: &DrawingError) -> Failure {
+    Failure::input(format_args!("{}: {error}", path.display())).help(error.help())
+}
+
+fn source(args: &DrawingArgs) -> Source {
+    Source {
         layers: args.layer.clone(),
         id: args.id.clone(),
         hatches: args.hatches,
-    };
-    input::drawing(path, &source)?
-        .map_err(|e| Failure::input(format_args!("{}: {e}", path.display())).help(e.help()))
+    }
 }
 
 /// Refuses options about a format that none of the drawings has.
@@ -60,12 +76,6 @@ pub(crate) fn settings(args: &DrawingArgs, scale: f64) -> Settings {
     }
 }
 
-/// The drawing's name without folder and extension, in characters that a model may have.
-pub(crate) fn name(path: &Path) -> String {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    shown::text(&stem).into_owned()
-}
-
 /// The options that were given, as a shell takes them, each with a space before.
 pub(crate) fn options(args: &DrawingArgs) -> String {
     let mut text = String::new();
@@ -74,7 +84,7 @@ pub(crate) fn options(args: &DrawingArgs) -> String {
         .chain(args.unit.iter().map(|unit| ("--unit", unit)));
     for (option, value) in texts {
         // A String takes everything.
-        let _ = write!(text, " {option} {}", quoted(Path::new(value)));
+        let _ = write!(text, " {option} {}", shown::word(value));
     }
     if args.hatches {
         text.push_str(" --hatches");

@@ -101,6 +101,12 @@ pub(crate) fn drawing(
     Ok(cspace_drawing::read(path, source))
 }
 
+/// The bytes of a drawing's file. What is wrong with them is for the caller to tell.
+pub(crate) fn drawing_bytes(path: &Path) -> Result<Result<Vec<u8>, DrawingError>, Failure> {
+    output::before_reading(path)?;
+    Ok(cspace_drawing::bytes_of(path))
+}
+
 /// The bytes of a regular file, of at most `limit` bytes, also once they are not compressed any more; `help` says what the file is to be.
 ///
 /// A pipe might never say anything, a device might never end.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cspace::Mechanism;
 use cspace_drawing::Traced;
+use cspace_io::shown;
 
 use crate::failure::{is_quiet, warning};
 
@@ -28,7 +29,7 @@ pub(crate) fn tell(model: &Mechanism, command: impl Fn(f64) -> String) {
         warning(
             format_args!(
                 "part {} has {edges} edges; {} lines and arcs within {:?} of them would do: a pair of such parts takes about {} s instead of {} s",
-                cspace_io::shown::quoted(entry.part.name()),
+                shown::quoted(entry.part.name()),
                 traced.pieces,
                 traced.fit,
                 seconds(traced.pieces),
@@ -50,10 +51,5 @@ fn seconds(edges: usize) -> f64 {
 
 /// A path as a shell takes it.
 pub(crate) fn quoted(path: &Path) -> String {
-    let text = path.display().to_string();
-    let is_plain = |c: char| c.is_alphanumeric() || "._-/+".contains(c);
-    match text.chars().all(is_plain) {
-        true => text,
-        false => format!("'{}'", text.replace('\'', "'\\''")),
-    }
+    shown::word(&path.display().to_string()).into_owned()
 }

@@ -52,7 +52,7 @@ pub use outlines::{
     Reading, Settings, Survey, Traced,
 };
 pub use profile::{ProfileError, profile};
-pub use read::{Format, from_bytes, is_drawing, read};
+pub use read::{Format, bytes_of, from_bytes, is_drawing, named, read};
 pub use source::Source;
 pub use unit::{Conversion, Unit};
 pub use write::{Drawn, DxfVersion, dxf, svg};

@@ -51,23 +51,62 @@ impl Format {
 /// If the file cannot be read, or is no drawing. What cannot be used of a drawing is told by [`Drawing::outlines`].
 pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingError> {
     let path = path.as_ref();
-    let Some(format) = Format::of_extension(path) else {
-        let extension = extension(path);
-        if extension == "dwg" {
-            let help = "save the drawing as DXF in the program that made it";
-            return Err(DrawingError::file("DWG files are not read", help));
-        }
-        let message = format!("the extension {extension:?} is not that of a drawing");
-        return Err(DrawingError::file(
-            message,
-            "drawings end in .dxf, .svg or .csv",
-        ));
-    };
-    let mut drawing = from_bytes(&bytes(path)?, format, source)?;
-    drawing.name = (path.file_stem())
+    // A file of another kind is refused before it is read.
+    format_of(path)?;
+    named(path, &bytes(path)?, source)
+}
+
+/// The bytes of a drawing's file, for [`named`].
+///
+/// # Errors
+/// If the extension is not that of a drawing, or the file cannot be read.
+pub fn bytes_of(path: impl AsRef<Path>) -> Result<Vec<u8>, DrawingError> {
+    let path = path.as_ref();
+    format_of(path)?;
+    bytes(path)
+}
+
+/// The drawing in the bytes of a file of this name, whose extension tells the format: as [`read`] gives it, without the disk.
+///
+/// ```
+/// use cspace_drawing::{Source, named};
+/// let text = br#"<svg xmlns="http://www.w3.org/2000/svg"><circle r="2"/></svg>"#;
+/// let drawing = named("coin.svg", text, &Source::default())?;
+/// assert_eq!((drawing.name.as_str(), drawing.entities.len()), ("coin", 1));
+/// assert!(named("coin.dwg", text, &Source::default()).is_err());
+/// # Ok::<(), cspace_drawing::DrawingError>(())
+/// ```
+///
+/// # Errors
+/// If the extension is not that of a drawing, or the bytes are no drawing of the format.
+pub fn named(
+    file: impl AsRef<Path>,
+    bytes: &[u8],
+    source: &Source,
+) -> Result<Drawing, DrawingError> {
+    let file = file.as_ref();
+    let mut drawing = from_bytes(bytes, format_of(file)?, source)?;
+    drawing.name = (file.file_stem())
         .map(|s| s.to_string_lossy().into_owned())
         .unwrap_or_default();
     Ok(drawing)
+}
+
+/// The format that a file's extension names.
+fn format_of(path: &Path) -> Result<Format, DrawingError> {
+    if let Some(format) = Format::of_extension(path) {
+        return Ok(format);
+    }
+    let extension = extension(path);
+    if extension == "dwg" {
+        let help = "save the drawing as DXF in the program that made it";
+        return Err(DrawingError::file("DWG files are not read", help));
+    }
+    let message = format!("the extension {extension:?} is not that of a drawing");
+    Err(DrawingError::file(
+        message,
+        "drawings end in .dxf, .svg or .csv",
+    ))
 }
 
 /// The drawing in the bytes of a file; it has no name.

@@ -59,6 +59,22 @@ pub fn quoted(text: &str) -> String {
     }
 }
 
+/// The text as one word of a command: in quotes where a shell would not take it as it is.
+///
+/// ```
+/// use cspace_io::shown;
+/// assert_eq!(shown::word("parts/pawl.dxf"), "parts/pawl.dxf");
+/// assert_eq!(shown::word(""), "''");
+/// assert_eq!(shown::word("bar's end"), r"'bar'\''s end'");
+/// ```
+pub fn word(text: &str) -> Cow<'_, str> {
+    let is_plain = |c: char| c.is_alphanumeric() || "._-/+".contains(c);
+    match !text.is_empty() && text.chars().all(is_plain) {
+        true => Cow::Borrowed(text),
+        false => Cow::Owned(format!("'{}'", text.replace('\'', "'\\''"))),
+    }
+}
+
 /// A number with all its digits, but no row of noughts: from 10¹⁵ on, and below 10⁻⁵, with an exponent.
 ///
 /// With a precision, so many digits follow the point in either form.

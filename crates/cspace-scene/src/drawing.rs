@@ -1,28 +1,55 @@
 //! A drawing whose faces are shown, to make parts of those that are picked.
 
-use cspace::{Mechanism, MechanismError, PartEntry, Point, Vertex};
-use cspace_drawing::{Drawing, DrawingError, Pick, Settings};
+use std::path::Path;
+
+use cspace::{Mechanism, MechanismError, Part, PartEntry, Point, Vertex};
+use cspace_drawing::{Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
+use cspace_io::{ModelError, shown};
 use serde::{Deserialize, Serialize};
+
+use crate::base_64;
 
 /// The `format` of a [`DrawingScene`].
 const FORMAT: &str = "cspace-drawing";
 
 /// The version that is written.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
-/// A drawing, and how it is read.
-#[derive(Debug, Clone)]
-pub struct OpenedDrawing {
+/// The file of a drawing, and how it is read: the model of picked faces follows from it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DrawingSource {
+    /// The name of the file; its extension tells the format.
+    pub file: String,
+    /// The bytes of the file; in base 64 as JSON.
+    #[serde(with = "base_64")]
+    pub data: Vec<u8>,
     /// The name of the model.
     pub name: String,
     /// The unit of the model.
     pub unit: Option<String>,
-    /// The drawing.
-    pub drawing: Drawing,
-    /// How it is read, without picks.
-    pub settings: Settings,
     /// The command that makes the model, up to its picks: the page shows it.
     pub command: String,
+    /// The layers of a DXF file that are read; all if there are none here.
+    pub layers: Vec<String>,
+    /// The id of the SVG element that is read alone.
+    pub id: Option<String>,
+    /// Whether the outlines of a DXF file's hatches are read too.
+    pub hatches: bool,
+    /// Every length of the drawing is multiplied by it.
+    pub scale: f64,
+    /// Ends nearer than this are one (model unit).
+    pub join: Option<f64>,
+    /// Curves become lines and arcs within this (model unit).
+    pub fit: Option<f64>,
+}
+
+/// A drawing, and what it was read from.
+#[derive(Debug, Clone)]
+pub struct OpenedDrawing {
+    /// What it was read from.
+    pub source: DrawingSource,
+    /// What is drawn, in the file's unit.
+    pub drawing: Drawing,
 }
 
 /// All that the page of a drawing shows. Lengths are in the model's unit.
@@ -30,20 +57,27 @@ pub struct OpenedDrawing {
 pub struct DrawingScene {
     /// Always `cspace-drawing`.
     pub format: &'static str,
-    /// Always 1.
+    /// Always 2.
     pub version: u32,
-    /// The name of the model.
-    pub name: String,
-    /// The label of the unit of length.
-    pub unit: Option<String>,
-    /// The command that makes the model, up to its picks.
-    pub command: String,
+    /// What the model is made of.
+    pub source: DrawingSource,
     /// All curves, as the ends of lines and arcs.
     pub curves: Vec<Vec<Vertex>>,
     /// The faces, the largest first; of very many the largest only.
     pub faces: Vec<SceneFace>,
     /// The number of faces of the drawing.
     pub count: usize,
+    /// The parts that `cspace import` makes without picks, if each is one face; none otherwise.
+    pub parts: Vec<ImportedPart>,
+}
+
+/// A part that `cspace import` makes without picks.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct ImportedPart {
+    /// The name that it gives to the part.
+    pub name: String,
+    /// Index of the face.
+    pub face: usize,
 }
 
 /// A face that can be picked.
@@ -69,7 +103,7 @@ pub struct PickedPart {
 }
 
 /// Why picked faces make no model.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PickError {
     /// Nothing is picked.
@@ -81,6 +115,9 @@ pub enum PickError {
     /// The parts make no mechanism.
     #[error(transparent)]
     Mechanism(#[from] MechanismError),
+    /// The model would not be read as it is written.
+    #[error(transparent)]
+    Model(#[from] ModelError),
 }
 
 impl PickError {
@@ -90,17 +127,106 @@ impl PickError {
             Self::Nothing => "click faces: each click makes a part",
             Self::Drawing(error) => error.help(),
             Self::Mechanism(_) => "rename parts on the page",
+            Self::Model(error) => error.help().unwrap_or("rename parts on the page"),
         }
     }
 }
 
+impl DrawingSource {
+    /// The file of a drawing, of which `cspace import FILE` makes a model without further options. The drawing's unit, which is
+    /// the model's, is not known before it is read: see [`OpenedDrawing::of_file`].
+    fn of_file(file: &str, data: Vec<u8>) -> Self {
+        Self {
+            name: model_name(Path::new(file)),
+            command: format!("cspace import {}", shown::word(file)),
+            file: file.to_owned(),
+            data,
+            unit: None,
+            layers: Vec::new(),
+            id: None,
+            hatches: false,
+            scale: 1.0,
+            join: None,
+            fit: None,
+        }
+    }
+
+    fn read(&self) -> Result<Drawing, DrawingError> {
+        let source = Source {
+            layers: self.layers.clone(),
+            id: self.id.clone(),
+            hatches: self.hatches,
+        };
+        cspace_drawing::named(&self.file, &self.data, &source)
+    }
+
+    fn settings(&self) -> Settings {
+        Settings {
+            scale: self.scale,
+            join: self.join,
+            fit: self.fit,
+            ..Settings::default()
+        }
+    }
+}
+
+/// The name of the model of a drawing: its file's without folder and extension, in characters that a model may have.
+///
+/// ```
+/// use cspace_scene::model_name;
+/// assert_eq!(model_name("parts/pawl.dxf".as_ref()), "pawl");
+/// ```
+pub fn model_name(file: &Path) -> String {
+    let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+    shown::text(&stem).into_owned()
+}
+
 impl OpenedDrawing {
+    /// The drawing in the bytes of a file of this name, as `cspace view FILE` and `cspace import FILE` read it without further
+    /// options: in the drawing's unit.
+    ///
+    /// ```
+    /// use cspace::Point;
+    /// use cspace_scene::{OpenedDrawing, PickedPart};
+    /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="8mm" viewBox="0 -4 8 8">
+    ///     <path d="M0 0h4v-4h-4z"/><path d="M5 0h2v-2h-2z"/></svg>"#;
+    /// let opened = OpenedDrawing::of_file("squares.svg", text.into())?;
+    /// assert_eq!(opened.source.unit.as_deref(), Some("mm"));
+    /// let picked = |name: &str, x: f64| PickedPart { name: name.into(), at: vec![Point::new(x, 1.0)] };
+    /// let model = opened.model(&[picked("left", 1.0), picked("right", 6.0)])?;
+    /// assert_eq!((model.name.as_str(), model.parts[1].part.area()), ("squares", 4.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the extension is not that of a drawing, or the bytes are none.
+    pub fn of_file(file: &str, data: Vec<u8>) -> Result<Self, DrawingError> {
+        let mut source = DrawingSource::of_file(file, data);
+        let drawing = source.read()?;
+        source.unit = drawing.unit.map(|unit| unit.label().to_owned());
+        source.scale = Conversion::new(drawing.unit, source.unit.as_deref()).factor();
+        Ok(Self { source, drawing })
+    }
+
+    /// What a scene says that it was read from.
+    ///
+    /// # Errors
+    /// If the extension is not that of a drawing, or the bytes are none.
+    pub fn from_source(source: DrawingSource) -> Result<Self, DrawingError> {
+        let drawing = source.read()?;
+        Ok(Self { source, drawing })
+    }
+
     /// The faces and curves of the drawing.
     ///
     /// # Errors
     /// If the drawing is one of measured points, its settings or coordinates are beyond use, or its curves cross too often.
     pub fn scene(&self) -> Result<DrawingScene, DrawingError> {
-        let found = self.drawing.reading(&self.settings)?.faces()?;
+        let settings = self.source.settings();
+        let reading = self.drawing.reading(&settings)?;
+        let found = reading.faces()?;
+        let outlines = reading.outlines();
+        let parts = outlines.map_or(None, |o| one_face_each(&o.parts, &found.faces));
         let faces = found.faces.into_iter().map(|face| SceneFace {
             inside: face.inside,
             area: face.area,
@@ -110,12 +236,11 @@ impl OpenedDrawing {
         Ok(DrawingScene {
             format: FORMAT,
             version: VERSION,
-            name: self.name.clone(),
-            unit: self.unit.clone(),
-            command: self.command.clone(),
+            source: self.source.clone(),
             curves: found.curves,
             faces: faces.collect(),
             count: found.count,
+            parts: parts.unwrap_or_default(),
         })
     }
 
@@ -133,14 +258,49 @@ impl OpenedDrawing {
         });
         let settings = Settings {
             picks: picks.collect(),
-            ..self.settings.clone()
+            ..self.source.settings()
         };
         let parts = self.drawing.outlines(&settings)?.parts;
-        let mut model = Mechanism::new(self.name.clone());
-        model.unit.clone_from(&self.unit);
+        let mut model = Mechanism::new(self.source.name.clone());
+        model.unit.clone_from(&self.source.unit);
         model.parts = parts.into_iter().map(PartEntry::planar).collect();
         model.pairs = model.every_two();
         model.check()?;
         Ok(model)
     }
+
+    /// The model of picked parts as TOML: the file that `cspace import` writes of the same picks.
+    ///
+    /// # Errors
+    /// As [`OpenedDrawing::model`]; and if what was written is refused.
+    pub fn toml(&self, picked: &[PickedPart]) -> Result<String, PickError> {
+        let text = cspace_io::model::to_toml(&self.model(picked)?);
+        cspace_io::model::from_toml(&text, "model.toml")?;
+        Ok(text)
+    }
+}
+
+/// A part and a face have the same outline if their areas and boxes differ by no more than this, as a share of the box: both are made of
+/// the same lines and arcs, of which the face's may begin elsewhere and are cut where others end on them.
+const SAME: f64 = 1e-9;
+
+/// The face of each part, if all parts are one face, each another.
+fn one_face_each(parts: &[Part], faces: &[DrawnFace]) -> Option<Vec<ImportedPart>> {
+    let mut is_taken = vec![false; faces.len()];
+    let found = parts.iter().map(|part| {
+        let (bounds, area) = (part.bounds(), part.area());
+        let size = bounds.diagonal();
+        let is_part = |face: &DrawnFace| {
+            (face.area - area).abs() <= SAME * size * size
+                && face.bounds.min.distance(bounds.min) <= SAME * size
+                && face.bounds.max.distance(bounds.max) <= SAME * size
+        };
+        let face = (0..faces.len()).find(|&i| !is_taken[i] && is_part(&faces[i]))?;
+        is_taken[face] = true;
+        Some(ImportedPart {
+            name: part.name().to_owned(),
+            face,
+        })
+    });
+    found.collect()
 }

@@ -5,6 +5,7 @@
 //! other values and parts can be [`edited`]; a model can be made of the faces of an
 //! [`OpenedDrawing`].
 
+mod base_64;
 mod design;
 mod drawing;
 mod edit;
@@ -12,7 +13,10 @@ mod opened;
 pub mod scene;
 
 pub use design::{SceneDesign, SceneParameter, SceneSetting, SceneText};
-pub use drawing::{DrawingScene, OpenedDrawing, PickError, PickedPart, SceneFace};
+pub use drawing::{
+    DrawingScene, DrawingSource, ImportedPart, OpenedDrawing, PickError, PickedPart, SceneFace,
+    model_name,
+};
 pub use edit::{EditError, EditedPart, Edits, edited};
 pub use opened::{EditAnswer, EditedPairError, Opened};
 pub use scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};

@@ -12,14 +12,13 @@ use std::process::Command;
 use std::{env, fs};
 
 /// What the page is made of, files and folders in `page/`.
-const SOURCES: [&str; 8] = [
+const SOURCES: [&str; 7] = [
     "package.json",
     "package-lock.json",
     ".npmrc",
     "tsconfig.json",
     "src",
     "index.html",
-    "drawing.html",
     "style.css",
 ];
 
@@ -27,12 +26,10 @@ const SOURCES: [&str; 8] = [
 const INSTALLED: [&str; 3] = ["package.json", "package-lock.json", ".npmrc"];
 
 /// What the library includes, from the page's folder in the build.
-const BUNDLE: [(&str, &str); 7] = [
+const BUNDLE: [(&str, &str); 5] = [
     ("index.html", "index.html"),
-    ("drawing.html", "drawing.html"),
     ("style.css", "style.css"),
     ("build/page.js", "page.js"),
-    ("build/drawing.js", "drawing.js"),
     ("build/worker.js", "worker.js"),
     ("build/kernel.txt", "kernel.txt"),
 ];

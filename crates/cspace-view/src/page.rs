@@ -8,10 +8,8 @@ use base64::prelude::BASE64_STANDARD;
 /// Why there is no page; empty if there is one.
 const REASON: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/reason.txt"));
 const INDEX: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/index.html"));
-const DRAWING: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.html"));
 const STYLE: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/style.css"));
 const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
-const DRAWING_SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/drawing.js"));
 const WORKER: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/worker.js"));
 const KERNEL: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/kernel.txt"));
 
@@ -38,15 +36,6 @@ pub(crate) struct Kernel {
     pub(crate) worker: &'static str,
     /// The WebAssembly, compressed by gzip, in base 64.
     pub(crate) packed: &'static str,
-}
-
-/// The pages that a server of a drawing has.
-#[derive(Debug, Clone)]
-pub struct Pages {
-    /// The page of a drawing.
-    pub drawing: Page,
-    /// The page of a model.
-    pub model: Page,
 }
 
 /// Why there is no page.
@@ -84,19 +73,6 @@ impl PageError {
             }
             _ => "change the page's sources, then build again",
         }
-    }
-}
-
-impl Pages {
-    /// The pages that were bundled.
-    ///
-    /// # Errors
-    /// If they were not, for want of Node.
-    pub fn bundled() -> Result<Self, PageError> {
-        // Without a bundle there is neither.
-        let model = Page::bundled()?;
-        let drawing = Page::new(DRAWING, STYLE, DRAWING_SCRIPT)?;
-        Ok(Self { drawing, model })
     }
 }
 

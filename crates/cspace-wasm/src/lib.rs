@@ -2,8 +2,9 @@
 //!
 //! A [`Pair`](pair::Pair) is a configuration space that was computed, and answers questions about it. A [`Model`](model::Model) is a
 //! model, of whose pairs spaces are computed, also once its parts are edited; it is planned and set in motion. A [`MechanismHand`](hand::MechanismHand) drags all of its parts. Types for TypeScript are in `types.ts`, and come with
-//! what the compiler writes.
+//! what the compiler writes. A [`Drawing`](drawing::Drawing) shows its faces, of which a model is made.
 
+mod drawing;
 mod drawn;
 mod hand;
 mod model;

@@ -15,8 +15,8 @@ use crate::interrupt;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-/// What was bundled with the program: [`Page::bundled`], or the pages of a drawing.
-pub(super) fn bundled<T>(found: Result<T, PageError>) -> Result<T, Failure> {
+/// What was bundled with the program: [`Page::bundled`].
+pub(super) fn bundled(found: Result<Page, PageError>) -> Result<Page, Failure> {
     found.map_err(|e| Failure::work(&e).help(e.help()))
 }
 

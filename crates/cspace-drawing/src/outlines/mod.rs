@@ -148,7 +148,7 @@ fn check_divisible(drawing: &Drawing) -> Result<(), DrawingError> {
         false => Ok(()),
         true => Err(DrawingError::file(
             "measured points are one outline, without faces to pick",
-            "leave the picks out",
+            "leave the picks out: `cspace import` makes one part of the points",
         )),
     }
 }

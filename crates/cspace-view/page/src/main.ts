@@ -1,14 +1,17 @@
-/** Shows the scene that is in the page. */
+/** Shows what is in the page, or was opened in it: a model, or a drawing to make one of. */
 
+import { openDrawing } from "./drawing/page.js";
 import { loadKernel } from "./kernel/load.js";
 import { textOf } from "./ui/dom.js";
+import { shownScene } from "./ui/entries.js";
 import { showFailure } from "./ui/message.js";
-import { openPage, readScene } from "./ui/page.js";
+import { openPage } from "./ui/page.js";
 
 const opened = async () => {
-  const shown = readScene();
+  const { scene, isOpened } = await shownScene();
   await loadKernel(textOf("kernel"));
-  openPage(shown, textOf("worker"));
+  if (scene.format === "cspace-drawing") openDrawing(scene);
+  else openPage({ scene, isOpened }, textOf("worker"));
 };
 
 opened().catch((error: unknown) => {

@@ -11,9 +11,9 @@ use tokio::net::TcpListener;
 
 use super::ServeError;
 
-/// A connection on which no whole request head comes within this time is dropped, and so is a body that takes longer. A page on
-/// this machine sends either at once, and connects again when it has something to ask.
-pub(super) const PATIENCE: Duration = Duration::from_secs(20);
+/// A connection on which no whole request head comes within this time is dropped. A page on this machine sends it at once, and
+/// connects again when it has something to ask.
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// How long nothing is taken after the system refused to: it has no more open files for connections until some are dropped.
 const BACK_OFF: Duration = Duration::from_millis(100);

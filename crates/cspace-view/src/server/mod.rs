@@ -5,7 +5,6 @@
 //! own (`work.rs`).
 
 mod connections;
-mod drawing;
 mod guard;
 mod reply;
 mod routes;
@@ -16,11 +15,10 @@ use std::io::ErrorKind;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 
 use axum::Router;
-use cspace_drawing::DrawingError;
+use cspace_scene::{DrawingScene, Opened};
 
-use crate::page::{Page, Pages};
-use cspace_scene::{Opened, OpenedDrawing};
-use work::Work;
+use crate::page::Page;
+use work::{ServedPage, Work};
 
 /// A server that has an address and does not answer yet.
 #[derive(Debug)]
@@ -55,9 +53,6 @@ pub enum ServeError {
     /// The server cannot go on.
     #[error("the server cannot go on: {0}")]
     Input(#[from] std::io::Error),
-    /// The drawing has no faces that can be found.
-    #[error(transparent)]
-    Drawing(#[from] DrawingError),
     /// The scene is no JSON.
     #[error("the scene cannot be written: {0}")]
     Scene(#[from] serde_json::Error),
@@ -70,21 +65,21 @@ impl Server {
     /// If the port cannot be had, or the system gives no random numbers.
     pub fn bind(opened: Opened, page: &Page, port: u16) -> Result<Self, ServeError> {
         let work = Work::new(opened, page)?;
-        Self::of(port, |base| routes::router(base, work))
+        Self::of(port, |base| routes::of_model(base, work))
     }
 
-    /// Takes a port of this machine, any that is free if it is 0, for a page that shows the faces of a drawing, and then the
-    /// model of those that are picked.
+    /// Takes a port of this machine, any that is free if it is 0, for a page that shows the faces of a drawing. The page makes
+    /// the model of picked faces itself.
     ///
     /// # Errors
-    /// If the faces cannot be found, the port cannot be had, or the system gives no random numbers.
+    /// If the port cannot be had, or the system gives no random numbers.
     pub fn bind_drawing(
-        drawing: OpenedDrawing,
-        pages: Pages,
+        drawing: &DrawingScene,
+        page: &Page,
         port: u16,
     ) -> Result<Self, ServeError> {
-        let choice = drawing::Choice::new(drawing, pages)?;
-        Self::of(port, |base| drawing::router(base, choice))
+        let page = ServedPage::new(page, drawing)?;
+        Self::of(port, |base| routes::of_drawing(base, page))
     }
 
     /// A server of what is below a path.

@@ -5,14 +5,12 @@ use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
-/// An error as JSON: what is wrong, and what to do.
+/// An error as JSON: what is wrong.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Fault {
     #[serde(skip)]
     status: StatusCode,
     error: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    help: Option<String>,
 }
 
 impl Fault {
@@ -20,24 +18,7 @@ impl Fault {
         Self {
             status,
             error: error.into(),
-            help: None,
         }
-    }
-
-    /// Says what to do.
-    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
-        self
-    }
-
-    /// The request is not understood.
-    pub(super) fn bad(error: impl Into<String>) -> Self {
-        Self::new(StatusCode::BAD_REQUEST, error)
-    }
-
-    /// It is understood, and what it asks for makes no sense.
-    pub(super) fn senseless(error: impl Into<String>) -> Self {
-        Self::new(StatusCode::UNPROCESSABLE_ENTITY, error)
     }
 
     /// The program is wrong.

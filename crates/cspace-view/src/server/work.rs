@@ -6,28 +6,41 @@ use std::time::Instant;
 use axum::body::Bytes;
 use cspace::Silent;
 use cspace_scene::Opened;
+use serde::Serialize;
 
 use crate::html::Place;
 use crate::page::Page;
 
-/// What is served, and what has been computed of it.
+/// A page with its scene.
+#[derive(Debug, Clone)]
+pub(super) struct ServedPage {
+    pub(super) html: Bytes,
+    /// What it may load.
+    pub(super) policy: String,
+}
+
+impl ServedPage {
+    pub(super) fn new(page: &Page, scene: &impl Serialize) -> Result<Self, serde_json::Error> {
+        Ok(Self {
+            html: page.served(scene)?.into(),
+            policy: page.policy(Place::Served),
+        })
+    }
+}
+
+/// What is served of a model, and what has been computed of it.
 #[derive(Debug)]
 pub(super) struct Work {
     opened: Opened,
-    /// The page with its scene.
-    pub(super) page: Bytes,
-    /// What it may load.
-    pub(super) policy: String,
+    pub(super) page: ServedPage,
     /// The pairs as JSON, once they have been asked for.
     pairs: Vec<OnceLock<Bytes>>,
 }
 
 impl Work {
     pub(super) fn new(opened: Opened, page: &Page) -> Result<Self, serde_json::Error> {
-        let html = page.served(&opened.scene())?;
         Ok(Self {
-            page: html.into(),
-            policy: page.policy(Place::Served),
+            page: ServedPage::new(page, &opened.scene())?,
             pairs: opened.pairs.iter().map(|_| OnceLock::new()).collect(),
             opened,
         })

@@ -57,7 +57,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         .help("read some layers alone with --layer, or make one part of all with --part NAME"));
     }
     let mechanism = Mechanism {
-        name: drawing::name(&args.drawings[0]),
+        name: cspace_scene::model_name(&args.drawings[0]),
         unit,
         parts: parts(&mut imported)?,
         ..Mechanism::default()

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use cspace_scene::OpenedDrawing;
-use cspace_view::{Pages, ServeError, Server};
+use cspace_scene::{DrawingSource, OpenedDrawing, model_name};
+use cspace_view::{Page, Server};
 
 use crate::args::ViewArgs;
 use crate::command::page;
@@ -14,29 +14,33 @@ use crate::traces::quoted;
 /// A server of the drawing.
 pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     refuse_options_of_models(args)?;
-    let pages = page::bundled(Pages::bundled())?;
+    let page = page::bundled(Page::bundled())?;
     let options = &args.drawing;
     drawing::check_options(options, std::iter::once(path))?;
-    let drawn = drawing::read(options, path)?;
+    let (drawn, data) = drawing::read_with_bytes(options, path)?;
     let unit = drawing::of_model(options, std::slice::from_ref(&drawn))?;
-    let scale = drawing::factor(options, path, &drawn, unit.as_deref());
     let opened = OpenedDrawing {
-        name: drawing::name(path),
-        unit,
-        settings: drawing::settings(options, scale),
-        command: format!(
-            "cspace import {}{}",
-            quoted(path),
-            drawing::options(options)
-        ),
+        source: DrawingSource {
+            file: path.to_string_lossy().into_owned(),
+            data,
+            name: model_name(path),
+            command: format!(
+                "cspace import {}{}",
+                quoted(path),
+                drawing::options(options)
+            ),
+            layers: options.layer.clone(),
+            id: options.id.clone(),
+            hatches: options.hatches,
+            scale: drawing::factor(options, path, &drawn, unit.as_deref()),
+            join: options.join,
+            fit: options.fit,
+            unit,
+        },
         drawing: drawn,
     };
-    Server::bind_drawing(opened, pages, args.port).map_err(|error| match error {
-        ServeError::Drawing(error) => {
-            Failure::input(format_args!("{}: {error}", path.display())).help(error.help())
-        }
-        error => super::failure(error),
-    })
+    let scene = opened.scene().map_err(|e| drawing::failed(path, &e))?;
+    Server::bind_drawing(&scene, &page, args.port).map_err(super::failure)
 }
 
 fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {

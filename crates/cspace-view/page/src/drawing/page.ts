@@ -1,15 +1,17 @@
 /** The page of a drawing: faces light up under the pointer, clicked ones become parts, and the model is saved or opened. */
 
+import { Drawing } from "../../build/kernel/cspace.js";
 import { byId, download, fileName, html, say, set, svg } from "../ui/dom.js";
-import { showMessage } from "../ui/message.js";
+import { writeFragment } from "../ui/entries.js";
+import { chooseFile, listenToDrops, showFile, showModel } from "../ui/files.js";
+import { messageDrawn, showMessage } from "../ui/message.js";
 import { length, short } from "../ui/numbers.js";
 import { boxOf, curvePath, outlinePath } from "../ui/outline.js";
 import { regionColour } from "../ui/colours.js";
-import { ask } from "../ui/server.js";
 import type { SceneVertex } from "../scene.js";
 import { followTheme } from "../ui/theme.js";
 import { Viewport } from "../ui/viewport.js";
-import { NOTHING, clicked, fragment, fromFragment, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
+import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
 import type { Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
 
@@ -20,17 +22,20 @@ const CLICK = 4;
 
 export function openDrawing(scene: DrawingScene): void {
   followTheme();
+  document.body.classList.add("drawing");
+  set(byId("left"), { "aria-label": "Drawing" });
+  const { name, unit, command } = scene.source;
   const inside = scene.faces.map((f) => f.inside);
   const area = (faces: readonly number[]) => {
     const sum = faces.reduce((all, f) => all + (scene.faces[f]?.area ?? 0), 0);
-    return `${short(sum)}${scene.unit ? ` ${scene.unit}²` : ""}`;
+    return `${short(sum)}${unit ? ` ${unit}²` : ""}`;
   };
   let picks: Picks = NOTHING;
   /** Whether clicks add faces to the selected part without Shift. */
   let adding = false;
 
-  say(byId("model-name"), scene.name || "cspace");
-  document.title = `${scene.name} – cspace`;
+  say(byId("model-name"), name || "cspace");
+  document.title = `${name} – cspace`;
   const listed = scene.faces.length;
   const faces = (n: number) => `${n} ${n === 1 ? "face" : "faces"}`;
   say(byId("face-count"), scene.count > listed ? `the largest ${listed} of ${scene.count} faces` : faces(listed));
@@ -50,7 +55,7 @@ export function openDrawing(scene: DrawingScene): void {
       return null;
     },
   });
-  viewport.unit = scene.unit ?? "";
+  viewport.unit = unit ?? "";
   const click = (face: number, withShift: boolean) => {
     const to = withShift || adding ? joined(picks, face) : clicked(picks, face);
     const refusal = scene.faces[face]?.refusal;
@@ -78,30 +83,43 @@ export function openDrawing(scene: DrawingScene): void {
   });
   const box = boxOf(scene.curves);
   const middle = { x: (box.x0 + box.x1) / 2, y: (box.y0 + box.y1) / 2 };
-  const unit = (extent(scene) || 1) / DRAWN_SIZE;
+  const drawnUnit = (extent(scene) || 1) / DRAWN_SIZE;
   const local = (loops: readonly SceneVertex[][]) =>
-    loops.map((loop) => loop.map(({ x, y, bulge }) => ({ x: (x - middle.x) / unit, y: (y - middle.y) / unit, bulge })));
+    loops.map((loop) => loop.map(({ x, y, bulge }) => ({ x: (x - middle.x) / drawnUnit, y: (y - middle.y) / drawnUnit, bulge })));
   const paths = scene.faces.map((face, i) =>
     svg("path", { class: "face", "data-face": i, d: outlinePath(local(face.loops)), tabindex: 0, role: "button", "aria-label": `face ${i + 1}, area ${area([i])}` }),
   );
   const drawn = svg("path", { class: "drawn", d: local(scene.curves).map(curvePath).join("") });
-  const group = svg("g", { class: "drawing", "data-x": middle.x, "data-y": middle.y, "data-unit": unit }, ...paths, drawn);
+  const group = svg("g", { class: "drawing", "data-x": middle.x, "data-y": middle.y, "data-unit": drawnUnit }, ...paths, drawn);
   viewport.world.after(group);
   viewport.onView = () => {
     const at = viewport.toScreen(middle);
-    set(group, { transform: `matrix(${unit / viewport.pixel.x} 0 0 ${-unit / viewport.pixel.y} ${at.x} ${at.y})` });
+    set(group, { transform: `matrix(${drawnUnit / viewport.pixel.x} 0 0 ${-drawnUnit / viewport.pixel.y} ${at.x} ${at.y})` });
   };
   viewport.fit(boxOf(scene.curves));
 
   // The parts, and what can be done with them.
-  const post = (route: string) => {
+  let drawing: Drawing | null = null;
+  const model = (): string => {
+    drawing ??= Drawing.fromSource(JSON.stringify(scene.source));
+    return drawing.toml(JSON.stringify(request(picks, inside)));
+  };
+  const made = async () => {
     const wrong = wrongName(picks);
     if (wrong !== null) throw new Error(wrong);
-    const body = JSON.stringify({ parts: request(picks, inside) });
-    return ask(route, { method: "POST", headers: { "content-type": "application/json" }, body });
+    tell("The model is made …");
+    await messageDrawn();
+    const text = model();
+    tell(null);
+    return text;
   };
-  const save = async () => download(fileName(scene.name, "toml"), new Blob([await (await post("model")).text()], { type: "application/toml" }));
-  const open = async () => location.assign(((await (await post("open")).json()) as { address: string }).address);
+  const save = async () => download(fileName(name, "toml"), new Blob([await made()], { type: "application/toml" }));
+  const open = async () => showModel(await made(), fileName(name, "toml"));
+  const openFile = async (file: File) => {
+    if (!(await showFile(file, tell))) throw new Error(`${file.name} is neither a model (.toml) nor a drawing (.dxf, .svg)`);
+  };
+  const taken = (file: File) => void openFile(file).catch(failed);
+  listenToDrops(taken);
   const button = (text: string, title: string, action: () => unknown) => {
     const b = html("button", { type: "button", title }, text);
     b.addEventListener("click", () => void Promise.resolve().then(action).then(() => undefined, failed));
@@ -117,6 +135,7 @@ export function openDrawing(scene: DrawingScene): void {
   const clear = button("Clear", "Take all parts back", () => change(NOTHING));
   const saving = button("Save model", "Save the parts as a model (TOML)", save);
   const opening = button("Open", "Show two parts or more, and their configuration spaces", open);
+  button("Open file", "Open another drawing (DXF, SVG) or a model (TOML)", () => chooseFile(".dxf,.svg,.toml", taken));
 
   function change(to: Picks): void {
     picks = to;
@@ -126,7 +145,7 @@ export function openDrawing(scene: DrawingScene): void {
   }
 
   function writeAddress(): void {
-    history.replaceState(null, "", `#${fragment(picks, inside)}`);
+    writeFragment(`#${fragment(picks, inside)}`);
   }
 
   function draw(): void {
@@ -148,7 +167,7 @@ export function openDrawing(scene: DrawingScene): void {
 
   function sayCommand(): void {
     const pre = byId("command").querySelector("pre");
-    if (pre) say(pre, `${scene.command} ${options(picks, inside)} -o ${fileName(scene.name, "toml")}`);
+    if (pre) say(pre, `${command} ${options(picks, inside)} -o ${fileName(name, "toml")}`);
   }
 
   function row(part: Picks["parts"][number], index: number): HTMLElement {
@@ -174,13 +193,13 @@ export function openDrawing(scene: DrawingScene): void {
   }
 
   const readAddress = () => {
-    picks = fromFragment(location.hash, inside);
+    picks = location.hash.length > 1 ? fromFragment(location.hash, inside) : imported(scene.parts);
     draw();
   };
   readAddress();
   // An address that is typed; the page's own does not come here.
   window.addEventListener("hashchange", readAddress);
-  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), scene.unit)}): check the layers, and whether something lies far away.`);
+  if (listed === 0) tell(`Nothing that is drawn encloses a face (what is drawn is within ${length(extent(scene), unit)}): check the layers, and whether something lies far away.`);
 }
 
 function extent(scene: DrawingScene): number {

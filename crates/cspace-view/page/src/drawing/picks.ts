@@ -1,6 +1,7 @@
 /** Which faces are picked for which part. Nothing here is changed in place. */
 
 import type { Place } from "../scene.js";
+import type { ImportedPart } from "./scene.js";
 
 export interface Pick {
   name: string;
@@ -15,6 +16,14 @@ export interface Picks {
 }
 
 export const NOTHING: Picks = { parts: [], selected: -1 };
+
+/** More parts are seldom wanted at once: every two of them are a pair. */
+const MOST_IMPORTED = 12;
+
+/** The parts that import makes, to begin with. */
+export function imported(parts: readonly ImportedPart[]): Picks {
+  return parts.length > MOST_IMPORTED ? NOTHING : { parts: parts.map(({ name, face }) => ({ name, faces: [face] })), selected: parts.length - 1 };
+}
 
 /** Of which part a face is; -1 if it is of none. */
 export function partOf(picks: Picks, face: number): number {
@@ -68,7 +77,7 @@ export function wrongName(picks: Picks): string | null {
   return twice === undefined ? null : `Two parts have the name ${twice}: give one another.`;
 }
 
-/** The part as the server takes it. */
+/** The parts as the kernel takes them. */
 export function request(picks: Picks, inside: readonly Place[]): { name: string; at: Place[] }[] {
   return picks.parts.map(({ name, faces }) => ({ name: name.trim(), at: faces.flatMap((f) => inside[f] ?? []) }));
 }
@@ -86,8 +95,12 @@ function quoted(word: string): string {
   return `'${word.replaceAll("'", "'\\''")}'`;
 }
 
+/** The fragment of an address without picks: in an empty one those of import are. */
+const NO_PICKS = "none";
+
 /** The fragment of the page's address that has the picks. */
 export function fragment(picks: Picks, inside: readonly Place[]): string {
+  if (picks.parts.length === 0) return NO_PICKS;
   return new URLSearchParams(request(picks, inside).map(({ name, at }) => [name, at.map(text).join(";")])).toString();
 }
 

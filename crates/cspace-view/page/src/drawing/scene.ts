@@ -1,26 +1,54 @@
 /** A drawing and its faces, as JSON. `docs/page.md` describes every field. Lengths are in the model's unit. */
 
 import type { Place, SceneVertex } from "../scene.js";
-import { textOf } from "../ui/dom.js";
 
 /** The version of the format that this page reads. */
-const DRAWING_VERSION = 1;
+export const DRAWING_VERSION = 2;
 
 export interface DrawingScene {
   format: "cspace-drawing";
   version: typeof DRAWING_VERSION;
-  /** The name of the model. */
-  name: string;
-  /** The label of the unit of length. */
-  unit: string | null;
-  /** The command that makes the model, up to its picks. */
-  command: string;
+  source: DrawingSource;
   /** All that is drawn, as the ends of lines and arcs. */
   curves: SceneVertex[][];
   /** The largest first. */
   faces: SceneFace[];
   /** The number of faces of the drawing, of which `faces` has the largest. */
   count: number;
+  /** The parts that `cspace import` makes without picks, if each is one face; none otherwise. */
+  parts: ImportedPart[];
+}
+
+export interface ImportedPart {
+  name: string;
+  /** Index of the face. */
+  face: number;
+}
+
+/** What the kernel makes the model of: the file, and how it is read. */
+export interface DrawingSource {
+  /** The file's name. */
+  file: string;
+  /** The file's bytes, in base 64. */
+  data: string;
+  /** The name of the model. */
+  name: string;
+  /** The label of the unit of length. */
+  unit: string | null;
+  /** The command that makes the model, up to its picks. */
+  command: string;
+  /** The layers of a DXF file that are read; all if there are none here. */
+  layers: string[];
+  /** The id of the SVG element that is read alone. */
+  id: string | null;
+  /** Whether the outlines of a DXF file's hatches are read too. */
+  hatches: boolean;
+  /** Every length of the drawing is multiplied by it. */
+  scale: number;
+  /** Ends nearer than this are one; null as usual. */
+  join: number | null;
+  /** Curves become lines and arcs within this; null as usual. */
+  fit: number | null;
 }
 
 export interface SceneFace {
@@ -31,12 +59,4 @@ export interface SceneFace {
   loops: SceneVertex[][];
   /** Why the face alone is no part; it may be one together with others. */
   refusal: string | null;
-}
-
-/** The drawing in the page; throws what the user is to read. */
-export function readDrawing(): DrawingScene {
-  const scene = JSON.parse(textOf("scene")) as DrawingScene;
-  if (scene.format !== "cspace-drawing") throw new Error("What is in this page is no drawing.");
-  if (scene.version !== DRAWING_VERSION) throw new Error(`The drawing has version ${scene.version}, and this page reads version ${DRAWING_VERSION}.`);
-  return scene;
 }

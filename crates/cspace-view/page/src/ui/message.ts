@@ -11,6 +11,14 @@ export function showMessage(message: string | null, close: () => void): void {
   element.replaceChildren(html("span", {}, message), button);
 }
 
+/** How long the browser has to draw a message before what keeps the page busy begins (ms). */
+const DRAWN = 50;
+
+/** Waits until a message is drawn. */
+export function messageDrawn(): Promise<void> {
+  return new Promise((drawn) => setTimeout(drawn, DRAWN));
+}
+
 export function showFailure(error: unknown): void {
   const element = byId("message");
   set(element, { hidden: null });

@@ -1,14 +1,15 @@
 /** Puts the page together. */
 
-import { SCENE_VERSION } from "../scene.js";
 import type { Scene } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { USUAL, readAddress, writeAddress } from "./address.js";
-import { byId, download, fileName, html, say, textOf } from "./dom.js";
+import { byId, download, fileName, say } from "./dom.js";
 import { ContactHand } from "./contact-hand.js";
 import { DesignPanel } from "./design-panel.js";
 import { EditPanel } from "./edit-panel.js";
 import { Editor } from "./edit.js";
+import { writeFragment } from "./entries.js";
+import { chooseFile, listenToDrops, showFile } from "./files.js";
 import { Graphs } from "./graphs.js";
 import { makeHelp } from "./help.js";
 import { showHints } from "./hints.js";
@@ -16,7 +17,6 @@ import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
 import { MechanismHand } from "./mechanism-hand.js";
 import { showMessage } from "./message.js";
-import { isModel, sceneOfFile, sceneToShow, showScene } from "./model-file.js";
 import { PartsView } from "./parts-view.js";
 import { picture, pngFile, svgFile } from "./pictures.js";
 import type { Pane } from "./pictures.js";
@@ -96,9 +96,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
   };
   const made = () => picture(panes(), getComputedStyle(byId("left")).backgroundColor, scene.name);
   const openFile = async (file: File) => {
-    const text = isModel(file) ? await file.text() : null;
-    if (text === null) await timeline.open(file);
-    else showScene(sceneOfFile(text, file.name));
+    if (!(await showFile(file, (message) => store.change({ message })))) await timeline.open(file);
   };
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
   const actions: Actions = {
@@ -123,7 +121,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     toggleWhole: () => store.change({ whole: !store.state.whole, held: null }),
     wayOut: (widest) => void ways?.out(widest).catch(failed),
     playMechanism: () => void ways?.mechanism().catch(failed),
-    openRecord: () => chooseFile((file) => void openFile(file).catch(failed)),
+    openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
     saveModel: () => void editor?.model().then((text) => download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" })), failed),
@@ -214,29 +212,6 @@ function noSpace(session: Session): string | null {
   return space.state === "ready" && pair?.class === "lower" ? session.lowerText(pair) : null;
 }
 
-function chooseFile(take: (file: File) => void): void {
-  const input = html("input", { type: "file", accept: ".toml,.json,.gz,application/json" });
-  input.addEventListener("change", () => {
-    const file = input.files?.[0];
-    if (file) take(file);
-  });
-  input.click();
-}
-
-function listenToDrops(take: (file: File) => void): void {
-  const dropping = (on: boolean) => document.body.classList.toggle("dropping", on);
-  document.addEventListener("dragover", (event) => {
-    event.preventDefault();
-    dropping(true);
-  });
-  document.addEventListener("dragleave", () => dropping(false));
-  document.addEventListener("drop", (event) => {
-    event.preventDefault();
-    dropping(false);
-    for (const file of event.dataTransfer?.files ?? []) take(file);
-  });
-}
-
 /** Writes the address, and follows one that is typed or gone back to. */
 function keepAddress(session: Session, spaceView: SpaceView | null): void {
   const { store } = session;
@@ -246,12 +221,7 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
     timer = null;
     if (store.state.space.state === "loading" || store.state.playing) return;
     written = writeAddress(store.state, spaceView?.camera ?? null);
-    // A page within another may not write its address.
-    try {
-      history.replaceState(null, "", written);
-    } catch {
-      written = location.hash;
-    }
+    if (!writeFragment(written)) written = location.hash;
   };
   const later = () => {
     if (timer !== null) clearTimeout(timer);
@@ -269,13 +239,4 @@ function keepAddress(session: Session, spaceView: SpaceView | null): void {
     if (to.pair !== undefined && to.pair !== store.state.pair) void session.select(to.pair, to.configuration ?? null);
     else if (to.configuration) session.setConfiguration(to.configuration);
   });
-}
-
-/** The scene in the page, or that of a model that was opened in it; throws what the user is to read. */
-export function readScene(): Shown {
-  const opened = sceneToShow();
-  const scene = opened ?? (JSON.parse(textOf("scene")) as Scene);
-  if (scene.format !== "cspace-scene") throw new Error("What is in this page is no scene.");
-  if (scene.version !== SCENE_VERSION) throw new Error(`The scene has version ${scene.version}, and this page reads version ${SCENE_VERSION}.`);
-  return { scene, isOpened: opened !== null };
 }

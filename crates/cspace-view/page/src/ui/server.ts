@@ -23,15 +23,14 @@ export async function servedPair(index: number): Promise<ScenePair> {
   return (await answer.json()) as ScenePair;
 }
 
-export async function ask(route: string, init?: RequestInit): Promise<Response> {
+async function ask(route: string): Promise<Response> {
   let answer: Response;
   try {
-    answer = await fetch(route, init);
+    answer = await fetch(route);
   } catch {
     throw new ServerError("the server does not answer: is `cspace view` still running?", true);
   }
   if (answer.ok) return answer;
-  const said = (await answer.json().catch(() => ({}))) as { error?: string; help?: string };
-  const text = said.error ?? `the server answers ${answer.status}`;
-  throw new ServerError(said.help ? `${text} (${said.help})` : text);
+  const said = (await answer.json().catch(() => ({}))) as { error?: string };
+  throw new ServerError(said.error ?? `the server answers ${answer.status}`);
 }

@@ -28,7 +28,7 @@ export class Toolbar {
     const fit = button("Fit", "Show everything (f)", actions.fit);
     const measure = button("Measure", "Click two corners or edges of parts: their distance is shown, and follows them (m)", actions.toggleMeasure);
     const edit = canEdit ? button("Edit", "Drag vertices, arcs and pivots", actions.toggleEdit) : null;
-    button("Open", "Open a model (TOML, JSON), or play what cspace plan or cspace simulate printed", actions.openRecord);
+    button("Open", "Open a model (TOML) or a drawing (DXF, SVG), or play what cspace plan or cspace simulate printed", actions.openRecord);
     button("SVG", "Save a picture as SVG", actions.saveSvg);
     button("PNG", "Save a picture as PNG", actions.savePng);
     const theme = button("Theme", "Light, dark, or as the system", actions.toggleTheme);

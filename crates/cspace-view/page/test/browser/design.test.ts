@@ -86,7 +86,7 @@ describe("a page sets the parameters of its model", { skip }, () => {
     // A line for which the tooth was measured.
     await page.waitForFunction(() => (document.querySelector(".requirement .plot path")?.getAttribute("d") ?? "").split("L").length > 6, { timeout: PATIENCE });
     // Beyond its limits it is not met.
-    await type(page, "tip", "50.2");
+    await type(page, "tip", "49.5");
     await page.waitForSelector(".requirement .mark.unmet", { timeout: PATIENCE });
     await type(page, "tip", "-3");
     await page.waitForFunction(() => !(document.querySelector("#design .bad") as HTMLElement).hidden, { timeout: PATIENCE });

@@ -1,4 +1,4 @@
-/** What users do with the page of a drawing: pick faces, name parts, save the model, open it. */
+/** What users do with a drawing on the page, served or dropped: pick faces, name parts, save the model, open it. */
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -7,9 +7,11 @@ import { dirname, join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import type { DrawingScene } from "../../src/drawing/scene.js";
-import { PATIENCE, drawn, load, serve, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, drawn, exported, load, open, root, serve, skip } from "../../tools/harness.js";
 import { binary, run } from "../support/command.js";
-import { downloaded, inBrowser, press, settled } from "./support.js";
+import { downloaded, drop, inBrowser, model, press, settled } from "./support.js";
+
+const DRAWINGS = join(root, "crates/cspace-drawing/tests/drawings");
 
 /**
  * A frame of 30 by 10 whose sides go beyond its corners, divided at x = 12 and x = 20, with a hole of radius 2 in its left part; its
@@ -26,7 +28,7 @@ function frame(at = 0, unit = 1): string {
   return `0\nSECTION\n2\nENTITIES\n${lines.join("")}0\nCIRCLE\n8\n0\n10\n${p(6)}\n20\n${p(5)}\n40\n${2 * unit}\n0\nENDSEC\n0\nEOF\n`;
 }
 
-describe("the page of a drawing in a browser", { skip }, () => {
+describe("a drawing on the page in a browser", { skip }, () => {
   const suite = inBrowser();
 
   async function opened(more: string[] = [], text = frame()): Promise<{ page: Page; file: string; stop: () => void }> {
@@ -34,6 +36,7 @@ describe("the page of a drawing in a browser", { skip }, () => {
     writeFileSync(file, text);
     const server = await serve(file, more);
     suite.opened = await load(suite.browser, server.address);
+    await suite.opened.page.waitForSelector(".face", { timeout: PATIENCE });
     await settled(suite.opened.page);
     return { page: suite.opened.page, file, stop: server.stop };
   }
@@ -52,6 +55,18 @@ describe("the page of a drawing in a browser", { skip }, () => {
     }, x, y);
     await page.mouse.click(...at);
     await settled(page);
+  }
+
+  /** Waits until the page shows a model of a name, drawn. */
+  async function shows(page: Page, name: string): Promise<void> {
+    await page.waitForFunction((name) => window.cspace !== undefined && document.getElementById("model-name")?.textContent === name, { timeout: PATIENCE }, name);
+    await drawn(page);
+  }
+
+  /** The parts that are picked, once there are any. */
+  async function picked(page: Page): Promise<string[]> {
+    await page.waitForSelector("#picked-parts li", { timeout: PATIENCE });
+    return parts(page);
   }
 
   it("shows the faces, each of which a click makes a part", async () => {
@@ -77,7 +92,7 @@ describe("the page of a drawing in a browser", { skip }, () => {
       assert.equal((await parts(page)).length, 2);
       // The address has the picks.
       await page.reload({ waitUntil: "load", timeout: PATIENCE });
-      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 107.434"]);
+      assert.deepEqual(await picked(page), ["1 face, 100", "1 face, 107.434"]);
       await press(page, "Clear");
       assert.deepEqual(await parts(page), []);
     } finally {
@@ -149,20 +164,117 @@ describe("the page of a drawing in a browser", { skip }, () => {
     try {
       await click(page, 25, 5);
       await click(page, 6, 5);
-      const there = page.waitForNavigation({ waitUntil: "load", timeout: PATIENCE });
       await page.click("::-p-xpath(//button[normalize-space()='Open'])");
-      await there;
-      await drawn(page);
+      await shows(page, "frame");
       assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
       // A disc of radius 2 beside the square, as drawn.
       assert.equal(await page.evaluate(() => window.cspace.classify({ x: 0, y: 0, theta: 0 })), "free");
       assert.equal(await page.evaluate(() => window.cspace.classify({ x: 12.1, y: 0, theta: 0 })), "blocked");
-      await page.goBack({ waitUntil: "load", timeout: PATIENCE });
-      await page.waitForSelector("#picked-parts li", { timeout: PATIENCE });
-      assert.deepEqual(await parts(page), ["1 face, 100", "1 face, 12.5664"]);
+      // Loaded again, it is the model still.
+      await page.reload({ waitUntil: "load", timeout: PATIENCE });
+      await shows(page, "frame");
+      assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
+      await page.goBack({ timeout: PATIENCE });
+      assert.deepEqual(await picked(page), ["1 face, 100", "1 face, 12.5664"]);
+      await page.goForward({ timeout: PATIENCE });
+      await shows(page, "frame");
     } finally {
       stop();
     }
+  });
+
+  describe("dropped onto a page from a file", () => {
+    /** A page that was exported, onto which a file is dropped. */
+    async function dropped(name: string, bytes: Buffer): Promise<Page> {
+      suite.opened = await open(suite.browser, addressOf(exported(model("peg_hole"), suite.folder)));
+      const { page } = suite.opened;
+      await drop(page, name, bytes);
+      return page;
+    }
+
+    /** What the page says of a file, once it is read. */
+    async function refused(page: Page): Promise<string> {
+      await page.waitForFunction(() => /^[^…]+$/.test(document.querySelector("#message:not([hidden]) span")?.textContent ?? ""), { timeout: PATIENCE });
+      return page.$eval("#message span", (e) => e.textContent ?? "");
+    }
+
+    it("is picked and opened without a server, and Back leads to the picks and to the first model", async () => {
+      const page = await dropped("frame.dxf", Buffer.from(frame()));
+      await page.waitForSelector(".face", { timeout: PATIENCE });
+      await settled(page);
+      assert.equal(await page.$eval("#face-count", (e) => e.textContent), "4 faces");
+      await click(page, 25, 5);
+      await click(page, 6, 5);
+      assert.match(await command(page), /^cspace import frame\.dxf --pick /);
+      await page.click("::-p-xpath(//button[normalize-space()='Open'])");
+      await shows(page, "frame");
+      assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["part 1", "part 2"]);
+      assert.equal(await page.evaluate(() => window.cspace.classify({ x: 0, y: 0, theta: 0 })), "free");
+      assert.equal(await page.evaluate(() => window.cspace.classify({ x: 12.1, y: 0, theta: 0 })), "blocked");
+      await page.goBack({ timeout: PATIENCE });
+      assert.deepEqual(await picked(page), ["1 face, 100", "1 face, 12.5664"]);
+      await page.goBack({ timeout: PATIENCE });
+      await shows(page, "peg in hole");
+    });
+
+    it("saves the model that the command makes", async () => {
+      const svg = readFileSync(join(DRAWINGS, "styles.svg"));
+      const page = await dropped("styles.svg", svg);
+      const client = await page.createCDPSession();
+      await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
+      await picked(page);
+      await press(page, "Clear");
+      for (const face of [0, 1]) {
+        await page.$eval(`.face[data-face="${face}"]`, (e) => (e as SVGElement).focus());
+        await page.keyboard.press("Enter");
+      }
+      const line = await command(page);
+      await press(page, "Save model");
+      const saved = readFileSync(await downloaded(join(suite.folder, "styles.toml")), "utf8");
+      writeFileSync(join(suite.folder, "styles.svg"), svg);
+      const done = spawnSync("sh", ["-c", line.replace("-o styles.toml", "-o told.toml")], {
+        cwd: suite.folder,
+        env: { ...process.env, PATH: `${dirname(binary() ?? "")}:${process.env["PATH"]}` },
+        encoding: "utf8",
+      });
+      assert.equal(done.status, 0, done.stderr);
+      assert.equal(saved, readFileSync(join(suite.folder, "told.toml"), "utf8"));
+    });
+
+    it("has the parts picked that import makes, until they are taken back", async () => {
+      const name = "styles.svg";
+      const file = join(DRAWINGS, name);
+      const page = await dropped(name, readFileSync(file));
+      const names = (): Promise<string[]> => page.$$eval("#picked-parts input", (all) => all.map((e) => (e as HTMLInputElement).value));
+      await picked(page);
+      const model = JSON.parse(run(["import", file, "--format", "json"])) as { parts: { name: string }[] };
+      assert.ok(model.parts.length > 1);
+      assert.deepEqual(await names(), model.parts.map((p) => p.name));
+      await press(page, "Clear");
+      await page.reload({ waitUntil: "load", timeout: PATIENCE });
+      await page.waitForSelector(".face", { timeout: PATIENCE });
+      assert.deepEqual(await names(), []);
+    });
+
+    it("is refused as by the command, and the page stays", async () => {
+      const bad = frame().replace("10\n-3\n", "10\nthree\n");
+      const page = await dropped("bad.dxf", Buffer.from(bad));
+      const message = await refused(page);
+      const file = join(suite.folder, "bad.dxf");
+      writeFileSync(file, bad);
+      const done = spawnSync(binary() ?? "cspace", ["view", file, "--no-open"], { encoding: "utf8" });
+      assert.equal(done.status, 2, done.stdout);
+      const [, error, help] = /^error: (.*)\n {2}help: (.*)\n$/.exec(done.stderr) ?? [];
+      assert.equal(message, `${error?.replace(file, "bad.dxf")} (${help})`);
+      assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["block", "peg"]);
+    });
+
+    it("says that other files are neither models nor drawings", async () => {
+      const page = await dropped("frame.dxf", Buffer.from(frame()));
+      await page.waitForSelector(".face", { timeout: PATIENCE });
+      await drop(page, "notes.txt", Buffer.from("x"));
+      assert.match(await refused(page), /notes\.txt is neither a model \(\.toml\) nor a drawing/);
+    });
   });
 
   it("refuses two parts of one name", async () => {

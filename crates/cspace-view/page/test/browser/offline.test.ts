@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import { PATIENCE, addressOf, drawn, exported, open, skip } from "../../tools/harness.js";
-import { inBrowser, model, press } from "./support.js";
+import { drop, inBrowser, model, press } from "./support.js";
 
 /** What the page says until something is said that is looked for. */
 async function said(page: Page, selector: string, words: string): Promise<string> {
@@ -94,14 +94,8 @@ describe("a page in a file computes itself", { skip }, () => {
 
   it("opens a model that is dropped onto it", async () => {
     const page = await openFile("peg_hole");
-    const text = readFileSync(model("geneva"), "utf8");
-    const loaded = page.waitForNavigation({ timeout: PATIENCE });
-    await page.evaluate((text) => {
-      const files = new DataTransfer();
-      files.items.add(new File([text], "geneva.toml"));
-      document.dispatchEvent(new DragEvent("drop", { dataTransfer: files, bubbles: true }));
-    }, text);
-    await loaded;
+    await drop(page, "geneva.toml", readFileSync(model("geneva")));
+    await said(page, "#model-name", "Geneva");
     await drawn(page);
     assert.deepEqual(await page.evaluate("window.cspace.pair()"), ["wheel", "driver"]);
     assert.equal(await page.evaluate("window.cspace.classify({ u: 0, v: 0 })"), await page.evaluate("window.cspace.classify(window.cspace.configuration())"));

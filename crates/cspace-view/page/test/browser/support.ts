@@ -50,6 +50,19 @@ export async function press(page: Page, text: string): Promise<void> {
   await settled(page);
 }
 
+/** Drops a file onto the page. */
+export async function drop(page: Page, name: string, bytes: Buffer): Promise<void> {
+  await page.evaluate(
+    (name, text) => {
+      const files = new DataTransfer();
+      files.items.add(new File([Uint8Array.from(atob(text), (c) => c.charCodeAt(0))], name));
+      document.dispatchEvent(new DragEvent("drop", { dataTransfer: files, bubbles: true }));
+    },
+    name,
+    bytes.toString("base64"),
+  );
+}
+
 /** A file that is being saved, once it is. */
 export async function downloaded(path: string): Promise<string> {
   for (let tries = 0; tries < 600; tries++) {

@@ -1,0 +1,69 @@
+/** Models and drawings that are dropped onto the page, or opened with it. */
+
+import { Drawing, Model } from "../../build/kernel/cspace.js";
+import type { DrawingScene } from "../drawing/scene.js";
+import type { Scene } from "../scene.js";
+import { html } from "./dom.js";
+import { showScene } from "./entries.js";
+import { messageDrawn } from "./message.js";
+
+/** Drawings; of those that are none for the page, the kernel says why. */
+const DRAWINGS = [".dxf", ".svg", ".csv", ".dwg"];
+
+/**
+ * Shows a model or a drawing in this page, in place of what is in it; false of another file. Throws what is wrong, as the command says it;
+ * `tell` says what is done meanwhile.
+ */
+export async function showFile(file: File, tell: (message: string) => void): Promise<boolean> {
+  const name = file.name.toLowerCase();
+  const isModel = name.endsWith(".toml");
+  if (!isModel && !DRAWINGS.some((ending) => name.endsWith(ending))) return false;
+  tell(`${file.name} is read …`);
+  await messageDrawn();
+  if (isModel) await showModel(await file.text(), file.name);
+  else await showScene(sceneOfDrawing(new Uint8Array(await file.arrayBuffer()), file.name));
+  return true;
+}
+
+/** Shows a model in this page: TOML. */
+export async function showModel(text: string, name: string): Promise<void> {
+  const model = Model.read(text, name);
+  try {
+    await showScene(JSON.parse(model.scene()) as Scene);
+  } finally {
+    model.free();
+  }
+}
+
+function sceneOfDrawing(bytes: Uint8Array, name: string): DrawingScene {
+  const drawing = Drawing.read(bytes, name);
+  try {
+    return JSON.parse(drawing.scene()) as DrawingScene;
+  } finally {
+    drawing.free();
+  }
+}
+
+/** Has the user choose a file, of those with these endings first. */
+export function chooseFile(accept: string, take: (file: File) => void): void {
+  const input = html("input", { type: "file", accept });
+  input.addEventListener("change", () => {
+    const file = input.files?.[0];
+    if (file) take(file);
+  });
+  input.click();
+}
+
+export function listenToDrops(take: (file: File) => void): void {
+  const dropping = (on: boolean) => document.body.classList.toggle("dropping", on);
+  document.addEventListener("dragover", (event) => {
+    event.preventDefault();
+    dropping(true);
+  });
+  document.addEventListener("dragleave", () => dropping(false));
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    dropping(false);
+    for (const file of event.dataTransfer?.files ?? []) take(file);
+  });
+}
