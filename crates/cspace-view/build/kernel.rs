@@ -50,6 +50,11 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
             );
         }
     }
+    // How it is compiled is said there.
+    let workspace = crates.join("../Cargo.toml");
+    if workspace.exists() {
+        println!("cargo:rerun-if-changed={}", workspace.display());
+    }
     if !crates.join("cspace-wasm").is_dir() {
         return Err("the sources of the crate cspace-wasm are not beside those of this one".into());
     }

@@ -14,6 +14,7 @@ import { Viewport } from "../ui/viewport.js";
 import { NOTHING, clicked, fragment, fromFragment, imported, joined, options, partOf, removed, renamed, request, wrongName } from "./picks.js";
 import type { Picks } from "./picks.js";
 import type { DrawingScene } from "./scene.js";
+import { sourceInUtf8 } from "./utf8.js";
 
 /** Browsers draw with single precision: paths are about the drawing's middle, and its largest side is so long. */
 const DRAWN_SIZE = 1000;
@@ -101,7 +102,7 @@ export function openDrawing(scene: DrawingScene): void {
   // The parts, and what can be done with them.
   let drawing: Drawing | null = null;
   const model = (): string => {
-    drawing ??= Drawing.fromSource(JSON.stringify(scene.source));
+    drawing ??= Drawing.fromSource(JSON.stringify(sourceInUtf8(scene.source)));
     return drawing.toml(JSON.stringify(request(picks, inside)));
   };
   const made = async () => {

@@ -26,6 +26,8 @@ export class DesignPanel {
   readonly #editor: Editor;
   readonly #rows: Row[];
   readonly #following = html("p", { class: "faint" });
+  /** What became of the last value: regions that opened or closed, or why there is no such model. */
+  readonly #said = html("p", { class: "said", "aria-live": "polite" });
   readonly #requirements: Requirements | null;
   /** The slider that is in a hand. */
   #held: HTMLInputElement | null = null;
@@ -48,8 +50,12 @@ export class DesignPanel {
     const undo = button("Undo", actions.undo);
     const redo = button("Redo", actions.redo);
     const buttons = html("div", { class: "buttons" }, undo, redo, button("Save model", actions.saveModel));
-    if (parameters.length > 0) element.append(head, ...this.#rows.map((row) => this.#draw(row)), this.#following, buttons);
+    if (parameters.length > 0) element.append(head, ...this.#rows.map((row) => this.#draw(row)), this.#following, this.#said, buttons);
     this.#requirements = design && design.requirements.length > 0 ? new Requirements(element, session, editor, checks) : null;
+    editor.listeners.push(({ error, changes }) => {
+      set(this.#said, { class: error ? "said bad" : "said" });
+      say(this.#said, error ?? changes);
+    });
     session.store.subscribe((changed) => {
       if (changed.has("scene") || changed.has("parts")) {
         this.#follow();

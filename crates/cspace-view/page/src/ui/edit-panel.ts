@@ -53,7 +53,7 @@ export class EditPanel {
       this.#said,
       html("div", { class: "buttons" }, this.#remove, this.#undo, this.#redo, save),
     );
-    editor.onReport = (report) => this.#report(report);
+    editor.listeners.push((report) => this.#report(report));
     editor.onSelect = () => this.#draw();
     session.store.subscribe((changed, state) => {
       if (changed.has("editing")) byId("edit").hidden = !state.editing;

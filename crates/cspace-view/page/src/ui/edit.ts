@@ -34,7 +34,8 @@ interface Shape {
 const PATIENCE = 1000;
 
 export class Editor {
-  onReport: ((report: EditReport) => void) | null = null;
+  /** Those who are told of each answer. */
+  readonly listeners: ((report: EditReport) => void)[] = [];
   onSelect: (() => void) | null = null;
   selected: Handle | null = null;
   readonly #session: Session;
@@ -169,12 +170,12 @@ export class Editor {
       const answer = await this.#workshop.edit(index, this.edits);
       const seconds = { seconds: answer.pair.seconds, roundTrip: (performance.now() - begin) / 1000 };
       this.#take(answer, index);
-      this.onReport?.({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
+      this.#report({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
     } catch (error) {
       const superseded = error instanceof WorkError && error.cancelled;
       const text = error instanceof Error ? error.message : String(error);
       if (!superseded) this.#session.store.change({ outdated: true });
-      if (!superseded) this.onReport?.({ seconds: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
+      if (!superseded) this.#report({ seconds: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
     }
     this.#begun = null;
     if (this.#waiting) void this.#request();
@@ -205,6 +206,10 @@ export class Editor {
     const { pair, kernel } = this.#session;
     if (!before.pair || !before.kernel || !pair || !kernel) return "";
     return regionChanges({ ...before.pair, kernel: before.kernel }, { ...pair, kernel });
+  }
+
+  #report(report: EditReport): void {
+    for (const listener of this.listeners) listener(report);
   }
 
   // Handles.
@@ -281,7 +286,7 @@ export class Editor {
     const typed = (by: (e: Edited, value: number) => Edited | null) => (value: number) => {
       const next = by(e, value);
       if (!next) {
-        this.onReport?.({ seconds: NaN, roundTrip: NaN, changes: "", error: "no arc of this radius reaches from one end of the edge to the other" });
+        this.#report({ seconds: NaN, roundTrip: NaN, changes: "", error: "no arc of this radius reaches from one end of the edge to the other" });
         return;
       }
       this.#remember();

@@ -2,6 +2,7 @@
 
 import { Drawing, Model } from "../../build/kernel/cspace.js";
 import type { DrawingScene } from "../drawing/scene.js";
+import { inUtf8 } from "../drawing/utf8.js";
 import type { Scene } from "../scene.js";
 import { html } from "./dom.js";
 import { showScene } from "./entries.js";
@@ -36,7 +37,7 @@ export async function showModel(text: string, name: string): Promise<void> {
 }
 
 function sceneOfDrawing(bytes: Uint8Array, name: string): DrawingScene {
-  const drawing = Drawing.read(bytes, name);
+  const drawing = Drawing.read(inUtf8(bytes), name);
   try {
     return JSON.parse(drawing.scene()) as DrawingScene;
   } finally {

@@ -89,7 +89,9 @@ describe("a page sets the parameters of its model", { skip }, () => {
     await type(page, "tip", "49.5");
     await page.waitForSelector(".requirement .mark.unmet", { timeout: PATIENCE });
     await type(page, "tip", "-3");
-    await page.waitForFunction(() => !(document.querySelector("#design .bad") as HTMLElement).hidden, { timeout: PATIENCE });
+    await page.waitForFunction(() => /tip|radius|cross|edge|ratchet/.test(document.querySelector("#design .said.bad")?.textContent ?? ""), { timeout: PATIENCE });
+    await press(page, "Undo");
+    await page.waitForFunction(() => document.querySelector("#design .said.bad") === null, { timeout: PATIENCE });
   });
 
   it("a contact that is dragged takes the parameters along", async () => {
