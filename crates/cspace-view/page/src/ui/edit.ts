@@ -165,20 +165,24 @@ export class Editor {
     this.#begun = begin;
     this.#waiting = false;
     const index = this.#session.state.pair;
-    const before = { pair: this.#session.pair, kernel: this.#session.kernel };
-    try {
-      const answer = await this.#workshop.edit(index, this.edits);
-      const seconds = { seconds: answer.pair.seconds, roundTrip: (performance.now() - begin) / 1000 };
-      this.#take(answer, index);
-      this.#report({ ...seconds, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
-    } catch (error) {
-      const superseded = error instanceof WorkError && error.cancelled;
-      const text = error instanceof Error ? error.message : String(error);
-      if (!superseded) this.#session.store.change({ outdated: true });
-      if (!superseded) this.#report({ seconds: NaN, roundTrip: (performance.now() - begin) / 1000, changes: "", error: text });
-    }
+    const asked = await this.#workshop.edit(index, this.edits).then(
+      (answer) => ({ answer }),
+      (error: unknown) => ({ error }),
+    );
+    const roundTrip = (performance.now() - begin) / 1000;
+    // The worker goes on while the answer is shown.
     this.#begun = null;
     if (this.#waiting) void this.#request();
+    try {
+      if ("error" in asked) throw asked.error;
+      const before = { pair: this.#session.pair, kernel: this.#session.kernel };
+      this.#take(asked.answer, index);
+      this.#report({ seconds: asked.answer.pair.seconds, roundTrip, changes: index === this.#session.state.pair ? this.#changesSince(before) : "", error: null });
+    } catch (error) {
+      if (error instanceof WorkError && error.cancelled) return;
+      this.#session.store.change({ outdated: true });
+      this.#report({ seconds: NaN, roundTrip, changes: "", error: error instanceof Error ? error.message : String(error) });
+    }
   }
 
   #take(answer: EditAnswer, index: number): void {
