@@ -415,13 +415,8 @@ pub(crate) struct PlanArgs {
         required_unless_present = "check"
     )]
     pub(crate) from: Option<String>,
-    /// The configuration to come to
-    #[arg(
-        long,
-        value_name = "C",
-        allow_hyphen_values = true,
-        required_unless_present = "check"
-    )]
+    /// The configuration to come to; `out`, where the parts can be taken apart for good, unless given
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
     /// The path whose smallest clearance is largest, and its bottleneck
     #[arg(long, conflicts_with_all = ["clearance", "check"])]

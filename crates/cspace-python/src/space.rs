@@ -398,18 +398,19 @@ impl Space {
         })
     }
 
-    /// A path from `start` to `goal` through free space, or the proof that there is none, as a dictionary.
-    #[pyo3(signature = (start, goal, widest=false, clearance=None))]
+    /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary.
+    #[pyo3(signature = (start, goal=None, widest=false, clearance=None))]
     fn _plan<'py>(
         &self,
         py: Python<'py>,
         start: &Bound<'py, PyAny>,
-        goal: &Bound<'py, PyAny>,
+        goal: Option<&Bound<'py, PyAny>>,
         widest: bool,
         clearance: Option<f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let space = Arc::clone(&self.known(py)?.space);
-        let (from, to) = (one(start, &space, "start")?, one(goal, &space, "goal")?);
+        let from = one(start, &space, "start")?;
+        let to = goal.map(|goal| one(goal, &space, "goal")).transpose()?;
         if let Some(clearance) = clearance {
             check("clearance", clearance)?;
             if widest {
@@ -427,7 +428,11 @@ impl Space {
         let asked = Arc::clone(&space);
         let answer = work::run(py, move |progress| {
             let planner = Planner::new(&asked).map_err(|e| e.to_string())?;
-            (planner.plan_with(from, to, &wishes, progress)).map_err(|e| e.to_string())
+            let answer = match to {
+                Some(to) => planner.plan_with(from, to, &wishes, progress),
+                None => (planner.plan_out(from, &wishes, progress)).map(|out| out.1),
+            };
+            answer.map_err(|e| e.to_string())
         })?;
         let told = PyDict::new(py);
         let names = |p: &cspace_design::FeaturePair| texts(&space, *p);

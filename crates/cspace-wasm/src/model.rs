@@ -172,8 +172,8 @@ impl Model {
         })
     }
 
-    /// What `cspace plan --format json` answers of a pair of the edited model: a path from one configuration to another, if need be the
-    /// widest, or why there is none.
+    /// What `cspace plan --format json` answers of a pair of the edited model: a path from one configuration to another, or out
+    /// where the other is empty, if need be the widest; or why there is none.
     pub fn plan(
         &self,
         pair: usize,
@@ -195,7 +195,11 @@ impl Model {
             steps: [f64::INFINITY; 3],
         };
         let planner = Planner::new(&space).map_err(fault)?;
-        let answer = planner.plan_with(coordinates(from)?, coordinates(to)?, &wishes, &Silent);
+        let from = coordinates(from)?;
+        let answer = match to {
+            [] => (planner.plan_out(from, &wishes, &Silent)).map(|out| out.1),
+            to => planner.plan_with(from, coordinates(to)?, &wishes, &Silent),
+        };
         let answer = answer.map_err(fault)?;
         json(&plan::Told::planned(&space, answer, seconds() - begin))
     }

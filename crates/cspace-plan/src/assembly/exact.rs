@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 
 use cspace::{
-    Configuration, Coordinates, Location, Options, PairSpace, Part, Progress, RegionId, Relation,
-    Vector,
+    Configuration, Coordinates, Location, Options, PairSpace, Progress, RegionId, Relation,
 };
 
 use crate::answer::{Path, Verdict};
@@ -12,7 +11,6 @@ use crate::planner::{Clearance, Planner, Wishes};
 
 use super::answer::{Enclosure, Step};
 use super::error::AssemblyError;
-use super::straight::straight;
 use super::units::{Set, Units};
 
 /// Whether one set can be taken out of another.
@@ -25,9 +23,6 @@ pub(super) enum Leaves {
     /// It is not known.
     Unsure,
 }
-
-/// Discs around the parts are this much farther apart than they need be, as a share of their radii.
-const APART: f64 = 0.1;
 
 /// Asks the contact space of the staying and the moving units: they leave if and only if they are drawn in the region that goes on
 /// without limit.
@@ -49,17 +44,12 @@ pub(super) fn leaves(
             units, sets, &space, region,
         )?)));
     }
-    let away = Away::new(&fixed, &mover);
-    if let Some(path) = straight((&fixed, &mover), |d| away.distance(d)) {
-        return Ok(Leaves::By(Box::new(step(units, sets, path))));
-    }
     let planner = Planner::new(&space)?;
     let wishes = Wishes {
         clearance: Clearance::Quick,
         ..Wishes::default()
     };
-    let far = Coordinates::Planar(away.farthest());
-    let answer = planner.plan_with(drawn, far, &wishes, progress)?;
+    let (_, answer) = planner.plan_out(drawn, &wishes, progress)?;
     Ok(match answer.verdict {
         Verdict::Path(path) => Leaves::By(Box::new(step(units, sets, path))),
         _ => Leaves::Unsure,
@@ -71,44 +61,6 @@ fn step(units: &Units, (moving, staying): (Set, Set), path: Path) -> Step {
         moving: units.parts_of(moving),
         staying: units.parts_of(staying),
         path,
-    }
-}
-
-/// Discs around two parts.
-struct Away {
-    /// From the middle of the fixed part to that of the moving one.
-    between: Vector,
-    /// How far the middles have to be apart.
-    apart: f64,
-}
-
-impl Away {
-    fn new(fixed: &Part, moving: &Part) -> Self {
-        let disc = |part: &Part| (part.bounds().center(), 0.5 * part.bounds().diagonal());
-        let ((from, r), (at, s)) = (disc(fixed), disc(moving));
-        Self {
-            between: at - from,
-            apart: (r + s) * (1.0 + APART),
-        }
-    }
-
-    /// How far it is in a unit direction until the discs are apart.
-    fn distance(&self, direction: Vector) -> f64 {
-        let along = self.between.dot(direction);
-        let across = self.between.cross(direction);
-        let root = (self.apart * self.apart - across * across).max(0.0).sqrt();
-        (root - along).max(0.0)
-    }
-
-    /// Where they are apart, in the direction in which the one lies from the other.
-    fn farthest(&self) -> Configuration {
-        let direction = if self.between.length() > 1e-3 * self.apart {
-            self.between.unit()
-        } else {
-            Vector::new(0.0, 1.0)
-        };
-        let to = direction * self.distance(direction);
-        Configuration::new(to.x, to.y, 0.0)
     }
 }
 

@@ -13,7 +13,6 @@ mod error;
 mod exact;
 mod inset;
 mod search;
-mod straight;
 mod units;
 
 use cspace::{Mechanism, Part, Progress, Silent};

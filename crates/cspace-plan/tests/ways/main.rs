@@ -7,6 +7,7 @@ mod fits;
 mod hidden;
 mod hook;
 mod judge;
+mod out;
 mod random;
 mod shrunk;
 mod sliders;

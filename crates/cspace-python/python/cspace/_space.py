@@ -169,9 +169,10 @@ class ContactSpace:
         }
 
     def plan(
-        self, start: ArrayLike, goal: ArrayLike, widest: bool = False, clearance: float | None = None
+        self, start: ArrayLike, goal: ArrayLike | None = None, widest: bool = False, clearance: float | None = None
     ) -> Plan:
-        """A path from `start` to `goal` through free space, or the proof that there is none.
+        """A path from `start` to `goal` through free space, or the proof that there is none. Without `goal`, out: until a line lies
+        between the convex hulls of the parts.
 
         With `widest` no other path has more clearance; with `clearance` it has at least so much.
         """

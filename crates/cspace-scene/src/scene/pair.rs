@@ -48,6 +48,21 @@ pub struct SceneRegion {
     pub unbounded: bool,
     /// A configuration in it: [x, y, θ] or [u, v].
     pub sample: Vec<f64>,
+    /// Of a pair on fixed axes: where u and v are in it.
+    pub ranges: Option<[SceneRange; 2]>,
+}
+
+/// From where to where a coordinate of a region goes (the model's unit, or radians).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SceneRange {
+    /// Its smallest value.
+    pub lo: f64,
+    /// Its largest.
+    pub hi: f64,
+    /// Whether it goes on without limit below and above.
+    pub open: (bool, bool),
+    /// Whether it turns for ever.
+    pub around: bool,
 }
 
 impl ScenePair {
@@ -105,8 +120,24 @@ impl ScenePair {
             PairSpace::Planar(space) => space.bands().iter().map(|b| (b.lo, b.hi)).collect(),
             _ => Vec::new(),
         };
-        let region = |r: cspace::PairRegion| SceneRegion {
+        let ranges = |index: usize| match space {
+            PairSpace::FixedAxes(space) => space.regions().get(index).map(|r| {
+                let range = |(lo, hi), open, around| SceneRange {
+                    lo,
+                    hi,
+                    open,
+                    around,
+                };
+                [
+                    range(r.u, r.open_u, r.around_u),
+                    range(r.v, r.open_v, r.around_v),
+                ]
+            }),
+            _ => None,
+        };
+        let region = |(index, r): (usize, cspace::PairRegion)| SceneRegion {
             unbounded: r.unbounded,
+            ranges: ranges(index),
             sample: match r.sample {
                 Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
                 Coordinates::Axes { u, v } => vec![u, v],
@@ -130,7 +161,9 @@ impl ScenePair {
             contact_distance: space.contact_distance(),
             resolution: space.resolution(),
             bands,
-            regions: space.regions().into_iter().map(region).collect(),
+            regions: (space.regions().into_iter().enumerate())
+                .map(region)
+                .collect(),
             seconds,
         })
     }

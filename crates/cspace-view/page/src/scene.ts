@@ -127,6 +127,16 @@ export interface SceneRegion {
   unbounded: boolean;
   /** A configuration in it: [x, y, θ] or [u, v]. */
   sample: number[];
+  /** Of a pair on fixed axes: where u and v are in it; else null. */
+  ranges: [SceneRange, SceneRange] | null;
+}
+
+/** From where to where a coordinate goes (model unit or radians), whether without limit below and above, and whether it turns for ever. */
+export interface SceneRange {
+  lo: number;
+  hi: number;
+  open: [boolean, boolean];
+  around: boolean;
 }
 
 export interface SceneRecord {

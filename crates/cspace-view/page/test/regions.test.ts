@@ -9,7 +9,7 @@ import { regionChanges } from "../src/ui/region-changes.js";
 /** Regions that are intervals of x. */
 const along = (...intervals: [number, number][]) => ({
   class: "general" as const,
-  regions: intervals.map(([lo, hi]) => ({ unbounded: false, sample: [(lo + hi) / 2, 0, 0] })),
+  regions: intervals.map(([lo, hi]) => ({ unbounded: false, sample: [(lo + hi) / 2, 0, 0], ranges: null })),
   kernel: {
     region: (c: Configuration) => {
       const found = intervals.findIndex(([lo, hi]) => "x" in c && c.x > lo && c.x < hi);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import type { Kernel, PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
-import type { Scene, ScenePair } from "../src/scene.js";
+import type { Scene, ScenePair, SceneRange } from "../src/scene.js";
 import { firstPair } from "../src/ui/first-pair.js";
 import { labelPlace } from "../src/ui/label-place.js";
 import { lensBox } from "../src/ui/lens.js";
@@ -15,11 +15,11 @@ import { rimOf } from "../src/ui/surface-rim.js";
 import { details, headline } from "../src/ui/verdict.js";
 import type { Told } from "../src/ui/verdict.js";
 
-const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0] }));
+const regions = [true, false].map((unbounded) => ({ unbounded, sample: [0, 0, 0], ranges: null }));
 
 function told(classification: Told["where"]["classification"], region: number | null, patches: number[] = []): Told {
   const kernel = { patch: () => ({ region: 1 }) } as unknown as Kernel;
-  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", unit: "mm" };
+  return { pair: { class: "general", regions, resolution: 1e-9 }, kernel, where: { classification, region, touching: [], nearest: null, patches }, fixed: "lock", moving: "bolt", axes: null, others: false, displaced: false, unit: "mm" };
 }
 
 describe("regions", () => {
@@ -34,13 +34,26 @@ describe("regions", () => {
 describe("the verdict", () => {
   it("is whether the part can leave", () => {
     assert.equal(headline(told("free", 1)), "bolt is caged in pocket 1: it cannot leave.");
-    assert.equal(headline(told("free", 0)), "bolt is outside: it can leave.");
+    assert.equal(headline(told("free", 0)), "bolt is not caged: it can leave.");
     assert.equal(headline(told("contact", null, [3])), "bolt touches lock, caged in pocket 1: it cannot leave.");
     assert.match(headline(told("blocked", null)), /overlap/);
   });
+  it("says where parts on axes can go", () => {
+    const on = (u: SceneRange, v: SceneRange): Told => ({
+      ...told("contact", 0),
+      pair: { class: "fixed-axes", regions: [{ unbounded: false, sample: [0, 0], ranges: [u, v] }], resolution: 1e-9 },
+      axes: ["angle", "length"],
+      others: true,
+    });
+    const range = (lo: number, hi: number, around = false, open: [boolean, boolean] = [false, false]) => ({ lo, hi, open, around });
+    assert.equal(headline(on(range(0, 1, true), range(0, 1, true))), "lock and bolt turn together for ever.");
+    assert.equal(headline(on(range(0, Math.PI / 6), range(-1, 2.5))), "lock turns by 30°, bolt slides by 3.5 mm, as far as the other lets it.");
+    assert.equal(headline(on(range(0, 1, true), range(0, 1, false, [false, true]))), "lock turns for ever, bolt slides without limit, as far as the other lets it.");
+    assert.deepEqual(details(on(range(0, 1), range(0, 1)), []), ["They touch.", "Only these two parts count here: the others are left out."]);
+  });
   it("has the play of a cage, to three digits", () => {
     const way = (coordinate: "x" | "y" | "theta", width: number) => ({ coordinate, kind: coordinate === "theta" ? ("angle" as const) : ("length" as const), back: width / 4, forth: (3 * width) / 4 });
-    assert.deepEqual(details(told("free", 1), [way("x", 0.123456), way("y", Infinity), way("theta", Math.PI / 180)]), ["Play from here: 0.123 mm along x, any length along y; it turns by 1°."]);
+    assert.deepEqual(details(told("free", 1), [way("x", 0.123456), way("y", Infinity), way("theta", Math.PI / 180)]), ["Play from here: 0.123 mm along x, any length along y; without shifting it turns by 1°."]);
     assert.deepEqual(details(told("blocked", null), []), []);
   });
 });
@@ -135,7 +148,7 @@ describe("the first pair", () => {
   it("is one that matters", () => {
     const joint = pair({ class: "lower" });
     const apart = pair({ moving: 2 });
-    const never = pair({ space: { patches: [] } });
+    const never = pair({ space: JSON.stringify({ patches: [] }) });
     const near = pair({});
     const caged = pair({ moving: 2, regions });
     assert.equal(firstPair(scene([joint, apart, never, near])), 3);

@@ -92,13 +92,20 @@ fn is_json(args: &PlanArgs) -> bool {
     (output.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("json"))
 }
 
+/// The goal that is given; none if it is any that is out.
+fn goal(args: &PlanArgs) -> Option<&str> {
+    args.to.as_deref().filter(|to| *to != "out")
+}
+
 fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
-    let given = |option: &str, text: &Option<String>| match text {
-        Some(text) => pair.coordinates(option, text),
-        None => Err(Failure::input(format_args!("{option} is missing"))),
+    let Some(from) = &args.from else {
+        return Err(Failure::input("--from is missing"));
     };
-    let from = given("--from", &args.from)?;
-    let to = given("--to", &args.to)?;
+    let from = pair.coordinates("--from", from)?;
+    let to = match goal(args) {
+        Some(to) => Some(pair.coordinates("--to", to)?),
+        None => None,
+    };
     let clearance = match args.clearance {
         Some(least) => Clearance::AtLeast(least),
         None if args.widest => Clearance::Widest,
@@ -121,6 +128,10 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         PlanError::To(e) => pair.unanswered("--to", e),
         PlanError::Pair(e) => pair.unanswered("--from", e),
         PlanError::Grown(e) => pair.failure(e),
+        PlanError::NoGoal => {
+            Failure::input("--to is missing: on fixed axes no configuration is out")
+                .help("give the configuration to come to: --to=U,V")
+        }
         PlanError::TooFar { .. } => Failure::input(&error).help("choose one nearer to the parts"),
         PlanError::TooManyLegs(_) => {
             Failure::input(format_args!("--turn, --travel: {error}")).help("give larger ones")
@@ -129,8 +140,12 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     };
     let begin = Instant::now();
     let planner = Planner::new(&space).map_err(failed)?;
-    let answer = Bar::new(pair.names())
-        .watch(|bar| planner.plan_with(from, to, &Wishes { clearance, steps }, bar))
+    let wishes = Wishes { clearance, steps };
+    let (to, answer) = Bar::new(pair.names())
+        .watch(|bar| match to {
+            Some(to) => Ok((to, planner.plan_with(from, to, &wishes, bar)?)),
+            None => planner.plan_out(from, &wishes, bar),
+        })
         .map_err(failed)?;
     let mut told = Told::planned(&space, answer, begin.elapsed().as_secs_f64());
     if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {

@@ -120,7 +120,7 @@ export class DesignPanel {
     }
     const unit = this.#session.scene.unit;
     const following = now.filter((p) => p.expression !== null).map((p) => `${p.name} = ${p.is_angle ? degrees(p.value, 5) : short(rounded(p.value, 5))}`);
-    say(this.#following, following.length > 0 ? `They follow${unit ? ` (${length(1, unit).slice(2)})` : ""}: ${following.join(", ")}` : "");
+    say(this.#following, following.length > 0 ? `Computed from these${unit ? ` (${length(1, unit).slice(2)})` : ""}: ${following.join(", ")}` : "");
   }
 }
 

@@ -53,12 +53,12 @@ export class Requirements {
     const design = session.scene.design;
     this.#items = (design?.requirements ?? []).map((name) => ({ name, mark: html("span", { class: "mark" }, "…"), value: html("output"), plot: html("div", { class: "plot", hidden: "" }) }));
     const free = design?.parameters.filter((p) => p.expression === null) ?? [];
-    this.#choice.append(html("option", { value: "" }, "no strips"), ...free.map((p) => html("option", { value: p.name }, p.name)));
+    this.#choice.append(html("option", { value: "" }, "–"), ...free.map((p) => html("option", { value: p.name }, p.name)));
     this.#choice.addEventListener("change", () => {
       this.#strip = null;
       void this.#check();
     });
-    const over = free.length > 0 ? [html("label", { class: "faint", for: "strip-over" }, "over the parameter ", this.#choice)] : [];
+    const over = free.length > 0 ? [html("label", { class: "faint", for: "strip-over" }, "drawn over ", this.#choice)] : [];
     parent.append(
       html("h2", {}, "Requirements"),
       ...over,

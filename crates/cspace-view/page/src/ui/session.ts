@@ -65,6 +65,7 @@ export class Session {
       outdated: false,
       whole: false,
       held: null,
+      displaced: false,
       message: null,
     });
   }
@@ -185,6 +186,7 @@ export class Session {
     const kernel = this.kernel;
     const region = pair.regions.find((r) => !r.unbounded) ?? pair.regions[0];
     if (!kernel || !region) return;
+    this.store.change({ displaced: true });
     const [a = 0, b = 0, c] = region.sample;
     if (kernel.coordinates === "axes" || c === undefined) {
       this.setConfiguration({ u: a, v: b });
@@ -236,6 +238,7 @@ export class Session {
   /** Moves towards a configuration at the next frame, as far as contacts let it if they are to stop it. */
   aim(configuration: Configuration, anchor: Anchor = "fixed", base: Placement | null = null): void {
     const waiting = this.#aim !== null;
+    this.store.change({ displaced: false });
     this.#aim = { configuration, anchor, base };
     if (!waiting) requestAnimationFrame(() => this.settle());
   }

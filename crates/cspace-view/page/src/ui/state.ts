@@ -59,6 +59,8 @@ export interface State {
   whole: boolean;
   /** Of the last drag of the mechanism: what stopped it, in words, and the names of parts that overlap. */
   held: { stopped: readonly string[]; overlapping: readonly (readonly [string, string])[] } | null;
+  /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
+  displaced: boolean;
   /** What went wrong last, for the user. */
   message: string | null;
 }

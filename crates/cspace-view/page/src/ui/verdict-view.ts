@@ -29,7 +29,7 @@ export class VerdictView {
     parent.append(this.#headline, this.#details, this.#held);
     session.store.subscribe((changed) => {
       if (changed.has("held")) this.#sayHeld();
-      if ((["where", "space", "pair", "parts"] as Key[]).some((k) => changed.has(k))) this.#draw();
+      if ((["where", "space", "pair", "parts", "displaced"] as Key[]).some((k) => changed.has(k))) this.#draw();
     });
   }
 
@@ -52,10 +52,10 @@ export class VerdictView {
   }
 
   #told(): Told | null {
-    const { pair, kernel, state, scene } = this.#session;
+    const { pair, kernel, state, scene, axes } = this.#session;
     if (!pair || !kernel || kernel.class === "lower") return null;
     const name = (part: number) => scene.parts[part]?.name ?? "?";
-    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), unit: scene.unit };
+    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u.kind, axes.v.kind] : null, others: scene.parts.length > 2, displaced: state.displaced, unit: scene.unit };
   }
 
   #tell(): void {

@@ -1,7 +1,7 @@
 /** What the configuration means, in words: whether the moving part can leave, and how much play it has. */
 
-import type { Kernel } from "../kernel/api.js";
-import type { ScenePair } from "../scene.js";
+import type { AxisInfo, Kernel } from "../kernel/api.js";
+import type { ScenePair, SceneRange } from "../scene.js";
 import { degrees, length, rounded as shown } from "./numbers.js";
 import { widthOf } from "./play.js";
 import type { Way } from "./play.js";
@@ -16,6 +16,12 @@ export interface Told {
   /** Names of the pair's parts. */
   fixed: string;
   moving: string;
+  /** How u and v move, of a pair on fixed axes. */
+  axes: [AxisInfo["kind"], AxisInfo["kind"]] | null;
+  /** Whether the model has other parts, which are left out of account. */
+  others: boolean;
+  /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
+  displaced: boolean;
   unit: string | null;
 }
 
@@ -33,12 +39,31 @@ export function headline(told: Told): string {
   if (where.classification === null) return "This is outside of what was computed.";
   const region = regionOf(told);
   const touches = where.classification === "contact";
-  const apart = where.nearest ? `${length(shown(where.nearest.distance), told.unit)} apart` : "apart";
-  if (pair.class === "fixed-axes") return touches ? `${moving} touches ${fixed}.` : `${moving} and ${fixed} are ${apart}.`;
+  if (pair.class === "fixed-axes") return region === null ? (touches ? `${moving} touches ${fixed}.` : `${moving} is free.`) : onAxes(told, region);
   if (region === null) return touches ? `${moving} touches ${fixed}.` : `${moving} is free.`;
   const name = regionName(pair, region);
-  if (pair.regions[region]?.unbounded) return touches ? `${moving} touches ${fixed} from ${name}: it can leave.` : `${moving} is ${name}: it can leave.`;
+  if (pair.regions[region]?.unbounded) return touches ? `${moving} touches ${fixed} and is not caged: it can leave.` : `${moving} is not caged: it can leave.`;
   return touches ? `${moving} touches ${fixed}, caged in ${name}: it cannot leave.` : `${moving} is caged in ${name}: it cannot leave.`;
+}
+
+/** Where the two parts can go on their axes. */
+function onAxes({ pair, fixed, moving, axes, unit }: Told, region: number): string {
+  const ranges = pair.regions[region]?.ranges;
+  if (!ranges || !axes) return `${moving} and ${fixed} are in region ${region}.`;
+  if (ranges[0].around && ranges[1].around) return `${fixed} and ${moving} turn together for ever.`;
+  const goes = (kind: AxisInfo["kind"], { lo, hi, open, around }: SceneRange) => {
+    if (kind === "still") return null;
+    if (around) return "turns for ever";
+    const how = kind === "angle" ? "turns" : "slides";
+    if (open[0] || open[1]) return `${how} without limit`;
+    return `${how} by ${kind === "angle" ? degrees(hi - lo, DIGITS) : length(shown(hi - lo, DIGITS), unit)}`;
+  };
+  const all = [fixed, moving].flatMap((name, i) => {
+    const range = ranges[i];
+    const way = range && goes(axes[i] ?? "still", range);
+    return way ? [`${name} ${way}`] : [];
+  });
+  return `${all.join(", ")}, as far as the other lets it.`;
 }
 
 /** How far it can go from here along each coordinate alone, and how far the parts are apart. */
@@ -48,14 +73,17 @@ export function details(told: Told, play: readonly Way[]): string[] {
   const axes = pair.class === "fixed-axes";
   const region = regionOf(told);
   const lines: string[] = [];
-  if (where.nearest && where.classification === "free" && !axes) lines.push(`${length(shown(where.nearest.distance), unit)} apart.`);
+  if (where.nearest && where.classification === "free") lines.push(`${length(shown(where.nearest.distance), unit)} apart.`);
+  if (axes && where.classification === "contact") lines.push("They touch.");
   if (axes) {
     for (const way of play) lines.push(`${way.coordinate === "u" ? moving : fixed} held, ${way.coordinate === "u" ? fixed : moving} ${moves(way, unit)}.`);
   } else if (region !== null && !pair.regions[region]?.unbounded) {
     const [turn] = play.filter((w) => w.coordinate === "theta");
     const slides = play.filter((w) => w.coordinate !== "theta").map((w) => `${rounded(w, unit)} along ${w.coordinate}`);
-    lines.push(`Play from here: ${slides.join(", ")}${turn ? `; it ${moves(turn, unit)}` : ""}.`);
+    lines.push(`Play from here: ${slides.join(", ")}${turn ? `; without shifting it ${moves(turn, unit)}` : ""}.`);
   }
+  if (told.displaced) lines.push("As they are drawn they overlap: they are shown beside each other.");
+  if (told.others) lines.push("Only these two parts count here: the others are left out.");
   return lines;
 }
 

@@ -33,6 +33,9 @@ const GRID_PIXELS = 56;
 /** About as wide as a character of the grid's numbers is, and as high as their line (root ems). */
 const CHARACTER = 0.5;
 const LINE = 1.4;
+/** A unit of more characters, such as the names of two motions, is long. */
+const LONG = 8;
+
 /** The room between numbers of the grid, and between them and the unit, in pixels. */
 const NUMBER_GAP = 10;
 /** A box without width is shown as if it had this share of its distance from the origin. */
@@ -181,8 +184,9 @@ export class Viewport {
     const widthOf = (text: string) => text.length * CHARACTER * rem;
     const label = (kind: AxisKind, value: number, step: number) =>
       kind === "angle" ? `${lineText((value * 180) / Math.PI, (step * 180) / Math.PI)}°` : lineText(value, step);
-    // The unit has the corner for itself, with a larger font.
-    const end = this.#width - (this.unit ? 1.2 * widthOf(this.unit) + rem : 0);
+    // The unit has the corner for itself, with a larger font; what is long stands above, where there are no numbers.
+    const isLong = this.unit.length > LONG;
+    const end = this.#width - (this.unit && !isLong ? 1.2 * widthOf(this.unit) + rem : 0);
     const across = gridLines(box.x0, box.x1, dx).map(({ index, value }) => ({ index, x: this.toScreen({ x: value, y: 0 }).x, text: label(this.kinds[0], value, dx) }));
     // Long numbers stand at every second or third line.
     const every = Math.max(1, Math.ceil((Math.max(...across.map(({ text }) => widthOf(text))) + NUMBER_GAP) / (dx * this.#scale.x)));
@@ -195,7 +199,7 @@ export class Viewport {
       lines.push(`M0 ${y}H${this.#width}`);
       if (y < this.#height - LINE * rem) numbers.push(svg("text", { x: 4, y: y - 3 }, label(this.kinds[1], value, dy)));
     }
-    if (this.unit) numbers.push(svg("text", { x: this.#width - 6, y: this.#height - 5, "text-anchor": "end", class: "unit" }, this.unit));
+    if (this.unit) numbers.push(svg("text", { x: this.#width - 6, y: isLong ? 1.2 * rem : this.#height - 5, "text-anchor": "end", class: "unit" }, this.unit));
     set(this.#grid, { d: lines.join("") });
     set(this.#axes, { d: `M${origin.x} 0V${this.#height}M0 ${origin.y}H${this.#width}` });
     this.#numbers.replaceChildren(...numbers);

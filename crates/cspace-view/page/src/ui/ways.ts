@@ -27,11 +27,9 @@ export class Ways {
 
   /** Plays a way from here to where the part is free for good, the widest if that is wanted; or says why there is none. */
   async out(widest: boolean): Promise<void> {
-    const { pair, state } = this.#session;
-    const goal = pair?.regions.find((r) => r.unbounded)?.sample;
-    if (!pair || !goal) throw new Error("The parts of this pair never come apart.");
+    const { state } = this.#session;
     const text = await this.#busy("Looking for a way out …", () =>
-      this.#workshop.plan(state.pair, this.#edits(), numbersOf(state.configuration), goal, widest),
+      this.#workshop.plan(state.pair, this.#edits(), numbersOf(state.configuration), [], widest),
     );
     const plan = JSON.parse(text) as Plan;
     if (plan.verdict === "path") this.#timeline.play(widest ? "widest way out" : "way out", text);

@@ -1,0 +1,189 @@
+//! A way out: until a line lies between the convex hulls of the parts, on whose far side the moving part can go away for ever.
+//!
+//! A designer expects a straight way where there is one: the directions of the parts' lines and of the axes are tried first, the shortest
+//! first. Otherwise ways to the far ends of some of these directions are planned, and the one with the fewest legs is taken.
+
+use cspace::pair::PairMotion;
+use cspace::{
+    Configuration, Coordinates, Edge, Location, PairSpace, Part, Point, Progress, Rotation, Vector,
+};
+
+use crate::answer::{Answer, Verdict};
+use crate::planner::{Clearance, PlanError, Planner, Wishes};
+
+/// So many directions are tried for straight ways, those of the longest lines first.
+const MOST: usize = 64;
+/// To the far ends of so many directions ways are planned.
+const PLANNED: usize = 8;
+/// Directions that differ by less are the same: sines of angles.
+const SAME: f64 = 1e-9;
+/// The hulls are apart by this share of the parts' size.
+const APART: f64 = 0.05;
+
+/// A direction in the fixed part's frame, and how far it is in it until the hulls are apart.
+struct Exit {
+    direction: Vector,
+    distance: f64,
+}
+
+impl Planner<'_> {
+    /// A way from a configuration to one that is out, which is chosen and told: there a line lies between the convex hulls of the parts.
+    /// On the way the orientation changes only where it must, and at the end it is that of the start, but for whole turns.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Silent};
+    /// use cspace_plan::{Planner, Verdict, Wishes};
+    /// // A block in a trough, which is open above.
+    /// let trough = Part::polygon("trough", &[
+    ///     (-4.0, -3.0), (4.0, -3.0), (4.0, 3.0), (3.0, 3.0), (3.0, -2.0), (-3.0, -2.0), (-3.0, 3.0), (-4.0, 3.0),
+    /// ])?;
+    /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
+    /// let space = PairSpace::compute(&trough, &block, Relation::Planar, &Options::default())?;
+    /// let from = Coordinates::Planar(Configuration::new(1.0, 0.0, 0.0));
+    /// let (to, answer) = Planner::new(&space)?.plan_out(from, &Wishes::default(), &Silent)?;
+    /// let (Verdict::Path(path), Coordinates::Planar(to)) = (answer.verdict, to) else { return Err("it comes out".into()) };
+    /// assert!(to.x == 1.0 && to.y > 4.0 && to.theta == 0.0);
+    /// assert!(path.narrowest.clearance > 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan); of a pair on fixed axes, on which no configuration is out; and what `progress` returns.
+    pub fn plan_out(
+        &self,
+        from: Coordinates,
+        wishes: &Wishes,
+        progress: &dyn Progress,
+    ) -> Result<(Coordinates, Answer), PlanError> {
+        let PairSpace::Planar(space) = self.space() else {
+            return Err(PlanError::NoGoal);
+        };
+        let location = self.space().locate(from).map_err(PlanError::From)?;
+        let Coordinates::Planar(at) = from else {
+            return Err(PlanError::NoGoal);
+        };
+        let exits = exits(space.fixed(), space.moving(), at);
+        let goal = |exit: &Exit| {
+            let by = exit.direction * exit.distance;
+            Coordinates::Planar(Configuration::new(at.x + by.x, at.y + by.y, at.theta))
+        };
+        let Some(nearest) = exits.first().map(goal) else {
+            return Err(PlanError::NoGoal);
+        };
+        let to = |goal: Coordinates| {
+            let answer = self.plan_with(from, goal, wishes, progress)?;
+            Ok((goal, answer))
+        };
+        if let Location::Free(region) = location
+            && !(self.space().regions().get(region.index())).is_some_and(|r| r.unbounded)
+        {
+            return to(nearest);
+        }
+        let is_straight = |exit: &&Exit| {
+            let by = exit.direction * exit.distance;
+            let rates = Coordinates::Planar(Configuration::new(by.x, by.y, 0.0));
+            matches!(
+                self.space().first_contact(from, rates, 1.0),
+                Ok(PairMotion::Free)
+            )
+        };
+        if let Some(exit) = exits.iter().find(is_straight) {
+            return to(goal(exit));
+        }
+        let quick = Wishes {
+            clearance: Clearance::Quick,
+            ..*wishes
+        };
+        let mut best: Option<(usize, f64, Coordinates)> = None;
+        for exit in exits.iter().take(PLANNED) {
+            let goal = goal(exit);
+            let Verdict::Path(path) = self.plan_with(from, goal, &quick, progress)?.verdict else {
+                continue;
+            };
+            let found = (
+                path.configurations.len(),
+                length(&path.configurations),
+                goal,
+            );
+            if best.is_none_or(|b| (found.0, found.1) < (b.0, b.1)) {
+                best = Some(found);
+            }
+        }
+        to(best.map_or(nearest, |b| b.2))
+    }
+}
+
+/// How far the moving part's origin goes along a path (the model's unit).
+fn length(path: &[Coordinates]) -> f64 {
+    let place = |c: &Coordinates| match *c {
+        Coordinates::Planar(c) => c.position(),
+        Coordinates::Axes { u, v } => Point::new(u, v),
+    };
+    (path.windows(2))
+        .map(|leg| place(&leg[0]).distance(place(&leg[1])))
+        .sum()
+}
+
+/// The directions of the axes and of the lines of both parts, and across them, by how far it is until the parts are apart.
+fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit> {
+    let turn = Rotation::by(at.theta);
+    let apart = APART * fixed.size().max(moving.size());
+    let mut exits: Vec<Exit> = (directions(fixed, moving, turn).into_iter())
+        .map(|direction| {
+            let to = Vector::new(at.x, at.y).dot(direction);
+            let last = farthest(fixed, direction);
+            // The moving part's last point is the farthest in the opposite direction.
+            let first = to - farthest(moving, turn.inverse() * -direction);
+            Exit {
+                direction,
+                distance: (last - first + apart).max(0.0),
+            }
+        })
+        .collect();
+    exits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    exits
+}
+
+/// max p · d over the points of a part.
+fn farthest(part: &Part, direction: Vector) -> f64 {
+    // With the direction as the x axis the box says it.
+    let turned = |p: Point| {
+        let v = p.to_vector();
+        Point::new(v.dot(direction), v.dot(direction.left()))
+    };
+    (part.edges())
+        .map(|edge| {
+            let turned = Edge {
+                start: turned(edge.start),
+                end: turned(edge.end),
+                ..edge
+            };
+            turned.bounds().max.x
+        })
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn directions(fixed: &Part, moving: &Part, turn: Rotation) -> Vec<Vector> {
+    let of = |edge: Edge, turn: Rotation| {
+        let chord = edge.end - edge.start;
+        (chord.length(), turn * chord.unit())
+    };
+    let still = Rotation::by(0.0);
+    let lines = fixed.edges().map(|e| (e, still));
+    let mut lines: Vec<(f64, Vector)> = (lines.chain(moving.edges().map(|e| (e, turn))))
+        .filter(|(e, _)| e.is_line())
+        .map(|(e, turn)| of(e, turn))
+        .collect();
+    lines.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let axes = [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)];
+    let mut found: Vec<Vector> = Vec::new();
+    for direction in axes.into_iter().chain(lines.into_iter().map(|l| l.1)) {
+        for d in [direction, -direction, direction.left(), -direction.left()] {
+            let known = |f: &Vector| f.cross(d).abs() < SAME && f.dot(d) > 0.0;
+            if found.len() < MOST && !found.iter().any(known) {
+                found.push(d);
+            }
+        }
+    }
+    found
+}
