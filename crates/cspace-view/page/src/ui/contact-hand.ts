@@ -48,14 +48,19 @@ export class ContactHand {
     const pair = state.pair;
     const isPlanar = kernel.coordinates === "planar";
     let isFirst = true;
+    // What is undone or typed meanwhile ends the drag: later answers would overwrite it.
+    let { version } = this.editor;
+    const isOver = () => this.editor.version !== version;
     let isAsking = false;
     let next: Place | null = null;
     const ask = async (to: Place): Promise<void> => {
       isAsking = true;
       try {
         const { set, none } = await this.workshop.contact(pair, edits, dragOf(held, at, to, viewport.pixel, spans, configuration, isPlanar));
+        if (isOver()) return;
         if (none === null) {
           this.editor.setParameters(set, isFirst);
+          ({ version } = this.editor);
           isFirst = false;
         } else store.change({ message: `The contact cannot be put there: ${none}.` });
       } catch (error) {
@@ -69,6 +74,7 @@ export class ContactHand {
     store.change({ dragging: true, playing: false, message: null });
     return {
       move: (to) => {
+        if (isOver()) return;
         if (isAsking) next = to;
         else void ask(to);
       },

@@ -4,7 +4,7 @@ import type { SceneParameter, SceneSetting } from "../scene.js";
 import type { Actions } from "./actions.js";
 import { byId, html, say, set } from "./dom.js";
 import type { Editor } from "./edit.js";
-import { degrees, isUsable, length, rounded, short } from "./numbers.js";
+import { LARGEST_NUMBER, degrees, isUsable, rounded, short } from "./numbers.js";
 import { Requirements } from "./requirements.js";
 import type { Session } from "./session.js";
 import type { Workshop } from "./workshop.js";
@@ -52,10 +52,7 @@ export class DesignPanel {
     const buttons = html("div", { class: "buttons" }, undo, redo, button("Save model", actions.saveModel));
     if (parameters.length > 0) element.append(head, ...this.#rows.map((row) => this.#draw(row)), this.#following, this.#said, buttons);
     this.#requirements = design && design.requirements.length > 0 ? new Requirements(element, session, editor, checks) : null;
-    editor.listeners.push(({ error, changes }) => {
-      set(this.#said, { class: error ? "said bad" : "said" });
-      say(this.#said, error ?? changes);
-    });
+    editor.listeners.push(({ error, changes }) => this.#say(error ?? changes, error !== null));
     session.store.subscribe((changed) => {
       if (changed.has("scene") || changed.has("parts")) {
         this.#follow();
@@ -91,6 +88,7 @@ export class DesignPanel {
       const value = field.value.trim() === "" ? NaN : Number(field.value);
       set(field, { "aria-invalid": isUsable(value) ? null : "true" });
       if (isUsable(value)) this.#set(parameter, value, true);
+      else this.#say(`${name}: type a number of at most ${LARGEST_NUMBER}`, true);
     });
     return { parameter, slider, field, free };
   }
@@ -98,6 +96,11 @@ export class DesignPanel {
   #draw({ parameter, slider, field, free }: Row): HTMLElement {
     const unit = html("span", { class: "faint" }, parameter.is_angle ? "°" : "");
     return html("div", { class: "parameter" }, html("span", { class: "name", title: parameter.name }, parameter.name), slider, html("span", { class: "value" }, field, unit), free);
+  }
+
+  #say(text: string, isWrong: boolean): void {
+    set(this.#said, { class: isWrong ? "said bad" : "said" });
+    say(this.#said, text);
   }
 
   #set({ name, is_angle }: SceneParameter, value: number, isFirst: boolean): void {
@@ -108,19 +111,20 @@ export class DesignPanel {
   /** Shows the values as they were answered; what is in a hand stays as it is. */
   #follow(): void {
     const now = this.#session.scene.design?.parameters ?? [];
-    const set: ReadonlyMap<string, SceneSetting> = new Map(this.#editor.set.map((s) => [s.name, s]));
+    const given: ReadonlyMap<string, SceneSetting> = new Map(this.#editor.set.map((s) => [s.name, s]));
     for (const { parameter, slider, field } of this.#rows) {
       const answered = now.find((p) => p.name === parameter.name)?.value ?? parameter.value;
-      const setting = set.get(parameter.name)?.value;
+      const setting = given.get(parameter.name)?.value;
       // What is set is shown before it is answered; an angle is a number of degrees.
       const shown = setting === undefined ? answered / (parameter.is_angle ? DEGREE : 1) : shownOf(setting, parameter);
       const text = String(rounded(shown, 9));
       if (this.#held !== slider) slider.value = text;
-      if (document.activeElement !== field) field.value = text;
+      if (document.activeElement === field) continue;
+      field.value = text;
+      set(field, { "aria-invalid": null });
     }
-    const unit = this.#session.scene.unit;
     const following = now.filter((p) => p.expression !== null).map((p) => `${p.name} = ${p.is_angle ? degrees(p.value, 5) : short(rounded(p.value, 5))}`);
-    say(this.#following, following.length > 0 ? `Computed from these${unit ? ` (${length(1, unit).slice(2)})` : ""}: ${following.join(", ")}` : "");
+    say(this.#following, following.length > 0 ? `Computed from these: ${following.join(", ")}` : "");
   }
 }
 

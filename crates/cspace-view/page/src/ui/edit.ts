@@ -65,6 +65,11 @@ export class Editor {
     };
   }
 
+  /** It is another after each change, whoever made it. */
+  get version(): number {
+    return this.#version;
+  }
+
   get canUndo(): boolean {
     return this.#undo.length > 0;
   }

@@ -28,11 +28,23 @@ export async function showFile(file: File, tell: (message: string) => void): Pro
 
 /** Shows a model in this page: TOML. */
 export async function showModel(text: string, name: string): Promise<void> {
-  const model = Model.read(text, name);
+  const model = readModel(text, name);
   try {
     await showScene(JSON.parse(model.scene()) as Scene);
   } finally {
     model.free();
+  }
+}
+
+function readModel(text: string, name: string): Model {
+  try {
+    return Model.read(text, name);
+  } catch (error) {
+    // A page has no files but those that it is given.
+    const isOfFile = error instanceof Error && error.message.includes("not supported on this platform");
+    if (!isOfFile) throw error;
+    const where = error.message.split(": it cannot be read")[0] ?? name;
+    throw new Error(`${where}: a page cannot read the drawings that a model names. Open the drawing itself, or a model with outlines in it, as cspace import writes them.`);
   }
 }
 

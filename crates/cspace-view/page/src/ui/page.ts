@@ -99,6 +99,11 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     if (!(await showFile(file, (message) => store.change({ message })))) await timeline.open(file);
   };
   const failed = (error: unknown) => store.change({ message: error instanceof Error ? error.message : String(error) });
+  const save = (text: string) => {
+    download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" }));
+    const isPlain = scene.design !== null && !/^\s*\[+(parameter|requirement)/m.test(text);
+    if (isPlain) store.change({ message: "The model is saved with numbers alone: its parameters and requirements are left out, since parts were edited by hand or the file is JSON." });
+  };
   const actions: Actions = {
     toggleStop: () => store.change({ stop: !store.state.stop }),
     toggleCut: () => store.change({ cut: !store.state.cut }),
@@ -124,7 +129,7 @@ export function openPage({ scene, isOpened }: Shown, worker: string): void {
     openRecord: () => chooseFile(".toml,.dxf,.svg,.json,.gz,application/json", (file) => void openFile(file).catch(failed)),
     saveSvg: () => download(fileName(scene.name, "svg"), svgFile(made())),
     savePng: () => void pngFile(made()).then((blob) => download(fileName(scene.name, "png"), blob), failed),
-    saveModel: () => void editor?.model().then((text) => download(fileName(scene.name, "toml"), new Blob([text], { type: "application/toml" })), failed),
+    saveModel: () => void editor?.model().then(save, failed),
   };
   showHints(byId("hints"), session);
   new Toolbar(session, actions, (pair) => void select(pair), editor !== null);

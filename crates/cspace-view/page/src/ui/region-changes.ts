@@ -26,6 +26,8 @@ export function regionChanges(before: Regions, after: Regions): string {
     kept.add(was);
     known.add(i);
   });
+  // A free region alone that has moved away from all that is known of it is no other.
+  if (before.regions.length === 1 && after.regions.length === 1) return "";
   const closed = before.regions.flatMap((_, i) => (kept.has(i) ? [] : [i]));
   const opened = after.regions.flatMap((_, i) => (known.has(i) ? [] : [i]));
   const said: string[] = [];

@@ -1,5 +1,6 @@
 /** The requirements of the model: values, whether they are met, and how they go with a parameter. */
 
+import type { SceneParameter } from "../scene.js";
 import { html, say, set, svg } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { degrees, length, rounded, short } from "./numbers.js";
@@ -27,11 +28,13 @@ interface Item {
 
 /** Values over a parameter, as far as they are known. */
 interface Strip {
-  parameter: string;
-  lo: number;
-  hi: number;
-  /** What is measured where the parameter has the step's value. */
+  parameter: SceneParameter;
+  /** The values of the parameter; of a count whole numbers. */
+  values: number[];
+  /** What is measured at each of them. */
   rows: (CheckRow[] | undefined)[];
+  /** All that is edited beside the parameter: along the strip it stays, and so does what is measured. */
+  key: string;
 }
 
 export class Requirements {
@@ -39,6 +42,8 @@ export class Requirements {
   readonly #editor: Editor;
   readonly #checks: () => Workshop;
   readonly #items: Item[];
+  /** The parameters as they were when the model was opened. */
+  readonly #opened: ReadonlyMap<string, SceneParameter>;
   readonly #failure = html("p", { class: "bad", role: "alert", hidden: "" });
   readonly #choice = html("select", { id: "strip-over" });
   readonly #checkLater = unhurried(() => void this.#check(), PAUSE);
@@ -51,6 +56,7 @@ export class Requirements {
     this.#editor = editor;
     this.#checks = checks;
     const design = session.scene.design;
+    this.#opened = new Map(design?.parameters.map((p) => [p.name, p]) ?? []);
     this.#items = (design?.requirements ?? []).map((name) => ({ name, mark: html("span", { class: "mark" }, "…"), value: html("output"), plot: html("div", { class: "plot", hidden: "" }) }));
     const free = design?.parameters.filter((p) => p.expression === null) ?? [];
     this.#choice.append(html("option", { value: "" }, "–"), ...free.map((p) => html("option", { value: p.name }, p.name)));
@@ -66,6 +72,12 @@ export class Requirements {
       ...this.#items.map((item) => html("div", { class: "requirement strip" }, html("div", { class: "strip-head" }, item.mark, html("b", {}, item.name), item.value), item.plot)),
     );
     for (const { plot } of this.#items) plot.addEventListener("click", (event) => this.#choose(event, plot));
+    // Of values without a model nothing is measured.
+    editor.listeners.push(({ error }) => {
+      if (error === null) return;
+      this.#asked += 1;
+      this.#forget();
+    });
     session.store.subscribe((changed) => {
       if (changed.has("scene")) this.#checkLater();
     });
@@ -89,11 +101,19 @@ export class Requirements {
     this.#failure.hidden = typeof rows !== "string";
     if (typeof rows === "string") {
       say(this.#failure, rows);
-      for (const { mark } of this.#items) mark.className = "mark";
+      this.#forget();
       return;
     }
     for (const item of this.#items) this.#say(item, rows.find((r) => r.name === item.name));
     await this.#measureStrip(asked, checks, edits, rows);
+  }
+
+  #forget(): void {
+    for (const { mark, value } of this.#items) {
+      mark.className = "mark";
+      say(mark, "–");
+      say(value, "");
+    }
   }
 
   /** The rows, or why there are none. */
@@ -129,19 +149,16 @@ export class Requirements {
     const parameter = this.#session.scene.design?.parameters.find((p) => p.name === name);
     for (const { plot } of this.#items) plot.hidden = !parameter;
     if (!parameter) return;
-    const others = (of: Edits) => JSON.stringify({ ...of, set: of.set.filter((s) => s.name !== name) });
-    const key = others(edits);
-    const kept = this.#strip as (Strip & { key?: string }) | null;
-    const first = this.#session.scene.design?.parameters.find((p) => p.name === name)?.range ?? [0, 1];
-    // Along the strip the other values stay: what is measured stays too.
-    const strip: Strip & { key?: string } = kept?.key === key && kept.parameter === name ? kept : { parameter: name, lo: first[0], hi: first[1], rows: [], key };
+    const key = JSON.stringify({ ...edits, name, set: edits.set.filter((s) => s.name !== name) });
+    // The range is that of the slider, which stays while it is moved.
+    const opened = this.#opened.get(name) ?? parameter;
+    const strip = this.#strip?.key === key ? this.#strip : { parameter: opened, values: valuesOf(opened), rows: [], key };
     this.#strip = strip;
     this.#drawStrip(strip, now, parameter.value);
     for (let stride = INTERVALS; stride >= 1; stride /= 2) {
-      for (let i = 0; i <= INTERVALS; i += stride) {
-        if (strip.rows[i]) continue;
-        const value = strip.lo + ((strip.hi - strip.lo) * i) / INTERVALS;
-        if (parameter.is_count && !Number.isInteger(value)) continue;
+      for (let i = 0; i < strip.values.length; i += stride) {
+        const value = strip.values[i];
+        if (strip.rows[i] || value === undefined) continue;
         const set = [...edits.set.filter((s) => s.name !== name), { name, value: String(value) }];
         const rows = await this.#measured(checks, { ...edits, set });
         if (asked !== this.#asked) return;
@@ -151,7 +168,10 @@ export class Requirements {
     }
   }
 
-  #drawStrip({ lo, hi, rows }: Strip, now: CheckRow[], at: number): void {
+  #drawStrip({ parameter, values: xs, rows }: Strip, now: CheckRow[], at: number): void {
+    const [lo, hi] = [xs[0] ?? 0, xs.at(-1) ?? 1];
+    const shareOf = (x: number) => (hi > lo ? (x - lo) / (hi - lo) : 0);
+    const shown = (x: number) => (parameter.is_angle ? degrees(x, 4) : short(rounded(x, 4)));
     for (const { name, plot } of this.#items) {
       const known = rows.map((all) => all?.find((r) => r.name === name));
       const values = known.map((r) => (typeof r?.value === "boolean" ? Number(r.value) : (r?.value ?? null)));
@@ -161,32 +181,40 @@ export class Requirements {
       const y = (v: number) => (1 - MARGIN - ((1 - 2 * MARGIN) * (v - low)) / (high - low)) * HEIGHT;
       let d = "";
       let pen = false;
-      for (let i = 0; i <= INTERVALS; i += 1) {
-        const v = values[i];
+      for (const [i, x] of xs.entries()) {
         // What is not measured yet is drawn over; where there is no value the line has a gap.
-        if (v === undefined && known[i] === undefined && rows[i] === undefined) continue;
-        if (typeof v === "number") d += `${pen ? "L" : "M"}${(i / INTERVALS) * WIDTH} ${y(v)}`;
-        pen = typeof v === "number";
+        if (!rows[i]) continue;
+        const v = values[i];
+        const place = typeof v === "number" ? `${shareOf(x) * WIDTH} ${y(v)}` : null;
+        // A value alone is a dot: a line of no length with a round end.
+        if (place) d += pen ? `L${place}` : `M${place}L${place}`;
+        pen = place !== null;
       }
       const band = limits ? [svg("rect", { class: "limits", x: 0, width: WIDTH, y: y(limits[1]), height: Math.max(1, y(limits[0]) - y(limits[1])) })] : [];
       const graph = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" }, ...band, svg("path", { d }));
       plot.replaceChildren(graph, html("i", { class: "cursor" }));
-      const share = hi > lo ? (100 * (at - lo)) / (hi - lo) : 0;
-      set(plot, { style: `--at: ${Math.min(100, Math.max(0, share))}%` });
-      plot.title = `${this.#strip?.parameter ?? ""} from ${short(rounded(lo))} to ${short(rounded(hi))}: click to set it`;
+      set(plot, { style: `--at: ${100 * Math.min(1, Math.max(0, shareOf(at)))}%` });
+      plot.title = `${parameter.name} from ${shown(lo)} to ${shown(hi)}: click to set it`;
     }
   }
 
   /** A click on a strip sets the parameter. */
   #choose(event: MouseEvent, plot: HTMLElement): void {
     const strip = this.#strip;
-    const parameter = this.#session.scene.design?.parameters.find((p) => p.name === strip?.parameter);
-    if (!strip || !parameter) return;
+    if (!strip) return;
+    const { parameter, values } = strip;
+    const [lo, hi] = [values[0] ?? 0, values.at(-1) ?? 0];
     const r = plot.getBoundingClientRect();
     const share = Math.min(1, Math.max(0, (event.clientX - r.left) / Math.max(1, r.width)));
-    const value = strip.lo + share * (strip.hi - strip.lo);
-    this.#editor.setParameters([{ name: strip.parameter, value: String(parameter.is_count ? Math.round(value) : rounded(value, 4)) }], true);
+    const value = lo + share * (hi - lo);
+    this.#editor.setParameters([{ name: parameter.name, value: String(parameter.is_count ? Math.round(value) : rounded(value, 4)) }], true);
   }
+}
+
+/** The values of a strip: evenly over the range of the slider; of a count all whole numbers, if they are not too many. */
+function valuesOf({ range: [lo, hi], is_count }: SceneParameter): number[] {
+  const even = Array.from({ length: INTERVALS + 1 }, (_, i) => lo + ((hi - lo) * i) / INTERVALS);
+  return is_count ? [...new Set(hi - lo <= INTERVALS ? Array.from({ length: hi - lo + 1 }, (_, i) => lo + i) : even.map(Math.round))] : even;
 }
 
 function extent(values: readonly number[]): [number, number] {

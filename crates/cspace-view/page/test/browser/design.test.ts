@@ -68,6 +68,11 @@ describe("a page sets the parameters of its model", { skip }, () => {
     await becomes(page, { u: 0, v: 1 }, "blocked");
     assert.equal(await valueOf(page, "gap"), 10);
     await same("--set length=12.5");
+    // A value that is no model is measured nowhere.
+    await type(page, "depth", "6");
+    await page.waitForSelector("#design .said.bad", { timeout: PATIENCE });
+    await press(page, "Undo");
+    await becomes(page, { u: 0, v: 1 }, "blocked");
     // The file keeps its parameters.
     const client = await page.createCDPSession();
     await client.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: suite.folder });
@@ -117,5 +122,17 @@ describe("a page sets the parameters of its model", { skip }, () => {
     await becomes(page, { u: -5, v: touches - 1e-4 }, "free");
     assert.equal(await page.evaluate((c) => window.cspace.classify(c), { u: -5, v: touches + 1e-4 }), "blocked");
     assert.equal(await valueOf(page, "gap"), 10);
+    // What is undone while answers are on their way stays undone.
+    await page.mouse.move(at.to.x, at.to.y);
+    await page.mouse.down();
+    await page.mouse.move(at.to.x, at.to.y + 20, { steps: 8 });
+    await page.keyboard.down("Control");
+    await page.keyboard.press("z");
+    await page.keyboard.up("Control");
+    await page.mouse.move(at.to.x, at.to.y + 40, { steps: 8 });
+    await page.mouse.up();
+    await new Promise((done) => setTimeout(done, 1500));
+    const after = await valueOf(page, "length");
+    assert.ok(Math.abs(after - length) < 1e-9 || Math.abs(after - 11.9) < 1e-9, String(after));
   });
 });
