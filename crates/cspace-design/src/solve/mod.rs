@@ -108,7 +108,7 @@ pub fn put_contact(
         own: Some(&requirement),
         progress,
     };
-    problem.from_given()
+    problem.near_given()
 }
 
 impl Problem<'_> {

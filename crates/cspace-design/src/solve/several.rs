@@ -32,7 +32,7 @@ impl Problem<'_> {
     }
 
     /// As [`in_several`](Self::in_several), from the model's own values alone.
-    pub(super) fn from_given(&self) -> Solved {
+    pub(super) fn near_given(&self) -> Solved {
         let given = self.given();
         let found = self.least_change(&given, &given);
         Solved {

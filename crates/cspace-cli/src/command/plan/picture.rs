@@ -30,10 +30,11 @@ pub(super) fn write(
         vec![from, to]
     } else {
         // Without a path, what was asked about.
-        let given = [("--from", args.from.as_deref()), ("--to", super::goal(args))];
-        let given = given
-            .into_iter()
-            .filter_map(|(o, t)| Some((o, t?)));
+        let given = [
+            ("--from", args.from.as_deref()),
+            ("--to", super::goal(args)),
+        ];
+        let given = given.into_iter().filter_map(|(o, t)| Some((o, t?)));
         given
             .map(|(option, text)| pair.coordinates(option, text))
             .collect::<Result<_, _>>()?
