@@ -35,6 +35,8 @@ const CHARACTER = 0.5;
 const LINE = 1.4;
 /** A unit of more characters, such as the names of two motions, is long. */
 const LONG = 8;
+/** It begins so far from the left edge, beside the numbers (rem). */
+const BESIDE = 3.5;
 
 /** The room between numbers of the grid, and between them and the unit, in pixels. */
 const NUMBER_GAP = 10;
@@ -184,7 +186,7 @@ export class Viewport {
     const widthOf = (text: string) => text.length * CHARACTER * rem;
     const label = (kind: AxisKind, value: number, step: number) =>
       kind === "angle" ? `${lineText((value * 180) / Math.PI, (step * 180) / Math.PI)}°` : lineText(value, step);
-    // The unit has the corner for itself, with a larger font; what is long stands above, where there are no numbers.
+    // The unit has the corner for itself, with a larger font; what is long stands above, beside the numbers.
     const isLong = this.unit.length > LONG;
     const end = this.#width - (this.unit && !isLong ? 1.2 * widthOf(this.unit) + rem : 0);
     const across = gridLines(box.x0, box.x1, dx).map(({ index, value }) => ({ index, x: this.toScreen({ x: value, y: 0 }).x, text: label(this.kinds[0], value, dx) }));
@@ -199,7 +201,8 @@ export class Viewport {
       lines.push(`M0 ${y}H${this.#width}`);
       if (y < this.#height - LINE * rem) numbers.push(svg("text", { x: 4, y: y - 3 }, label(this.kinds[1], value, dy)));
     }
-    if (this.unit) numbers.push(svg("text", { x: this.#width - 6, y: isLong ? 1.2 * rem : this.#height - 5, "text-anchor": "end", class: "unit" }, this.unit));
+    const corner = isLong ? { x: BESIDE * rem, y: 1.2 * rem, "text-anchor": "start" } : { x: this.#width - 6, y: this.#height - 5, "text-anchor": "end" };
+    if (this.unit) numbers.push(svg("text", { ...corner, class: "unit" }, this.unit));
     set(this.#grid, { d: lines.join("") });
     set(this.#axes, { d: `M${origin.x} 0V${this.#height}M0 ${origin.y}H${this.#width}` });
     this.#numbers.replaceChildren(...numbers);
