@@ -42,13 +42,13 @@ describe("the verdict", () => {
     const on = (u: SceneRange, v: SceneRange): Told => ({
       ...told("contact", 0),
       pair: { class: "fixed-axes", regions: [{ unbounded: false, sample: [0, 0], ranges: [u, v] }], resolution: 1e-9 },
-      axes: ["angle", "length"],
+      axes: [{ kind: "angle", lo: 0, hi: 9, round: false }, { kind: "length", lo: -1, hi: 2.5, round: false }],
       others: true,
     });
     const range = (lo: number, hi: number, around = false, open: [boolean, boolean] = [false, false]) => ({ lo, hi, open, around });
     assert.equal(headline(on(range(0, 1, true), range(0, 1, true))), "lock and bolt turn together for ever.");
-    assert.equal(headline(on(range(0, Math.PI / 6), range(-1, 2.5))), "lock turns by 30°, bolt slides by 3.5 mm, as far as the other lets it.");
-    assert.equal(headline(on(range(0, 1, true), range(0, 1, false, [false, true]))), "lock turns for ever, bolt slides without limit, as far as the other lets it.");
+    assert.equal(headline(on(range(0, Math.PI / 6), range(-1, 2.5))), "lock turns by 30°, bolt slides by 3.5 mm (its own limits).");
+    assert.equal(headline(on(range(0, 1, true), range(0, 1, false, [false, true]))), "lock turns for ever, bolt slides without limit one way.");
     assert.deepEqual(details(on(range(0, 1), range(0, 1)), []), ["They touch.", "Only these two parts count here: the others are left out."]);
   });
   it("has the play of a cage, to three digits", () => {

@@ -55,7 +55,7 @@ export class VerdictView {
     const { pair, kernel, state, scene, axes } = this.#session;
     if (!pair || !kernel || kernel.class === "lower") return null;
     const name = (part: number) => scene.parts[part]?.name ?? "?";
-    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u.kind, axes.v.kind] : null, others: scene.parts.length > 2, displaced: state.displaced, unit: scene.unit };
+    return { pair, kernel, where: state.where, fixed: name(pair.fixed), moving: name(pair.moving), axes: axes ? [axes.u, axes.v] : null, others: scene.parts.length > 2, displaced: state.displaced, unit: scene.unit };
   }
 
   #tell(): void {

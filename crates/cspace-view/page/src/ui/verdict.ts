@@ -16,8 +16,8 @@ export interface Told {
   /** Names of the pair's parts. */
   fixed: string;
   moving: string;
-  /** How u and v move, of a pair on fixed axes. */
-  axes: [AxisInfo["kind"], AxisInfo["kind"]] | null;
+  /** What u and v are, of a pair on fixed axes. */
+  axes: [AxisInfo, AxisInfo] | null;
   /** Whether the model has other parts, which are left out of account. */
   others: boolean;
   /** Whether the parts are shown elsewhere than they are drawn, where they overlap. */
@@ -42,28 +42,36 @@ export function headline(told: Told): string {
   if (pair.class === "fixed-axes") return region === null ? (touches ? `${moving} touches ${fixed}.` : `${moving} is free.`) : onAxes(told, region);
   if (region === null) return touches ? `${moving} touches ${fixed}.` : `${moving} is free.`;
   const name = regionName(pair, region);
-  if (pair.regions[region]?.unbounded) return touches ? `${moving} touches ${fixed} and is not caged: it can leave.` : `${moving} is not caged: it can leave.`;
+  if (pair.regions[region]?.unbounded) {
+    const alone = told.others ? ", the other parts left aside" : "";
+    return touches ? `${moving} touches ${fixed} and is not caged: it can leave${alone}.` : `${moving} is not caged: it can leave${alone}.`;
+  }
   return touches ? `${moving} touches ${fixed}, caged in ${name}: it cannot leave.` : `${moving} is caged in ${name}: it cannot leave.`;
 }
+
+/** A range is that of the axis, as a share, but for rounding. */
+const SAME = 1e-9;
 
 /** Where the two parts can go on their axes. */
 function onAxes({ pair, fixed, moving, axes, unit }: Told, region: number): string {
   const ranges = pair.regions[region]?.ranges;
   if (!ranges || !axes) return `${moving} and ${fixed} are in region ${region}.`;
   if (ranges[0].around && ranges[1].around) return `${fixed} and ${moving} turn together for ever.`;
-  const goes = (kind: AxisInfo["kind"], { lo, hi, open, around }: SceneRange) => {
-    if (kind === "still") return null;
+  const goes = (axis: AxisInfo, { lo, hi, open, around }: SceneRange) => {
+    if (axis.kind === "still") return null;
     if (around) return "turns for ever";
-    const how = kind === "angle" ? "turns" : "slides";
-    if (open[0] || open[1]) return `${how} without limit`;
-    return `${how} by ${kind === "angle" ? degrees(hi - lo, DIGITS) : length(shown(hi - lo, DIGITS), unit)}`;
+    const how = axis.kind === "angle" ? "turns" : "slides";
+    if (open[0] && open[1]) return `${how} without limit`;
+    if (open[0] || open[1]) return `${how} without limit one way`;
+    const isOwn = !axis.round && hi - lo >= (axis.hi - axis.lo) * (1 - SAME);
+    return `${how} by ${axis.kind === "angle" ? degrees(hi - lo, DIGITS) : length(shown(hi - lo, DIGITS), unit)}${isOwn ? " (its own limits)" : ""}`;
   };
   const all = [fixed, moving].flatMap((name, i) => {
-    const range = ranges[i];
-    const way = range && goes(axes[i] ?? "still", range);
+    const [axis, range] = [axes[i], ranges[i]];
+    const way = axis && range && goes(axis, range);
     return way ? [`${name} ${way}`] : [];
   });
-  return `${all.join(", ")}, as far as the other lets it.`;
+  return `${all.join(", ")}.`;
 }
 
 /** How far it can go from here along each coordinate alone, and how far the parts are apart. */
