@@ -16,8 +16,8 @@ class ContactSpace:
     def _patches(self) -> Any:
         """The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any."""
 
-    def _plan(self, start: Any, goal: Any, widest: Any = False, clearance: Any = None) -> Any:
-        """A path from `start` to `goal` through free space, or the proof that there is none, as a dictionary."""
+    def _plan(self, start: Any, goal: Any = None, widest: Any = False, clearance: Any = None) -> Any:
+        """A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary."""
 
     def _play(self, q: Any) -> Any:
         """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
