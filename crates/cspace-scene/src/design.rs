@@ -55,6 +55,10 @@ pub struct SceneParameter {
 pub(crate) struct Design {
     template: Template,
     set: Vec<Setting>,
+    /// The model as it was opened.
+    opened: Model,
+    /// The parameters that say how often something is repeated.
+    counts: Vec<String>,
 }
 
 impl From<&SceneSetting> for Setting {
@@ -69,10 +73,27 @@ impl From<&SceneSetting> for Setting {
 impl Design {
     /// The design of a text; `None` of one that has neither parameters nor requirements, or names drawings, which the page does not have.
     pub(crate) fn new(template: Template, set: Vec<Setting>) -> Option<Self> {
-        let design = Self { template, set };
-        let model = design.model(&[]).ok()?;
-        let says = !model.parameters.is_empty() || !model.requirements.is_empty();
-        (says && !design.template.names_drawings()).then_some(design)
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let opened = template.model(&host).ok()?;
+        let says = !opened.parameters.is_empty() || !opened.requirements.is_empty();
+        if !says || template.names_drawings() {
+            return None;
+        }
+        // Numbers of copies are whole, and have no derivatives.
+        let is_count = |p: &&Parameter| {
+            let is_whole = p.value.fract() == 0.0 && p.value >= 1.0 && !p.is_angle;
+            is_whole && template.slopes(&host, &opened, &p.name).is_err()
+        };
+        let counts = opened.parameters.iter().filter(is_count);
+        Some(Self {
+            counts: counts.map(|p| p.name.clone()).collect(),
+            template,
+            set,
+            opened,
+        })
     }
 
     /// The design that a scene carries.
@@ -122,6 +143,9 @@ impl Design {
     /// # Errors
     /// If the text is no model with these values.
     pub(crate) fn model(&self, further: &[SceneSetting]) -> Result<Model, ModelError> {
+        if further.is_empty() {
+            return Ok(self.opened.clone());
+        }
         let set = self.settings(further);
         self.template.model(&Host {
             set: &set,
@@ -129,19 +153,17 @@ impl Design {
         })
     }
 
+    /// What the page shows of the model as it was opened.
+    pub(crate) fn opened_scene(&self) -> SceneDesign {
+        self.scene(&self.opened)
+    }
+
     /// What the page shows of a model of this design.
-    pub(crate) fn scene(&self, model: &Model, further: &[SceneSetting]) -> SceneDesign {
-        let set = self.settings(further);
-        let host = Host {
-            set: &set,
-            ..Host::default()
-        };
+    pub(crate) fn scene(&self, model: &Model) -> SceneDesign {
         let largest = (model.mechanism.parts.iter()).fold(0.0_f64, |m, p| m.max(p.part.size()));
         let parameters = (model.parameters.iter())
             .map(|p| {
-                let is_whole = p.value.fract() == 0.0 && p.value >= 1.0 && !p.is_angle;
-                // Numbers of copies have no derivatives.
-                let is_count = is_whole && self.template.slopes(&host, model, &p.name).is_err();
+                let is_count = self.counts.contains(&p.name);
                 SceneParameter {
                     name: p.name.clone(),
                     value: p.value,

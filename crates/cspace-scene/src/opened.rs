@@ -9,7 +9,7 @@ use cspace_io::model::{Setting, Template};
 use cspace_io::{Model, ModelError, SavedFile, shown};
 use serde::Serialize;
 
-use crate::design::{Design, SceneDesign, SceneSetting};
+use crate::design::{Design, SceneDesign};
 use crate::edit::{EditError, Edits, edited};
 use crate::scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
 
@@ -164,12 +164,6 @@ impl Opened {
         })
     }
 
-    /// The parameters of the model with further values.
-    fn design(&self, set: &[SceneSetting]) -> Option<SceneDesign> {
-        let design = self.design.as_ref()?;
-        Some(design.scene(&design.model(set).ok()?, set))
-    }
-
     /// The scene, without the spaces of its pairs.
     pub fn scene(&self) -> Scene {
         self.scene_with(self.pairs.iter().map(|p| self.unknown(p)).collect())
@@ -179,7 +173,7 @@ impl Opened {
     pub fn scene_with(&self, pairs: Vec<ScenePair>) -> Scene {
         Scene {
             source: self.source(),
-            design: self.design(&[]),
+            design: self.design.as_ref().map(Design::opened_scene),
             ..Scene::of(&self.model, pairs, self.records.clone())
         }
     }
@@ -286,12 +280,13 @@ impl Opened {
         progress: &dyn Progress,
     ) -> Result<EditAnswer, EditedPairError> {
         let begin = clock();
-        let (model, space) = self.edited_space(index, edits, progress)?;
-        let entry = self.entry(index, &model)?;
+        let model = self.edited(edits)?;
+        let entry = self.entry(index, &model.mechanism)?;
+        let space = self.compute(&model.mechanism, &entry, progress)?;
         Ok(EditAnswer {
             pair: ScenePair::known(&entry, &space, clock() - begin)?,
-            parts: model.parts.iter().map(ScenePart::of).collect(),
-            design: self.design(&edits.set),
+            parts: model.mechanism.parts.iter().map(ScenePart::of).collect(),
+            design: self.design.as_ref().map(|d| d.scene(&model)),
         })
     }
 
