@@ -5,10 +5,10 @@ mod common;
 
 use core::f64::consts::PI;
 
-use cspace::Silent;
-use cspace_design::{Goal, Relation, Solved, Span, Value, check, solve};
+use cspace::{Configuration, Coordinates, Silent};
+use cspace_design::{ContactGoal, Goal, Relation, Solved, Span, Value, check, put_contact, solve};
 use cspace_io::Host;
-use cspace_io::model::Setting;
+use cspace_io::model::{Coordinate, Setting};
 
 use common::template;
 
@@ -376,4 +376,62 @@ along = [0, -50, 0]
         (found.solutions[0][0].abs() - 5.0).abs() < 1e-6,
         "{found:?}"
     );
+}
+
+/// A disc of radius a + b beside the wall x = c: it touches at x = c - a - b.
+const DISC: &str = r#"
+[parameter]
+a = 1
+b = 2
+c = 10
+
+[[part]]
+name = "wall"
+loops = [[["c", -20], ["c + 5", -20], ["c + 5", 20], ["c", 20]]]
+
+[[part]]
+name = "disc"
+loops = [{ circle = "a + b", at = [0, 0] }]
+"#;
+
+/// The values that put the contact of the disc at a place, as those parameters may change.
+fn dragged(x: f64, spans: &[Span]) -> Solved {
+    let template = template(DISC);
+    let pair = template.model(&Host::default()).unwrap().mechanism.pairs[0];
+    let at = |x: f64| Coordinates::Planar(Configuration::new(x, 3.0, 0.5));
+    let goal = ContactGoal {
+        pair,
+        from: at(-10.0),
+        along: Coordinates::Planar(Configuration::new(40.0, 0.0, 0.0)),
+        of: Coordinate::X,
+        value: x,
+    };
+    put_contact(&template, &[], spans, &goal, &Silent)
+}
+
+#[test]
+fn a_dragged_contact_takes_the_least_change_relative_to_the_ranges() {
+    // x = c - a - b goes from 7 to 7.6. Minimal is the sum of (Δ/w)² over the parameters, with ranges of width w, where
+    // Δc - Δa - Δb = 0.6: every Δ is in proportion to w².
+    let spans = [
+        span("a", 0.5, 1.5),
+        span("b", 1.0, 3.0),
+        span("c", 9.0, 12.0),
+    ];
+    let share = 0.6 / (1.0 + 4.0 + 9.0);
+    near(
+        &dragged(7.6, &spans).solutions[0],
+        &[1.0 - share, 2.0 - 4.0 * share, 10.0 + 9.0 * share],
+        1e-9,
+    );
+    // One alone does all of it.
+    near(&dragged(7.6, &spans[1..2]).solutions[0], &[1.4], 1e-9);
+}
+
+#[test]
+fn a_contact_that_cannot_be_dragged_there_says_why() {
+    let solved = dragged(9.0, &[span("a", 0.9, 1.1)]);
+    assert!(solved.solutions.is_empty());
+    assert!(solved.none.unwrap().contains("not enough"));
+    assert!(dragged(7.6, &[]).none.is_some());
 }

@@ -94,22 +94,24 @@ impl Planner<'_> {
             clearance: Clearance::Quick,
             ..*wishes
         };
-        let mut best: Option<(usize, f64, Coordinates)> = None;
+        let mut best: Option<(usize, f64, Coordinates, Answer)> = None;
         for exit in exits.iter().take(PLANNED) {
             let goal = goal(exit);
-            let Verdict::Path(path) = self.plan_with(from, goal, &quick, progress)?.verdict else {
+            let answer = self.plan_with(from, goal, &quick, progress)?;
+            let Verdict::Path(path) = &answer.verdict else {
                 continue;
             };
-            let found = (
-                path.configurations.len(),
-                length(&path.configurations),
-                goal,
-            );
-            if best.is_none_or(|b| (found.0, found.1) < (b.0, b.1)) {
-                best = Some(found);
+            let legs = path.configurations.len();
+            let length = length(&path.configurations);
+            if (best.as_ref()).is_none_or(|b| (legs, length) < (b.0, b.1)) {
+                best = Some((legs, length, goal, answer));
             }
         }
-        to(best.map_or(nearest, |b| b.2))
+        match best {
+            Some((_, _, goal, answer)) if quick == *wishes => Ok((goal, answer)),
+            Some((_, _, goal, _)) => to(goal),
+            None => to(nearest),
+        }
     }
 }
 

@@ -75,6 +75,37 @@ pub struct ContactGoal {
 ///
 /// The contact is that of the first hit q(p) of a straight motion: each step solves qᵢ(p) + ∇qᵢ·Δp = value for the smallest Δp, by exact
 /// derivatives.
+///
+/// ```
+/// use cspace::{Configuration, Coordinates, Silent};
+/// use cspace_design::{ContactGoal, Span, put_contact};
+/// use cspace_io::Host;
+/// use cspace_io::model::{Coordinate, Template};
+/// // A disc of radius r touches the wall at x = 10 - r.
+/// let text = r#"
+/// [parameter]
+/// r = 3
+/// [[part]]
+/// name = "wall"
+/// loops = [[[10, -20], [15, -20], [15, 20], [10, 20]]]
+/// [[part]]
+/// name = "disc"
+/// loops = [{ circle = "r", at = [0, 0] }]
+/// "#;
+/// let template = Template::from_text(text.to_owned(), "disc.toml")?;
+/// let at = |x| Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
+/// let goal = ContactGoal {
+///     pair: template.model(&Host::default())?.mechanism.pairs[0],
+///     from: at(0.0),
+///     along: at(20.0),
+///     of: Coordinate::X,
+///     value: 7.5,
+/// };
+/// let spans = [Span { parameter: "r".into(), lo: 2.0, hi: 4.0 }];
+/// let solved = put_contact(&template, &[], &spans, &goal, &Silent);
+/// assert!((solved.solutions[0][0] - 2.5).abs() < 1e-9);
+/// # Ok::<(), cspace_io::ModelError>(())
+/// ```
 pub fn put_contact(
     template: &Template,
     set: &[Setting],

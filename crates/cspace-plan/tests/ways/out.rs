@@ -117,7 +117,8 @@ fn a_pin_comes_out_of_a_slot_with_corners() {
 #[test]
 fn what_is_out_stays() {
     let pin = Part::circle("pin", (0.0, 0.0), 2.5).unwrap();
-    way(&plate(), &pin, Configuration::new(12.0, 26.0, 0.0));
+    let path = way(&plate(), &pin, Configuration::new(12.0, 26.0, 0.0));
+    assert_eq!(path.configurations.first(), path.configurations.last());
 }
 
 #[test]
