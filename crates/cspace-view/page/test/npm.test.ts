@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { test } from "node:test";
 import { scratch } from "../tools/harness.js";
 import { pack } from "../tools/package.js";
@@ -12,7 +12,8 @@ import { MODELS, NO_COMMAND, binary, run } from "./support/command.js";
 test("the package is installed, and computes what the command computes", { skip: binary() ? false : NO_COMMAND }, () => {
   const folder = scratch();
   try {
-    const archive = pack(folder.path);
+    // The kernel that all tests here have.
+    const archive = pack(resolve(process.cwd(), "build/kernel"), folder.path);
     writeFileSync(join(folder.path, "package.json"), JSON.stringify({ type: "module" }));
     execFileSync("npm", ["install", "--silent", "--offline", "--no-audit", archive], { cwd: folder.path });
     const readme = readFileSync(join(folder.path, "node_modules/cspace/README.md"), "utf8");

@@ -5,15 +5,14 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, rmSync } from "node:f
 import { join, resolve } from "node:path";
 
 const ROOT = resolve(process.cwd(), "../../..");
-const KERNEL = join(ROOT, "target/wasm/kernel");
 
-/** Packs it into a folder; the path of the archive. */
-export function pack(to: string): string {
-  if (!existsSync(KERNEL)) throw new Error(`${KERNEL} is not there: build the program with its page first`);
+/** Packs it with the kernel in a folder into another; the path of the archive. */
+export function pack(kernel: string, to: string): string {
+  if (!existsSync(kernel)) throw new Error(`${kernel} is not there: build the program with its page first`);
   const folder = join(to, "cspace");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
-  for (const from of [join(ROOT, "crates/cspace-wasm/npm"), KERNEL]) {
+  for (const from of [join(ROOT, "crates/cspace-wasm/npm"), kernel]) {
     for (const name of readdirSync(from)) copyFileSync(join(from, name), join(folder, name));
   }
   for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(join(ROOT, name), join(folder, name));

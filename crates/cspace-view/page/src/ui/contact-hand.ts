@@ -3,6 +3,7 @@
 import type { AxesKernel, Configuration, DrawnCurve, PlanarKernel } from "../kernel/api.js";
 import type { Place } from "../scene.js";
 import type { Editor } from "./edit.js";
+import { numbersOf } from "./records.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 import { WorkError } from "./workshop.js";
@@ -94,10 +95,9 @@ export class ContactHand {
         const begin = moved(place, out, beside);
         if (kernel.classify(configuration(begin) as never) !== "free") continue;
         const reached = kernel.advance(configuration(begin) as never, configuration(moved(place, out, FAR)) as never).at;
-        const end = "u" in reached ? { x: reached.u, y: reached.v } : { x: reached.x, y: reached.y };
-        const from = configuration(begin);
-        const start = "u" in from ? { x: from.u, y: from.v } : { x: from.x, y: from.y };
-        const room = beside + Math.hypot((end.x - start.x) / pixel.x, (end.y - start.y) / pixel.y);
+        const [x = 0, y = 0] = numbersOf(reached);
+        const end = { x, y };
+        const room = beside + Math.hypot((end.x - begin.x) / pixel.x, (end.y - begin.y) / pixel.y);
         return { at: place, out, room };
       }
     }
@@ -114,10 +114,9 @@ function dragOf({ at, out, room }: Held, from: Place, to: Place, pixel: Place, s
   const end = moved(at, out, Math.min(by, 0) - FAR);
   const wanted = moved(at, out, by);
   const isAcross = Math.abs(unit.x) >= Math.abs(unit.y);
-  const start = configuration(begin);
   const displacement = [end.x - begin.x, end.y - begin.y];
   return {
-    from: "u" in start ? [start.u, start.v] : [start.x, start.y, start.theta],
+    from: numbersOf(configuration(begin)),
     along: isPlanar ? [...displacement, 0] : displacement,
     of: isPlanar ? (isAcross ? "x" : "y") : isAcross ? "u" : "v",
     value: isAcross ? wanted.x : wanted.y,

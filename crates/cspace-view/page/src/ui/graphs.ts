@@ -6,10 +6,8 @@ import { graphOf, seriesOf, valueAt } from "./record-series.js";
 import type { Series } from "./record-series.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
+import { HEIGHT, WIDTH, shareAt, stretched } from "./strip-plot.js";
 
-/** The drawing's own width and height; it is stretched to the strip. */
-const WIDTH = 600;
-const HEIGHT = 100;
 /** As many strips are drawn. */
 const MOST = 24;
 
@@ -46,13 +44,10 @@ export class Graphs {
   #draw({ series, value }: Strip, duration: number): HTMLElement {
     const points = graphOf(series, duration, WIDTH / 2);
     const d = points.map(([x, y], i) => `${i === 0 ? "M" : "L"}${x * WIDTH} ${(1 - y) * HEIGHT}`).join("");
-    const graph = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" }, svg("path", { d }));
     const ends = html("span", { class: "faint" }, `${this.#text(series, series.lo)} to ${this.#text(series, series.hi)}`);
-    const plot = html("div", { class: "plot" }, graph, html("i", { class: "cursor" }));
+    const plot = html("div", { class: "plot" }, ...stretched(svg("path", { d })));
     const to = (event: PointerEvent) => {
-      const r = plot.getBoundingClientRect();
-      const share = Math.min(1, Math.max(0, (event.clientX - r.left) / Math.max(1, r.width)));
-      this.#session.store.change({ time: share * duration, playing: false });
+      this.#session.store.change({ time: shareAt(plot, event) * duration, playing: false });
     };
     plot.addEventListener("pointerdown", (event) => {
       plot.setPointerCapture(event.pointerId);

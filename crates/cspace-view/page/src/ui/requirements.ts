@@ -5,6 +5,7 @@ import { html, say, set, svg } from "./dom.js";
 import type { Editor } from "./edit.js";
 import { degrees, length, rounded, short } from "./numbers.js";
 import type { Session } from "./session.js";
+import { HEIGHT, WIDTH, shareAt, stretched } from "./strip-plot.js";
 import { unhurried } from "./unhurried.js";
 import { WorkError } from "./workshop.js";
 import type { CheckRow, Edits, Workshop } from "./workshop.js";
@@ -13,9 +14,6 @@ import type { CheckRow, Edits, Workshop } from "./workshop.js";
 const PAUSE = 150;
 /** A strip has values at so many steps of the parameter, and one more: a power of 2. */
 const INTERVALS = 32;
-/** The drawing's own width and height; it is stretched to the strip. */
-const WIDTH = 600;
-const HEIGHT = 100;
 /** Above and below what is drawn, as a share. */
 const MARGIN = 0.08;
 
@@ -191,8 +189,7 @@ export class Requirements {
         pen = place !== null;
       }
       const band = limits ? [svg("rect", { class: "limits", x: 0, width: WIDTH, y: y(limits[1]), height: Math.max(1, y(limits[0]) - y(limits[1])) })] : [];
-      const graph = svg("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", "aria-hidden": "true" }, ...band, svg("path", { d }));
-      plot.replaceChildren(graph, html("i", { class: "cursor" }));
+      plot.replaceChildren(...stretched(...band, svg("path", { d })));
       set(plot, { style: `--at: ${100 * Math.min(1, Math.max(0, shareOf(at)))}%` });
       plot.title = `${parameter.name} from ${shown(lo)} to ${shown(hi)}: click to set it`;
     }
@@ -204,9 +201,7 @@ export class Requirements {
     if (!strip) return;
     const { parameter, values } = strip;
     const [lo, hi] = [values[0] ?? 0, values.at(-1) ?? 0];
-    const r = plot.getBoundingClientRect();
-    const share = Math.min(1, Math.max(0, (event.clientX - r.left) / Math.max(1, r.width)));
-    const value = lo + share * (hi - lo);
+    const value = lo + shareAt(plot, event) * (hi - lo);
     this.#editor.setParameters([{ name: parameter.name, value: String(parameter.is_count ? Math.round(value) : rounded(value, 4)) }], true);
   }
 }
