@@ -3,8 +3,10 @@
 //! The schemas are in the folder `docs/answers` of the project's repository.
 
 pub mod check;
+mod leg;
 mod made_of;
 pub mod plan;
 pub mod simulate;
 
+pub use leg::legs_in_words;
 pub use made_of::MadeOf;

@@ -2,8 +2,11 @@
 
 use cspace::{Coordinates, FeatureName, PairSpace, Part, RegionId};
 use cspace_check::Proof;
+use cspace_plan::legs::Scene;
 use cspace_plan::{Answer, Blocked, Checked, Narrow, Path, Verdict};
 use serde::Serialize;
+
+use crate::leg::legs_in_words;
 
 /// A feature of the fixed part and one of the moving part.
 pub type FeaturePair = (FeatureName, FeatureName);
@@ -15,6 +18,12 @@ pub struct Told {
     pub verdict: Name,
     /// Configurations; empty if there is no path.
     pub path: Vec<Coordinates>,
+    /// The point of a planar part, in its frame, that legs move straight and turn the part about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub about: Option<[f64; 2]>,
+    /// What each leg does, in words.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub words: Vec<String>,
     /// The clearance of the path.
     pub clearance: Option<f64>,
     /// Where the path is narrowest.
@@ -167,6 +176,8 @@ impl Told {
         Self {
             verdict,
             path: Vec::new(),
+            about: None,
+            words: Vec::new(),
             clearance: None,
             narrowest: None,
             bottleneck: None,
@@ -181,13 +192,17 @@ impl Told {
         }
     }
 
-    fn free(&mut self, parts: Parts<'_>, narrow: &Narrow) {
+    fn free(&mut self, parts: Parts<'_>, scene: &Scene, path: Vec<Coordinates>, narrow: &Narrow) {
+        let about = scene.about();
+        self.about = scene.motions().is_none().then_some([about.x, about.y]);
+        self.words = legs_in_words(scene, &path);
+        self.path = path;
         self.clearance = Some(narrow.clearance).filter(|c| c.is_finite());
         self.narrowest = Some(parts.place(narrow.at, narrow.features));
     }
 
-    /// Of a question for a path.
-    pub fn planned(space: &PairSpace, answer: Answer, seconds: f64) -> Self {
+    /// Of a question for a path, asked of a planner with a scene.
+    pub fn planned(space: &PairSpace, scene: &Scene, answer: Answer, seconds: f64) -> Self {
         let parts = Parts {
             fixed: space.fixed(),
             moving: space.moving(),
@@ -206,10 +221,8 @@ impl Told {
             Verdict::Path(Path {
                 configurations,
                 narrowest,
-            }) => {
-                told.path = configurations;
-                told.free(parts, &narrowest);
-            }
+                ..
+            }) => told.free(parts, scene, configurations, &narrowest),
             Verdict::NoPath(enclosed) => {
                 told.enclosed = Some(Enclosed {
                     region: enclosed.region,
@@ -227,9 +240,10 @@ impl Told {
         told
     }
 
-    /// Of a path that is judged.
+    /// Of a path that is judged with a scene.
     pub fn checked(
         parts: Parts<'_>,
+        scene: &Scene,
         path: Vec<Coordinates>,
         checked: &Checked,
         seconds: f64,
@@ -242,10 +256,7 @@ impl Told {
         };
         let mut told = Self::new(verdict, seconds);
         match checked {
-            Checked::Free(narrow) => {
-                told.path = path;
-                told.free(parts, narrow);
-            }
+            Checked::Free(narrow) => told.free(parts, scene, path, narrow),
             Checked::Meets(hit) => {
                 told.contact = Some(Contact {
                     leg: hit.leg,

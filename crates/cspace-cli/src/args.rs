@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use cspace::Point;
+use cspace::{Point, Vector};
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
+use cspace_plan::Prefer;
 
 use crate::angle;
 use crate::failure::Failure;
@@ -350,12 +351,28 @@ pub(crate) struct ContactsArgs {
     pub(crate) within: Option<f64>,
 }
 
+/// The point that legs and turns are about.
+#[derive(Debug, Args)]
+pub(crate) struct AboutArg {
+    /// The point of the moving part, in its frame, that moves straight and about which the part turns
+    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true)]
+    pub(crate) about: Option<[f64; 2]>,
+}
+
+impl AboutArg {
+    pub(crate) fn vector(&self) -> Option<Vector> {
+        self.about.map(|[x, y]| Vector::new(x, y))
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct PlayArgs {
     #[command(flatten)]
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
+    #[command(flatten)]
+    pub(crate) about: AboutArg,
     /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
@@ -393,6 +410,8 @@ pub(crate) struct MoveArgs {
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
+    #[command(flatten)]
+    pub(crate) about: AboutArg,
     /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) from: String,
@@ -401,12 +420,35 @@ pub(crate) struct MoveArgs {
     pub(crate) by: String,
 }
 
+/// What makes a path good.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PreferChoice {
+    /// Few legs, straight along edges and axes, or turns on the spot
+    Legs,
+    /// Clearance all along
+    Clearance,
+    /// A short way
+    Length,
+}
+
+impl From<PreferChoice> for Prefer {
+    fn from(choice: PreferChoice) -> Self {
+        match choice {
+            PreferChoice::Legs => Self::Legs,
+            PreferChoice::Clearance => Self::Clearance,
+            PreferChoice::Length => Self::Length,
+        }
+    }
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct PlanArgs {
     #[command(flatten)]
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
+    #[command(flatten)]
+    pub(crate) about: AboutArg,
     /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
     #[arg(
         long,
@@ -424,6 +466,9 @@ pub(crate) struct PlanArgs {
     /// A path with at least this clearance, in the model's unit [default: half of what is possible]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "check")]
     pub(crate) clearance: Option<f64>,
+    /// What makes a path with that clearance good
+    #[arg(long, value_enum, value_name = "WHAT", default_value = "legs", conflicts_with = "check")]
+    pub(crate) prefer: PreferChoice,
     /// No leg turns by more than this, in radians or such as 18deg
     #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "check")]
     pub(crate) turn: Option<f64>,

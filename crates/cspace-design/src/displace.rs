@@ -3,7 +3,7 @@
 use cspace::pair::PairMotion;
 use cspace::{Coordinates, Location, MotionError, PairSpace, QueryError};
 
-use crate::measure::moved;
+use crate::motion::Motion;
 use crate::touching::{FeaturePair, touching};
 
 /// How a displacement ends.
@@ -44,33 +44,28 @@ pub struct Displaced {
     pub features: Vec<FeaturePair>,
 }
 
-/// Moves from a configuration by a displacement, all coordinates at constant rates, up to the first contact.
+/// Moves from a configuration by a displacement, which is the motion's rate, up to the first contact.
 ///
 /// # Errors
 /// If the configuration is outside the space or in the coordinates of another class, or numbers are not finite.
-pub fn displace(
-    space: &PairSpace,
-    from: Coordinates,
-    by: Coordinates,
-) -> Result<Displaced, QueryError> {
-    if space.locate(from)? == Location::Outside {
+pub fn displace(space: &PairSpace, motion: &Motion) -> Result<Displaced, QueryError> {
+    if space.locate(motion.from)? == Location::Outside {
         return Err(QueryError::Outside);
     }
-    // The displacement is the rate, and the motion lasts for 1.
-    let (outcome, fraction, features) = match space.first_contact(from, by, 1.0) {
+    let (outcome, fraction, features) = match motion.first_contact(space, 1.0) {
         Err(QueryError::Motion(MotionError::StartsBlocked)) => (Outcome::Blocked, 0.0, Vec::new()),
         Err(error) => return Err(error),
         Ok(PairMotion::Free) => (Outcome::Free, 1.0, Vec::new()),
         Ok(PairMotion::Leaves { time }) => (Outcome::Leaves, time, Vec::new()),
         Ok(PairMotion::Contact(contact)) => {
-            let features = touching(space, (from, by), &contact)?;
+            let features = touching(space, motion, &contact)?;
             (Outcome::Contact, contact.time, features)
         }
     };
     Ok(Displaced {
         outcome,
         fraction,
-        at: moved(from, by, fraction),
+        at: motion.at(fraction),
         features,
     })
 }

@@ -10,6 +10,7 @@ use cspace::{
 use cspace_io::model::{Coordinate, Quantity};
 use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
 
+use crate::motion::Motion;
 use crate::touching::{FeaturePair, texts, touching};
 
 /// What a quantity is found to be.
@@ -204,17 +205,17 @@ pub fn free_range(
     let far = reach(space, at, of);
     let mut ends = [None, None];
     for (end, way) in ends.iter_mut().zip([-1.0, 1.0]) {
-        let rates = unit(of, way);
-        let (time, features) = match space.first_contact(at, rates, far)? {
+        let motion = Motion::new(at, unit(of, way));
+        let (time, features) = match motion.first_contact(space, far)? {
             PairMotion::Free => continue,
             PairMotion::Leaves { time } => (time, Vec::new()),
             PairMotion::Contact(contact) => (
-                as_drawn(space, (at, rates), &contact)?,
-                touching(space, (at, rates), &contact)?,
+                as_drawn(space, &motion, &contact)?,
+                touching(space, &motion, &contact)?,
             ),
         };
         let stop = Stop {
-            at: moved(at, rates, time),
+            at: motion.at(time),
             features,
         };
         *end = Some((now + way * time, stop));
@@ -243,12 +244,13 @@ fn first_stop(
     from: Coordinates,
     along: Coordinates,
 ) -> Result<Stop, Unmeasured> {
-    match space.first_contact(from, along, 1.0)? {
+    let motion = Motion::new(from, along);
+    match motion.first_contact(space, 1.0)? {
         PairMotion::Free => Err(Unmeasured::NoContact),
         PairMotion::Leaves { .. } => Err(Unmeasured::Leaves),
         PairMotion::Contact(contact) => Ok(Stop {
-            at: moved(from, along, as_drawn(space, (from, along), &contact)?),
-            features: touching(space, (from, along), &contact)?,
+            at: motion.at(as_drawn(space, &motion, &contact)?),
+            features: touching(space, &motion, &contact)?,
         }),
     }
 }
@@ -353,20 +355,6 @@ fn extreme(
     })
 }
 
-/// The configuration of a motion at a time.
-pub(crate) fn moved(from: Coordinates, rates: Coordinates, time: f64) -> Coordinates {
-    match (from, rates) {
-        (Coordinates::Planar(c), Coordinates::Planar(d)) => Coordinates::Planar(
-            Configuration::new(c.x + time * d.x, c.y + time * d.y, c.theta + time * d.theta),
-        ),
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: du, v: dv }) => Coordinates::Axes {
-            u: u + time * du,
-            v: v + time * dv,
-        },
-        _ => from,
-    }
-}
-
 /// The time of a contact at which the features touch as they are drawn.
 ///
 /// A space is that of parts that are larger by 10⁻¹² of their size and displaced by as little, so that contacts come early by
@@ -374,7 +362,7 @@ pub(crate) fn moved(from: Coordinates, rates: Coordinates, time: f64) -> Coordin
 /// tangency, the contact's own time remains.
 fn as_drawn(
     space: &PairSpace,
-    (from, rates): (Coordinates, Coordinates),
+    motion: &Motion,
     contact: &PairContact,
 ) -> Result<f64, QueryError> {
     const STEPS: usize = 6;
@@ -383,8 +371,8 @@ fn as_drawn(
     let near = 1e3 * space.resolution();
     let mut time = contact.time;
     for step in 0..STEPS {
-        let found = features.evaluate(moved(from, rates, time))?;
-        let rate: f64 = match rates {
+        let found = features.evaluate(motion.at(time))?;
+        let rate: f64 = match motion.rates {
             Coordinates::Planar(d) => {
                 let [x, y, theta] = found.gradient;
                 x * d.x + y * d.y + theta * d.theta

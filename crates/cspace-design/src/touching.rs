@@ -1,9 +1,9 @@
 //! What touches at a contact.
 
 use cspace::pair::PairContact;
-use cspace::{
-    Configuration, Coordinates, FeatureName, NearFeatures, PairSpace, PatchId, QueryError,
-};
+use cspace::{Coordinates, FeatureName, NearFeatures, PairSpace, PatchId, QueryError};
+
+use crate::motion::Motion;
 
 /// Features of the fixed and of the moving part that touch each other.
 pub type FeaturePair = (FeatureName, FeatureName);
@@ -41,10 +41,10 @@ fn arm(space: &PairSpace) -> f64 {
 /// those that a moment before are nearer than they come in it.
 pub fn touching(
     space: &PairSpace,
-    (from, rates): (Coordinates, Coordinates),
+    motion: &Motion,
     contact: &PairContact,
 ) -> Result<Vec<FeaturePair>, QueryError> {
-    let (before, within) = just_before(space, from, rates, contact.time);
+    let (before, within) = just_before(space, motion, contact.time);
     let mut all = vec![features(space, contact.patch)?];
     for near in space.near_features(before, within)? {
         let pair = pair_of(&near);
@@ -57,31 +57,19 @@ pub fn touching(
 
 /// The configuration a moment before a time of a motion, and how far features may be apart there that touch then: a point of the
 /// moving part comes no farther in that moment, or in as little an orientation.
-fn just_before(
-    space: &PairSpace,
-    from: Coordinates,
-    rates: Coordinates,
-    time: f64,
-) -> (Coordinates, f64) {
+fn just_before(space: &PairSpace, motion: &Motion, time: f64) -> (Coordinates, f64) {
     let t = (time - BEFORE).max(0.0);
-    match (from, rates) {
-        (Coordinates::Planar(c), Coordinates::Planar(d)) => {
-            let at = Configuration::new(c.x + t * d.x, c.y + t * d.y, c.theta + t * d.theta);
-            let arm = arm(space);
+    let within = match motion.rates {
+        Coordinates::Planar(d) => {
+            let arm = arm(space) + motion.about.length();
             let speed = d.x.hypot(d.y) + arm * d.theta.abs();
-            let within = speed * (time - t) + arm * BEFORE + 4.0 * space.resolution();
-            (Coordinates::Planar(at), within)
+            speed * (time - t) + arm * BEFORE
         }
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: du, v: dv }) => {
-            let at = Coordinates::Axes {
-                u: u + t * du,
-                v: v + t * dv,
-            };
+        Coordinates::Axes { u, v } => {
             // A radian moves what is in reach of contact by no more than both parts together are large.
             let size = space.fixed().size() + space.moving().size();
-            let moved = (du.abs() + dv.abs()) * size.max(1.0) * (time - t);
-            (at, moved + 4.0 * space.resolution())
+            (u.abs() + v.abs()) * size.max(1.0) * (time - t)
         }
-        _ => (from, 0.0),
-    }
+    };
+    (motion.at(t), within + 4.0 * space.resolution())
 }

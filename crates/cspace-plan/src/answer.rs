@@ -1,6 +1,6 @@
 //! What becomes of a question for a way.
 
-use cspace::{Coordinates, FeatureName, RegionId};
+use cspace::{Coordinates, FeatureName, RegionId, Vector};
 use serde::Serialize;
 
 /// The answer to a question for a way.
@@ -47,6 +47,9 @@ pub struct Path {
     /// Configurations joined by motions of constant rates of all coordinates. The first is the start; the last the goal up to whole
     /// turns. Angles go on beyond π: nothing is taken modulo a turn.
     pub configurations: Vec<Coordinates>,
+    /// The point of a planar part, in its frame, that legs move straight and about which they turn the part: its place and the
+    /// orientation have constant rates. (0, 0) is the origin of the frame.
+    pub about: Vector,
     /// Where it is narrowest.
     pub narrowest: Narrow,
 }

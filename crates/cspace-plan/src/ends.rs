@@ -74,7 +74,9 @@ fn nearer(space: &PairSpace, scene: &Scene, at: Coords) -> Option<Coords> {
     }
     // What is far from its own origin turns about it: the parts are where their middles are.
     let (fixed, moving) = (space.fixed().bounds(), space.moving().bounds());
-    let here = Configuration::new(at[0], at[1], at[2]);
+    let Coordinates::Planar(here) = scene.coordinates(at) else {
+        return None;
+    };
     let way = here.fixed_from_moving(moving.center()) - fixed.center();
     let near = FAR * scene.size();
     (way.length() > 2.0 * near).then(|| {

@@ -23,5 +23,6 @@ mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 pub use check::{Checked, Meeting, check};
+pub use path::Prefer;
 pub use planner::{Clearance, PlanError, Planner, Wishes};
 pub use widest::{grown, shrunk};

@@ -29,7 +29,8 @@ pub(crate) fn off_contact(
         let value = patch.contact()?.evaluate(at)?;
         let (fixed, moving) = patch.features()?;
         // All begin at no distance: where they lead is a matter of their gradients.
-        touching.push(Near::growing(value.gradient, (fixed.name, moving.name)));
+        let gradient = scene.by_numbers(value.gradient, numbers);
+        touching.push(Near::growing(gradient, (fixed.name, moving.name)));
     }
     let Some(direction) = rise(&touching, scene.levers(), None, 1.0) else {
         return Ok(None);

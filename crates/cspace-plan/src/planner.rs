@@ -2,14 +2,14 @@
 
 use core::f64::consts::TAU;
 use cspace::{
-    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, QueryError, Silent,
+    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, Part, Point, QueryError, Silent, Vector,
 };
 
 use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
-use crate::path::{Legs, MOST_LEGS, divided};
+use crate::path::{Legs, MOST_LEGS, Prefer, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
 
@@ -83,6 +83,8 @@ pub struct Wishes {
     pub clearance: Clearance,
     /// No leg changes a coordinate by more: x, y and θ, or u, v and nothing; infinite for no limit.
     pub steps: [f64; 3],
+    /// What makes a way with that clearance good.
+    pub prefer: Prefer,
 }
 
 impl Default for Wishes {
@@ -90,6 +92,7 @@ impl Default for Wishes {
         Self {
             clearance: Clearance::Half,
             steps: [f64::INFINITY; 3],
+            prefer: Prefer::Legs,
         }
     }
 }
@@ -130,12 +133,22 @@ enum Ways<'a> {
 const WIDEST: f64 = 1.0 - 1e-6;
 
 impl<'a> Planner<'a> {
-    /// Prepares a pair.
+    /// Prepares a pair. Legs move a point of the moving part straight and turn the part about it: the origin of its frame if the part is
+    /// around that, otherwise the middle of the part's bounds.
     ///
     /// # Errors
     /// Of a lower pair, whose parts are in contact for ever.
     pub fn new(space: &'a PairSpace) -> Result<Self, PlanError> {
-        let scene = Scene::of(space).map_err(PlanError::Pair)?;
+        Self::with_about(space, middle_if_far(space.moving()))
+    }
+
+    /// Prepares a pair for legs that move a point of the moving part straight, given in its frame, and turn it about that. On axes it
+    /// says nothing.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_about(space: &'a PairSpace, about: Vector) -> Result<Self, PlanError> {
+        let scene = Scene::of(space).map_err(PlanError::Pair)?.with_about(about);
         let ways = match space {
             PairSpace::Planar(space) => Ways::Planar(Box::new(Planar::new(space, scene.clone()))),
             PairSpace::FixedAxes(space) => Ways::Axes(Gaps::new(space, &scene)),
@@ -180,6 +193,7 @@ impl<'a> Planner<'a> {
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
         // In a window by its own numbers.
+        let asked = (from, to);
         let (turns, from) = home(self.space, &self.scene, from);
         let (_, to) = home(self.space, &self.scene, to);
         for (at, place) in [(from, "the start"), (to, "the goal")] {
@@ -235,7 +249,11 @@ impl<'a> Planner<'a> {
                     Clearance::Half => wider.clearance.min(0.5 * wider.most) * WIDEST,
                     Clearance::Quick => 0.0,
                 };
-                let legs = Legs::new(&self.scene, wider.places.clone()).shortened(kept);
+                let legs = Legs::new(&self.scene, wider.places.clone());
+                let legs = match wishes.prefer {
+                    Prefer::Legs => legs.simple(kept),
+                    Prefer::Clearance | Prefer::Length => legs.shortened(kept),
+                };
                 if wishes.clearance == Clearance::Widest {
                     // Fewer legs may have more clearance.
                     let shorter = wider.with(&self.scene, legs.places().to_vec());
@@ -246,6 +264,7 @@ impl<'a> Planner<'a> {
                 for at in &mut path.configurations {
                     *at = turned(*at, -turns);
                 }
+                exact_ends(&mut path.configurations, asked);
                 Verdict::Path(path)
             }
         };
@@ -263,7 +282,7 @@ impl<'a> Planner<'a> {
         /// Where rounding hides the way, a part this much larger, as a share of the size, may show it.
         const GROWN: [f64; 3] = [1e-9, 1e-8, 1e-7];
         let in_grown = |space: &PairSpace| {
-            let Ok(planner) = Planner::new(space) else {
+            let Ok(planner) = Planner::with_about(space, self.scene.about()) else {
                 return Between::Hidden;
             };
             let region = |at: Coords| match space.locate(planner.scene.coordinates(at)) {
@@ -379,6 +398,7 @@ impl<'a> Planner<'a> {
             divided(legs.places(), wishes.steps).ok_or(PlanError::TooManyLegs(MOST_LEGS))?;
         Ok(Path {
             configurations: places.into_iter().map(at).collect(),
+            about: self.scene.about(),
             narrowest: self.narrow(legs),
         })
     }
@@ -404,5 +424,32 @@ impl<'a> Planner<'a> {
             PairSpace::Planar(space) => space.doubtful_orientations().to_vec(),
             _ => Vec::new(),
         }
+    }
+}
+
+/// The origin of a part's frame if it is within the part's bounds; otherwise their middle.
+fn middle_if_far(part: &Part) -> Vector {
+    let bounds = part.bounds();
+    if bounds.contains(Point::ORIGIN) {
+        Vector::ZERO
+    } else {
+        bounds.center().to_vector()
+    }
+}
+
+/// Puts the ends of a path where they were asked for: numbers of a point of the part and back are rounded.
+fn exact_ends(path: &mut [Coordinates], (from, to): (Coordinates, Coordinates)) {
+    let exact = |told: &mut Coordinates, asked: Coordinates| {
+        if let (Coordinates::Planar(told), Coordinates::Planar(asked)) = (told, asked) {
+            let turns = ((told.theta - asked.theta) / TAU).round();
+            (told.x, told.y) = (asked.x, asked.y);
+            told.theta = if turns == 0.0 { asked.theta } else { asked.theta + TAU * turns };
+        }
+    };
+    if let Some(first) = path.first_mut() {
+        exact(first, from);
+    }
+    if let Some(last) = path.last_mut() {
+        exact(last, to);
     }
 }

@@ -5,12 +5,12 @@ use std::sync::{Arc, OnceLock};
 
 use cspace::{
     Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
-    QueryError, Relation,
+    QueryError, Relation, Vector,
 };
-use cspace_design::{displace, free_range, pair_of, texts};
+use cspace_design::{Motion, displace, free_range, pair_of, texts};
 use cspace_io::model::Coordinate;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
-use cspace_plan::{Clearance, Planner, Verdict, Wishes};
+use cspace_plan::{Clearance, Planner, Prefer, Verdict, Wishes};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -354,10 +354,12 @@ impl Space {
         py: Python<'_>,
         start: &Bound<'_, PyAny>,
         by: &Bound<'_, PyAny>,
+        about: (f64, f64),
     ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>)> {
         let space = &self.known(py)?.space;
         let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
-        let done = displace(space, from, by).map_err(error)?;
+        let about = Vector::new(about.0, about.1);
+        let done = displace(space, &Motion::new(from, by).about(about)).map_err(error)?;
         let touching = done.features.into_iter().map(|p| texts(space, p));
         Ok((
             done.outcome.name(),
@@ -399,7 +401,7 @@ impl Space {
     }
 
     /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary.
-    #[pyo3(signature = (start, goal=None, widest=false, clearance=None))]
+    #[pyo3(signature = (start, goal=None, widest=false, clearance=None, about=None, prefer="legs"))]
     fn _plan<'py>(
         &self,
         py: Python<'py>,
@@ -407,6 +409,8 @@ impl Space {
         goal: Option<&Bound<'py, PyAny>>,
         widest: bool,
         clearance: Option<f64>,
+        about: Option<(f64, f64)>,
+        prefer: &str,
     ) -> PyResult<Bound<'py, PyDict>> {
         let space = Arc::clone(&self.known(py)?.space);
         let from = one(start, &space, "start")?;
@@ -423,11 +427,22 @@ impl Space {
                 (false, Some(least)) => Clearance::AtLeast(least),
                 (false, None) => Clearance::Half,
             },
+            prefer: match prefer {
+                "legs" => Prefer::Legs,
+                "clearance" => Prefer::Clearance,
+                "length" => Prefer::Length,
+                _ => return Err(error("`prefer` is none of \"legs\", \"clearance\" and \"length\"")),
+            },
             ..Wishes::default()
         };
+        let about = about.map(|(x, y)| Vector::new(x, y));
         let asked = Arc::clone(&space);
         let answer = work::run(py, move |progress| {
-            let planner = Planner::new(&asked).map_err(|e| e.to_string())?;
+            let planner = match about {
+                Some(about) => Planner::with_about(&asked, about),
+                None => Planner::new(&asked),
+            };
+            let planner = planner.map_err(|e| e.to_string())?;
             let answer = match to {
                 Some(to) => planner.plan_with(from, to, &wishes, progress),
                 None => (planner.plan_out(from, &wishes, progress)).map(|out| out.1),
@@ -445,6 +460,8 @@ impl Space {
         }
         let verdict = match answer.verdict {
             Verdict::Path(path) => {
+                let is_planar = matches!(*space, PairSpace::Planar(_));
+                told.set_item("about", is_planar.then_some((path.about.x, path.about.y)))?;
                 let rows: Vec<Vec<f64>> = path.configurations.into_iter().map(numbers).collect();
                 told.set_item("path", matrix(py, rows)?)?;
                 told.set_item("clearance", path.narrowest.clearance)?;

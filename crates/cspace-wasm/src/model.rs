@@ -192,7 +192,7 @@ impl Model {
             } else {
                 Clearance::Half
             },
-            steps: [f64::INFINITY; 3],
+            ..Wishes::default()
         };
         let planner = Planner::new(&space).map_err(fault)?;
         let from = coordinates(from)?;
@@ -201,7 +201,7 @@ impl Model {
             to => planner.plan_with(from, coordinates(to)?, &wishes, &Silent),
         };
         let answer = answer.map_err(fault)?;
-        json(&plan::Told::planned(&space, answer, seconds() - begin))
+        json(&plan::Told::planned(&space, planner.scene(), answer, seconds() - begin))
     }
 
     /// What `cspace simulate --format json` answers of the edited mechanism, with states between samples: its motion while the

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use cspace::{Coordinates, PairSpace};
-use cspace_design::{Displaced, Outcome, displace};
+use cspace::{Coordinates, PairSpace, Vector};
+use cspace_design::{Displaced, Motion, Outcome, displace};
 use serde::Serialize;
 
 use crate::args::{Format, MoveArgs};
@@ -33,8 +33,10 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let pair = subject.one_pair(common, args.window.theta)?;
     let from = pair.coordinates("--from", &args.from)?;
     let by = pair.coordinates("--by", &args.by)?;
+    let about = args.about.vector().unwrap_or(Vector::ZERO);
+    let motion = Motion::new(from, by).about(about);
     let space = pair.space()?;
-    let done = displace(&space, from, by).map_err(|e| pair.unanswered("--from", &e))?;
+    let done = displace(&space, &motion).map_err(|e| pair.unanswered("--from", &e))?;
     let answer = Answer::of(&space, done);
     let bytes = match common.result.format() {
         Format::Json => super::json(&answer)?,

@@ -5,17 +5,16 @@ use std::fmt::Write;
 
 use cspace::pair::PairMotion;
 use cspace::{
-    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation,
-    SmoothMotion, SmoothOutcome,
+    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, QueryError, Vector,
 };
-use cspace_design::reach;
+use cspace_design::{Motion, reach};
 use cspace_io::model::Coordinate;
 use serde::Serialize;
 
 use crate::args::{Format, PlayArgs};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, pair_of, texts, touching};
+use crate::subject::{Chosen, FeaturePair, Subject, texts, touching};
 use crate::wording::{degrees, length};
 
 use super::regions;
@@ -62,8 +61,6 @@ enum Stop {
     /// The end of a motion's range, or of the window of orientations.
     Limit,
     Nothing,
-    /// It stays so near to contact that it could not be followed further.
-    Grazing,
 }
 
 pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
@@ -84,7 +81,7 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
             None => Coordinates::Planar(Configuration::default()),
         };
         let space = pair.space()?;
-        let answer = answer(pair, &space, at).map_err(|e| pair.unanswered("--at", &e))?;
+        let answer = answer(pair, &space, at, args.about.vector()).map_err(|e| pair.unanswered("--at", &e))?;
         if !answers.is_empty() {
             text.push('\n');
         }
@@ -98,7 +95,12 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
     output::write(common.result.output.as_deref(), &bytes)
 }
 
-fn answer(pair: &Chosen<'_>, space: &PairSpace, at: Coordinates) -> Result<Answer, QueryError> {
+fn answer(
+    pair: &Chosen<'_>,
+    space: &PairSpace,
+    at: Coordinates,
+    about: Option<Vector>,
+) -> Result<Answer, QueryError> {
     let mut answer = Answer {
         fixed: pair.fixed().name().to_owned(),
         moving: pair.moving().name().to_owned(),
@@ -129,7 +131,7 @@ fn answer(pair: &Chosen<'_>, space: &PairSpace, at: Coordinates) -> Result<Answe
             (PairSpace::FixedAxes(axes), Coordinates::Axes { .. }) => {
                 on_axes(space, axes.axes(), at)?
             }
-            (_, Coordinates::Planar(c)) => in_the_plane(space, c, answer.result == "free")?,
+            (_, Coordinates::Planar(c)) => in_the_plane(space, c, about)?,
             _ => Vec::new(),
         };
     }
@@ -146,11 +148,11 @@ fn region_in_words(pair: &Chosen<'_>, space: &PairSpace, region: u32) -> String 
     }
 }
 
-/// Along both axes of the fixed part's frame and about the moving part's origin; from where it is free also about its middle.
+/// Along both axes of the fixed part's frame, and turned about the moving part's origin and its middle or about a given point of it.
 fn in_the_plane(
     space: &PairSpace,
     c: Configuration,
-    is_free: bool,
+    about: Option<Vector>,
 ) -> Result<Vec<Direction>, QueryError> {
     let from = Coordinates::Planar(c);
     let far = reach(space, from, Coordinate::X);
@@ -162,22 +164,21 @@ fn in_the_plane(
         ("-y", 0.0, -1.0),
     ] {
         let rates = Coordinates::Planar(Configuration::new(x, y, 0.0));
-        all.push(straight(space, (from, rates), far, name.to_owned(), false)?);
+        all.push(straight(space, &Motion::new(from, rates), far, name.to_owned(), false)?);
     }
-    for (name, turn) in [
-        ("turn + about its origin", 1.0),
-        ("turn - about its origin", -1.0),
-    ] {
-        let rates = Coordinates::Planar(Configuration::new(0.0, 0.0, turn));
-        all.push(straight(space, (from, rates), TAU, name.to_owned(), true)?);
-    }
-    let middle = space.moving().bounds().center();
-    if is_free && middle.to_vector().length() > 0.0 {
-        for (name, turn) in [
-            ("turn + about its middle", 1.0),
-            ("turn - about its middle", -1.0),
-        ] {
-            all.push(about(space, c, middle, turn, name)?);
+    let middle = space.moving().bounds().center().to_vector();
+    let origin = Vector::ZERO;
+    let points = match about {
+        Some(about) => vec![(about, "the point given")],
+        None if middle == origin => vec![(origin, "its origin")],
+        None => vec![(origin, "its origin"), (middle, "its middle")],
+    };
+    for (point, named) in points {
+        for (sign, turn) in [("+", 1.0), ("-", -1.0)] {
+            let rates = Coordinates::Planar(Configuration::new(0.0, 0.0, turn));
+            let motion = Motion::new(from, rates).about(point);
+            let name = format!("turn {sign} about {named}");
+            all.push(straight(space, &motion, TAU, name, true)?);
         }
     }
     Ok(all)
@@ -208,7 +209,7 @@ fn on_axes(
             let rates = Coordinates::Axes { u, v };
             let verb = if is_turn { "turns" } else { "slides" };
             let name = format!("{sign}{} ({part} {verb})", of.name());
-            all.push(straight(space, (at, rates), far, name, is_turn)?);
+            all.push(straight(space, &Motion::new(at, rates), far, name, is_turn)?);
         }
     }
     Ok(all)
@@ -217,85 +218,22 @@ fn on_axes(
 /// A motion of constant rates of 1.
 fn straight(
     space: &PairSpace,
-    (from, rates): (Coordinates, Coordinates),
+    motion: &Motion,
     far: f64,
     direction: String,
     is_turn: bool,
 ) -> Result<Direction, QueryError> {
-    let (distance, stopped_by, features) = match space.first_contact(from, rates, far)? {
+    let (distance, stopped_by, features) = match motion.first_contact(space, far)? {
         PairMotion::Free => (None, Stop::Nothing, Vec::new()),
         PairMotion::Leaves { time } => (Some(time), Stop::Limit, Vec::new()),
         PairMotion::Contact(contact) => {
             // The motion takes a time of 1 to its contact, by which times of moments are measured.
-            let features = touching(space, (from, rates), &contact)?;
+            let features = touching(space, motion, &contact)?;
             (Some(contact.time), Stop::Contact, features)
         }
     };
     Ok(Direction::new(
         space, direction, distance, stopped_by, features, is_turn,
-    ))
-}
-
-/// The turn of the moving part about a point of it.
-struct Turn {
-    from: Configuration,
-    /// The point in the fixed part's frame, and from the moving part's origin.
-    about: Point,
-    arm: cspace::Vector,
-    rate: f64,
-}
-
-impl SmoothMotion for Turn {
-    fn at(&self, time: f64) -> Coordinates {
-        let theta = self.from.theta + self.rate * time;
-        let arm = Rotation::by(theta) * self.arm;
-        Coordinates::Planar(Configuration::new(
-            self.about.x - arm.x,
-            self.about.y - arm.y,
-            theta,
-        ))
-    }
-
-    fn rate_bounds(&self, _: f64, _: f64) -> [f64; 3] {
-        let speed = self.arm.length() * self.rate.abs();
-        [speed, speed, self.rate.abs()]
-    }
-}
-
-fn about(
-    space: &PairSpace,
-    from: Configuration,
-    middle: Point,
-    rate: f64,
-    direction: &str,
-) -> Result<Direction, QueryError> {
-    /// How near counts as contact, as a share of the moving part's size.
-    const TOUCH: f64 = 1e-9;
-    let motion = Turn {
-        from,
-        about: from.fixed_from_moving(middle),
-        arm: middle.to_vector(),
-        rate,
-    };
-    let tolerance = (TOUCH * space.moving().size()).max(4.0 * space.resolution());
-    let (distance, stopped_by, features) =
-        match space.first_contact_along(&motion, TAU, tolerance)? {
-            SmoothOutcome::Free => (None, Stop::Nothing, Vec::new()),
-            SmoothOutcome::Leaves { time } => (Some(time), Stop::Limit, Vec::new()),
-            SmoothOutcome::Grazes { time } => (Some(time), Stop::Grazing, Vec::new()),
-            SmoothOutcome::Contact { time, at } => {
-                let found = space.near_features(at, 2.0 * tolerance)?;
-                let features = found.iter().map(pair_of).collect();
-                (Some(time), Stop::Contact, features)
-            }
-        };
-    Ok(Direction::new(
-        space,
-        direction.to_owned(),
-        distance,
-        stopped_by,
-        features,
-        true,
     ))
 }
 
@@ -353,7 +291,6 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
         let to = match d.stopped_by {
             Stop::Nothing => String::new(),
             Stop::Limit => ", its limit".to_owned(),
-            Stop::Grazing => ", on beside contact".to_owned(),
             Stop::Contact => {
                 /// More are counted.
                 const MOST: usize = 2;

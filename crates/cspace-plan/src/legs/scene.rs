@@ -2,7 +2,7 @@
 
 use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError,
-    Vector,
+    Rotation, Vector,
 };
 
 use super::at::At;
@@ -22,6 +22,8 @@ pub struct Scene {
     fixed: Tree,
     moving: Tree,
     motions: Option<(AxisMotion, AxisMotion)>,
+    /// The point of a moving part in the plane that legs move straight, in its own frame.
+    about: Vector,
     /// How far a point of the moving part moves at most, for a unit of each coordinate.
     levers: Coords,
     size: f64,
@@ -60,11 +62,6 @@ impl Scene {
         let origins = origins(motions);
         let fixed = Tree::new(Piece::all(fixed, origins.0));
         let moving = Tree::new(Piece::all(moving, origins.1));
-        let reach = |tree: &Tree| {
-            (tree.pieces.iter())
-                .map(|p| p.middle.distance(Point::ORIGIN) + p.reach)
-                .fold(0.0, f64::max)
-        };
         let lever = |motion: AxisMotion, tree: &Tree| match motion {
             AxisMotion::Fixed => 0.0,
             AxisMotion::Revolute { .. } => reach(tree),
@@ -93,7 +90,25 @@ impl Scene {
             levers,
             parts,
             limits,
+            about: Vector::ZERO,
         }
+    }
+
+    /// The same with legs that move a point of the moving part straight and turn it about that: x and y of its numbers are the place of
+    /// the point, which is given in the part's frame. On axes nothing changes.
+    #[must_use]
+    pub fn with_about(mut self, about: Vector) -> Self {
+        if self.motions.is_none() {
+            self.about = about;
+            self.moving = Tree::new(Piece::all(&self.parts.1, about));
+            self.levers[2] = reach(&self.moving);
+        }
+        self
+    }
+
+    /// The point of the moving part that legs move straight, in its own frame.
+    pub fn about(&self) -> Vector {
+        self.about
     }
 
     /// Whether a coordinate is a length: x and y, or the motion of a part that slides.
@@ -161,13 +176,17 @@ impl Scene {
         self.size
     }
 
-    /// The coordinates of a pair's class as numbers.
+    /// The coordinates of a pair's class as numbers: of a planar pair the place of the point that legs move straight, and θ.
     ///
     /// # Errors
     /// If they are those of another class.
     pub fn numbers(&self, at: Coordinates) -> Result<Coords, QueryError> {
         match (self.motions, at) {
-            (None, Coordinates::Planar(c)) => Ok([c.x, c.y, c.theta]),
+            (None, Coordinates::Planar(c)) if self.about == Vector::ZERO => Ok([c.x, c.y, c.theta]),
+            (None, Coordinates::Planar(c)) => {
+                let at = c.position() + Rotation::by(c.theta) * self.about;
+                Ok([at.x, at.y, c.theta])
+            }
             (Some(_), Coordinates::Axes { u, v }) => Ok([u, v, 0.0]),
             _ => Err(QueryError::Outside),
         }
@@ -176,9 +195,26 @@ impl Scene {
     /// Numbers as coordinates of the pair's class.
     pub fn coordinates(&self, at: Coords) -> Coordinates {
         match self.motions {
-            None => Coordinates::Planar(Configuration::new(at[0], at[1], at[2])),
+            None if self.about == Vector::ZERO => {
+                Coordinates::Planar(Configuration::new(at[0], at[1], at[2]))
+            }
+            None => {
+                let p = Point::new(at[0], at[1]) - Rotation::by(at[2]) * self.about;
+                Coordinates::Planar(Configuration::new(p.x, p.y, at[2]))
+            }
             Some(_) => Coordinates::Axes { u: at[0], v: at[1] },
         }
+    }
+
+    /// A gradient by the coordinates of a pair's class, at a place, as one by its numbers.
+    pub(crate) fn by_numbers(&self, gradient: Coords, at: Coords) -> Coords {
+        if self.about == Vector::ZERO {
+            return gradient;
+        }
+        // The position is that of the point, less R b.
+        let by_turning = (Rotation::by(at[2]) * self.about).left();
+        let [x, y, theta] = gradient;
+        [x, y, theta - Vector::new(x, y).dot(by_turning)]
     }
 
     fn poses(&self, from: Coords, to: Coords) -> (Pose, Pose) {
@@ -194,7 +230,10 @@ impl Scene {
     /// Both parts at a configuration.
     fn placed(&self, at: Coords) -> (At<'_>, At<'_>) {
         let (a, b) = self.poses(at, at);
-        let (origin_a, origin_b) = origins(self.motions);
+        let (origin_a, origin_b) = match self.motions {
+            None => (Vector::ZERO, self.about),
+            motions => origins(motions),
+        };
         let placed = |part, pose: Pose, origin| At {
             part,
             placed: pose.at(0.0),
@@ -272,6 +311,13 @@ impl Scene {
         }
         found
     }
+}
+
+/// How far a part reaches from the origin of its placed frame.
+fn reach(tree: &Tree) -> f64 {
+    (tree.pieces.iter())
+        .map(|p| p.middle.distance(Point::ORIGIN) + p.reach)
+        .fold(0.0, f64::max)
 }
 
 /// The points of the two parts that are the origins of their placed frames.

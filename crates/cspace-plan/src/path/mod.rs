@@ -3,7 +3,10 @@
 mod legs;
 mod raise;
 mod shorten;
+mod simple;
 mod steps;
+mod tracks;
 
 pub(crate) use legs::Legs;
+pub use simple::Prefer;
 pub(crate) use steps::{MOST_LEGS, divided};

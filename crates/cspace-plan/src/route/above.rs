@@ -62,7 +62,7 @@ impl Above<'_> {
             };
         };
         let (p, normal) = (curve.point(station.share), curve.free_normal(station.share));
-        let above = |h: f64| [p.x + normal.x * h, p.y + normal.y * h, theta];
+        let above = |h: f64| self.planar.numbers(p + normal * h, theta);
         Lifted {
             low: above(0.0),
             high: above(self.height(normal, above)),

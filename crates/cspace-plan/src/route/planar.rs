@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{ContactSpace, CurveGeometry, FeatureName, Point};
+use cspace::{ContactSpace, CurveGeometry, FeatureName, Point, Rotation};
 
 use crate::legs::{Coords, Scene};
 
@@ -56,8 +56,19 @@ impl<'a> Planar<'a> {
         let theta = self.brought(patch, at[2]);
         let share = self
             .curve(patch, theta)
-            .map_or(0.5, |c| share_of(&c, Point::new(at[0], at[1])));
+            .map_or(0.5, |c| share_of(&c, self.position(at)));
         (Station { theta, share }, at[2] - theta)
+    }
+
+    /// The position of a configuration, which is where contact curves are.
+    fn position(&self, at: Coords) -> Point {
+        Point::new(at[0], at[1]) - Rotation::by(at[2]) * self.scene.about()
+    }
+
+    /// The numbers of a configuration with a position on a contact curve.
+    pub(super) fn numbers(&self, position: Point, theta: f64) -> Coords {
+        let at = position + Rotation::by(theta) * self.scene.about();
+        [at.x, at.y, theta]
     }
 
     /// The contact curve of a patch at an orientation in its numbering.

@@ -52,7 +52,7 @@ impl Planar<'_> {
         let p = self
             .curve(patch, at.theta)
             .map_or(Point::ORIGIN, |c| c.point(at.share));
-        [p.x, p.y, at.theta + turn]
+        self.numbers(p, at.theta + turn)
     }
 
     /// A way from a station on one patch, whose orientations count `turn` more, to a station on another of the same surface.

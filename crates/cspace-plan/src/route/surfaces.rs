@@ -1,6 +1,6 @@
 //! Ways in a contact space: straight, and along the surfaces that are in the way.
 
-use cspace::Configuration;
+use cspace::Coordinates;
 
 use crate::legs::Coords;
 
@@ -13,8 +13,12 @@ impl Planar<'_> {
     /// Its end differs from `to` by whole turns. `None` where the surface is not as it should be.
     pub(crate) fn way(&self, from: Coords, to: Coords) -> Option<Vec<Box<dyn Piece + '_>>> {
         let rates: Coords = core::array::from_fn(|k| to[k] - from[k]);
-        let start = Configuration::new(from[0], from[1], from[2]);
-        let crossings = self.space().crossings(start, rates, 1.0).ok()?;
+        let Coordinates::Planar(start) = self.scene.coordinates(from) else {
+            return None;
+        };
+        let crossings = (self.space())
+            .crossings_about(start, rates, self.scene.about(), 1.0)
+            .ok()?;
         let mut pieces: Vec<Box<dyn Piece + '_>> = Vec::new();
         let (mut time, mut turn) = (0.0, 0.0);
         let at = |t: f64, turn: f64| {

@@ -143,13 +143,14 @@ class Plan:
     """The answer to the question for a path.
 
     `verdict` is "path", "no-path" (proved), "too-narrow", "from-blocked", "to-blocked" or "unknown"; `path` are its configurations,
-    joined by motions of constant rates, and `clearance` the smallest distance of the parts on it. `bottleneck` is the clearance and the
+    joined by motions of constant rates at which the point `about` of a moving part in the plane goes straight, and `clearance` the smallest distance of the parts on it. `bottleneck` is the clearance and the
     configuration where the widest path is narrowest. `touching` are the features of the fixed and the moving part that are nearest at the
     bottleneck, or that enclose a region which is not left.
     """
 
     verdict: str
     path: NDArray[np.float64] | None = None
+    about: tuple[float, float] | None = None
     clearance: float | None = None
     bottleneck: tuple[Any, ...] | None = None
     touching: list[Any] = field(default_factory=list)

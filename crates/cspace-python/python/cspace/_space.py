@@ -151,9 +151,10 @@ class ContactSpace:
         their distance, negative where they overlap."""
         return self._space.near_features(q, number("within", within, 0.0))
 
-    def move(self, start: ArrayLike, by: ArrayLike) -> Motion:
-        """A motion of constant rates from `start` by the displacement `by`, up to its first contact."""
-        result, fraction, at, touching = self._space._move(start, by)
+    def move(self, start: ArrayLike, by: ArrayLike, about: tuple[float, float] = (0.0, 0.0)) -> Motion:
+        """A motion of constant rates from `start` by the displacement `by`, up to its first contact. The point `about` of the moving part,
+        in its frame, moves straight, and the part turns about it."""
+        result, fraction, at, touching = self._space._move(start, by, about)
         return Motion(result, fraction, tuple(at), touching)
 
     def crossings(self, start: ArrayLike, by: ArrayLike) -> list[Crossing]:
@@ -169,15 +170,23 @@ class ContactSpace:
         }
 
     def plan(
-        self, start: ArrayLike, goal: ArrayLike | None = None, widest: bool = False, clearance: float | None = None
+        self,
+        start: ArrayLike,
+        goal: ArrayLike | None = None,
+        widest: bool = False,
+        clearance: float | None = None,
+        about: tuple[float, float] | None = None,
+        prefer: str = "legs",
     ) -> Plan:
         """A path from `start` to `goal` through free space, or the proof that there is none. Without `goal`, out: until a line lies
         between the convex hulls of the parts.
 
-        With `widest` no other path has more clearance; with `clearance` it has at least so much.
+        With `widest` no other path has more clearance; with `clearance` it has at least so much. Legs move the point `about` of the moving
+        part straight, in its frame, and turn the part about it: without it, the part's origin, or the middle of the part where that is drawn
+        beside its origin. `prefer` is what else makes a path good: few "legs", "clearance" all along, or "length".
         """
         least = None if clearance is None else number("clearance", clearance, 0.0)
-        return Plan(**self._space._plan(start, goal, bool(widest), least))
+        return Plan(**self._space._plan(start, goal, bool(widest), least, about, prefer))
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""

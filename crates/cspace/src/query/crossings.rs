@@ -34,22 +34,51 @@ impl ContactSpace {
         rates: [f64; 3],
         duration: f64,
     ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+        self.crossings_about(from, rates, Vector::ZERO, duration)
+    }
+
+    /// As [`crossings`](Self::crossings), of the motion of [`first_contact_about`](Self::first_contact_about): the point `about`
+    /// of the moving part, in its frame, goes straight while the part turns.
+    ///
+    /// # Errors
+    /// As [`crossings`](Self::crossings).
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Options, Part, Vector};
+    /// let table = Part::circle("table", [0.0, 0.0], 2.0)?;
+    /// // A coin drawn beside its origin, which turns about its own centre: it stays where it is.
+    /// let coin = Part::circle("coin", [7.0, 0.0], 1.0)?;
+    /// let space = ContactSpace::compute(&table, &coin, &Options::default())?;
+    /// let from = Configuration::new(-3.5, 0.0, 0.0);
+    /// assert!(space.crossings_about(from, [0.0, 0.0, 3.0], Vector::new(7.0, 0.0), 1.0)?.is_empty());
+    /// assert!(!space.crossings(from, [0.0, 0.0, 3.0], 1.0)?.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn crossings_about(
+        &self,
+        from: Configuration,
+        rates: [f64; 3],
+        about: Vector,
+        duration: f64,
+    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
         let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning, duration];
-        if !numbers.iter().all(|n| (n * n).is_finite()) || duration < 0.0 {
+        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
+        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
+        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
             return Err(MotionError::NotFinite);
         }
         if self.classify(from).is_none() {
             return Err(MotionError::StartsOutside);
         }
-        let path = Path::new(self, from, Vector::new(dx, dy), Vector::ZERO, turning);
+        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
         let end = path
             .time_in_window(self.window())
             .map_or(duration, |t| t.min(duration));
         match path.approach() {
             Approach::Near => {}
             Approach::At(time) if time < end => {
-                let found = self.crossings(path.outer_at(time), rates, duration - time)?;
+                let from = path.outer_at(time);
+                let found = self.crossings_about(from, rates, about, duration - time)?;
                 let later = |(t, patch, enters)| (t + time, patch, enters);
                 return Ok(found.into_iter().map(later).collect());
             }

@@ -7,12 +7,12 @@ use std::fmt::{self, Write};
 use std::path::Path;
 use std::time::Instant;
 
-use cspace::Coordinates;
+use cspace::{Coordinates, Vector};
 use cspace_plan::legs::Scene;
 use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
 
 use crate::args::{Format, PlanArgs};
-use crate::command::rows;
+use crate::command::rows::{self, Rows};
 use crate::failure::Failure;
 use crate::input;
 use crate::output;
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
     let told = match &args.check {
-        Some(path) => checked(&pair, path)?,
+        Some(path) => checked(args, &pair, path)?,
         None => planned(args, &pair)?,
     };
     let answer = match common.result.format() {
@@ -56,7 +56,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(format) = picture {
         picture::write(args, &pair, &told, format)?;
     } else if is_csv(output) {
-        output::write(output, &as_csv(&pair, &told.path)?)?;
+        output::write(output, &as_csv(&pair, &told)?)?;
     } else {
         return output::write(output, &answer);
     }
@@ -139,15 +139,23 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         _ => Failure::work(error),
     };
     let begin = Instant::now();
-    let planner = Planner::new(&space).map_err(failed)?;
-    let wishes = Wishes { clearance, steps };
+    let planner = match args.about.vector() {
+        Some(about) => Planner::with_about(&space, about),
+        None => Planner::new(&space),
+    }
+    .map_err(failed)?;
+    let wishes = Wishes {
+        clearance,
+        steps,
+        prefer: args.prefer.into(),
+    };
     let (to, answer) = Bar::new(pair.names())
         .watch(|bar| match to {
             Some(to) => Ok((to, planner.plan_with(from, to, &wishes, bar)?)),
             None => planner.plan_out(from, &wishes, bar),
         })
         .map_err(failed)?;
-    let mut told = Told::planned(&space, answer, begin.elapsed().as_secs_f64());
+    let mut told = Told::planned(&space, planner.scene(), answer, begin.elapsed().as_secs_f64());
     if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {
         if told.enclosed.is_some() {
             proof::add(&mut told, pair, &space, [from, to], args.depth)?;
@@ -158,7 +166,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     Ok(told)
 }
 
-fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
+fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
     pair.check_window()?;
     let source = path.display().to_string();
     let help = "give a file as `cspace plan -o PATH.csv` writes it";
@@ -175,6 +183,9 @@ fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
     if let Some(window) = pair.window() {
         scene = scene.with_window(window);
     }
+    if let Some(about) = args.about.vector().or(about_in(&source, &rows)?) {
+        scene = scene.with_about(about);
+    }
     let begin = Instant::now();
     let found = check(&scene, &rows.configurations).map_err(|error| match &error {
         PlanError::Pair(e) => pair.unanswered(&source, e),
@@ -186,23 +197,51 @@ fn checked(pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
         moving: pair.moving(),
     };
     let seconds = begin.elapsed().as_secs_f64();
-    Ok(Told::checked(parts, rows.configurations, &found, seconds))
+    Ok(Told::checked(parts, &scene, rows.configurations, &found, seconds))
+}
+
+/// The columns of the point of the moving part that legs move straight, in its frame.
+const ABOUT: [&str; 2] = ["about_x", "about_y"];
+
+/// The point that legs are about, from the columns that [`as_csv`] writes.
+fn about_in(source: &str, rows: &Rows) -> Result<Option<Vector>, Failure> {
+    let column = |name: &str| rows.header.iter().position(|h| h == name);
+    let [Some(x), Some(y)] = ABOUT.map(column) else {
+        return Ok(None);
+    };
+    let mut points = rows.records.iter().map(|row| [x, y].map(|k| row.get(k).unwrap_or_default()));
+    let Some(first) = points.next() else {
+        return Ok(None);
+    };
+    let numbers = first.map(|text| text.parse::<f64>().ok().filter(|n| n.is_finite()));
+    let ([Some(x), Some(y)], true) = (numbers, points.all(|p| p == first)) else {
+        return Err(Failure::input(format_args!(
+            "{source}: about_x and about_y are not the same finite number in all rows"
+        ))
+        .help("give one point of the moving part, or leave the columns out for its origin"));
+    };
+    Ok(Some(Vector::new(x, y)))
 }
 
 /// The configurations of a path, in full precision.
-fn as_csv(pair: &Chosen<'_>, path: &[Coordinates]) -> Result<Vec<u8>, Failure> {
+fn as_csv(pair: &Chosen<'_>, told: &Told) -> Result<Vec<u8>, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let header: &[&str] = if pair.is_on_axes() {
-        &["u", "v"]
-    } else {
-        &["x", "y", "theta"]
+    // Legs about the origin are what the coordinates say.
+    let about = told.about.filter(|&about| about != [0.0; 2]);
+    let mut header = match pair.is_on_axes() {
+        true => vec!["u", "v"],
+        false => vec!["x", "y", "theta"],
     };
+    if about.is_some() {
+        header.extend(ABOUT);
+    }
     writer.write_record(header).map_err(Failure::work)?;
-    for at in path {
-        let numbers = match *at {
+    for at in &told.path {
+        let mut numbers = match *at {
             Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
             Coordinates::Axes { u, v } => vec![u, v],
         };
+        numbers.extend(about.into_iter().flatten());
         writer.serialize(numbers).map_err(Failure::work)?;
     }
     writer.into_inner().map_err(Failure::work)
@@ -214,8 +253,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         Name::Path => {
             let legs = told.path.len().saturating_sub(1);
             writeln!(text, "path: {}", count(legs, "leg", "legs"))?;
-            for &at in &told.path {
-                writeln!(text, "  {}", pair.place(at))?;
+            for (i, &at) in told.path.iter().enumerate() {
+                let before = i.checked_sub(1).and_then(|i| told.words.get(i));
+                if let Some(words) = before {
+                    writeln!(text, "  {words}")?;
+                }
+                writeln!(text, "    {}", pair.place(at))?;
             }
         }
         Name::NoPath if told.bottleneck.is_some() => {

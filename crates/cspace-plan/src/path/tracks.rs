@@ -1,0 +1,275 @@
+//! Tracks: the straight lines that an engineer would move a part along.
+//!
+//! ```text
+//!      ┆     ┆            A first way is free, but turns and bends as the surface does that it follows. Tracks are lines in few
+//!   ┄┄┄┼┄┄┄┄┄┼┄┄ goal     directions, those of the parts' edges and of the axes, through the places of that way and through the
+//!      ┆     ┆            middles of the gaps it passes. Legs go along tracks and turn on the spot where tracks cross, at few
+//!  start┄┄┄┄┄┼┄┄          orientations.
+//!      ┆     ┆
+//! ```
+
+use core::f64::consts::TAU;
+
+use cspace::{Edge, Point, Rotation, Vector};
+
+use crate::legs::{Coords, Scene};
+
+/// Tracks have so many directions at most.
+const DIRECTIONS: usize = 6;
+/// In each direction there are so many tracks at most.
+const ABREAST: usize = 10;
+/// Legs do not turn at more orientations than this.
+const ORIENTATIONS: usize = 8;
+/// Directions that differ by less are one: sines of angles.
+const SAME_DIRECTION: f64 = 1e-9;
+/// Orientations that differ by less are one, radians.
+const SAME_ANGLE: f64 = 1e-9;
+/// Tracks nearer to each other than this share of the way's extent are one.
+const SAME_TRACK: f64 = 1e-9;
+/// An orientation this near to one at which lines of the two parts are parallel gives way to that, radians.
+const ALIGNED: f64 = 0.2;
+/// The middle of a gap is found to this share of the parts' size.
+const CENTRED: f64 = 1e-9;
+
+/// Tracks through the places of a way.
+#[derive(Debug)]
+pub(super) struct Tracks {
+    /// Orientations, radians: those of the first and of the last place first.
+    pub(super) angles: Vec<f64>,
+    /// Where tracks cross: the first and the last place first.
+    pub(super) points: Vec<Point>,
+    /// The points on each track, in order.
+    pub(super) lines: Vec<Vec<u32>>,
+    /// Of each point the tracks through it, with where it is on them.
+    pub(super) through: Vec<Vec<(u32, u32)>>,
+}
+
+/// A track before it is crossed.
+struct Track {
+    direction: Vector,
+    offset: f64,
+}
+
+impl Tracks {
+    /// The tracks of a way: its first and last places, and those between at which it bends.
+    pub(super) fn new(scene: &Scene, bends: &[Coords]) -> Self {
+        let directions = directions(scene, bends);
+        let angles = angles(scene, bends);
+        let extent = extent(bends).max(f64::MIN_POSITIVE);
+        let mut tracks: Vec<Track> = Vec::new();
+        for &direction in &directions {
+            let mut offsets: Vec<f64> = Vec::new();
+            let mut add = |p: Point| {
+                let offset = direction.cross(p.to_vector());
+                let known = |o: &f64| (o - offset).abs() <= SAME_TRACK * extent;
+                if offsets.len() < ABREAST && !offsets.iter().any(known) {
+                    offsets.push(offset);
+                }
+            };
+            let place = |at: &Coords| Point::new(at[0], at[1]);
+            bends.first().map(place).map(&mut add);
+            bends.last().map(place).map(&mut add);
+            for at in bends.iter().skip(1).take(bends.len().saturating_sub(2)) {
+                add(centred(scene, *at, direction.left()));
+            }
+            for at in bends {
+                add(place(at));
+            }
+            tracks.extend(offsets.into_iter().map(|offset| Track { direction, offset }));
+        }
+        let ends = [bends.first(), bends.last()];
+        let first = ends.into_iter().flatten().map(|c| Point::new(c[0], c[1]));
+        Self::crossed(&tracks, angles, first.collect(), extent)
+    }
+
+    fn crossed(tracks: &[Track], angles: Vec<f64>, mut points: Vec<Point>, extent: f64) -> Self {
+        let same = SAME_TRACK * extent;
+        let mut through: Vec<Vec<(u32, u32)>> = vec![Vec::new(); points.len()];
+        let mut lines: Vec<Vec<u32>> = vec![Vec::new(); tracks.len()];
+        let on = |points: &[Point], t: &Track| -> Vec<u32> {
+            (0u32..)
+                .zip(points)
+                .filter(|(_, p)| (t.direction.cross(p.to_vector()) - t.offset).abs() <= same)
+                .map(|(i, _)| i)
+                .collect()
+        };
+        for (a, s) in tracks.iter().enumerate() {
+            for t in &tracks[a + 1..] {
+                let sine = s.direction.cross(t.direction);
+                if sine.abs() <= SAME_DIRECTION {
+                    continue;
+                }
+                // The point p with s × p and t × p as the offsets say.
+                let v = (s.direction * t.offset - t.direction * s.offset) * (1.0 / sine);
+                let p = Point::ORIGIN + v;
+                if !points.iter().any(|q| q.distance(p) <= 4.0 * same) {
+                    points.push(p);
+                    through.push(Vec::new());
+                }
+            }
+        }
+        for (k, track) in (0u32..).zip(tracks) {
+            let mut along = on(&points, track);
+            let place = |i: &u32| track.direction.dot(points[*i as usize].to_vector());
+            along.sort_by(|a, b| place(a).total_cmp(&place(b)));
+            for (where_on, &i) in (0u32..).zip(&along) {
+                through[i as usize].push((k, where_on));
+            }
+            lines[k as usize] = along;
+        }
+        Self {
+            angles,
+            points,
+            lines,
+            through,
+        }
+    }
+}
+
+/// How far the places of a way are apart, along x and y.
+fn extent(places: &[Coords]) -> f64 {
+    (0..2)
+        .map(|k| {
+            let (lo, hi) = places
+                .iter()
+                .map(|p| p[k])
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+                    (lo.min(x), hi.max(x))
+                });
+            hi - lo
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The directions of the axes and of the lines of both parts, as the moving part is at the ends of the way, and across them: those with
+/// the longest lines.
+fn directions(scene: &Scene, bends: &[Coords]) -> Vec<Vector> {
+    let mut found = vec![Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)];
+    if scene.motions().is_some() {
+        return found;
+    }
+    let (fixed, moving) = scene.parts();
+    let ends = [bends.first(), bends.last()];
+    let turns = (ends.into_iter().flatten()).map(|at| Rotation::by(at[2]));
+    let of = |e: Edge, turn: Rotation| (e.is_line(), turn * (e.end - e.start));
+    let still = Rotation::by(0.0);
+    let mut chords: Vec<Vector> = (fixed.edges().map(|e| of(e, still)))
+        .chain(turns.flat_map(|turn| moving.edges().map(move |e| of(e, turn))))
+        .filter(|chord| chord.0)
+        .map(|chord| chord.1)
+        .collect();
+    chords.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    for chord in chords {
+        let unit = chord.unit();
+        for d in [unit, unit.left()] {
+            if found.len() < DIRECTIONS && !found.iter().any(|f| f.cross(d).abs() < SAME_DIRECTION)
+            {
+                found.push(d);
+            }
+        }
+    }
+    found
+}
+
+/// The orientations of a way's ends, and of its bends, aligned with the fixed part where that is near.
+fn angles(scene: &Scene, bends: &[Coords]) -> Vec<f64> {
+    let mut found: Vec<f64> = Vec::new();
+    let mut add = |angle: f64| {
+        let known = |a: &f64| (a - angle).abs() <= SAME_ANGLE;
+        if found.len() < ORIENTATIONS && !found.iter().any(known) {
+            found.push(angle);
+        }
+    };
+    let (Some(first), Some(last)) = (bends.first(), bends.last()) else {
+        return found;
+    };
+    add(first[2]);
+    // The goal's orientation, as the way has come to it and with as little turning as can be.
+    add(first[2] + (last[2] - first[2]) - TAU * ((last[2] - first[2]) / TAU).round());
+    add(last[2]);
+    if scene.motions().is_none() {
+        let aligned = alignments(scene);
+        for at in bends {
+            let near = aligned.iter().map(|a| a + TAU * ((at[2] - a) / TAU).round());
+            let nearest = near.min_by(|a, b| (a - at[2]).abs().total_cmp(&(b - at[2]).abs()));
+            if let Some(angle) = nearest.filter(|a| (a - at[2]).abs() < ALIGNED) {
+                add(angle);
+            }
+        }
+        for at in bends {
+            add(at[2]);
+        }
+    }
+    let (lo, hi) = scene.limits()[2];
+    found.retain(|a| (lo..=hi).contains(a) || *a == first[2] || *a == last[2]);
+    found
+}
+
+/// The orientations at which the longest lines of the two parts are parallel, radians in a turn.
+fn alignments(scene: &Scene) -> Vec<f64> {
+    /// So many lines of each part are looked at.
+    const LONGEST: usize = 4;
+    let (fixed, moving) = scene.parts();
+    let longest = |edges: Vec<Edge>| -> Vec<f64> {
+        let mut chords: Vec<Vector> = (edges.into_iter().filter(Edge::is_line))
+            .map(|e| e.end - e.start)
+            .collect();
+        chords.sort_by(|a, b| b.length().total_cmp(&a.length()));
+        let mut angles: Vec<f64> = Vec::new();
+        for chord in chords {
+            let angle = chord.angle().rem_euclid(core::f64::consts::PI);
+            if angles.len() < LONGEST && !angles.iter().any(|a| (a - angle).abs() < SAME_ANGLE) {
+                angles.push(angle);
+            }
+        }
+        angles
+    };
+    let own = longest(moving.edges().collect());
+    let half = core::f64::consts::PI;
+    (longest(fixed.edges().collect()).iter())
+        .flat_map(|f| own.iter().flat_map(move |m| [f - m, f - m + half]))
+        .collect()
+}
+
+/// From a place the middle of the gap across a direction: where the clearance is largest, as far as it only grows.
+fn centred(scene: &Scene, at: Coords, across: Vector) -> Point {
+    let to = |s: f64| [at[0] + across.x * s, at[1] + across.y * s, at[2]];
+    let clearance = |s: f64| scene.clearance(scene.within_limits(to(s)));
+    let here = clearance(0.0);
+    let least = CENTRED * scene.size();
+    // The side on which it grows, then steps by what is free until it does no more.
+    let step = 0.5 * here;
+    let side = if clearance(step) >= clearance(-step) {
+        1.0
+    } else {
+        -1.0
+    };
+    let (mut lo, mut best, mut hi) = (-side * step, 0.0, side * step);
+    let mut height = here;
+    for _ in 0..64 {
+        let there = clearance(hi);
+        if there <= height {
+            break;
+        }
+        (lo, best, height) = (best, hi, there);
+        hi = best + side * 0.5 * there;
+    }
+    // Between these it has one summit, whose sides are straight where lines bound the gap.
+    let (mut a, mut b) = (lo.min(hi), lo.max(hi));
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (mut s, mut t) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut at_s, mut at_t) = (clearance(s), clearance(t));
+    while b - a > least.max(4.0 * f64::EPSILON * (at[0].abs() + at[1].abs())) {
+        if at_s >= at_t {
+            (b, t, at_t) = (t, s, at_s);
+            s = b - GOLDEN * (b - a);
+            at_s = clearance(s);
+        } else {
+            (a, s, at_s) = (s, t, at_t);
+            t = a + GOLDEN * (b - a);
+            at_t = clearance(t);
+        }
+    }
+    let to = to(0.5 * (a + b));
+    Point::new(to[0], to[1])
+}
