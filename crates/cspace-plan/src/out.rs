@@ -1,7 +1,7 @@
 //! A way out: until a line lies between the convex hulls of the parts, on whose far side the moving part can go away for ever.
 //!
 //! A designer expects a straight way where there is one: the directions of the parts' lines and of the axes are tried first, the shortest
-//! first. Otherwise ways to the far ends of some of these directions are planned, and the one with the fewest legs is taken.
+//! first. Otherwise a way is planned to the nearest place that is out, and made of few legs to where the part is out in any of them.
 
 use cspace::pair::PairMotion;
 use cspace::{
@@ -9,12 +9,12 @@ use cspace::{
 };
 
 use crate::answer::{Answer, Verdict};
-use crate::planner::{Clearance, PlanError, Planner, Wishes};
+use crate::planner::{PlanError, Planner, Wishes};
 
 /// So many directions are tried for straight ways, those of the longest lines first.
 const MOST: usize = 64;
-/// To the far ends of so many directions ways are planned.
-const PLANNED: usize = 8;
+/// It may be out in so many of these directions.
+const EXITS: usize = 16;
 /// Directions that differ by less are the same: sines of angles.
 const SAME: f64 = 1e-9;
 /// The hulls are apart by this share of the parts' size.
@@ -90,46 +90,38 @@ impl Planner<'_> {
         if let Some(exit) = exits.iter().find(is_straight) {
             return to(goal(exit));
         }
-        let quick = Wishes {
-            clearance: Clearance::Quick,
-            ..*wishes
+        // To the nearest exit, and on the simplest way to where it is out anywhere.
+        let about = self.scene().about();
+        let (fixed, moving) = (space.fixed(), space.moving());
+        let lines = directions(fixed, moving, Rotation::by(at.theta));
+        let still: Vec<(Vector, f64)> = (lines.into_iter().take(EXITS))
+            .map(|d| (d, farthest(fixed, d) + apart(fixed, moving)))
+            .collect();
+        let outside = |angle: f64| {
+            let turn = Rotation::by(angle);
+            let back = |d: Vector| turn.inverse() * -d;
+            (still.iter())
+                .map(|&(d, last)| (d, last + farthest(moving, back(d)) - back(d).dot(about)))
+                .collect()
         };
-        let mut best: Option<(usize, f64, Coordinates, Answer)> = None;
-        for exit in exits.iter().take(PLANNED) {
-            let goal = goal(exit);
-            let answer = self.plan_with(from, goal, &quick, progress)?;
-            let Verdict::Path(path) = &answer.verdict else {
-                continue;
-            };
-            let legs = path.configurations.len();
-            let length = length(&path.configurations);
-            if (best.as_ref()).is_none_or(|b| (legs, length) < (b.0, b.1)) {
-                best = Some((legs, length, goal, answer));
-            }
-        }
-        match best {
-            Some((_, _, goal, answer)) if quick == *wishes => Ok((goal, answer)),
-            Some((_, _, goal, _)) => to(goal),
-            None => to(nearest),
-        }
+        let answer = self.plan_to((from, nearest), Some(&outside), wishes, progress)?;
+        let last = match &answer.verdict {
+            Verdict::Path(path) => path.configurations.last().copied(),
+            _ => None,
+        };
+        Ok((last.unwrap_or(nearest), answer))
     }
 }
 
-/// How far the moving part's origin goes along a path (the model's unit).
-fn length(path: &[Coordinates]) -> f64 {
-    let place = |c: &Coordinates| match *c {
-        Coordinates::Planar(c) => c.position(),
-        Coordinates::Axes { u, v } => Point::new(u, v),
-    };
-    (path.windows(2))
-        .map(|leg| place(&leg[0]).distance(place(&leg[1])))
-        .sum()
+/// How far the hulls are apart where a part is out.
+fn apart(fixed: &Part, moving: &Part) -> f64 {
+    APART * fixed.size().max(moving.size())
 }
 
 /// The directions of the axes and of the lines of both parts, and across them, by how far it is until the parts are apart.
 fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit> {
     let turn = Rotation::by(at.theta);
-    let apart = APART * fixed.size().max(moving.size());
+    let apart = apart(fixed, moving);
     let mut exits: Vec<Exit> = (directions(fixed, moving, turn).into_iter())
         .map(|direction| {
             let to = Vector::new(at.x, at.y).dot(direction);

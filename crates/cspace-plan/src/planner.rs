@@ -9,7 +9,7 @@ use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
-use crate::path::{Legs, MOST_LEGS, Prefer, divided};
+use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
 
@@ -192,6 +192,17 @@ impl<'a> Planner<'a> {
         wishes: &Wishes,
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
+        self.plan_to((from, to), None, wishes, progress)
+    }
+
+    /// A path to a configuration, or to where the part is out if that is given: then the configuration is one that is.
+    pub(crate) fn plan_to(
+        &self,
+        (from, to): (Coordinates, Coordinates),
+        outside: Option<&Outside<'_>>,
+        wishes: &Wishes,
+        progress: &dyn Progress,
+    ) -> Result<Answer, PlanError> {
         // In a window by its own numbers.
         let asked = (from, to);
         let (turns, from) = home(self.space, &self.scene, from);
@@ -251,7 +262,7 @@ impl<'a> Planner<'a> {
                 };
                 let legs = Legs::new(&self.scene, wider.places.clone());
                 let legs = match wishes.prefer {
-                    Prefer::Legs => legs.simple(kept),
+                    Prefer::Legs => legs.simple(kept, outside),
                     Prefer::Clearance | Prefer::Length => legs.shortened(kept),
                 };
                 if wishes.clearance == Clearance::Widest {
@@ -264,7 +275,8 @@ impl<'a> Planner<'a> {
                 for at in &mut path.configurations {
                     *at = turned(*at, -turns);
                 }
-                exact_ends(&mut path.configurations, asked);
+                let last = outside.is_none().then_some(asked.1);
+                exact_ends(&mut path.configurations, (asked.0, last));
                 Verdict::Path(path)
             }
         };
@@ -438,7 +450,7 @@ fn middle_if_far(part: &Part) -> Vector {
 }
 
 /// Puts the ends of a path where they were asked for: numbers of a point of the part and back are rounded.
-fn exact_ends(path: &mut [Coordinates], (from, to): (Coordinates, Coordinates)) {
+fn exact_ends(path: &mut [Coordinates], (from, to): (Coordinates, Option<Coordinates>)) {
     let exact = |told: &mut Coordinates, asked: Coordinates| {
         if let (Coordinates::Planar(told), Coordinates::Planar(asked)) = (told, asked) {
             let turns = ((told.theta - asked.theta) / TAU).round();
@@ -449,7 +461,7 @@ fn exact_ends(path: &mut [Coordinates], (from, to): (Coordinates, Coordinates)) 
     if let Some(first) = path.first_mut() {
         exact(first, from);
     }
-    if let Some(last) = path.last_mut() {
+    if let (Some(last), Some(to)) = (path.last_mut(), to) {
         exact(last, to);
     }
 }

@@ -8,5 +8,6 @@ mod steps;
 mod tracks;
 
 pub(crate) use legs::Legs;
+pub(crate) use simple::Outside;
 pub use simple::Prefer;
 pub(crate) use steps::{MOST_LEGS, divided};

@@ -4,11 +4,13 @@ use core::cmp::Ordering;
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BinaryHeap};
 
+use cspace::{Point, Vector};
+
 use crate::legs::{Coords, Scene};
 use crate::route::along;
 
 use super::legs::Legs;
-use super::tracks::Tracks;
+use super::tracks::{Track, Tracks};
 
 /// What makes a way good.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -30,17 +32,22 @@ const MIXED: f64 = 1.5;
 const LENGTH: f64 = 0.01;
 /// A leg keeps this share of the clearance that the given way has where it is.
 const KEPT: f64 = 0.5;
+/// A track along which a part comes out at a flatter angle than this does not lead out: a sine.
+const STEEP: f64 = 0.1;
 /// So many legs are tried at most: what is found then is enough.
 const MOST: usize = 20_000;
-/// Clearances that are tried beside the one that is asked for, as shares of that of the given way.
-const SHARES: [f64; 2] = [1.0 - 1e-6, 0.8];
-
 /// Where a search is: at an orientation and a point of the tracks, or at a bend of the given way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum State {
     Crossing { angle: u32, point: u32 },
     Bend(u32),
+    /// Out, on a track that is followed ahead or back.
+    Out { angle: u32, line: u32, ahead: bool },
 }
+
+/// Where a way may end beside its last place: where a planar part at an orientation (radians) is out, as directions d with the least
+/// p · d of its place p.
+pub(crate) type Outside<'o> = dyn Fn(f64) -> Vec<(Vector, f64)> + 'o;
 
 #[derive(Debug, Clone, Copy)]
 struct Reached {
@@ -70,65 +77,141 @@ impl Ord for Open {
 }
 
 impl<'a> Legs<'a> {
-    /// The way with few and simple legs, none of which has less than a clearance.
-    pub(crate) fn simple(&self, clearance: f64) -> Legs<'a> {
+    /// The way with few and simple legs, none of which has less than a clearance; to the last place or, if that is given, to where the
+    /// part is out.
+    pub(crate) fn simple(&self, clearance: f64, outside: Option<&Outside<'_>>) -> Legs<'a> {
+        /// Shares of the clearance in the narrowest gap of the given way: nearly as much, as much, and more.
+        const WHOLE: [f64; 4] = [0.8, 1.0 - 1e-6, 1.25, 1.5];
+        /// Weights that differ by less are those of as many legs of the same kinds.
+        const SAME: f64 = 0.2;
         let bends = self.shortened(clearance);
-        let tracks = Tracks::new(self.scene, bends.places());
-        let given = self.narrowest().map_or(0.0, |n| n.1.distance);
-        let mut best: Option<(f64, Vec<Coords>)> = None;
-        // With as much clearance as few legs have.
-        let shares = SHARES.map(|share| share * given);
-        for least in [clearance].into_iter().chain(shares) {
-            if best.is_some() && least <= clearance {
-                continue;
-            }
-            let mut search = Search::new(self, &bends, &tracks, least);
-            if let Some((weight, places)) = search.run()
-                && (best.as_ref()).is_none_or(|b| weight < b.0 + 0.5 * (ACROSS - 1.0))
-            {
-                let enough = best.is_some();
-                best = Some((weight, places));
-                if enough {
-                    break;
-                }
-            }
+        let tracks = Tracks::new(self.scene, &self.places, bends.places());
+        let profile: Vec<f64> = self.places.iter().map(|&p| self.scene.clearance(p)).collect();
+        let outs = Outs::new(&tracks, outside);
+        let given = Given {
+            scene: self.scene,
+            places: &self.places,
+            profile: &profile,
+            bends: bends.places(),
+            tracks: &tracks,
+            outs: &outs,
+        };
+        // The fewest legs first: without a turn that nothing asks for, then with turns.
+        let all = self.narrowest().map_or(0.0, |n| n.1.distance);
+        let keep = Keep { least: clearance, most: gaps(&profile) };
+        let few = tracks.angles.len().min(2);
+        let mut best = Search::new(&given, keep, few, f64::INFINITY).run();
+        let most = best.as_ref().map_or(f64::INFINITY, |b| b.0);
+        if tracks.angles.len() > few
+            && let Some(found) = Search::new(&given, keep, tracks.angles.len(), most).run()
+        {
+            best = Some(found);
         }
-        match best {
-            Some((_, places)) => Legs::new(self.scene, places),
-            None => bends,
+        let Some(mut best) = best else {
+            return bends;
+        };
+        // Then as many with more clearance.
+        let keeps = [(clearance, f64::INFINITY)].into_iter().chain(WHOLE.map(|s| (s * all, f64::INFINITY)));
+        for (least, most) in keeps.filter(|k| k.0 >= clearance) {
+            let keep = Keep { least, most };
+            let Some(found) = Search::new(&given, keep, tracks.angles.len(), best.0 + SAME).run() else {
+                break;
+            };
+            best.1 = found.1;
         }
+        Legs::new(self.scene, best.1)
     }
 }
 
-struct Search<'s> {
+/// Where tracks come out: of each orientation, track and way along it the place on it, as a coordinate along the track.
+#[derive(Debug)]
+struct Outs(Vec<Vec<[f64; 2]>>);
+
+impl Outs {
+    fn new(tracks: &Tracks, outside: Option<&Outside<'_>>) -> Self {
+        let Some(outside) = outside else {
+            return Self(Vec::new());
+        };
+        let of = |&angle: &f64| {
+            let least = outside(angle);
+            let on = |track: &Track| {
+                [1.0, -1.0].map(|way| {
+                    let along = track.direction * way;
+                    let base = track.point(0.0).to_vector();
+                    let times = least.iter().filter_map(|&(d, least)| {
+                        let rate = d.dot(along);
+                        (rate > STEEP).then(|| (least - d.dot(base)) / rate)
+                    });
+                    way * times.fold(f64::INFINITY, f64::min)
+                })
+            };
+            tracks.tracks.iter().map(on).collect()
+        };
+        Self(tracks.angles.iter().map(of).collect())
+    }
+
+    /// Where a track comes out when it is followed ahead or back.
+    fn at(&self, angle: u32, line: u32, ahead: bool) -> Option<f64> {
+        let out = self.0.get(angle as usize)?[line as usize][usize::from(!ahead)];
+        out.is_finite().then_some(out)
+    }
+}
+
+/// The least clearance of a way in its gaps, from that at its places: beside its ends, from which it may rise first.
+fn gaps(profile: &[f64]) -> f64 {
+    let rises = |p: &[f64]| p[1] > p[0];
+    let first = profile.windows(2).take_while(|p| rises(p)).count();
+    let falls = profile.windows(2).rev().take_while(|p| !rises(p)).count();
+    let within = profile.get(first..profile.len() - falls).unwrap_or_default();
+    within.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// The clearance of legs: the least anywhere, and the most that is required because the given way has more.
+#[derive(Debug, Clone, Copy)]
+struct Keep {
+    least: f64,
+    most: f64,
+}
+
+/// A way, with the clearance of its places, where it bends, and tracks through it.
+#[derive(Debug, Clone, Copy)]
+struct Given<'s> {
     scene: &'s Scene,
-    /// The given way, with the clearance of its places, and its bends.
-    given: (&'s [Coords], Vec<f64>),
+    places: &'s [Coords],
+    profile: &'s [f64],
     bends: &'s [Coords],
     tracks: &'s Tracks,
-    least: f64,
+    outs: &'s Outs,
+}
+
+struct Search<'s> {
+    given: &'s Given<'s>,
+    keep: Keep,
+    /// So many orientations are used.
+    angles: u32,
+    /// What weighs as much is not sought, nor what weighs more than a way that is known.
+    most: f64,
     length: f64,
     reached: BTreeMap<State, Reached>,
     open: BinaryHeap<Open>,
     required: BTreeMap<State, f64>,
+    /// Whether the legs between states that are often tried are free.
+    free: BTreeMap<(State, State), bool>,
     tried: usize,
 }
 
 impl<'s> Search<'s> {
-    fn new(legs: &'s Legs<'_>, bends: &'s Legs<'_>, tracks: &'s Tracks, least: f64) -> Self {
-        let scene = legs.scene;
-        let clearances = legs.places.iter().map(|&p| scene.clearance(p)).collect();
-        let length = legs.places.windows(2).map(|l| long(scene, l[0], l[1])).sum();
+    fn new(given: &'s Given<'s>, keep: Keep, angles: usize, most: f64) -> Self {
         Self {
-            scene,
-            given: (&legs.places, clearances),
-            bends: &bends.places,
-            tracks,
-            least,
-            length,
+            given,
+            keep,
+            angles: angles as u32,
+            most,
+            length: given.places.windows(2).map(|l| long(given.scene, l[0], l[1])).sum(),
             reached: BTreeMap::new(),
             open: BinaryHeap::new(),
             required: BTreeMap::new(),
+            free: BTreeMap::new(),
             tried: 0,
         }
     }
@@ -153,35 +236,40 @@ impl<'s> Search<'s> {
             match state {
                 State::Bend(k) => self.from_bend(k, weight),
                 State::Crossing { angle, point } => self.from_crossing((angle, point), weight),
+                State::Out { .. } => {}
             }
         }
         None
     }
 
     fn is_goal(&self, state: State) -> bool {
-        let Some(goal) = self.bends.last() else {
+        let Some(goal) = self.given.bends.last() else {
             return true;
         };
         match state {
-            State::Bend(k) => k as usize + 1 == self.bends.len(),
-            State::Crossing { angle, point } => {
-                // The points of a way's ends are the first and, if it is another, the second.
-                let turned = self.tracks.angles[angle as usize] - goal[2];
-                let at = self.tracks.points[point as usize];
-                point <= 1
-                    && at.x == goal[0]
-                    && at.y == goal[1]
-                    && (turned == 0.0 || (turned / TAU).round() * TAU + goal[2] == self.tracks.angles[angle as usize])
+            State::Out { .. } => true,
+            State::Bend(k) => k as usize + 1 == self.given.bends.len(),
+            State::Crossing { .. } => {
+                let at = self.place(state);
+                let turns = ((at[2] - goal[2]) / TAU).round();
+                let angle = if turns == 0.0 { goal[2] } else { goal[2] + TAU * turns };
+                at == [goal[0], goal[1], angle]
             }
         }
     }
 
     fn place(&self, state: State) -> Coords {
+        let tracks = self.given.tracks;
         match state {
-            State::Bend(k) => self.bends[k as usize],
+            State::Bend(k) => self.given.bends[k as usize],
             State::Crossing { angle, point } => {
-                let at = self.tracks.points[point as usize];
-                [at.x, at.y, self.tracks.angles[angle as usize]]
+                let at = tracks.points[point as usize];
+                [at.x, at.y, tracks.angles[angle as usize]]
+            }
+            State::Out { angle, line, ahead } => {
+                let out = self.given.outs.at(angle, line, ahead).unwrap_or(0.0);
+                let at = tracks.tracks[line as usize].point(out);
+                [at.x, at.y, tracks.angles[angle as usize]]
             }
         }
     }
@@ -199,6 +287,12 @@ impl<'s> Search<'s> {
     }
 
     fn reach(&mut self, state: State, weight: f64, before: Option<State>) {
+        if weight >= self.most {
+            return;
+        }
+        if self.is_goal(state) {
+            self.most = weight.next_up();
+        }
         let known = self.reached.get(&state);
         if known.is_some_and(|k| k.done || k.weight <= weight) {
             return;
@@ -218,16 +312,16 @@ impl<'s> Search<'s> {
             return known;
         }
         let at = self.place(state);
-        let (places, clearances) = &self.given;
+        let Given { scene, places, profile, .. } = *self.given;
         let mut nearest = (f64::INFINITY, 0.0);
-        for (leg, c) in places.windows(2).zip(clearances.windows(2)) {
-            let s = share(self.scene, at, (leg[0], leg[1]));
-            let apart = long(self.scene, at, along(leg[0], leg[1], s));
+        for (leg, c) in places.windows(2).zip(profile.windows(2)) {
+            let s = share(scene, at, (leg[0], leg[1]));
+            let apart = long(scene, at, along(leg[0], leg[1], s));
             if apart < nearest.0 {
                 nearest = (apart, c[0] + (c[1] - c[0]) * s);
             }
         }
-        let required = (KEPT * nearest.1).max(self.least);
+        let required = (KEPT * nearest.1.min(self.keep.most)).max(self.keep.least);
         self.required.insert(state, required);
         required
     }
@@ -236,111 +330,134 @@ impl<'s> Search<'s> {
         self.tried += 1;
         let required = self.required(from).min(self.required(to));
         let (from, to) = (self.place(from), self.place(to));
-        self.scene.is_apart(from, to, required)
+        self.given.scene.is_apart(from, to, required)
+    }
+
+    /// As [`is_free`](Self::is_free), remembered.
+    fn is_free_track(&mut self, from: State, to: State) -> bool {
+        let key = (from.min(to), from.max(to));
+        if let Some(&known) = self.free.get(&key) {
+            return known;
+        }
+        let found = self.is_free(from, to);
+        self.free.insert(key, found);
+        found
     }
 
     fn weighed(&self, weight: f64, leg: f64, from: State, to: State) -> f64 {
-        let long = long(self.scene, self.place(from), self.place(to));
+        let long = long(self.given.scene, self.place(from), self.place(to));
         weight + leg + LENGTH * long / self.length
     }
 
     /// From a bend along the given way, across to its later bends, and onto the tracks.
     fn from_bend(&mut self, k: u32, weight: f64) {
         let from = State::Bend(k);
-        for to in (k + 1)..self.bends.len() as u32 {
-            let next = State::Bend(to);
-            let (a, b) = (self.place(from), self.place(next));
-            let straight = a[2] == b[2];
-            // Not all of many: those beside it, and every second one doubling.
+        let Given { bends, tracks, .. } = *self.given;
+        let last = bends.len() as u32 - 1;
+        for to in (k + 1)..=last {
             let ahead = to - k;
-            if ahead > 4 && !ahead.is_power_of_two() && to as usize + 1 != self.bends.len() {
-                continue;
-            }
-            if ahead == 1 || self.is_free(from, next) {
-                let leg = if straight { ACROSS } else { MIXED };
-                let weight = self.weighed(weight, leg, from, next);
-                self.reach(next, weight, Some(from));
+            // Of many those beside it, and then ever fewer.
+            if to == last || ahead <= 4 || ahead.is_power_of_two() {
+                self.across(from, State::Bend(to), weight, ahead == 1);
             }
         }
         let at = self.place(from);
-        let own = (0u32..).zip(&self.tracks.points).find(|(_, p)| p.x == at[0] && p.y == at[1]);
-        if let Some((point, _)) = own {
-            if let Some(angle) = self.tracks.angles.iter().position(|&a| a == at[2]) {
-                let angle = angle as u32;
-                self.reach(State::Crossing { angle, point }, weight, Some(from));
-            }
-        }
-        // Straight across onto a crossing near by, or by a turn alone.
-        let nearest = self.nearest_crossing(at);
-        for state in nearest {
-            if self.is_free(from, state) {
-                let leg = if self.place(state)[2] == at[2] { ACROSS } else { MIXED };
-                let weight = self.weighed(weight, leg, from, state);
-                self.reach(state, weight, Some(from));
+        let far = |p: &Point| (p.x - at[0]).hypot(p.y - at[1]);
+        let nearest = (0u32..).zip(&tracks.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
+        let Some((point, _)) = nearest else {
+            return;
+        };
+        for angle in 0..self.angles {
+            let to = State::Crossing { angle, point };
+            if self.place(to) == at {
+                self.reach(to, weight, Some(from));
+            } else {
+                self.across(from, to, weight, false);
             }
         }
     }
 
-    /// The crossings nearest to a place, one at each orientation.
-    fn nearest_crossing(&self, at: Coords) -> Vec<State> {
-        let near = (0u32..)
-            .zip(&self.tracks.points)
-            .min_by(|a, b| {
-                let d = |p: &cspace::Point| (p.x - at[0]).hypot(p.y - at[1]);
-                d(a.1).total_cmp(&d(b.1))
-            })
-            .map(|p| p.0);
-        let Some(point) = near else {
-            return Vec::new();
+    /// A leg that is not along a track.
+    fn across(&mut self, from: State, to: State, weight: f64, is_known: bool) {
+        let (a, b) = (self.place(from), self.place(to));
+        let leg = match (a[2] == b[2], a[..2] == b[..2]) {
+            (true, _) => ACROSS,
+            (_, true) => 1.0,
+            _ => MIXED,
         };
-        (0..self.tracks.angles.len() as u32)
-            .map(|angle| State::Crossing { angle, point })
-            .collect()
+        let weight = self.weighed(weight, leg, from, to);
+        if weight < self.most && !self.is_done(to) && (is_known || self.is_free(from, to)) {
+            self.reach(to, weight, Some(from));
+        }
     }
 
     fn from_crossing(&mut self, (angle, point): (u32, u32), weight: f64) {
         let from = State::Crossing { angle, point };
-        let tracks = self.tracks;
-        for &(line, own) in &tracks.through[point as usize] {
-            let line = &tracks.lines[line as usize];
+        let Given { tracks, bends, .. } = *self.given;
+        if weight + 1.0 >= self.most {
+            return;
+        }
+        for &on in &tracks.through[point as usize] {
             for ahead in [true, false] {
-                let mut here = own;
-                loop {
-                    let next = if ahead { Some(here + 1) } else { here.checked_sub(1) };
-                    let Some(&to) = next.and_then(|n| line.get(n as usize)) else {
-                        break;
-                    };
-                    let at = |i: u32| State::Crossing { angle, point: line[i as usize] };
-                    let (a, b) = (at(here), State::Crossing { angle, point: to });
-                    if !self.is_free(a, b) {
-                        break;
-                    }
-                    let weight = self.weighed(weight, 1.0, from, b);
-                    self.reach(b, weight, Some(from));
-                    here = if ahead { here + 1 } else { here - 1 };
-                }
+                self.along_track((from, angle), on, ahead, weight);
             }
         }
-        for other in 0..tracks.angles.len() as u32 {
+        for other in (0..self.angles).filter(|&o| o != angle) {
             let to = State::Crossing { angle: other, point };
-            if other != angle && !self.is_done(to) && self.is_free(from, to) {
-                let weight = self.weighed(weight, 1.0, from, to);
+            let weight = self.weighed(weight, 1.0, from, to);
+            if weight < self.most && !self.is_done(to) && self.is_free_track(from, to) {
                 self.reach(to, weight, Some(from));
             }
         }
-        // Straight to the goal.
-        let goal = State::Bend(self.bends.len() as u32 - 1);
-        let (a, b) = (self.place(from), self.place(goal));
-        if !self.is_done(goal) && self.is_free(from, goal) {
-            let leg = if a[2] == b[2] { ACROSS } else { MIXED };
-            let weight = self.weighed(weight, leg, from, goal);
-            self.reach(goal, weight, Some(from));
-        }
+        self.across(from, State::Bend(bends.len() as u32 - 1), weight, false);
         // Back to the given way where it is at this place.
-        for k in 0..self.bends.len() as u32 {
-            if self.bends[k as usize] == self.place(from) {
+        for k in 0..bends.len() as u32 {
+            if bends[k as usize] == self.place(from) {
                 self.reach(State::Bend(k), weight, Some(from));
             }
+        }
+    }
+
+    /// From a crossing along a track, as far as it is free, up to where it comes out.
+    fn along_track(
+        &mut self,
+        (from, angle): (State, u32),
+        (line, own): (u32, u32),
+        ahead: bool,
+        weight: f64,
+    ) {
+        let tracks = self.given.tracks;
+        let points = &tracks.lines[line as usize];
+        let track = &tracks.tracks[line as usize];
+        let out = self.given.outs.at(angle, line, ahead);
+        let is_beyond = |s: f64, out: f64| if ahead { s >= out } else { s <= out };
+        let (mut here, mut at) = (own, from);
+        loop {
+            let next = if ahead { here.checked_add(1) } else { here.checked_sub(1) };
+            let next = next.and_then(|n| Some((n, *points.get(n as usize)?)));
+            let place = next.map(|(_, point)| track.along(tracks.points[point as usize]));
+            if let Some(out) = out
+                && place.is_none_or(|s| is_beyond(s, out))
+            {
+                let to = State::Out { angle, line, ahead };
+                // From beyond where it comes out it is out already.
+                let to = if is_beyond(track.along(tracks.points[points[here as usize] as usize]), out) { at } else { to };
+                if to != at && self.is_free_track(at, to) {
+                    let weight = self.weighed(weight, 1.0, from, to);
+                    self.reach(to, weight, Some(from));
+                }
+                return;
+            }
+            let Some((next, point)) = next else {
+                return;
+            };
+            let to = State::Crossing { angle, point };
+            if !self.is_free_track(at, to) {
+                return;
+            }
+            let weight = self.weighed(weight, 1.0, from, to);
+            self.reach(to, weight, Some(from));
+            (here, at) = (next, to);
         }
     }
 

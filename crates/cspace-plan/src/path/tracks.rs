@@ -15,21 +15,28 @@ use cspace::{Edge, Point, Rotation, Vector};
 use crate::legs::{Coords, Scene};
 
 /// Tracks have so many directions at most.
-const DIRECTIONS: usize = 6;
+const DIRECTIONS: usize = 4;
 /// In each direction there are so many tracks at most.
-const ABREAST: usize = 10;
+const ABREAST: usize = 16;
 /// Legs do not turn at more orientations than this.
 const ORIENTATIONS: usize = 8;
 /// Directions that differ by less are one: sines of angles.
 const SAME_DIRECTION: f64 = 1e-9;
 /// Orientations that differ by less are one, radians.
 const SAME_ANGLE: f64 = 1e-9;
+/// The middles of gaps are sought at so many places of a way at most.
+const CENTRED_AT: usize = 16;
+/// A point this near to a track is on it, as a share of the way's extent.
+const ON_TRACK: f64 = 1e-9;
 /// Tracks nearer to each other than this share of the way's extent are one.
-const SAME_TRACK: f64 = 1e-9;
+const SAME_TRACK: f64 = 1e-6;
 /// An orientation this near to one at which lines of the two parts are parallel gives way to that, radians.
 const ALIGNED: f64 = 0.2;
-/// The middle of a gap is found to this share of the parts' size.
-const CENTRED: f64 = 1e-9;
+/// The middle of a gap is found to this share of the clearance there, in so many steps at most.
+const CENTRED: f64 = 1e-7;
+const STEPS: usize = 64;
+/// Where the clearance still grows at this share of the parts' size from a place, there is no gap.
+const OPEN: f64 = 0.5;
 
 /// Tracks through the places of a way.
 #[derive(Debug)]
@@ -38,21 +45,37 @@ pub(super) struct Tracks {
     pub(super) angles: Vec<f64>,
     /// Where tracks cross: the first and the last place first.
     pub(super) points: Vec<Point>,
+    /// The tracks.
+    pub(super) tracks: Vec<Track>,
     /// The points on each track, in order.
     pub(super) lines: Vec<Vec<u32>>,
     /// Of each point the tracks through it, with where it is on them.
     pub(super) through: Vec<Vec<(u32, u32)>>,
 }
 
-/// A track before it is crossed.
-struct Track {
-    direction: Vector,
+/// A track: the points p with direction × p = offset.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Track {
+    pub(super) direction: Vector,
     offset: f64,
 }
 
+impl Track {
+    /// The point at a coordinate along it.
+    pub(super) fn point(&self, along: f64) -> Point {
+        Point::ORIGIN + self.direction * along + self.direction.left() * self.offset
+    }
+
+    /// The coordinate of a point along it.
+    pub(super) fn along(&self, p: Point) -> f64 {
+        self.direction.dot(p.to_vector())
+    }
+}
+
 impl Tracks {
-    /// The tracks of a way: its first and last places, and those between at which it bends.
-    pub(super) fn new(scene: &Scene, bends: &[Coords]) -> Self {
+    /// The tracks of a way, given by its places and by those of them at which it bends.
+    pub(super) fn new(scene: &Scene, places: &[Coords], bends: &[Coords]) -> Self {
+        let within = within(places);
         let directions = directions(scene, bends);
         let angles = angles(scene, bends);
         let extent = extent(bends).max(f64::MIN_POSITIVE);
@@ -69,8 +92,8 @@ impl Tracks {
             let place = |at: &Coords| Point::new(at[0], at[1]);
             bends.first().map(place).map(&mut add);
             bends.last().map(place).map(&mut add);
-            for at in bends.iter().skip(1).take(bends.len().saturating_sub(2)) {
-                add(centred(scene, *at, direction.left()));
+            for &at in &within {
+                centred(scene, at, direction.left()).map(&mut add);
             }
             for at in bends {
                 add(place(at));
@@ -79,11 +102,11 @@ impl Tracks {
         }
         let ends = [bends.first(), bends.last()];
         let first = ends.into_iter().flatten().map(|c| Point::new(c[0], c[1]));
-        Self::crossed(&tracks, angles, first.collect(), extent)
+        Self::crossed(tracks, angles, first.collect(), extent)
     }
 
-    fn crossed(tracks: &[Track], angles: Vec<f64>, mut points: Vec<Point>, extent: f64) -> Self {
-        let same = SAME_TRACK * extent;
+    fn crossed(tracks: Vec<Track>, angles: Vec<f64>, mut points: Vec<Point>, extent: f64) -> Self {
+        let same = ON_TRACK * extent;
         let mut through: Vec<Vec<(u32, u32)>> = vec![Vec::new(); points.len()];
         let mut lines: Vec<Vec<u32>> = vec![Vec::new(); tracks.len()];
         let on = |points: &[Point], t: &Track| -> Vec<u32> {
@@ -100,7 +123,7 @@ impl Tracks {
                     continue;
                 }
                 // The point p with s × p and t × p as the offsets say.
-                let v = (s.direction * t.offset - t.direction * s.offset) * (1.0 / sine);
+                let v = (t.direction * s.offset - s.direction * t.offset) * (1.0 / sine);
                 let p = Point::ORIGIN + v;
                 if !points.iter().any(|q| q.distance(p) <= 4.0 * same) {
                     points.push(p);
@@ -108,9 +131,9 @@ impl Tracks {
                 }
             }
         }
-        for (k, track) in (0u32..).zip(tracks) {
+        for (k, track) in (0u32..).zip(&tracks) {
             let mut along = on(&points, track);
-            let place = |i: &u32| track.direction.dot(points[*i as usize].to_vector());
+            let place = |i: &u32| track.along(points[*i as usize]);
             along.sort_by(|a, b| place(a).total_cmp(&place(b)));
             for (where_on, &i) in (0u32..).zip(&along) {
                 through[i as usize].push((k, where_on));
@@ -120,10 +143,22 @@ impl Tracks {
         Self {
             angles,
             points,
+            tracks,
             lines,
             through,
         }
     }
+}
+
+/// Places of a way and the middles of its legs, but for its ends: evenly so many at most.
+fn within(places: &[Coords]) -> Vec<Coords> {
+    let middle = |leg: &[Coords]| core::array::from_fn(|k| 0.5 * (leg[0][k] + leg[1][k]));
+    let all: Vec<Coords> = (places.windows(2))
+        .flat_map(|leg| [middle(leg), leg[1]])
+        .collect();
+    let inner = &all[..all.len().saturating_sub(1)];
+    let count = inner.len().min(CENTRED_AT);
+    (0..count).map(|i| inner[i * inner.len() / count]).collect()
 }
 
 /// How far the places of a way are apart, along x and y.
@@ -231,45 +266,47 @@ fn alignments(scene: &Scene) -> Vec<f64> {
         .collect()
 }
 
-/// From a place the middle of the gap across a direction: where the clearance is largest, as far as it only grows.
-fn centred(scene: &Scene, at: Coords, across: Vector) -> Point {
-    let to = |s: f64| [at[0] + across.x * s, at[1] + across.y * s, at[2]];
-    let clearance = |s: f64| scene.clearance(scene.within_limits(to(s)));
+/// From a place the middle of the gap across a direction: where the clearance is largest, as far as it only grows. `None` where there is
+/// no gap.
+fn centred(scene: &Scene, at: Coords, across: Vector) -> Option<Point> {
+    /// The golden section.
+    const SECTION: f64 = 0.618_033_988_749_894_9;
+    let clearance = |s: f64| scene.clearance([at[0] + across.x * s, at[1] + across.y * s, at[2]]);
     let here = clearance(0.0);
-    let least = CENTRED * scene.size();
-    // The side on which it grows, then steps by what is free until it does no more.
+    // The side on which it grows, then by what is free until it grows no more.
     let step = 0.5 * here;
-    let side = if clearance(step) >= clearance(-step) {
-        1.0
-    } else {
-        -1.0
-    };
+    let side = if clearance(step) >= clearance(-step) { 1.0 } else { -1.0 };
     let (mut lo, mut best, mut hi) = (-side * step, 0.0, side * step);
     let mut height = here;
-    for _ in 0..64 {
+    loop {
         let there = clearance(hi);
         if there <= height {
             break;
         }
+        if hi.abs() > OPEN * scene.size() {
+            return None;
+        }
         (lo, best, height) = (best, hi, there);
         hi = best + side * 0.5 * there;
     }
-    // Between these it has one summit, whose sides are straight where lines bound the gap.
+    // Between these there is one summit, whose sides are straight where lines bound the gap.
     let (mut a, mut b) = (lo.min(hi), lo.max(hi));
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut s, mut t) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut s, mut t) = (b - SECTION * (b - a), a + SECTION * (b - a));
     let (mut at_s, mut at_t) = (clearance(s), clearance(t));
-    while b - a > least.max(4.0 * f64::EPSILON * (at[0].abs() + at[1].abs())) {
+    for _ in 0..STEPS {
+        if b - a <= CENTRED * height {
+            break;
+        }
         if at_s >= at_t {
             (b, t, at_t) = (t, s, at_s);
-            s = b - GOLDEN * (b - a);
+            s = b - SECTION * (b - a);
             at_s = clearance(s);
         } else {
             (a, s, at_s) = (s, t, at_t);
-            t = a + GOLDEN * (b - a);
+            t = a + SECTION * (b - a);
             at_t = clearance(t);
         }
     }
-    let to = to(0.5 * (a + b));
-    Point::new(to[0], to[1])
+    let middle = 0.5 * (a + b);
+    Some(Point::new(at[0] + across.x * middle, at[1] + across.y * middle))
 }

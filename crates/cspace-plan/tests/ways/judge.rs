@@ -1,6 +1,6 @@
 //! Paths, judged by distances and by brute force.
 
-use cspace::{Configuration, Coordinates};
+use cspace::Coordinates;
 use cspace_oracle::Oracle;
 use cspace_plan::legs::Scene;
 use cspace_plan::{Checked, check};
@@ -18,17 +18,15 @@ pub(crate) fn is_free(
         panic!("{name}: {checked:?}");
     };
     assert!(narrow.clearance >= 0.0, "{name}: {narrow:?}");
-    let at = |c: &Coordinates| match *c {
-        Coordinates::Planar(c) => [c.x, c.y, c.theta],
-        Coordinates::Axes { .. } => unreachable!("a planar pair"),
-    };
     let each = places / path.len().max(2) + 1;
     for leg in path.windows(2) {
-        let (from, to) = (at(&leg[0]), at(&leg[1]));
+        let [from, to] = [leg[0], leg[1]].map(|c| scene.numbers(c).unwrap());
         for i in 0..=each {
             let t = i as f64 / each as f64;
-            let [x, y, theta] = core::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
-            let c = Configuration::new(x, y, theta);
+            let numbers = core::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
+            let Coordinates::Planar(c) = scene.coordinates(numbers) else {
+                unreachable!("a planar pair")
+            };
             let judged = oracle.judge(c);
             assert!(!judged.overlap, "{name}: {c:?} {judged:?}");
         }

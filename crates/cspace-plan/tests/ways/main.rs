@@ -1,6 +1,7 @@
 //! Ways, judged by what knows nothing of contact spaces.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+mod by_hand;
 mod distances;
 mod ends;
 mod fits;
