@@ -39,7 +39,12 @@ fn planar([x, y, turn]: [f64; 3], size: f64) -> String {
 }
 
 fn moved(way: Vector, length: f64) -> String {
-    let names = [(1.0, 0.0, "right"), (0.0, 1.0, "up"), (-1.0, 0.0, "left"), (0.0, -1.0, "down")];
+    let names = [
+        (1.0, 0.0, "right"),
+        (0.0, 1.0, "up"),
+        (-1.0, 0.0, "left"),
+        (0.0, -1.0, "down"),
+    ];
     let along = names.iter().find(|(x, y, _)| {
         let axis = Vector::new(*x, *y);
         axis.dot(way) > 0.0 && axis.cross(way).abs() < ALONG * length
@@ -48,27 +53,38 @@ fn moved(way: Vector, length: f64) -> String {
         Some((_, _, name)) => format!("{name} {}", rounded(length)),
         None => {
             let angle = way.angle().rem_euclid(TAU);
-            format!("{} towards {}\u{b0}", rounded(length), rounded(angle.to_degrees()))
+            format!(
+                "{} towards {}\u{b0}",
+                rounded(length),
+                rounded(angle.to_degrees())
+            )
         }
     }
 }
 
 fn turned(turn: f64) -> String {
     let angle = rounded(turn.to_degrees().abs());
-    let way = if turn > 0.0 { "counter-clockwise" } else { "clockwise" };
+    let way = if turn > 0.0 {
+        "counter-clockwise"
+    } else {
+        "clockwise"
+    };
     format!("{angle}\u{b0} {way}")
 }
 
 fn on_axes(motions: [(AxisMotion, &str, f64); 2]) -> String {
-    let moved = motions.into_iter().filter(|m| m.2 != 0.0).map(|(motion, name, by)| {
-        let sign = if by > 0.0 { "+" } else { "\u{2212}" };
-        match motion {
-            AxisMotion::Revolute { .. } => {
-                format!("{name} by {sign}{}\u{b0}", rounded(by.to_degrees().abs()))
+    let moved = motions
+        .into_iter()
+        .filter(|m| m.2 != 0.0)
+        .map(|(motion, name, by)| {
+            let sign = if by > 0.0 { "+" } else { "\u{2212}" };
+            match motion {
+                AxisMotion::Revolute { .. } => {
+                    format!("{name} by {sign}{}\u{b0}", rounded(by.to_degrees().abs()))
+                }
+                _ => format!("{name} by {sign}{}", rounded(by.abs())),
             }
-            _ => format!("{name} by {sign}{}", rounded(by.abs())),
-        }
-    });
+        });
     let all: Vec<String> = moved.collect();
     if all.is_empty() {
         return "stay".to_owned();
@@ -78,7 +94,11 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2]) -> String {
 
 /// A number as it is said: four digits.
 fn rounded(x: f64) -> String {
-    let digits = if x == 0.0 { 0 } else { (3 - x.log10().floor() as i32).clamp(0, 12) };
+    let digits = if x == 0.0 {
+        0
+    } else {
+        (3 - x.log10().floor() as i32).clamp(0, 12)
+    };
     let text = format!("{x:.*}", digits as usize);
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),

@@ -467,7 +467,13 @@ pub(crate) struct PlanArgs {
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "check")]
     pub(crate) clearance: Option<f64>,
     /// What makes a path with that clearance good
-    #[arg(long, value_enum, value_name = "WHAT", default_value = "legs", conflicts_with = "check")]
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHAT",
+        default_value = "legs",
+        conflicts_with = "check"
+    )]
     pub(crate) prefer: PreferChoice,
     /// No leg turns by more than this, in radians or such as 18deg
     #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "check")]

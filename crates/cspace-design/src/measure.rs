@@ -360,11 +360,7 @@ fn extreme(
 /// A space is that of parts that are larger by 10⁻¹² of their size and displaced by as little, so that contacts come early by
 /// somewhat more than that. The contact function of the features as drawn has a root nearby, found by Newton's method; where it has none, as beside a
 /// tangency, the contact's own time remains.
-fn as_drawn(
-    space: &PairSpace,
-    motion: &Motion,
-    contact: &PairContact,
-) -> Result<f64, QueryError> {
+fn as_drawn(space: &PairSpace, motion: &Motion, contact: &PairContact) -> Result<f64, QueryError> {
     const STEPS: usize = 6;
     let features = space.patch(contact.patch)?.contact()?;
     // How far off, as drawn, a contact of the space may be (length).

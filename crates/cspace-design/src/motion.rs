@@ -66,7 +66,11 @@ impl Motion {
     ///
     /// # Errors
     /// As [`PairSpace::first_contact`].
-    pub fn first_contact(&self, space: &PairSpace, duration: f64) -> Result<PairMotion, QueryError> {
+    pub fn first_contact(
+        &self,
+        space: &PairSpace,
+        duration: f64,
+    ) -> Result<PairMotion, QueryError> {
         space.first_contact_about(self.from, self.rates, self.about, duration)
     }
 }

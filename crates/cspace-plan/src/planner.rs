@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 use cspace::{
-    ComputeError, Coordinates, Location, PairError, PairSpace, Progress, Part, Point, QueryError, Silent, Vector,
+    ComputeError, Coordinates, Location, PairError, PairSpace, Part, Point, Progress, QueryError,
+    Silent, Vector,
 };
 
 use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
@@ -455,7 +456,11 @@ fn exact_ends(path: &mut [Coordinates], (from, to): (Coordinates, Option<Coordin
         if let (Coordinates::Planar(told), Coordinates::Planar(asked)) = (told, asked) {
             let turns = ((told.theta - asked.theta) / TAU).round();
             (told.x, told.y) = (asked.x, asked.y);
-            told.theta = if turns == 0.0 { asked.theta } else { asked.theta + TAU * turns };
+            told.theta = if turns == 0.0 {
+                asked.theta
+            } else {
+                asked.theta + TAU * turns
+            };
         }
     };
     if let Some(first) = path.first_mut() {

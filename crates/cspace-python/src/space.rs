@@ -431,7 +431,11 @@ impl Space {
                 "legs" => Prefer::Legs,
                 "clearance" => Prefer::Clearance,
                 "length" => Prefer::Length,
-                _ => return Err(error("`prefer` is none of \"legs\", \"clearance\" and \"length\"")),
+                _ => {
+                    return Err(error(
+                        "`prefer` is none of \"legs\", \"clearance\" and \"length\"",
+                    ));
+                }
             },
             ..Wishes::default()
         };

@@ -201,7 +201,12 @@ impl Model {
             to => planner.plan_with(from, coordinates(to)?, &wishes, &Silent),
         };
         let answer = answer.map_err(fault)?;
-        json(&plan::Told::planned(&space, planner.scene(), answer, seconds() - begin))
+        json(&plan::Told::planned(
+            &space,
+            planner.scene(),
+            answer,
+            seconds() - begin,
+        ))
     }
 
     /// What `cspace simulate --format json` answers of the edited mechanism, with states between samples: its motion while the

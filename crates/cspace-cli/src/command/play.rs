@@ -81,7 +81,8 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
             None => Coordinates::Planar(Configuration::default()),
         };
         let space = pair.space()?;
-        let answer = answer(pair, &space, at, args.about.vector()).map_err(|e| pair.unanswered("--at", &e))?;
+        let answer = answer(pair, &space, at, args.about.vector())
+            .map_err(|e| pair.unanswered("--at", &e))?;
         if !answers.is_empty() {
             text.push('\n');
         }
@@ -164,7 +165,13 @@ fn in_the_plane(
         ("-y", 0.0, -1.0),
     ] {
         let rates = Coordinates::Planar(Configuration::new(x, y, 0.0));
-        all.push(straight(space, &Motion::new(from, rates), far, name.to_owned(), false)?);
+        all.push(straight(
+            space,
+            &Motion::new(from, rates),
+            far,
+            name.to_owned(),
+            false,
+        )?);
     }
     let middle = space.moving().bounds().center().to_vector();
     let origin = Vector::ZERO;
@@ -209,7 +216,13 @@ fn on_axes(
             let rates = Coordinates::Axes { u, v };
             let verb = if is_turn { "turns" } else { "slides" };
             let name = format!("{sign}{} ({part} {verb})", of.name());
-            all.push(straight(space, &Motion::new(at, rates), far, name, is_turn)?);
+            all.push(straight(
+                space,
+                &Motion::new(at, rates),
+                far,
+                name,
+                is_turn,
+            )?);
         }
     }
     Ok(all)

@@ -291,7 +291,18 @@ impl Scene {
 
     /// Whether the boundaries are farther apart than a distance all along a leg.
     pub fn is_apart(&self, from: Coords, to: Coords, distance: f64) -> bool {
-        self.search(from, to).is_apart(distance)
+        self.search(from, to).is_apart(distance, u32::MAX)
+    }
+
+    /// Whether the boundaries are farther apart than a distance all along a leg, and that is found at little cost: what is nearer to it
+    /// than a part in a hundred, and turns, may take long to tell.
+    pub(crate) fn is_clearly_apart(&self, from: Coords, to: Coords, distance: f64) -> bool {
+        /// So many pairs of discs and pieces for each edge of the parts, and at least.
+        const EACH: usize = 16;
+        const LEAST: usize = 2_000;
+        let edges = self.fixed.pieces.len() + self.moving.pieces.len();
+        let effort = u32::try_from(LEAST + EACH * edges).unwrap_or(u32::MAX);
+        self.search(from, to).is_apart(distance, effort)
     }
 
     /// The pieces nearer than a distance at a configuration: their distances, with the gradients by the coordinates.

@@ -54,6 +54,8 @@ struct Best {
     /// Whether anything less than the limit ends the search.
     decides: bool,
     ended: bool,
+    /// A search that decides ends after so many pairs of discs and pieces as one that has found something.
+    effort: u32,
     /// What is found is right to this share of it.
     relative: f64,
     /// Features that are passed over.
@@ -165,10 +167,12 @@ impl<'a> Search<'a> {
         nearest
     }
 
-    /// Whether the distance is more than a limit for times from 0 to 1.
-    pub(super) fn is_apart(&self, limit: f64) -> bool {
+    /// Whether the distance is more than a limit for times from 0 to 1, as far as that is found by looking at so many pairs of discs and
+    /// pieces.
+    pub(super) fn is_apart(&self, limit: f64, effort: u32) -> bool {
         let mut best = Best {
             decides: true,
+            effort,
             ..Best::least(limit.max(LEAST * self.rounding))
         };
         self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
@@ -177,6 +181,7 @@ impl<'a> Search<'a> {
 
     /// Goes through what may be nearer than the best.
     fn visit(&self, over: &Over, pair: (u32, u32), best: &mut Best) {
+        best.spend();
         if best.ended || self.bound(over, pair) >= best.limit {
             return;
         }
@@ -229,6 +234,7 @@ impl<'a> Search<'a> {
         if best.passed == Some((a.name, b.name)) {
             return;
         }
+        best.spend();
         let Apart { least, here } =
             pieces((&over.fixed, &a.shape), (&over.moving, &b.shape), over.half);
         if here < best.limit {
@@ -338,9 +344,17 @@ impl Best {
             },
             limit,
             decides: false,
+            effort: u32::MAX,
             ended: false,
             relative: RELATIVE,
             passed: None,
+        }
+    }
+
+    fn spend(&mut self) {
+        if self.decides && self.effort != u32::MAX {
+            self.effort = self.effort.saturating_sub(1);
+            self.ended |= self.effort == 0;
         }
     }
 

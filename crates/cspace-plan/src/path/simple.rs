@@ -39,10 +39,17 @@ const MOST: usize = 20_000;
 /// Where a search is: at an orientation and a point of the tracks, or at a bend of the given way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum State {
-    Crossing { angle: u32, point: u32 },
+    Crossing {
+        angle: u32,
+        point: u32,
+    },
     Bend(u32),
     /// Out, on a track that is followed ahead or back.
-    Out { angle: u32, line: u32, ahead: bool },
+    Out {
+        angle: u32,
+        line: u32,
+        ahead: bool,
+    },
 }
 
 /// Where a way may end beside its last place: where a planar part at an orientation (radians) is out, as directions d with the least
@@ -86,7 +93,11 @@ impl<'a> Legs<'a> {
         const SAME: f64 = 0.2;
         let bends = self.shortened(clearance);
         let tracks = Tracks::new(self.scene, &self.places, bends.places());
-        let profile: Vec<f64> = self.places.iter().map(|&p| self.scene.clearance(p)).collect();
+        let profile: Vec<f64> = self
+            .places
+            .iter()
+            .map(|&p| self.scene.clearance(p))
+            .collect();
         let outs = Outs::new(&tracks, outside);
         let given = Given {
             scene: self.scene,
@@ -98,7 +109,10 @@ impl<'a> Legs<'a> {
         };
         // The fewest legs first: without a turn that nothing asks for, then with turns.
         let all = self.narrowest().map_or(0.0, |n| n.1.distance);
-        let keep = Keep { least: clearance, most: gaps(&profile) };
+        let keep = Keep {
+            least: clearance,
+            most: gaps(&profile),
+        };
         let few = tracks.angles.len().min(2);
         let mut best = Search::new(&given, keep, few, f64::INFINITY).run();
         let most = best.as_ref().map_or(f64::INFINITY, |b| b.0);
@@ -111,10 +125,13 @@ impl<'a> Legs<'a> {
             return bends;
         };
         // Then as many with more clearance.
-        let keeps = [(clearance, f64::INFINITY)].into_iter().chain(WHOLE.map(|s| (s * all, f64::INFINITY)));
+        let keeps = [(clearance, f64::INFINITY)]
+            .into_iter()
+            .chain(WHOLE.map(|s| (s * all, f64::INFINITY)));
         for (least, most) in keeps.filter(|k| k.0 >= clearance) {
             let keep = Keep { least, most };
-            let Some(found) = Search::new(&given, keep, tracks.angles.len(), best.0 + SAME).run() else {
+            let Some(found) = Search::new(&given, keep, tracks.angles.len(), best.0 + SAME).run()
+            else {
                 break;
             };
             best.1 = found.1;
@@ -162,7 +179,9 @@ fn gaps(profile: &[f64]) -> f64 {
     let rises = |p: &[f64]| p[1] > p[0];
     let first = profile.windows(2).take_while(|p| rises(p)).count();
     let falls = profile.windows(2).rev().take_while(|p| !rises(p)).count();
-    let within = profile.get(first..profile.len() - falls).unwrap_or_default();
+    let within = profile
+        .get(first..profile.len() - falls)
+        .unwrap_or_default();
     within.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
@@ -207,7 +226,11 @@ impl<'s> Search<'s> {
             keep,
             angles: angles as u32,
             most,
-            length: given.places.windows(2).map(|l| long(given.scene, l[0], l[1])).sum(),
+            length: given
+                .places
+                .windows(2)
+                .map(|l| long(given.scene, l[0], l[1]))
+                .sum(),
             reached: BTreeMap::new(),
             open: BinaryHeap::new(),
             required: BTreeMap::new(),
@@ -252,7 +275,11 @@ impl<'s> Search<'s> {
             State::Crossing { .. } => {
                 let at = self.place(state);
                 let turns = ((at[2] - goal[2]) / TAU).round();
-                let angle = if turns == 0.0 { goal[2] } else { goal[2] + TAU * turns };
+                let angle = if turns == 0.0 {
+                    goal[2]
+                } else {
+                    goal[2] + TAU * turns
+                };
                 at == [goal[0], goal[1], angle]
             }
         }
@@ -312,7 +339,12 @@ impl<'s> Search<'s> {
             return known;
         }
         let at = self.place(state);
-        let Given { scene, places, profile, .. } = *self.given;
+        let Given {
+            scene,
+            places,
+            profile,
+            ..
+        } = *self.given;
         let mut nearest = (f64::INFINITY, 0.0);
         for (leg, c) in places.windows(2).zip(profile.windows(2)) {
             let s = share(scene, at, (leg[0], leg[1]));
@@ -330,7 +362,7 @@ impl<'s> Search<'s> {
         self.tried += 1;
         let required = self.required(from).min(self.required(to));
         let (from, to) = (self.place(from), self.place(to));
-        self.given.scene.is_apart(from, to, required)
+        self.given.scene.is_clearly_apart(from, to, required)
     }
 
     /// As [`is_free`](Self::is_free), remembered.
@@ -363,7 +395,9 @@ impl<'s> Search<'s> {
         }
         let at = self.place(from);
         let far = |p: &Point| (p.x - at[0]).hypot(p.y - at[1]);
-        let nearest = (0u32..).zip(&tracks.points).min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
+        let nearest = (0u32..)
+            .zip(&tracks.points)
+            .min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
         let Some((point, _)) = nearest else {
             return;
         };
@@ -403,7 +437,10 @@ impl<'s> Search<'s> {
             }
         }
         for other in (0..self.angles).filter(|&o| o != angle) {
-            let to = State::Crossing { angle: other, point };
+            let to = State::Crossing {
+                angle: other,
+                point,
+            };
             let weight = self.weighed(weight, 1.0, from, to);
             if weight < self.most && !self.is_done(to) && self.is_free_track(from, to) {
                 self.reach(to, weight, Some(from));
@@ -433,7 +470,11 @@ impl<'s> Search<'s> {
         let is_beyond = |s: f64, out: f64| if ahead { s >= out } else { s <= out };
         let (mut here, mut at) = (own, from);
         loop {
-            let next = if ahead { here.checked_add(1) } else { here.checked_sub(1) };
+            let next = if ahead {
+                here.checked_add(1)
+            } else {
+                here.checked_sub(1)
+            };
             let next = next.and_then(|n| Some((n, *points.get(n as usize)?)));
             let place = next.map(|(_, point)| track.along(tracks.points[point as usize]));
             if let Some(out) = out
@@ -441,7 +482,14 @@ impl<'s> Search<'s> {
             {
                 let to = State::Out { angle, line, ahead };
                 // From beyond where it comes out it is out already.
-                let to = if is_beyond(track.along(tracks.points[points[here as usize] as usize]), out) { at } else { to };
+                let to = if is_beyond(
+                    track.along(tracks.points[points[here as usize] as usize]),
+                    out,
+                ) {
+                    at
+                } else {
+                    to
+                };
                 if to != at && self.is_free_track(at, to) {
                     let weight = self.weighed(weight, 1.0, from, to);
                     self.reach(to, weight, Some(from));
@@ -478,9 +526,8 @@ fn long(scene: &Scene, from: Coords, to: Coords) -> f64 {
 /// The share of a leg at which it is nearest to a place.
 fn share(scene: &Scene, at: Coords, (from, to): (Coords, Coords)) -> f64 {
     let levers = scene.levers();
-    let dot = |a: Coords, b: Coords| -> f64 {
-        (0..3).map(|k| a[k] * b[k] * levers[k] * levers[k]).sum()
-    };
+    let dot =
+        |a: Coords, b: Coords| -> f64 { (0..3).map(|k| a[k] * b[k] * levers[k] * levers[k]).sum() };
     let way = core::array::from_fn(|k| to[k] - from[k]);
     let here = core::array::from_fn(|k| at[k] - from[k]);
     let whole = dot(way, way);

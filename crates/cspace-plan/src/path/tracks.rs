@@ -83,6 +83,11 @@ impl Tracks {
         for &direction in &directions {
             let mut offsets: Vec<f64> = Vec::new();
             let mut add = |p: Point| {
+                let at = [p.x, p.y, 0.0];
+                let inside = scene.within_limits(at);
+                if inside[..2] != at[..2] {
+                    return;
+                }
                 let offset = direction.cross(p.to_vector());
                 let known = |o: &f64| (o - offset).abs() <= SAME_TRACK * extent;
                 if offsets.len() < ABREAST && !offsets.iter().any(known) {
@@ -98,7 +103,11 @@ impl Tracks {
             for at in bends {
                 add(place(at));
             }
-            tracks.extend(offsets.into_iter().map(|offset| Track { direction, offset }));
+            tracks.extend(
+                offsets
+                    .into_iter()
+                    .map(|offset| Track { direction, offset }),
+            );
         }
         let ends = [bends.first(), bends.last()];
         let first = ends.into_iter().flatten().map(|c| Point::new(c[0], c[1]));
@@ -225,7 +234,9 @@ fn angles(scene: &Scene, bends: &[Coords]) -> Vec<f64> {
     if scene.motions().is_none() {
         let aligned = alignments(scene);
         for at in bends {
-            let near = aligned.iter().map(|a| a + TAU * ((at[2] - a) / TAU).round());
+            let near = aligned
+                .iter()
+                .map(|a| a + TAU * ((at[2] - a) / TAU).round());
             let nearest = near.min_by(|a, b| (a - at[2]).abs().total_cmp(&(b - at[2]).abs()));
             if let Some(angle) = nearest.filter(|a| (a - at[2]).abs() < ALIGNED) {
                 add(angle);
@@ -273,21 +284,26 @@ fn centred(scene: &Scene, at: Coords, across: Vector) -> Option<Point> {
     const SECTION: f64 = 0.618_033_988_749_894_9;
     let clearance = |s: f64| scene.clearance([at[0] + across.x * s, at[1] + across.y * s, at[2]]);
     let here = clearance(0.0);
-    // The side on which it grows, then by what is free until it grows no more.
-    let step = 0.5 * here;
-    let side = if clearance(step) >= clearance(-step) { 1.0 } else { -1.0 };
+    // The side on which it grows, then by steps that double until it grows no more.
+    let mut step = 0.5 * here;
+    let side = if clearance(step) >= clearance(-step) {
+        1.0
+    } else {
+        -1.0
+    };
     let (mut lo, mut best, mut hi) = (-side * step, 0.0, side * step);
     let mut height = here;
     loop {
         let there = clearance(hi);
-        if there <= height {
+        if there <= height || hi == best {
             break;
         }
         if hi.abs() > OPEN * scene.size() {
             return None;
         }
         (lo, best, height) = (best, hi, there);
-        hi = best + side * 0.5 * there;
+        step *= 2.0;
+        hi = best + side * step;
     }
     // Between these there is one summit, whose sides are straight where lines bound the gap.
     let (mut a, mut b) = (lo.min(hi), lo.max(hi));
@@ -308,5 +324,8 @@ fn centred(scene: &Scene, at: Coords, across: Vector) -> Option<Point> {
         }
     }
     let middle = 0.5 * (a + b);
-    Some(Point::new(at[0] + across.x * middle, at[1] + across.y * middle))
+    Some(Point::new(
+        at[0] + across.x * middle,
+        at[1] + across.y * middle,
+    ))
 }

@@ -3,7 +3,8 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use cspace::{
-    Configuration, Coordinates, Options, PairSpace, Part, Relation, Rotation, Silent, Vector, Vertex,
+    Configuration, Coordinates, Options, PairSpace, Part, Relation, Rotation, Silent, Vector,
+    Vertex,
 };
 use cspace_oracle::Oracle;
 use cspace_plan::{Planner, Verdict, Wishes};
@@ -49,7 +50,10 @@ fn placed(part: &Part, x: f64, y: f64, angle: f64) -> Part {
         let p = Vector::new(x, y) + turn * Vector::new(v.x, v.y);
         Vertex::new(p.x, p.y, v.bulge)
     };
-    let loops = part.loops().iter().map(|l| l.vertices().iter().map(moved).collect());
+    let loops = part
+        .loops()
+        .iter()
+        .map(|l| l.vertices().iter().map(moved).collect());
     Part::new(part.name(), loops.collect()).unwrap()
 }
 
@@ -157,8 +161,18 @@ fn problems() -> Vec<Problem> {
         to,
         by_hand,
     };
-    let l_part = outline(&[(0.0, 0.0), (6.0, 0.0), (6.0, 1.0), (1.0, 1.0), (1.0, 6.0), (0.0, 6.0)]);
-    let wall = part(vec![rectangle(-1.0, -30.0, 1.0, -1.0), rectangle(-1.0, 1.0, 1.0, 30.0)]);
+    let l_part = outline(&[
+        (0.0, 0.0),
+        (6.0, 0.0),
+        (6.0, 1.0),
+        (1.0, 1.0),
+        (1.0, 6.0),
+        (0.0, 6.0),
+    ]);
+    let wall = part(vec![
+        rectangle(-1.0, -30.0, 1.0, -1.0),
+        rectangle(-1.0, 1.0, 1.0, 30.0),
+    ]);
     let tray = outline(&[
         (-12.0, -2.0),
         (12.0, -2.0),
@@ -174,36 +188,371 @@ fn problems() -> Vec<Problem> {
         (-12.0, 4.0),
     ]);
     vec![
-        problem("round pin drawn afar in a J slot", j_slot(), placed(&pin(2.5), 20.0, 0.0, 0.0), (-8.0, -16.0, 0.0), None, 3),
-        problem("square pin in a J slot", j_slot(), block(0.0, 0.0, 5.0, 5.0), (12.0, -16.0, 0.0), None, 3),
-        problem("square pin drawn afar in a J slot", j_slot(), block(40.0, 10.0, 5.0, 5.0), (-28.0, -26.0, 0.0), None, 3),
-        problem("pin in an L slot", l_slot(), pin(2.9), (16.0, -17.0, 0.0), None, 2),
-        problem("pin in a turned L slot", placed(&l_slot(), 3.0, 4.0, 0.4), pin(2.9), (3.0 + 16.0 * 0.4f64.cos() + 17.0 * 0.4f64.sin(), 4.0 + 16.0 * 0.4f64.sin() - 17.0 * 0.4f64.cos(), 0.0), None, 2),
-        problem("turned block in a turned L slot", placed(&l_slot(), 3.0, 4.0, 0.4), block(0.0, 0.0, 5.0, 5.5), (3.0 + 16.0 * 0.4f64.cos() + 17.0 * 0.4f64.sin(), 4.0 + 16.0 * 0.4f64.sin() - 17.0 * 0.4f64.cos(), 0.4), None, 2),
-        problem("pin in an S slot", s_slot(), pin(2.5), (-16.0, -25.0, 0.0), None, 5),
-        problem("block in an S slot", s_slot(), block(0.0, 0.0, 5.5, 5.5), (-16.0, -25.0, 0.0), None, 5),
-        problem("key turned in a keyhole", keyhole(), block(0.0, 0.0, 6.5, 1.5), (0.0, -11.87, 0.0), None, 2),
-        problem("peg in a hole", slotted(&[(4.0, 0.0), (3.0, -1.0), (3.0, -15.0), (-3.0, -15.0), (-3.0, -1.0), (-4.0, 0.0)]), block(0.0, 6.0, 5.9, 12.0), (0.0, -14.9, 0.0), None, 1),
-        problem("long bar around a corner", part(vec![corners(&[(-40.0, -1.0), (7.0, -1.0), (7.0, 40.0), (6.0, 40.0), (6.0, 0.0), (-40.0, 0.0)]), rectangle(-40.0, 6.0, 0.0, 40.0)]), block(0.0, 0.0, 9.0, 2.0), (-20.0, 3.0, 0.0), Some((3.0, 25.0, FRAC_PI_2)), 3),
-        problem("latch under a lip", outline(&[(-10.0, -2.0), (20.0, -2.0), (20.0, 0.0), (0.0, 0.0), (0.0, 2.5), (3.0, 2.5), (3.0, 3.5), (-1.0, 3.5), (-1.0, 0.0), (-10.0, 0.0)]), block(0.0, 0.0, 8.0, 2.0), (4.2, 1.1, 0.0), None, 2),
-        problem("bar in a tray with lips", tray, block(0.0, 0.0, 18.0, 2.0), (0.0, 1.2, 0.0), None, 3),
-        problem("drawer with a stop", outline(&[(-20.0, -1.0), (20.0, -1.0), (20.0, 1.0), (18.0, 1.0), (18.0, 0.0), (-20.0, 0.0)]), outline(&[(-5.0, 0.0), (5.0, 0.0), (5.0, 3.0), (-5.0, 3.0)]), (10.0, 0.05, 0.0), Some((40.0, 2.0, 0.0)), 2),
-        problem("screw head in a hanger", part(vec![rectangle(-30.0, -30.0, 30.0, 30.0), vec![Vertex::line(1.5, 0.0), Vertex::line(1.5, 8.0), Vertex::new(-1.5, 8.0, 0.0), Vertex::line(-1.5, 0.0), Vertex::new(-4.0, -4.0, 1.0), Vertex::new(4.0, -4.0, 0.0)]]), pin(1.3), (0.0, 6.0, 0.0), Some((0.0, -4.0, 0.0)), 1),
-        problem("wedge in a groove", slotted(&[(10.0, 0.0), (0.0, -10.0), (-10.0, 0.0)]), outline(&[(0.0, 0.0), (8.0, 8.0), (-8.0, 8.0)]), (0.0, -9.5, 0.0), None, 1),
-        problem("rack out of a rack", slotted(&[(8.0, 0.0), (6.0, -4.0), (4.0, -4.0), (2.0, 0.0), (0.0, -4.0), (-2.0, -4.0), (-4.0, 0.0)]), outline(&[(-3.0, -3.8), (-0.6, -3.8), (1.4, 0.2), (2.6, 0.2), (4.6, -3.8), (5.6, -3.8), (7.6, 0.2), (7.6, 6.0), (-3.0, 6.0)].map(|(x, y)| (x * 0.8, y + 0.0))), (0.2, 4.2, 0.0), None, 1),
-        problem("disc through a maze", maze(), pin(2.0), (3.0, 27.0, 0.0), Some((28.0, 3.5, 0.0)), 9),
-        problem("disc around a wall", part(vec![rectangle(-1.0, -10.0, 1.0, 10.0)]), pin(2.0), (-6.0, 0.0, 0.0), Some((6.0, 0.0, 0.0)), 3),
-        problem("block past baffles", baffles(), block(0.0, 0.0, 5.0, 5.0), (-10.0, -10.0, 0.0), Some((10.0, 20.0, 0.0)), 5),
-        problem("bar past baffles", baffles(), block(0.0, 0.0, 9.0, 2.0), (-10.0, -10.0, 0.0), Some((10.0, 20.0, 0.0)), 5),
-        problem("angle through a gap", wall.clone(), l_part.clone(), (-12.0, -2.0, 0.0), Some((6.0, -2.0, 0.0)), 3),
-        problem("angle drawn afar through a gap", wall.clone(), placed(&l_part, 30.0, -20.0, 0.0), (-42.0, 18.0, 0.0), Some((-24.0, 18.0, 0.0)), 3),
-        problem("bar turned through a gap", wall, block(0.0, 0.0, 1.5, 8.0), (-10.0, 0.0, 0.0), Some((10.0, 0.0, 0.0)), 3),
-        problem("bracket off a corner", block(0.0, 0.0, 20.0, 20.0), outline(&[(-15.0, 10.05), (-10.05, 10.05), (-10.05, -5.0), (-15.0, -5.0)]), (0.0, 0.0, 0.0), None, 1),
-        problem("angle off a corner", block(0.0, 0.0, 20.0, 20.0), outline(&[(-12.0, -5.0), (-10.05, -5.0), (-10.05, 10.05), (5.0, 10.05), (5.0, 12.0), (-12.0, 12.0)]), (0.0, 0.0, 0.0), None, 1),
-        problem("hook over a rod", pin(1.0), outline(&[(-2.5, -3.0), (-1.2, -3.0), (-1.2, 1.2), (1.2, 1.2), (1.2, -3.0), (2.5, -3.0), (2.5, 2.5), (-2.5, 2.5)]), (0.0, 0.0, 0.0), None, 1),
-        problem("T in a T slot open at the end", part(vec![corners(&[(-20.0, 0.0), (20.0, 0.0), (20.0, -5.0), (-20.0, -5.0)].map(|(x, y)| (x, y - 6.0))), rectangle(-20.0, -1.0, -1.5, 2.0), rectangle(1.5, -1.0, 20.0, 2.0), rectangle(-21.5, -11.0, -20.5, 2.0)]), outline(&[(-1.2, 6.0), (-1.2, -1.5), (-5.0, -1.5), (-5.0, -4.5), (5.0, -4.5), (5.0, -1.5), (1.2, -1.5), (1.2, 6.0)]), (0.0, 0.0, 0.0), Some((0.0, -0.9, 0.0)), 1),
-        problem("half turn in a room", part(vec![rectangle(-20.0, -20.0, 20.0, 20.0), rectangle(-7.0, -7.0, 7.0, 7.0)]), outline(&[(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (0.0, 3.0)]), (-2.0, -2.0, 0.0), Some((2.0, 2.0, PI)), 2),
-        problem("three notches", slotted(&[(12.0, 0.0), (12.0, -6.0), (7.0, -6.0), (7.0, -12.0), (2.0, -12.0), (2.0, -20.0), (-3.0, -20.0), (-3.0, -12.0), (-6.0, 0.0)]), block(0.0, 0.0, 4.5, 7.0), (-0.5, -16.4, 0.0), None, 1),
+        problem(
+            "round pin drawn afar in a J slot",
+            j_slot(),
+            placed(&pin(2.5), 20.0, 0.0, 0.0),
+            (-8.0, -16.0, 0.0),
+            None,
+            3,
+        ),
+        problem(
+            "square pin in a J slot",
+            j_slot(),
+            block(0.0, 0.0, 5.0, 5.0),
+            (12.0, -16.0, 0.0),
+            None,
+            3,
+        ),
+        problem(
+            "square pin drawn afar in a J slot",
+            j_slot(),
+            block(40.0, 10.0, 5.0, 5.0),
+            (-28.0, -26.0, 0.0),
+            None,
+            3,
+        ),
+        problem(
+            "pin in an L slot",
+            l_slot(),
+            pin(2.9),
+            (16.0, -17.0, 0.0),
+            None,
+            2,
+        ),
+        problem(
+            "pin in a turned L slot",
+            placed(&l_slot(), 3.0, 4.0, 0.4),
+            pin(2.9),
+            (
+                3.0 + 16.0 * 0.4f64.cos() + 17.0 * 0.4f64.sin(),
+                4.0 + 16.0 * 0.4f64.sin() - 17.0 * 0.4f64.cos(),
+                0.0,
+            ),
+            None,
+            2,
+        ),
+        problem(
+            "turned block in a turned L slot",
+            placed(&l_slot(), 3.0, 4.0, 0.4),
+            block(0.0, 0.0, 5.0, 5.5),
+            (
+                3.0 + 16.0 * 0.4f64.cos() + 17.0 * 0.4f64.sin(),
+                4.0 + 16.0 * 0.4f64.sin() - 17.0 * 0.4f64.cos(),
+                0.4,
+            ),
+            None,
+            2,
+        ),
+        problem(
+            "pin in an S slot",
+            s_slot(),
+            pin(2.5),
+            (-16.0, -25.0, 0.0),
+            None,
+            5,
+        ),
+        problem(
+            "block in an S slot",
+            s_slot(),
+            block(0.0, 0.0, 5.5, 5.5),
+            (-16.0, -25.0, 0.0),
+            None,
+            5,
+        ),
+        problem(
+            "key turned in a keyhole",
+            keyhole(),
+            block(0.0, 0.0, 6.5, 1.5),
+            (0.0, -11.87, 0.0),
+            None,
+            2,
+        ),
+        problem(
+            "peg in a hole",
+            slotted(&[
+                (4.0, 0.0),
+                (3.0, -1.0),
+                (3.0, -15.0),
+                (-3.0, -15.0),
+                (-3.0, -1.0),
+                (-4.0, 0.0),
+            ]),
+            block(0.0, 6.0, 5.9, 12.0),
+            (0.0, -14.9, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "long bar around a corner",
+            part(vec![
+                corners(&[
+                    (-40.0, -1.0),
+                    (7.0, -1.0),
+                    (7.0, 40.0),
+                    (6.0, 40.0),
+                    (6.0, 0.0),
+                    (-40.0, 0.0),
+                ]),
+                rectangle(-40.0, 6.0, 0.0, 40.0),
+            ]),
+            block(0.0, 0.0, 9.0, 2.0),
+            (-20.0, 3.0, 0.0),
+            Some((3.0, 25.0, FRAC_PI_2)),
+            3,
+        ),
+        problem(
+            "latch under a lip",
+            outline(&[
+                (-10.0, -2.0),
+                (20.0, -2.0),
+                (20.0, 0.0),
+                (0.0, 0.0),
+                (0.0, 2.5),
+                (3.0, 2.5),
+                (3.0, 3.5),
+                (-1.0, 3.5),
+                (-1.0, 0.0),
+                (-10.0, 0.0),
+            ]),
+            block(0.0, 0.0, 8.0, 2.0),
+            (4.2, 1.1, 0.0),
+            None,
+            2,
+        ),
+        problem(
+            "bar in a tray with lips",
+            tray,
+            block(0.0, 0.0, 18.0, 2.0),
+            (0.0, 1.2, 0.0),
+            None,
+            3,
+        ),
+        problem(
+            "drawer with a stop",
+            outline(&[
+                (-20.0, -1.0),
+                (20.0, -1.0),
+                (20.0, 1.0),
+                (18.0, 1.0),
+                (18.0, 0.0),
+                (-20.0, 0.0),
+            ]),
+            outline(&[(-5.0, 0.0), (5.0, 0.0), (5.0, 3.0), (-5.0, 3.0)]),
+            (10.0, 0.05, 0.0),
+            Some((40.0, 2.0, 0.0)),
+            2,
+        ),
+        problem(
+            "screw head in a hanger",
+            part(vec![
+                rectangle(-30.0, -30.0, 30.0, 30.0),
+                vec![
+                    Vertex::line(1.5, 0.0),
+                    Vertex::line(1.5, 8.0),
+                    Vertex::new(-1.5, 8.0, 0.0),
+                    Vertex::line(-1.5, 0.0),
+                    Vertex::new(-4.0, -4.0, 1.0),
+                    Vertex::new(4.0, -4.0, 0.0),
+                ],
+            ]),
+            pin(1.3),
+            (0.0, 6.0, 0.0),
+            Some((0.0, -4.0, 0.0)),
+            1,
+        ),
+        problem(
+            "wedge in a groove",
+            slotted(&[(10.0, 0.0), (0.0, -10.0), (-10.0, 0.0)]),
+            outline(&[(0.0, 0.0), (8.0, 8.0), (-8.0, 8.0)]),
+            (0.0, -9.5, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "rack out of a rack",
+            slotted(&[
+                (8.0, 0.0),
+                (6.0, -4.0),
+                (4.0, -4.0),
+                (2.0, 0.0),
+                (0.0, -4.0),
+                (-2.0, -4.0),
+                (-4.0, 0.0),
+            ]),
+            outline(
+                &[
+                    (-3.0, -3.8),
+                    (-0.6, -3.8),
+                    (1.4, 0.2),
+                    (2.6, 0.2),
+                    (4.6, -3.8),
+                    (5.6, -3.8),
+                    (7.6, 0.2),
+                    (7.6, 6.0),
+                    (-3.0, 6.0),
+                ]
+                .map(|(x, y)| (x * 0.8, y + 0.0)),
+            ),
+            (0.2, 4.2, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "disc through a maze",
+            maze(),
+            pin(2.0),
+            (3.0, 27.0, 0.0),
+            Some((28.0, 3.5, 0.0)),
+            9,
+        ),
+        problem(
+            "disc around a wall",
+            part(vec![rectangle(-1.0, -10.0, 1.0, 10.0)]),
+            pin(2.0),
+            (-6.0, 0.0, 0.0),
+            Some((6.0, 0.0, 0.0)),
+            3,
+        ),
+        problem(
+            "block past baffles",
+            baffles(),
+            block(0.0, 0.0, 5.0, 5.0),
+            (-10.0, -10.0, 0.0),
+            Some((10.0, 20.0, 0.0)),
+            5,
+        ),
+        problem(
+            "bar past baffles",
+            baffles(),
+            block(0.0, 0.0, 9.0, 2.0),
+            (-10.0, -10.0, 0.0),
+            Some((10.0, 20.0, 0.0)),
+            5,
+        ),
+        problem(
+            "angle through a gap",
+            wall.clone(),
+            l_part.clone(),
+            (-12.0, -2.0, 0.0),
+            Some((6.0, -2.0, 0.0)),
+            3,
+        ),
+        problem(
+            "angle drawn afar through a gap",
+            wall.clone(),
+            placed(&l_part, 30.0, -20.0, 0.0),
+            (-42.0, 18.0, 0.0),
+            Some((-24.0, 18.0, 0.0)),
+            3,
+        ),
+        problem(
+            "bar turned through a gap",
+            wall,
+            block(0.0, 0.0, 1.5, 8.0),
+            (-10.0, 0.0, 0.0),
+            Some((10.0, 0.0, 0.0)),
+            3,
+        ),
+        problem(
+            "bracket off a corner",
+            block(0.0, 0.0, 20.0, 20.0),
+            outline(&[
+                (-15.0, 10.05),
+                (-10.05, 10.05),
+                (-10.05, -5.0),
+                (-15.0, -5.0),
+            ]),
+            (0.0, 0.0, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "angle off a corner",
+            block(0.0, 0.0, 20.0, 20.0),
+            outline(&[
+                (-12.0, -5.0),
+                (-10.05, -5.0),
+                (-10.05, 10.05),
+                (5.0, 10.05),
+                (5.0, 12.0),
+                (-12.0, 12.0),
+            ]),
+            (0.0, 0.0, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "hook over a rod",
+            pin(1.0),
+            outline(&[
+                (-2.5, -3.0),
+                (-1.2, -3.0),
+                (-1.2, 1.2),
+                (1.2, 1.2),
+                (1.2, -3.0),
+                (2.5, -3.0),
+                (2.5, 2.5),
+                (-2.5, 2.5),
+            ]),
+            (0.0, 0.0, 0.0),
+            None,
+            1,
+        ),
+        problem(
+            "T in a T slot open at the end",
+            part(vec![
+                corners(
+                    &[(-20.0, 0.0), (20.0, 0.0), (20.0, -5.0), (-20.0, -5.0)]
+                        .map(|(x, y)| (x, y - 6.0)),
+                ),
+                rectangle(-20.0, -1.0, -1.5, 2.0),
+                rectangle(1.5, -1.0, 20.0, 2.0),
+                rectangle(-21.5, -11.0, -20.5, 2.0),
+            ]),
+            outline(&[
+                (-1.2, 6.0),
+                (-1.2, -1.5),
+                (-5.0, -1.5),
+                (-5.0, -4.5),
+                (5.0, -4.5),
+                (5.0, -1.5),
+                (1.2, -1.5),
+                (1.2, 6.0),
+            ]),
+            (0.0, 0.0, 0.0),
+            Some((0.0, -0.9, 0.0)),
+            1,
+        ),
+        problem(
+            "half turn in a room",
+            part(vec![
+                rectangle(-20.0, -20.0, 20.0, 20.0),
+                rectangle(-7.0, -7.0, 7.0, 7.0),
+            ]),
+            outline(&[(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (0.0, 3.0)]),
+            (-2.0, -2.0, 0.0),
+            Some((2.0, 2.0, PI)),
+            2,
+        ),
+        problem(
+            "three notches",
+            slotted(&[
+                (12.0, 0.0),
+                (12.0, -6.0),
+                (7.0, -6.0),
+                (7.0, -12.0),
+                (2.0, -12.0),
+                (2.0, -20.0),
+                (-3.0, -20.0),
+                (-3.0, -12.0),
+                (-6.0, 0.0),
+            ]),
+            block(0.0, 0.0, 4.5, 7.0),
+            (-0.5, -16.4, 0.0),
+            None,
+            1,
+        ),
     ]
 }
 
@@ -215,25 +564,54 @@ fn drawn_problems_take_at_most_twice_the_legs_by_hand() {
     for problem in &all {
         let begin = std::time::Instant::now();
         let (fixed, moving) = (&problem.fixed, &problem.moving);
-        let space = PairSpace::compute(fixed, moving, Relation::Planar, &Options::default()).unwrap();
+        let space =
+            PairSpace::compute(fixed, moving, Relation::Planar, &Options::default()).unwrap();
         let computed = begin.elapsed().as_secs_f64();
         let planner = Planner::new(&space).unwrap();
         let at = |(x, y, theta): At| Coordinates::Planar(Configuration::new(x, y, theta));
         let from = at(problem.from);
         let answer = match problem.to {
             Some(to) => planner.plan(from, at(to), &Wishes::default()).unwrap(),
-            None => planner.plan_out(from, &Wishes::default(), &Silent).unwrap().1,
+            None => {
+                planner
+                    .plan_out(from, &Wishes::default(), &Silent)
+                    .unwrap()
+                    .1
+            }
         };
         let Verdict::Path(path) = answer.verdict else {
             wrong.push(format!("{}: {answer:?}", problem.name));
             continue;
         };
         let legs = path.configurations.len() - 1;
-        println!("{}: {legs} legs, {} by hand, clearance {:.4}, {computed:.2} + {:.2} s", problem.name, problem.by_hand, path.narrowest.clearance, begin.elapsed().as_secs_f64() - computed);
+        println!(
+            "{}: {legs} legs, {} by hand, clearance {:.4}, {computed:.2} + {:.2} s",
+            problem.name,
+            problem.by_hand,
+            path.narrowest.clearance,
+            begin.elapsed().as_secs_f64() - computed
+        );
         let oracle = Oracle::new(fixed, moving);
-        is_free(planner.scene(), &oracle, &path.configurations, 2000, problem.name);
+        is_free(
+            planner.scene(),
+            &oracle,
+            &path.configurations,
+            2000,
+            problem.name,
+        );
         if legs > 2 * problem.by_hand {
-            wrong.push(format!("{}: {legs} legs, {} by hand: {:#?}", problem.name, problem.by_hand, path.configurations.iter().map(|c| match c { Coordinates::Planar(c) => (c.x, c.y, c.theta), _ => (0.0, 0.0, 0.0) }).collect::<Vec<_>>()));
+            wrong.push(format!(
+                "{}: {legs} legs, {} by hand: {:#?}",
+                problem.name,
+                problem.by_hand,
+                path.configurations
+                    .iter()
+                    .map(|c| match c {
+                        Coordinates::Planar(c) => (c.x, c.y, c.theta),
+                        _ => (0.0, 0.0, 0.0),
+                    })
+                    .collect::<Vec<_>>()
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

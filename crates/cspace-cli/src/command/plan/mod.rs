@@ -155,7 +155,12 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
             None => planner.plan_out(from, &wishes, bar),
         })
         .map_err(failed)?;
-    let mut told = Told::planned(&space, planner.scene(), answer, begin.elapsed().as_secs_f64());
+    let mut told = Told::planned(
+        &space,
+        planner.scene(),
+        answer,
+        begin.elapsed().as_secs_f64(),
+    );
     if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {
         if told.enclosed.is_some() {
             proof::add(&mut told, pair, &space, [from, to], args.depth)?;
@@ -197,7 +202,13 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
         moving: pair.moving(),
     };
     let seconds = begin.elapsed().as_secs_f64();
-    Ok(Told::checked(parts, &scene, rows.configurations, &found, seconds))
+    Ok(Told::checked(
+        parts,
+        &scene,
+        rows.configurations,
+        &found,
+        seconds,
+    ))
 }
 
 /// The columns of the point of the moving part that legs move straight, in its frame.
@@ -209,7 +220,10 @@ fn about_in(source: &str, rows: &Rows) -> Result<Option<Vector>, Failure> {
     let [Some(x), Some(y)] = ABOUT.map(column) else {
         return Ok(None);
     };
-    let mut points = rows.records.iter().map(|row| [x, y].map(|k| row.get(k).unwrap_or_default()));
+    let mut points = rows
+        .records
+        .iter()
+        .map(|row| [x, y].map(|k| row.get(k).unwrap_or_default()));
     let Some(first) = points.next() else {
         return Ok(None);
     };
