@@ -10,7 +10,7 @@ use super::depth::{NORMALS, is_deep};
 use super::near::Near;
 use super::overlap::overlap;
 use super::pose::{Coords, Pose, origin};
-use super::search::{Nearest, Search};
+use super::search::{Nearest, RELATIVE, Search};
 use super::shape::Piece;
 use super::tree::Tree;
 
@@ -274,9 +274,21 @@ impl Scene {
         self.search(at, at).nearest_points()
     }
 
-    /// The least distance of the boundaries along a leg, right to a millionth.
+    /// The least distance of the boundaries along a leg, right to a millionth; where that would take long, as of arcs that turn about
+    /// arcs at little distance, to no more than a tenth.
     pub fn least(&self, from: Coords, to: Coords) -> Nearest {
-        self.search(from, to).least()
+        self.search(from, to).least(RELATIVE)
+    }
+
+    /// The same, right to a hundredth.
+    pub(crate) fn least_roughly(&self, from: Coords, to: Coords) -> Nearest {
+        const ROUGHLY: f64 = 1e-2;
+        self.search(from, to).least(ROUGHLY)
+    }
+
+    /// The least distance of the boundaries along a leg if it is less than a limit; else infinite.
+    pub(crate) fn least_below(&self, from: Coords, to: Coords, limit: f64) -> Nearest {
+        self.search(from, to).least_below(limit)
     }
 
     /// How much distances on a leg are rounded, at most: parts far from their origins lose digits.

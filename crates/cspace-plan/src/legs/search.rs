@@ -10,8 +10,12 @@ use super::pieces::{discs, pieces};
 use super::pose::{Placed, Pose};
 use super::tree::{Holds, Node, Tree};
 
-/// A least distance is right to this share of it.
-const RELATIVE: f64 = 1e-6;
+/// A least distance is right to this share of it; after so many pairs of discs and pieces to a share that is larger by this factor, up
+/// to the coarsest. Where arcs turn about arcs at little distance the first would take minutes.
+pub(super) const RELATIVE: f64 = 1e-6;
+const EFFORT: u32 = 100_000;
+const COARSER: f64 = 10.0;
+const COARSEST: f64 = 0.1;
 /// Distances are rounded by this share of the parts' size.
 const ROUNDING: f64 = 1e-15;
 /// Boundaries nearer than so many roundings touch.
@@ -54,7 +58,8 @@ struct Best {
     /// Whether anything less than the limit ends the search.
     decides: bool,
     ended: bool,
-    /// A search that decides ends after so many pairs of discs and pieces as one that has found something.
+    /// After so many pairs of discs and pieces a search that decides ends as one that has found something, and another goes on with
+    /// less precision.
     effort: u32,
     /// What is found is right to this share of it.
     relative: f64,
@@ -129,13 +134,17 @@ impl<'a> Search<'a> {
         best.found
     }
 
-    /// The least distance for times from 0 to 1.
-    pub(super) fn least(&self) -> Nearest {
+    /// The least distance for times from 0 to 1, right to a share of it.
+    pub(super) fn least(&self, relative: f64) -> Nearest {
         let first = [0.0, 1.0, 0.5]
             .into_iter()
             .map(|t| self.at(t))
             .min_by(|a, b| a.distance.total_cmp(&b.distance));
-        let mut best = Best::least(f64::INFINITY);
+        let mut best = Best {
+            relative,
+            effort: EFFORT,
+            ..Best::least(f64::INFINITY)
+        };
         if let Some(first) = first {
             best.take(first, self.rounding);
         }
@@ -146,7 +155,10 @@ impl<'a> Search<'a> {
     /// The least distance for times from 0 to 1 if it is less than a limit by more than it is known to; else infinite. So a distance
     /// that stays the same from leg to leg is not told apart from itself.
     pub(super) fn least_below(&self, limit: f64) -> Nearest {
-        let mut best = Best::least(limit * (1.0 - RELATIVE));
+        let mut best = Best {
+            effort: EFFORT,
+            ..Best::least(limit * (1.0 - RELATIVE))
+        };
         self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
         best.found
     }
@@ -351,10 +363,21 @@ impl Best {
         }
     }
 
+    /// Counts a pair that is looked at.
     fn spend(&mut self) {
-        if self.decides && self.effort != u32::MAX {
-            self.effort = self.effort.saturating_sub(1);
-            self.ended |= self.effort == 0;
+        if self.effort == u32::MAX {
+            return;
+        }
+        self.effort = self.effort.saturating_sub(1);
+        if self.effort > 0 {
+            return;
+        }
+        if self.decides {
+            self.ended = true;
+        } else {
+            self.effort = EFFORT;
+            self.relative = (self.relative * COARSER).min(COARSEST);
+            self.limit = self.limit.min(self.found.distance * (1.0 - self.relative));
         }
     }
 

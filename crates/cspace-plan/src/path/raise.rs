@@ -61,7 +61,7 @@ impl Legs<'_> {
                 let least = DIVIDED * pair[0].clearance.min(pair[1].clearance).min(enough);
                 if room > 0
                     && (pair[0].open || pair[1].open)
-                    && !scene.is_apart(pair[0].at, pair[1].at, least)
+                    && !scene.is_clearly_apart(pair[0].at, pair[1].at, least)
                 {
                     let mut between = place(along(pair[0].at, pair[1].at, 0.5));
                     between.reach = pair[0].reach.min(pair[1].reach).max(between.clearance);
@@ -94,7 +94,7 @@ impl Legs<'_> {
             let to = scene.within_limits(core::array::from_fn(|k| here.at[k] + step[k]));
             let clearance = scene.clearance(to);
             let free = |beside: &Place| {
-                scene.is_apart(beside.at, to, KEPT * clearance.min(beside.clearance))
+                scene.is_clearly_apart(beside.at, to, KEPT * clearance.min(beside.clearance))
             };
             if clearance > here.clearance * (1.0 + gain) && free(&before) && free(&after) {
                 places[i].at = to;

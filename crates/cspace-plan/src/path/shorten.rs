@@ -21,7 +21,7 @@ impl<'a> Legs<'a> {
                     .iter()
                     .map(|n| n.distance)
                     .fold(f64::INFINITY, f64::min);
-                scene.is_apart(
+                scene.is_clearly_apart(
                     self.places[here],
                     self.places[to],
                     (KEPT * least).max(clearance),

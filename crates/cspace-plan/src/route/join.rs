@@ -8,6 +8,8 @@ use super::piece::Piece;
 const HEIGHTS: [f64; 4] = [1.0, 0.25, 0.0625, 0.015_625];
 /// Pieces are halved so often at most.
 const HALVINGS: u32 = 40;
+/// A way of more legs than this is none that anybody goes: it keeps to a surface with next to no clearance.
+const MOST: usize = 4096;
 /// A leg keeps at least this share of the clearance at its ends.
 const KEPT: f64 = 0.1;
 
@@ -37,7 +39,7 @@ struct Joiner<'a> {
 impl Joiner<'_> {
     fn is_free(&self, from: Coords, to: Coords) -> bool {
         let ends = self.scene.clearance(from).min(self.scene.clearance(to));
-        ends > 0.0 && self.scene.is_apart(from, to, KEPT * ends)
+        ends > 0.0 && self.scene.is_clearly_apart(from, to, KEPT * ends)
     }
 
     /// From near the end of one piece to near the start of the next: how near, and the configurations up to there.
@@ -78,7 +80,7 @@ impl Joiner<'_> {
             return Some(());
         }
         let middle = 0.5 * (s + t);
-        if left == 0 || middle == s || middle == t {
+        if left == 0 || path.len() > MOST || middle == s || middle == t {
             return None;
         }
         self.within(piece, (s, middle), path, left - 1)?;
