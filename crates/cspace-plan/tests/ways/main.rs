@@ -3,6 +3,7 @@
 
 mod by_hand;
 mod distances;
+mod every;
 mod ends;
 mod fits;
 mod hidden;

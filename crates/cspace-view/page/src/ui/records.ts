@@ -10,7 +10,7 @@ export interface Tick {
 }
 
 export type PlayableRecord =
-  | { kind: "plan"; name: string; duration: number; ticks: Tick[]; summary: string; steps: { t: number; at: Configuration }[] }
+  | { kind: "plan"; name: string; duration: number; ticks: Tick[]; summary: string; about: [number, number]; steps: { t: number; at: Configuration }[] }
   | { kind: "simulation"; name: string; duration: number; ticks: Tick[]; summary: string; parts: string[]; steps: Sample[] };
 
 export interface Sample {
@@ -64,10 +64,14 @@ function readPlan(name: string, record: Json): PlayableRecord {
     sum += lengths[i] ?? 0;
     return { t: total > 0 ? (PATH_SECONDS * sum) / total : 0, at };
   });
-  const ticks = steps.map(({ t }, i) => ({ t, text: i === 0 ? "start" : i === steps.length - 1 ? "goal" : `corner ${i}` }));
+  // At each place the leg is told that begins there.
+  const words = array(name, record["words"] ?? [], "words").map(String);
+  const ticks = steps.map(({ t }, i) => ({ t, text: words[i] ?? (i === 0 ? "start" : i === steps.length - 1 ? "goal" : `corner ${i}`) }));
+  const about = array(name, record["about"] ?? [0, 0], "about");
+  const point: [number, number] = [number(name, about[0], "about[0]"), number(name, about[1], "about[1]")];
   const clearance = record["clearance"];
   const summary = typeof clearance === "number" ? `${verdict}, clearance ${clearance.toPrecision(4)}` : verdict;
-  return { kind: "plan", name, duration: total > 0 ? PATH_SECONDS : 0, ticks, summary, steps };
+  return { kind: "plan", name, duration: total > 0 ? PATH_SECONDS : 0, ticks, summary, about: point, steps };
 }
 
 /** How long legs are relative to each other; a radian counts as a unit of length, which only sets the pace. */
@@ -189,8 +193,16 @@ export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Co
   const b = record.steps[i + 1]?.at ?? a;
   if (!a || !b) return null;
   if ("u" in a && "u" in b) return { u: mix(a.u, b.u, f), v: mix(a.v, b.v, f) };
-  if ("x" in a && "x" in b) return { x: mix(a.x, b.x, f), y: mix(a.y, b.y, f), theta: mix(a.theta, b.theta, f) };
-  return null;
+  if (!("x" in a && "x" in b)) return null;
+  // The point of the part that legs are about goes straight.
+  const [from, to] = [moved(a, record.about, 1), moved(b, record.about, 1)];
+  return moved({ x: mix(from.x, to.x, f), y: mix(from.y, to.y, f), theta: mix(a.theta, b.theta, f) }, record.about, -1);
+}
+
+/** A placement with its position moved by a vector of the part, turned with it, so many times. */
+function moved({ x, y, theta }: Placement, [bx, by]: readonly [number, number], times: number): Placement {
+  const [cos, sin] = [Math.cos(theta) * times, Math.sin(theta) * times];
+  return { x: x + bx * cos - by * sin, y: y + bx * sin + by * cos, theta };
 }
 
 /** The last state of a simulation that is not after a time of its playing: between states nothing is known, and a straight line between two
