@@ -5,16 +5,29 @@ use core::f64::consts::TAU;
 use cspace::{AxisMotion, Coordinates, Vector};
 use cspace_plan::legs::Scene;
 
-/// What each leg of a path does: "up 6", "left 2.5", "turn 90° clockwise", "6.1 towards 32.5° while turning 12° counter-clockwise".
-/// Lengths are in the model's unit, directions in the fixed part's frame; x is right, y is up. Of parts on axes "u by 30°", "v by 2.5".
-pub fn legs_in_words(scene: &Scene, path: &[Coordinates]) -> Vec<String> {
+/// What each leg of a path does: "up 6 mm", "left 2.5 mm", "turn 90° clockwise", "6.1 mm towards 32.5° while turning 12°
+/// counter-clockwise". Directions are those of the fixed part's frame: x is right, y is up. Of parts on axes "u by +30°, v by −2.5 mm".
+/// Without a unit lengths are numbers.
+///
+/// ```
+/// use cspace::{Configuration, Coordinates, Part};
+/// use cspace_plan::legs::Scene;
+/// let disc = |name| Part::circle(name, (0.0, 0.0), 1.0);
+/// let scene = Scene::new(&disc("table")?, &disc("coin")?, None);
+/// let at = |x, y, theta| Coordinates::Planar(Configuration::new(x, y, theta));
+/// let legs = cspace_answers::legs_in_words(&scene, &[at(4.0, 0.0, 0.0), at(4.0, 2.5, 0.0), at(4.0, 2.5, 1.0)], Some("mm"));
+/// assert_eq!(legs, ["up 2.5 mm", "turn 57.3\u{b0} counter-clockwise"]);
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn legs_in_words(scene: &Scene, path: &[Coordinates], unit: Option<&str>) -> Vec<String> {
+    let unit = unit.map_or(String::new(), |u| format!(" {u}"));
     let places: Vec<_> = (path.iter().filter_map(|&at| scene.numbers(at).ok())).collect();
     (places.windows(2))
         .map(|leg| {
             let by: [f64; 3] = core::array::from_fn(|k| leg[1][k] - leg[0][k]);
             match scene.motions() {
-                None => planar(by, scene.size()),
-                Some((u, v)) => on_axes([(u, "u", by[0]), (v, "v", by[1])]),
+                None => planar(by, scene.size(), &unit),
+                Some((u, v)) => on_axes([(u, "u", by[0]), (v, "v", by[1])], &unit),
             }
         })
         .collect()
@@ -25,10 +38,10 @@ const NOTHING: f64 = 1e-9;
 /// Directions this near to that of an axis are it, radians.
 const ALONG: f64 = 1e-6;
 
-fn planar([x, y, turn]: [f64; 3], size: f64) -> String {
+fn planar([x, y, turn]: [f64; 3], size: f64, unit: &str) -> String {
     let way = Vector::new(x, y);
     let length = way.length();
-    let moves = (length > NOTHING * size).then(|| moved(way, length));
+    let moves = (length > NOTHING * size).then(|| moved(way, length, unit));
     let turns = (turn.abs() > NOTHING).then_some(turn);
     match (moves, turns) {
         (None, None) => "stay".to_owned(),
@@ -38,7 +51,8 @@ fn planar([x, y, turn]: [f64; 3], size: f64) -> String {
     }
 }
 
-fn moved(way: Vector, length: f64) -> String {
+fn moved(way: Vector, length: f64, unit: &str) -> String {
+    let long = format!("{}{unit}", rounded(length));
     let names = [
         (1.0, 0.0, "right"),
         (0.0, 1.0, "up"),
@@ -50,14 +64,10 @@ fn moved(way: Vector, length: f64) -> String {
         axis.dot(way) > 0.0 && axis.cross(way).abs() < ALONG * length
     });
     match along {
-        Some((_, _, name)) => format!("{name} {}", rounded(length)),
+        Some((_, _, name)) => format!("{name} {long}"),
         None => {
             let angle = way.angle().rem_euclid(TAU);
-            format!(
-                "{} towards {}\u{b0}",
-                rounded(length),
-                rounded(angle.to_degrees())
-            )
+            format!("{long} towards {}\u{b0}", rounded(angle.to_degrees()))
         }
     }
 }
@@ -72,7 +82,7 @@ fn turned(turn: f64) -> String {
     format!("{angle}\u{b0} {way}")
 }
 
-fn on_axes(motions: [(AxisMotion, &str, f64); 2]) -> String {
+fn on_axes(motions: [(AxisMotion, &str, f64); 2], unit: &str) -> String {
     let moved = motions
         .into_iter()
         .filter(|m| m.2 != 0.0)
@@ -82,7 +92,7 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2]) -> String {
                 AxisMotion::Revolute { .. } => {
                     format!("{name} by {sign}{}\u{b0}", rounded(by.to_degrees().abs()))
                 }
-                _ => format!("{name} by {sign}{}", rounded(by.abs())),
+                _ => format!("{name} by {sign}{}{unit}", rounded(by.abs())),
             }
         });
     let all: Vec<String> = moved.collect();

@@ -145,6 +145,9 @@ pub struct Contact {
     pub place: Place,
 }
 
+/// What tells what legs do: the scene of the planner or of the judge, and the unit of length that lengths are told in.
+pub type Legs<'a> = (&'a Scene, Option<&'a str>);
+
 /// The parts whose features have names.
 #[derive(Debug, Clone, Copy)]
 pub struct Parts<'a> {
@@ -192,17 +195,23 @@ impl Told {
         }
     }
 
-    fn free(&mut self, parts: Parts<'_>, scene: &Scene, path: Vec<Coordinates>, narrow: &Narrow) {
+    fn free(
+        &mut self,
+        parts: Parts<'_>,
+        (scene, unit): Legs<'_>,
+        path: Vec<Coordinates>,
+        narrow: &Narrow,
+    ) {
         let about = scene.about();
         self.about = scene.motions().is_none().then_some([about.x, about.y]);
-        self.words = legs_in_words(scene, &path);
+        self.words = legs_in_words(scene, &path, unit);
         self.path = path;
         self.clearance = Some(narrow.clearance).filter(|c| c.is_finite());
         self.narrowest = Some(parts.place(narrow.at, narrow.features));
     }
 
-    /// Of a question for a path, asked of a planner with a scene.
-    pub fn planned(space: &PairSpace, scene: &Scene, answer: Answer, seconds: f64) -> Self {
+    /// Of a question for a path, asked of a planner.
+    pub fn planned(space: &PairSpace, legs: Legs<'_>, answer: Answer, seconds: f64) -> Self {
         let parts = Parts {
             fixed: space.fixed(),
             moving: space.moving(),
@@ -222,7 +231,7 @@ impl Told {
                 configurations,
                 narrowest,
                 ..
-            }) => told.free(parts, scene, configurations, &narrowest),
+            }) => told.free(parts, legs, configurations, &narrowest),
             Verdict::NoPath(enclosed) => {
                 told.enclosed = Some(Enclosed {
                     region: enclosed.region,
@@ -240,10 +249,10 @@ impl Told {
         told
     }
 
-    /// Of a path that is judged with a scene.
+    /// Of a path that is judged.
     pub fn checked(
         parts: Parts<'_>,
-        scene: &Scene,
+        legs: Legs<'_>,
         path: Vec<Coordinates>,
         checked: &Checked,
         seconds: f64,
@@ -256,7 +265,7 @@ impl Told {
         };
         let mut told = Self::new(verdict, seconds);
         match checked {
-            Checked::Free(narrow) => told.free(parts, scene, path, narrow),
+            Checked::Free(narrow) => told.free(parts, legs, path, narrow),
             Checked::Meets(hit) => {
                 told.contact = Some(Contact {
                     leg: hit.leg,

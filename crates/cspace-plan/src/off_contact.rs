@@ -32,9 +32,21 @@ pub(crate) fn off_contact(
         let gradient = scene.by_numbers(value.gradient, numbers);
         touching.push(Near::growing(gradient, (fixed.name, moving.name)));
     }
-    let Some(direction) = rise(&touching, scene.levers(), None, 1.0) else {
-        return Ok(None);
+    // Without a turn where that leaves all contacts.
+    let [x, y, turn] = scene.levers();
+    let off = |levers: Coords| {
+        let direction = rise(&touching, levers, None, 1.0)?;
+        leg_off((scene, resolution), numbers, direction)
     };
+    Ok(off([x, y, 0.0]).or_else(|| off([x, y, turn])))
+}
+
+/// The end of a free leg in a direction in which all contacts are left, with the most clearance of those tried.
+fn leg_off(
+    (scene, resolution): (&Scene, f64),
+    numbers: Coords,
+    direction: Coords,
+) -> Option<Coords> {
     let ahead = |step: f64, share: f64| -> Coords {
         scene.within_limits(core::array::from_fn(|k| {
             numbers[k] + direction[k] * step * share
@@ -50,7 +62,7 @@ pub(crate) fn off_contact(
                 && scene.is_apart(ahead(step, FIRST), to, 0.1 * FIRST * clearance)
         },
     );
-    Ok(best.map(|b| b.1))
+    best.map(|b| b.1)
 }
 
 /// Of the ends of legs with a first step, and that halved again and again, the one with the most clearance, with that; only free

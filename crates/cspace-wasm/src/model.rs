@@ -185,6 +185,7 @@ impl Model {
         let edits = parsed(edits)?;
         let space = (self.opened).edited_space(pair, &edits, &Silent);
         let space = space.map_err(fault)?.1;
+        let unit = self.opened.model.unit.as_deref();
         let begin = seconds();
         let wishes = Wishes {
             clearance: if widest {
@@ -203,7 +204,7 @@ impl Model {
         let answer = answer.map_err(fault)?;
         json(&plan::Told::planned(
             &space,
-            planner.scene(),
+            (planner.scene(), unit),
             answer,
             seconds() - begin,
         ))

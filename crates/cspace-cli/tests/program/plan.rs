@@ -258,3 +258,88 @@ fn no_path_is_proved_to_who_does_not_believe_it() {
     assert!(!refused.status.success());
     assert!(String::from_utf8(refused.stderr).unwrap().contains("open"));
 }
+
+/// A pin in a slot that goes down, to the left and up, drawn 20 beside its origin, with a flat that makes it no disc.
+const SLOT: &str = r#"
+name = "slot"
+unit = "mm"
+
+[[part]]
+name = "plate"
+loops = [[[-30, -40, 0], [30, -40, 0], [30, 0, 0], [3, 0, 0], [3, -20, 0], [9, -20, 0], [9, -12, 0], [15, -12, 0], [15, -26, 0], [-3, -26, 0], [-3, 0, 0], [-30, 0, 0]]]
+
+[[part]]
+name = "pin"
+loops = [[[18, -2, 0], [22, -2, 0], [22, 2, 0], [18, 2, 0]]]
+
+[[pair]]
+fixed = "plate"
+moving = "pin"
+"#;
+
+fn slot() -> tempfile::NamedTempFile {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    std::fs::write(file.path(), SLOT).unwrap();
+    file
+}
+
+#[test]
+fn legs_are_few_and_told_in_words() {
+    let file = slot();
+    let slot = file.path().to_str().unwrap();
+    let out = json(&["plan", slot, "--from=-8,-16,0"]);
+    let words: Vec<&str> = (out["words"].as_array().unwrap().iter())
+        .map(|w| w.as_str().unwrap())
+        .collect();
+    let [down, left, up] = &words[..] else {
+        panic!("{words:?}");
+    };
+    assert!(down.starts_with("down ") && left.starts_with("left ") && up.starts_with("up "));
+    assert!(words.iter().all(|w| w.ends_with(" mm")), "{words:?}");
+    assert_eq!(out["about"], serde_json::json!([20.0, 0.0]));
+    let text = printed(&["plan", slot, "--from=-8,-16,0", "--widest"]);
+    assert!(
+        text.contains("    left ") && text.contains("so much may pin grow all round"),
+        "{text}"
+    );
+}
+
+/// Legs that turn are about the middle of the part: about its origin, 20 away, it would go through the plate.
+#[test]
+fn what_legs_are_about_is_written_and_read() {
+    let file = slot();
+    let slot = file.path().to_str().unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let way = folder.path().join("way.csv");
+    let way = way.to_str().unwrap();
+    let ends = ["--from=-20,-23,0", "--to=0,-23,180deg"];
+    let answer = json(&[&["plan", slot, "-o", way], &ends[..]].concat());
+    assert_eq!(answer["verdict"], "path");
+    let rows = std::fs::read_to_string(way).unwrap();
+    assert!(rows.starts_with("x,y,theta,about_x,about_y\n"), "{rows}");
+    let checked = json(&["plan", slot, "--check", way]);
+    assert_eq!(checked["verdict"], "path");
+    assert_eq!(checked["about"], answer["about"]);
+    let other = json(&["plan", slot, "--check", way, "--about", "0,0"]);
+    assert_eq!(other["verdict"], "no-path");
+    // The same turn as a motion: about the middle it is free, about the origin it is not.
+    let turn = |about: &str| {
+        let args = [
+            "move",
+            slot,
+            "--from=-20,-23,0",
+            "--by=0,0,1.5",
+            "--about",
+            about,
+        ];
+        json(&args)["result"].clone()
+    };
+    assert_eq!(turn("20,0"), "free");
+    assert_eq!(turn("0,0"), "contact");
+    std::fs::write(way, "x,y,theta,about_x,about_y\n0,0,0,1,2\n0,1,0,1,3\n").unwrap();
+    fails(
+        cspace(&["plan", slot, "--check", way]),
+        2,
+        &["about_x", "same finite number"],
+    );
+}

@@ -35,7 +35,12 @@ fn asked(name: &str, fixed: &Part, moving: &Part, at: Configuration) {
         let seconds = begin.elapsed().as_secs_f64();
         let verdict = match answer.verdict {
             Verdict::Path(path) => {
-                judged(&planner, &Oracle::new(fixed, moving), &path.configurations, name);
+                judged(
+                    &planner,
+                    &Oracle::new(fixed, moving),
+                    &path.configurations,
+                    name,
+                );
                 format!("{} legs", path.configurations.len() - 1)
             }
             Verdict::NoPath(_) => "none".to_owned(),

@@ -3,8 +3,8 @@
 
 mod by_hand;
 mod distances;
-mod every;
 mod ends;
+mod every;
 mod fits;
 mod hidden;
 mod hook;

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cspace::{Coordinates, Vector};
+use cspace_io::shown;
 use cspace_plan::legs::Scene;
 use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
 
@@ -157,7 +158,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         .map_err(failed)?;
     let mut told = Told::planned(
         &space,
-        planner.scene(),
+        (planner.scene(), pair.unit_label()),
         answer,
         begin.elapsed().as_secs_f64(),
     );
@@ -204,7 +205,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
     let seconds = begin.elapsed().as_secs_f64();
     Ok(Told::checked(
         parts,
-        &scene,
+        (&scene, pair.unit_label()),
         rows.configurations,
         &found,
         seconds,
@@ -268,11 +269,18 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             let legs = told.path.len().saturating_sub(1);
             writeln!(text, "path: {}", count(legs, "leg", "legs"))?;
             for (i, &at) in told.path.iter().enumerate() {
-                let before = i.checked_sub(1).and_then(|i| told.words.get(i));
-                if let Some(words) = before {
-                    writeln!(text, "  {words}")?;
+                writeln!(text, "  {}", pair.place(at))?;
+                if let Some(words) = told.words.get(i) {
+                    writeln!(text, "    {words}")?;
                 }
-                writeln!(text, "    {}", pair.place(at))?;
+            }
+            if let Some([x, y]) = told.about.filter(|&about| about != [0.0; 2]) {
+                let (x, y) = (length(x), length(y));
+                writeln!(
+                    text,
+                    "legs are about the point x {x}, y {y}{unit} of {}",
+                    shown::text(pair.moving().name())
+                )?;
             }
         }
         Name::NoPath if told.bottleneck.is_some() => {
@@ -300,9 +308,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     if let Some(b) = &told.bottleneck {
         writeln!(
             text,
-            "bottleneck {}{unit}: no way has more than {}{unit}",
+            "bottleneck {}{unit}: no way has more than {}{unit}, so much may {} grow all round",
             length(b.clearance),
-            length(b.most)
+            length(b.most),
+            shown::text(pair.moving().name()),
         )?;
         writeln!(text, "  at       {}", pair.place(b.place.at))?;
         if let Some(features) = b.place.features {
