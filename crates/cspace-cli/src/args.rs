@@ -1096,6 +1096,10 @@ pub(crate) struct ImportArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
 
+    /// Make one part of all outlines of each layer (DXF)
+    #[arg(long, conflicts_with_all = ["part", "pick"])]
+    pub(crate) by_layer: bool,
+
     /// Leave out what cannot be used, and list it
     #[arg(long)]
     pub(crate) partial: bool,
