@@ -157,6 +157,17 @@ fn setting(text: &str) -> Result<Setting, String> {
     })
 }
 
+/// Whether spaces are kept for the next command.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub(crate) struct CacheArgs {
+    /// Compute spaces that were computed before, and keep none
+    ///
+    /// A space that takes 0.2 s or more is kept in the user's folder of caches, and read where the same parts move in the same
+    /// way. CSPACE_CACHE names another folder; with CSPACE_CACHE=off nothing is kept.
+    #[arg(long)]
+    pub(crate) no_cache: bool,
+}
+
 /// What all commands that take a file have.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct Common {
@@ -182,6 +193,9 @@ pub(crate) struct Common {
 
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
 
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
@@ -275,7 +289,7 @@ pub(crate) struct ComputeArgs {
     /// More files, answered one after the other
     #[arg(value_name = "FILE")]
     pub(crate) more: Vec<PathBuf>,
-    /// Say as well how certain the structure is
+    /// Say as well how certain the structure is, and which spaces were computed before and kept
     #[arg(short, long)]
     pub(crate) verbose: bool,
     #[command(flatten)]
@@ -899,6 +913,9 @@ pub(crate) struct SiteArgs {
     /// A folder of Markdown files, which become pages of the site; so does the README.md beside the folder
     #[arg(long, value_name = "DIR")]
     pub(crate) docs: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
+
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -917,6 +934,7 @@ impl SiteArgs {
                 format: None,
                 output: None,
             },
+            cache: self.cache,
             threads: self.threads,
         }
     }
@@ -967,6 +985,9 @@ pub(crate) struct ViewArgs {
     #[arg(long)]
     pub(crate) snap: bool,
 
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
+
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -985,6 +1006,7 @@ impl ViewArgs {
                 format: None,
                 output: None,
             },
+            cache: self.cache,
             threads: self.threads,
         }
     }
@@ -1101,6 +1123,10 @@ pub(crate) struct ImportArgs {
     /// Make one part of this name of all loops
     #[arg(long, value_name = "NAME")]
     pub(crate) part: Option<String>,
+
+    /// Make one part of all outlines of each layer (DXF)
+    #[arg(long, conflicts_with_all = ["part", "pick"])]
+    pub(crate) by_layer: bool,
 
     /// Leave out what cannot be used, and list it
     #[arg(long)]

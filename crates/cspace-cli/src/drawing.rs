@@ -38,10 +38,10 @@ fn source(args: &DrawingArgs) -> Source {
     }
 }
 
-/// Refuses options about a format that none of the drawings has.
+/// Refuses options about formats that none of the drawings has.
 pub(crate) fn check_options<'p>(
     args: &DrawingArgs,
-    mut drawings: impl Iterator<Item = &'p Path> + Clone,
+    drawings: impl Iterator<Item = &'p Path> + Clone,
 ) -> Result<(), Failure> {
     let given = [
         ("--layer", "dxf", !args.layer.is_empty()),
@@ -49,19 +49,30 @@ pub(crate) fn check_options<'p>(
         ("--id", "svg", args.id.is_some()),
     ];
     for (option, format, is_given) in given {
-        let is_of = |path: &Path| {
-            path.extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case(format))
-        };
-        if is_given && !drawings.clone().any(is_of) {
-            let first = drawings.next().unwrap_or(Path::new(""));
-            return Err(Failure::input(format_args!(
-                "{option} is about {} drawings, and {} is none",
-                format.to_uppercase(),
-                first.display()
-            ))
-            .help(format_args!("leave out {option}")));
-        }
+        check_option(option, format, is_given, drawings.clone())?;
+    }
+    Ok(())
+}
+
+/// Refuses an option that is given, and about a format that none of the drawings has.
+pub(crate) fn check_option<'p>(
+    option: &str,
+    format: &str,
+    is_given: bool,
+    mut drawings: impl Iterator<Item = &'p Path> + Clone,
+) -> Result<(), Failure> {
+    let is_of = |path: &Path| {
+        path.extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case(format))
+    };
+    if is_given && !drawings.clone().any(is_of) {
+        let first = drawings.next().unwrap_or(Path::new(""));
+        return Err(Failure::input(format_args!(
+            "{option} is about {} drawings, and {} is none",
+            format.to_uppercase(),
+            first.display()
+        ))
+        .help(format_args!("leave out {option}")));
     }
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 mod angle;
 mod args;
+mod cache;
 mod command;
 mod drawing;
 mod failure;

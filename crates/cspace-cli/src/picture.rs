@@ -51,6 +51,8 @@ pub(crate) enum LabelChoice {
     None,
     /// Those that fit
     Auto,
+    /// Those that fit, also of features, as answers call them
+    Features,
     /// All, and numbers of vertices
     All,
 }
@@ -105,6 +107,7 @@ impl PictureArgs {
             labels: match self.labels {
                 None | Some(LabelChoice::Auto) => Labels::Auto,
                 Some(LabelChoice::None) => Labels::None,
+                Some(LabelChoice::Features) => Labels::Features,
                 Some(LabelChoice::All) => Labels::All,
             },
             x: seen.0,

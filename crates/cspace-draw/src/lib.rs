@@ -40,6 +40,7 @@ mod arc;
 mod colour;
 mod curves;
 mod error;
+mod feature_labels;
 mod font;
 mod format;
 mod labels;

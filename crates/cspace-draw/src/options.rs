@@ -8,6 +8,8 @@ pub enum Labels {
     /// Those that fit: no label lies on another.
     #[default]
     Auto,
+    /// Those that fit, and those of the features of parts, as answers call them, that fit.
+    Features,
     /// All, and with numbers of vertices and features.
     All,
 }

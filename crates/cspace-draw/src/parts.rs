@@ -4,6 +4,7 @@ use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Configuration, JointEntry, Part, Point, Rotation, Vector};
 
 use crate::colour::{INK, MARK, part as colours};
+use crate::feature_labels::{self, Fitting};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
@@ -71,7 +72,7 @@ pub struct PartsPicture<'a> {
 }
 
 /// A picture of parts, to scale: names, frame origins, pivots, slides, joints, contacts; with all labels, vertices numbered
-/// `loop.index`.
+/// `loop.index`; with those of features, lines, arcs and convex vertices called as in answers, and below it how many do not fit.
 ///
 /// ```
 /// use cspace::{Configuration, Part};
@@ -96,8 +97,17 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
     let ((width, height), em) = options.sized(USUAL);
     let mut items = Vec::new();
     title(&mut items, &options.title, width, em);
-    let legend = Legend::new(entries(picture, options), width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
+    let legend = |features: Option<Fitting>| {
+        let said = features.map(|f| (Sign::Line(Colour(255, 255, 255)), f.to_string()));
+        let entries = entries(picture, options).into_iter().chain(said).collect();
+        Legend::new(entries, width - 2.0 * em, em)
+    };
+    // There is room for the largest numbers before it is known which fit.
+    let widest = (options.labels == Labels::Features).then_some(Fitting {
+        all: 999_999,
+        left_out: 999_999,
+    });
+    let foot = height - legend(widest).height() - 0.5 * em;
     let area = Plot::alone(width, foot, em);
     let [x, y] = seen(picture);
     let plot = Plot::at_one_scale(area, options.x.unwrap_or(x), options.y.unwrap_or(y), em);
@@ -105,11 +115,11 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
     let (across, up) = (AxisLabel::length("x", unit), AxisLabel::length("y", unit));
     plot.grid(&mut items, [&across, &up]);
     let mut inner = Vec::new();
-    draw(&mut inner, picture, &plot, options.labels);
+    let fitting = draw(&mut inner, picture, &plot, options.labels);
     plot.scale_bar(&mut inner, unit);
     items.push(Item::Clipped { area, items: inner });
     plot.frame(&mut items, [&across, &up]);
-    legend.draw(&mut items, Dot::new(em, foot));
+    legend(fitting).draw(&mut items, Dot::new(em, foot));
     Scene {
         width,
         height,
@@ -138,8 +148,13 @@ pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
     [with_margin(x, 0.06 * size), with_margin(y, 0.06 * size)]
 }
 
-/// The parts with all that is marked on them.
-pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, labels: Labels) {
+/// The parts with all that is marked on them; says which labels of features fit, if these are asked for.
+pub(crate) fn draw(
+    items: &mut Vec<Item>,
+    picture: &PartsPicture<'_>,
+    plot: &Plot,
+    labels: Labels,
+) -> Option<Fitting> {
     let em = plot.em;
     let path = |p: &PlacedPart<'_>| of_part(p.part, p.assembly_from_part, plot);
     for p in &picture.swept {
@@ -187,7 +202,7 @@ pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plo
     }
     faults(items, picture, plot, &mut placed);
     if labels == Labels::None {
-        return;
+        return None;
     }
     for (k, p) in picture.parts.iter().enumerate() {
         let places = inside(p, &picture.parts[k + 1..], plot);
@@ -200,6 +215,8 @@ pub(crate) fn draw(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plo
             number_vertices(items, p, plot, &mut numbers);
         }
     }
+    (labels == Labels::Features)
+        .then(|| feature_labels::label(items, &picture.parts, plot, &mut placed))
 }
 
 /// Places for a part's name, the best first: far inside and under no part drawn later, else beside.

@@ -8,6 +8,7 @@ use cspace::Point;
 use cspace::part::{Bounds, Edge};
 
 use crate::curve::Curve;
+use crate::shown;
 use crate::unit::Unit;
 
 /// The entities of a drawing, flat: blocks are inserted, transforms done, lengths in the file's unit.
@@ -23,6 +24,8 @@ pub struct Drawing {
     pub entities: Vec<Entity>,
     /// What is no outline, and is left out.
     pub ignored: Vec<Ignored>,
+    /// What would be drawn on layers that are left out; it is among what is ignored, too.
+    pub elsewhere: Vec<Elsewhere>,
     /// What would be an outline but cannot be used.
     pub problems: Vec<Problem>,
 }
@@ -153,6 +156,65 @@ pub struct Ignored {
     pub origin: Origin,
     /// Why it is left out.
     pub reason: Cow<'static, str>,
+}
+
+/// A path on a layer that is left out.
+#[derive(Debug, Clone)]
+pub struct Elsewhere {
+    /// The path, and where it comes from.
+    pub entity: Entity,
+    /// Why its layer is left out.
+    pub reason: LayerReason,
+}
+
+/// Why a layer is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayerReason {
+    /// Others were asked for.
+    NotAskedFor,
+    /// It is for construction.
+    Construction,
+    /// It is switched off.
+    Off,
+    /// It is frozen.
+    Frozen,
+}
+
+impl LayerReason {
+    /// The reason, of something on the layer.
+    pub(crate) fn of_it(self) -> &'static str {
+        match self {
+            Self::NotAskedFor => "its layer was not asked for",
+            Self::Construction => "its layer is for construction",
+            Self::Off => "its layer is switched off",
+            Self::Frozen => "its layer is frozen",
+        }
+    }
+
+    /// The same, after the name of the thing.
+    pub(crate) fn of_which(self) -> &'static str {
+        match self {
+            Self::NotAskedFor => "whose layer was not asked for",
+            Self::Construction => "whose layer is for construction",
+            Self::Off => "whose layer is switched off",
+            Self::Frozen => "whose layer is frozen",
+        }
+    }
+
+    /// How to have the layer read beside another.
+    pub(crate) fn way(self, own: &str, layer: &str) -> String {
+        let [own, layer] = [own, layer].map(shown::start);
+        match self {
+            Self::NotAskedFor => {
+                format!("add --layer {layer} (in a model: layer = [{own}, {layer}])")
+            }
+            Self::Construction => format!(
+                "read both layers with --layer {own} --layer {layer} (in a model: layer = [{own}, {layer}])"
+            ),
+            Self::Off => format!("switch layer {layer} on in the drawing"),
+            Self::Frozen => format!("thaw layer {layer} in the drawing"),
+        }
+    }
 }
 
 /// Something that cannot be used.

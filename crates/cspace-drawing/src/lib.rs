@@ -44,11 +44,11 @@ mod write;
 
 pub use affine::Affine;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};
-pub use drawing::{Drawing, Entity, Ignored, Origin, Path, Piece, Problem};
+pub use drawing::{Drawing, Elsewhere, Entity, Ignored, LayerReason, Origin, Path, Piece, Problem};
 pub use error::DrawingError;
 pub use offset::{Offset, OffsetError, offset};
 pub use outlines::{
-    DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
+    Apart, DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
     Reading, Settings, Survey, Traced,
 };
 pub use profile::{ProfileError, profile};

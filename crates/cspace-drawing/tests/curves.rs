@@ -497,3 +497,31 @@ fn copies_of_a_symbol_are_fitted_as_the_symbol() {
         }
     }
 }
+
+/// What is proposed for a trace is as far off as its chords are: of a circle in closed form. Few edges, and those of a drawing with
+/// corners, are no trace.
+#[test]
+fn traces_are_told_within_their_sagitta() {
+    let circle = |n: u32, r: f64| -> Vec<(f64, f64)> {
+        (0..n)
+            .map(|k| TAU * f64::from(k) / f64::from(n))
+            .map(|t| (r * t.cos(), r * t.sin()))
+            .collect()
+    };
+    let said = |points: &[(f64, f64)]| Traced::of(&dxf(&polygon(points)).unwrap().parts[0]);
+    for (n, r) in [(101, 3.0), (400, 10.0), (800, 50.0)] {
+        let sagitta = r * (1.0 - (PI / f64::from(n)).cos());
+        let traced = said(&circle(n, r)).unwrap();
+        // It has one digit.
+        assert!((traced.fit / sagitta - 1.0).abs() < 0.5, "{traced:?}");
+        assert!(traced.deviation <= traced.fit && traced.pieces <= 4);
+    }
+    assert!(said(&circle(100, 3.0)).is_none());
+    // A comb has 400 edges and no curve.
+    let comb: Vec<(f64, f64)> = (0..100)
+        .map(f64::from)
+        .flat_map(|x| [(x, 1.0), (x + 0.4, 1.0), (x + 0.5, 0.5), (x + 0.9, 0.5)])
+        .collect();
+    let closed = [&comb[..], &[(100.0, 0.0), (0.0, 0.0)]].concat();
+    assert!(said(&closed).is_none());
+}

@@ -22,6 +22,7 @@ use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
 pub(crate) use cspace_design::{FeaturePair, pair_of, texts, touching};
 pub(crate) use named::named_pair;
+pub(crate) use space::Space;
 
 /// The file a command was given.
 pub(crate) enum Subject {
@@ -44,6 +45,8 @@ pub(crate) struct Chosen<'a> {
     pair: Option<PairEntry>,
     /// Whether symmetry is to be ignored.
     general: bool,
+    /// Whether its space may be one that was kept, and is kept.
+    keeps: bool,
 }
 
 /// Sets the number of threads of all computations; 0 for one per processor.
@@ -272,6 +275,7 @@ impl Subject {
                     subject: self,
                     pair: None,
                     general: common.general,
+                    keeps: false,
                 }]);
             }
         };
@@ -284,6 +288,7 @@ impl Subject {
             .map(|pair| Chosen {
                 subject: self,
                 general: common.general,
+                keeps: !common.cache.no_cache,
                 pair: Some(PairEntry {
                     window: window.or(pair.window),
                     ..pair

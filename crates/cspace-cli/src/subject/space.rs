@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use cspace::fixed_axes::Role;
 use cspace::{
@@ -12,6 +13,7 @@ use cspace::{
 use cspace_io::shown;
 
 use super::{Chosen, Subject};
+use crate::cache::Entry;
 use crate::failure::Failure;
 use crate::progress::Bar;
 
@@ -75,7 +77,9 @@ impl Chosen<'_> {
             return Err(self.no_orientation(what));
         }
         match self.space()? {
-            Space::Computed(PairSpace::Planar(space)) => Ok(space),
+            Space::Computed(PairSpace::Planar(space)) | Space::Kept(PairSpace::Planar(space)) => {
+                Ok(space)
+            }
             Space::Saved(PairSpace::Planar(space)) => Ok(Arc::clone(space)),
             _ => Err(self.no_orientation(what)),
         }
@@ -98,12 +102,23 @@ impl Chosen<'_> {
                 Symmetry::Detect
             },
         };
+        let (fixed, moving) = (self.fixed(), self.moving());
+        let entry = match self.keeps {
+            true => Entry::of(fixed, moving, relation, &options),
+            false => None,
+        };
+        if let Some(space) = entry.as_ref().and_then(Entry::read) {
+            return Ok(Space::Kept(space));
+        }
+        let begin = Instant::now();
         let bar = Bar::new(self.names());
-        bar.watch(|bar| {
-            PairSpace::compute_with(self.fixed(), self.moving(), relation, &options, bar)
-        })
-        .map(Space::Computed)
-        .map_err(|e| self.failure(&e))
+        let space = bar
+            .watch(|bar| PairSpace::compute_with(fixed, moving, relation, &options, bar))
+            .map_err(|e| self.failure(&e))?;
+        if let Some(entry) = entry {
+            entry.keep(&space, begin.elapsed());
+        }
+        Ok(Space::Computed(space))
     }
 
     pub(crate) fn failure(&self, error: &PairError) -> Failure {
@@ -157,6 +172,8 @@ impl Chosen<'_> {
 pub(crate) enum Space<'a> {
     /// Read.
     Saved(&'a PairSpace),
+    /// Computed by a command before, and kept.
+    Kept(PairSpace),
     /// Computed.
     Computed(PairSpace),
 }
@@ -167,7 +184,7 @@ impl core::ops::Deref for Space<'_> {
     fn deref(&self) -> &PairSpace {
         match self {
             Self::Saved(space) => space,
-            Self::Computed(space) => space,
+            Self::Computed(space) | Self::Kept(space) => space,
         }
     }
 }

@@ -766,6 +766,7 @@ fn a_closed_pipe_ends_quietly() {
         vec!["compute", "--format", "json"],
     ] {
         let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+            .env("CSPACE_CACHE", "off")
             .args(&args)
             .arg(model("peg_hole"))
             .stdout(Stdio::piped())
@@ -789,6 +790,7 @@ fn an_interrupt_leaves_nothing_behind() {
     let out = dir.path().join("out.csv");
     // Waits for its standard input, which never comes.
     let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+        .env("CSPACE_CACHE", "off")
         .args(["classify", &model("knee"), "-o", out.to_str().unwrap()])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -18,6 +18,7 @@ fn run_page(text: &str, folder: &Path) -> (String, usize) {
         let output = Command::new("sh")
             .args(["-c", &format!("{{ {command}\n}} 2>&1")])
             .env("PATH", &path)
+            .env("CSPACE_CACHE", "off")
             .current_dir(folder)
             .output()
             .unwrap();

@@ -237,3 +237,36 @@ fn tolerances_are_drawn() {
         assert!(along.contains(said), "{said}");
     }
 }
+
+/// Each feature has one label, called as in answers, or is counted as left out; a square has room for all of its own.
+#[test]
+fn features_are_labelled_where_they_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("square.toml");
+    let text = "[[part]]\nname = \"square\"\nloops = [[[0, 0], [4, 0], [4, 4], [0, 4]]]\n";
+    std::fs::write(&path, text).unwrap();
+    let labelled = |file: &str| printed(&["draw", file, "--labels", "features", "-o", "-"]);
+    let drawn = labelled(path.to_str().unwrap());
+    assert!(
+        drawn.contains(">labels of all 8 features</text>"),
+        "{drawn}"
+    );
+    for k in 0..4 {
+        for kind in ["line", "vertex"] {
+            let said = format!(">{kind} {k} of loop 0</text>");
+            assert_eq!(drawn.matches(&said).count(), 1, "{said}");
+        }
+    }
+    let drawn = labelled(&model("ratchet_pawl"));
+    let told = drawn.split(">labels of ").nth(1).unwrap();
+    let mut numbers = told
+        .split(' ')
+        .filter_map(|word| word.parse::<usize>().ok());
+    let (left_out, all) = (numbers.next().unwrap(), numbers.next().unwrap());
+    let labels = drawn.matches(" of loop ").count();
+    assert!(left_out > 0 && labels > 4);
+    // Some features of this model have names of their own.
+    assert!(labels + left_out <= all);
+    let plain = printed(&["draw", path.to_str().unwrap(), "-o", "-"]);
+    assert!(!plain.contains("of loop"));
+}

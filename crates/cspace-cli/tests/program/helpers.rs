@@ -23,7 +23,7 @@ pub(crate) fn mechanism() -> String {
 
 pub(crate) fn cspace(args: &[&str]) -> Command {
     let mut command = Command::cargo_bin("cspace").unwrap();
-    command.args(args);
+    command.args(args).env("CSPACE_CACHE", "off");
     command
 }
 

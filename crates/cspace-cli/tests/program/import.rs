@@ -533,6 +533,73 @@ fn short_edges_are_not_removed_without_a_word() {
     assert!((plate["area"].as_f64().unwrap() - (5000.0 - 0.64)).abs() < 1e-9);
 }
 
+/// Two blocks and a square that lacks a side, which is on another layer.
+fn layers(folder: &std::path::Path) -> String {
+    let square = |layer: &str, x: f64, sides: usize| -> String {
+        let corners = [[x, 0.0], [x, 1.0], [x + 1.0, 1.0], [x + 1.0, 0.0], [x, 0.0]];
+        (corners.windows(2).take(sides))
+            .map(|c| {
+                let [[x0, y0], [x1, y1]] = [c[0], c[1]];
+                format!("0\nLINE\n8\n{layer}\n10\n{x0}\n20\n{y0}\n11\n{x1}\n21\n{y1}\n")
+            })
+            .collect()
+    };
+    let side = "0\nLINE\n5\n2F\n8\n0\n10\n8\n20\n0\n11\n7\n21\n0\n";
+    let parts = square("pair", 0.0, 4) + &square("pair", 2.0, 4) + &square("third", 7.0, 3);
+    let text = format!("0\nSECTION\n2\nENTITIES\n{parts}{side}0\nENDSEC\n0\nEOF\n");
+    let path = folder.join("layers.dxf");
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_layer_that_closes_an_outline_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = layers(folder.path());
+    fails(
+        cspace(&["import", &path, "--layer", "third"]),
+        2,
+        &[
+            "the gap from (7, 0) to (8, 0) is closed by LINE 2F on layer \"0\" (line",
+            "add --layer \"0\"",
+        ],
+    );
+    let report = json(&["import", &path, "--layer", "third", "--layer", "0"]);
+    assert_eq!(report["parts"][0]["area"], 1.0);
+}
+
+#[test]
+fn outlines_of_a_layer_are_one_part_or_several() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = layers(folder.path());
+    let report = json(&["import", &path]);
+    assert_eq!(report["parts"].as_array().unwrap().len(), 3);
+    let apart = serde_json::json!([{"layer": "pair", "parts": ["pair 1", "pair 2"]}]);
+    assert_eq!(report["apart"], apart);
+    let text = printed(&["import", &path]);
+    assert!(
+        text.contains("2 outlines on layer \"pair\" are a part each; --by-layer"),
+        "{text}"
+    );
+    let report = json(&["import", &path, "--by-layer"]);
+    let parts = report["parts"].as_array().unwrap();
+    assert_eq!(parts.len(), 2);
+    assert_eq!(parts[0]["name"], "pair");
+    assert_eq!(parts[0]["loops"], 2);
+    assert_eq!(parts[0]["area"], 2.0);
+    assert_eq!(report["apart"], serde_json::json!([]));
+    fails(
+        cspace(&["import", &drawing("shapes.svg"), "--by-layer"]),
+        2,
+        &["--by-layer is about DXF drawings"],
+    );
+    fails(
+        cspace(&["import", &path, "--by-layer", "--part", "all"]),
+        2,
+        &["--part"],
+    );
+}
+
 /// Two rooms that share a wall, drawn as seven lines, with a pillar in one: nobody can tell which loops are meant.
 #[test]
 fn faces_are_listed_and_picked() {

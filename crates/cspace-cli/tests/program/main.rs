@@ -3,6 +3,7 @@
 
 mod answers;
 mod assembly;
+mod cache;
 mod clash;
 mod classes;
 mod command;

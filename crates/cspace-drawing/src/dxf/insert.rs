@@ -9,7 +9,7 @@ use super::item::{Block, Insert, Item, What};
 use super::names::folded;
 use super::tables::Hidden;
 use crate::affine::Affine;
-use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
+use crate::drawing::{Drawing, Elsewhere, Entity, Ignored, LayerReason, Origin, Problem};
 use crate::shown;
 use crate::source::{OFFERED, Source};
 
@@ -95,20 +95,25 @@ impl Flat<'_> {
             Some("it is on a sheet of paper, not in the drawing itself")
         } else if item.is_invisible {
             Some("it is invisible")
-        } else if is_insert {
-            // What a block has on other layers may be drawn.
-            None
         } else {
-            match hidden {
-                Some(Hidden::Frozen) => Some("its layer is frozen"),
-                Some(Hidden::Off) => Some("its layer is switched off"),
-                None if self.is_asked_for(layer) => None,
-                None if self.layers.is_empty() => Some("its layer is for construction"),
-                None => Some("its layer was not asked for"),
-            }
+            None
         };
         if let Some(reason) = left_out {
             self.ignore(origin, reason);
+            return Ok(());
+        }
+        // Of an insert, what its block has on other layers may be drawn.
+        if !is_insert && let Some(reason) = self.reason(hidden, layer) {
+            if let What::Path(path) = &item.what {
+                self.drawing.elsewhere.push(Elsewhere {
+                    entity: Entity {
+                        origin: origin.clone(),
+                        path: path.mapped(&ground.map),
+                    },
+                    reason,
+                });
+            }
+            self.ignore(origin, reason.of_it());
             return Ok(());
         }
         if let Cow::Owned(Item {
@@ -160,6 +165,17 @@ impl Flat<'_> {
             ));
         }
         Ok(())
+    }
+
+    /// Why a layer is left out; none of one that is read.
+    fn reason(&self, hidden: Option<Hidden>, layer: &str) -> Option<LayerReason> {
+        match hidden {
+            Some(Hidden::Frozen) => Some(LayerReason::Frozen),
+            Some(Hidden::Off) => Some(LayerReason::Off),
+            None if self.is_asked_for(layer) => None,
+            None if self.layers.is_empty() => Some(LayerReason::Construction),
+            None => Some(LayerReason::NotAskedFor),
+        }
     }
 
     fn is_asked_for(&self, layer: &str) -> bool {

@@ -2,9 +2,11 @@
 
 use std::collections::HashSet;
 
+use cspace::Point;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
+use super::bridges::Bridges;
 use super::joined::{Chain, ChainPiece, Joined, origin_of};
 use super::pieces::{End, Pieces, ROUND, Segment, Shape, end, of_end};
 use crate::drawing::{Drawing, Problem};
@@ -21,7 +23,7 @@ pub(super) fn collect<'d>(
     pieces: &Pieces<'d>,
     drawing: &Drawing,
     ambiguous: &HashSet<usize>,
-    round: f64,
+    [round, join]: [f64; 2],
     joined: &mut Joined<'d>,
 ) {
     let mut is_done = vec![false; pieces.segments.len()];
@@ -49,7 +51,6 @@ pub(super) fn collect<'d>(
             open.push(ends);
         }
     }
-    tell_open(pieces, drawing, &open, round / ROUND, joined);
     for i in (0..pieces.segments.len()).filter(alive) {
         if is_done[i] {
             continue;
@@ -66,6 +67,13 @@ pub(super) fn collect<'d>(
             joined.loops.push(chain);
         }
     }
+    tell_open(
+        pieces,
+        drawing,
+        &open,
+        [round / ROUND, join.max(round)],
+        joined,
+    );
 }
 
 /// The pieces from an end on, each by the end at which it is entered.
@@ -104,7 +112,7 @@ fn tell_open(
     pieces: &Pieces<'_>,
     drawing: &Drawing,
     open: &[[End; 2]],
-    size: f64,
+    [size, reach]: [f64; 2],
     joined: &mut Joined<'_>,
 ) {
     type Near = GeomWithData<[f64; 2], End>;
@@ -118,6 +126,10 @@ fn tell_open(
             .map(|&e| Near::new(at(e), e))
             .collect(),
     );
+    if open.is_empty() {
+        return;
+    }
+    let mut bridges = Bridges::of(drawing, &joined.loops, reach);
     /// Gaps smaller than that share of the drawing may be meant to be closed.
     const SMALL: f64 = 0.01;
     for ends in open {
@@ -136,17 +148,43 @@ fn tell_open(
         if pieces.segments[a].entity != pieces.segments[b].entity {
             with.push(origin_of(drawing, pieces.segments[b].entity).clone());
         }
+        let mut told: Vec<String> = Vec::new();
+        let mut ways: Vec<String> = Vec::new();
+        let mut bridged: Option<Point> = None;
+        for (e, piece) in ends.iter().zip([a, b]) {
+            let (from, layer) = (
+                pieces.point(*e),
+                &origin_of(drawing, pieces.segments[piece].entity).layer,
+            );
+            // A gap between the two ends of the chain is told once.
+            if bridged.is_some_and(|p| p.distance(from) <= reach) {
+                break;
+            }
+            let is_end = |p: Point| {
+                let mut near = tree.locate_within_distance([p.x, p.y], reach * reach);
+                near.any(|n| n.data != *e)
+            };
+            if let Some(bridge) = bridges.from(from, layer, is_end) {
+                told.push(format!("; {}", bridge.told(from)));
+                ways.extend(bridge.ways(layer));
+                bridged = Some(bridge.to);
+            }
+        }
+        ways.dedup();
         joined.problems.push(Problem {
             origin: origin_of(drawing, pieces.segments[a].entity).clone(),
             with,
             at: Some(from),
             to: Some(to),
             reason: format!(
-                "the chain from here to {} is open: its ends are {} from the nearest other ones",
+                "the chain from here to {} is open: its ends are {} from the nearest other ones{}",
                 shown::point(to),
-                shown::number(gap)
+                shown::number(gap),
+                told.concat()
             ),
-            help: if gap < SMALL * size {
+            help: if !ways.is_empty() {
+                ways.join("; ")
+            } else if gap < SMALL * size {
                 format!(
                     "close the gap in the drawing, or join it with --join {gap} (in a model: join = {gap})",
                     gap = shown::number(1.01 * gap)

@@ -2,8 +2,9 @@
 //!
 //! All paths are taken apart into pieces that know their neighbours ([`pieces`]). Pieces that are drawn twice or overlap are
 //! merged ([`overlaps`]), ends that nearly meet are joined, the nearest first ([`ends`]), and what is then closed is a loop
-//! ([`chains`]).
+//! ([`chains`]). Where one is missing that another layer has, that is told ([`bridges`]).
 
+mod bridges;
 mod chains;
 mod ends;
 mod joined;
@@ -27,6 +28,12 @@ pub(crate) fn join(drawing: &Drawing, size: f64, join: f64) -> Joined<'_> {
         overlaps::merge(&mut pieces, ROUND * size, &mut joined);
     }
     let ambiguous = ends::join(&mut pieces, drawing, ROUND * size, join, &mut joined);
-    chains::collect(&pieces, drawing, &ambiguous, ROUND * size, &mut joined);
+    chains::collect(
+        &pieces,
+        drawing,
+        &ambiguous,
+        [ROUND * size, join],
+        &mut joined,
+    );
     joined
 }

@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use cspace::{Part, PartError, Point, Vertex};
 
+use super::apart::{apart, by_layer};
 use super::blunt::{Tip, blunt};
 use super::crossing::may_be_of_fit;
 use super::fits::Fits;
 use super::left_out::{LeftOut, corners};
 use super::names::names;
 use super::refusal::{no_part, too_deep};
-use super::result::{FittedReport, Outlines};
+use super::result::{Apart, FittedReport, Outlines};
 use super::settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Settings};
 use super::trace;
 use crate::drawing::{Drawing, Ignored, Origin, Problem};
@@ -37,6 +38,7 @@ pub(super) struct Making<'d> {
     /// Entities that would be outlines.
     pub(super) unused: Vec<u32>,
     pub(super) ignored: Vec<Ignored>,
+    apart: Vec<Apart>,
     pub(super) report: FittedReport,
 }
 
@@ -80,6 +82,7 @@ impl<'d> Making<'d> {
             told: Vec::new(),
             unused: Vec::new(),
             ignored: drawing.ignored.clone(),
+            apart: Vec::new(),
             report: FittedReport::default(),
         };
         for problem in problems {
@@ -153,6 +156,7 @@ impl<'d> Making<'d> {
             unit: self.drawing.unit,
             used: self.used(outlines),
             ignored: self.ignored,
+            apart: self.apart,
             joined: self.joined.gaps,
             crossing,
             fitted: self.report,
@@ -426,6 +430,7 @@ impl<'d> Making<'d> {
     ) -> (Vec<Part>, Vec<Outline>) {
         let groups = match &self.settings.one_part {
             Some(_) if !groups.is_empty() => vec![groups.into_iter().flatten().collect()],
+            None if self.settings.by_layer => by_layer(self.drawing, &outlines, groups),
             _ => groups,
         };
         let names = names(
@@ -434,6 +439,7 @@ impl<'d> Making<'d> {
             &outlines,
             &groups,
         );
+        self.apart = apart(self.drawing, &outlines, &groups, &names);
         let mut parts = Vec::with_capacity(groups.len());
         for (group, name) in groups.iter().zip(names) {
             let vertices: Vec<Vec<Vertex>> = (group.iter())

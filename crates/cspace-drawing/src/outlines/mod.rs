@@ -1,5 +1,6 @@
 //! Parts from drawings.
 
+mod apart;
 mod blunt;
 mod copies;
 mod crossing;
@@ -19,7 +20,7 @@ use cspace::Point;
 use cspace::part::Bounds;
 
 pub use faces::{DrawnFace, DrawnFaces};
-pub use result::{FittedReport, Outlines, Survey};
+pub use result::{Apart, FittedReport, Outlines, Survey};
 pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Pick, Settings};
 pub use trace::Traced;
 
@@ -124,7 +125,8 @@ impl Drawing {
             y: Affine::IDENTITY.y * scale,
             origin: Point::ORIGIN,
         };
-        for entity in &mut scaled.entities {
+        let elsewhere = scaled.elsewhere.iter_mut().map(|e| &mut e.entity);
+        for entity in scaled.entities.iter_mut().chain(elsewhere) {
             entity.path = entity.path.mapped(&map);
         }
         Cow::Owned(scaled)

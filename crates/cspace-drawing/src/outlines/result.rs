@@ -1,6 +1,7 @@
 //! What is made of a drawing.
 
 use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
 
 use cspace::{Part, Point};
 
@@ -20,6 +21,8 @@ pub struct Outlines {
     pub used: BTreeMap<String, usize>,
     /// What was left out.
     pub ignored: Vec<Ignored>,
+    /// Layers of which several outlines are parts by themselves.
+    pub apart: Vec<Apart>,
     /// The gaps that were closed, and where.
     pub joined: Vec<(f64, Point)>,
     /// What was fitted.
@@ -34,6 +37,15 @@ pub struct Outlines {
     pub tiny: usize,
     /// The extent of the largest of them, 0 if none has any.
     pub largest_removed: f64,
+}
+
+/// Parts whose outlines are on one layer, apart from each other.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Apart {
+    /// The layer; empty where a format has none.
+    pub layer: Arc<str>,
+    /// What the parts are called.
+    pub parts: Vec<String>,
 }
 
 impl Outlines {

@@ -26,6 +26,8 @@ pub struct Settings {
     pub partial: bool,
     /// One part of this name of all loops, instead of one of every outermost loop.
     pub one_part: Option<String>,
+    /// One part of all outermost loops of each layer, with their holes, instead of one of every such loop.
+    pub by_layer: bool,
     /// Whether loops of many edges are traces of something else, which fewer lines and arcs are fitted to.
     pub trace: bool,
     /// The parts are the faces at points, instead of one of every outermost loop; see [`Reading::faces`].
@@ -64,6 +66,7 @@ impl Default for Settings {
             side: FitSide::Both,
             partial: false,
             one_part: None,
+            by_layer: false,
             trace: false,
             picks: Vec::new(),
         }

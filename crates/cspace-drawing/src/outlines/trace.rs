@@ -57,21 +57,27 @@ fn points(edges: &[Edge]) -> Vec<Point> {
 
 impl Traced {
     /// The largest part of which nothing is to be said, in edges.
-    pub const LARGE: usize = 400;
+    pub const LARGE: usize = 100;
 
-    /// The lines and arcs of a part of more than [`Traced::LARGE`] edges, all loops that may be traces fitted: within the
-    /// smallest of a few distances that takes at most a third of its edges, from the default of a fit on. None of other parts, and of parts with arcs.
+    /// The lines and arcs of a part of more than [`Traced::LARGE`] lines, all loops that may be traces fitted: within what its
+    /// chords are off the curve that they trace, or else within the smallest of a few distances, that takes at most a third of its
+    /// edges. None of other parts, and of parts with arcs.
     pub fn of(part: &Part) -> Option<Self> {
-        /// The distances tried, in units of the default.
+        /// The other distances tried, in units of the default of a fit; the larger ones of very large parts alone.
         const TRIED: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
+        const VERY_LARGE: usize = 400;
         const ENOUGH: usize = 3;
         let edges = part.edges().count();
         // Points that were traced are joined by lines: what has arcs was drawn, as a gear is with its many teeth.
         if edges <= Self::LARGE || part.edges().any(|e| !e.is_line()) {
             return None;
         }
-        (TRIED.iter())
-            .map(|by| rounded(by * DEFAULT_FIT * part.size()))
+        let count = if edges > VERY_LARGE { TRIED.len() } else { 1 };
+        let unit = DEFAULT_FIT * part.size();
+        let of_chords = sagitta(part);
+        let others = TRIED.iter().take(count).map(|by| by * unit);
+        (of_chords.into_iter().chain(others))
+            .map(rounded)
             .find_map(|fit| Self::within(part, fit).filter(|t| t.pieces * ENOUGH <= edges))
     }
 
@@ -93,6 +99,37 @@ impl Traced {
         }
         Some(traced)
     }
+}
+
+/// How far the chords of a part are off the curve that they trace: the largest sagitta but for a few. None if most of its corners
+/// are sharp.
+fn sagitta(part: &Part) -> Option<f64> {
+    /// A corner of a trace turns by no more, in radians: a circle has 13 chords then.
+    const SMOOTH: f64 = 0.5;
+    /// The share of sagittas that are no larger: at a corner that is drawn chords are longer than on the curves beside it.
+    const SHARE: f64 = 0.9;
+    let mut sagittas: Vec<f64> = Vec::new();
+    let mut corners = 0;
+    for ring in part.loops() {
+        let edges: Vec<Edge> = ring.edges().collect();
+        for (a, b) in edges.iter().zip(edges.iter().cycle().skip(1)) {
+            let (d, e) = (a.end - a.start, b.end - b.start);
+            let turn = d.cross(e).atan2(d.dot(e)).abs();
+            corners += 1;
+            if turn > 0.0 && turn < SMOOTH {
+                // The chord of an arc of the angle φ has the sagitta c/2 · tan(φ/4).
+                sagittas.push(0.5 * a.length().min(b.length()) * (0.25 * turn).tan());
+            }
+        }
+    }
+    if 2 * sagittas.len() < corners {
+        return None;
+    }
+    sagittas.sort_by(f64::total_cmp);
+    let at = (SHARE * sagittas.len() as f64) as usize;
+    sagittas
+        .get(at.min(sagittas.len().saturating_sub(1)))
+        .copied()
 }
 
 /// A length with one digit, as people give it.

@@ -12,8 +12,8 @@ use serde::Serialize;
 
 use super::several::{self, Answer};
 use crate::args::{Common, ComputeArgs, Format};
-use crate::failure::Failure;
-use crate::subject::{Chosen, Subject};
+use crate::failure::{Failure, note};
+use crate::subject::{Chosen, Space, Subject};
 
 /// The summary of a configuration space.
 #[derive(Serialize)]
@@ -161,6 +161,12 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
         .map(|pair| {
             let begin = Instant::now();
             let space = pair.space()?;
+            if args.verbose && matches!(space, Space::Kept(_)) {
+                note(format_args!(
+                    "pair {}: its space was computed before and kept; --no-cache computes it",
+                    pair.names()
+                ));
+            }
             Ok((space, begin.elapsed().as_secs_f64()))
         })
         .collect::<Result<Vec<_>, Failure>>()?;

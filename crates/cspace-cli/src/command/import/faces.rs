@@ -79,7 +79,7 @@ impl Choice {
         }
         match ways.is_empty() {
             true => otherwise.to_owned(),
-            false => format!("mend the drawing; or {}", ways.join("; or ")),
+            false => format!("{otherwise}; or {}", ways.join("; or ")),
         }
     }
 }

@@ -25,7 +25,9 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         check_name(path)?;
     }
     output::check(output)?;
-    drawing::check_options(&args.drawing, args.drawings.iter().map(AsRef::as_ref))?;
+    let drawings = args.drawings.iter().map(AsRef::as_ref);
+    drawing::check_options(&args.drawing, drawings.clone())?;
+    drawing::check_option("--by-layer", "dxf", args.by_layer, drawings)?;
     let drawings = (args.drawings.iter())
         .map(|path| drawing::read(&args.drawing, path))
         .collect::<Result<Vec<Drawing>, _>>()?;
@@ -132,6 +134,7 @@ fn outlines(
         },
         partial: args.partial,
         one_part: args.part.clone(),
+        by_layer: args.by_layer,
         trace: args.trace,
         picks: args.pick.clone(),
         ..drawing::settings(&args.drawing, scale)

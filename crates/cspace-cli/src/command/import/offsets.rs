@@ -8,7 +8,7 @@ use cspace_io::shown::quoted;
 use crate::args::ImportArgs;
 use crate::failure::{self, Failure};
 
-/// Replaces the parts by those at a distance; of one that is divided every piece is a part, unless all are to be one.
+/// Replaces the parts by those at a distance; of one that is divided every piece is a part, unless all of a layer or drawing are to be one.
 pub(super) fn apply(
     args: &ImportArgs,
     path: &Path,
@@ -26,7 +26,7 @@ pub(super) fn apply(
                 "{file}: part {name}: with the offset, {change}"
             ));
         }
-        if args.part.is_some() {
+        if args.part.is_some() || args.by_layer {
             parts.push(made.part);
         } else {
             parts.extend(made.pieces().map_err(Failure::work)?);

@@ -13,6 +13,7 @@ use crate::wording::{count, length};
 #[derive(Serialize)]
 pub(super) struct Report {
     parts: Vec<PartReport>,
+    apart: Vec<ApartReport>,
     used: BTreeMap<String, usize>,
     ignored: Vec<IgnoredReport>,
     joined: Vec<Gap>,
@@ -31,6 +32,12 @@ struct PartReport {
     area: f64,
     perimeter: f64,
     bounds: [f64; 4],
+}
+
+#[derive(Serialize)]
+struct ApartReport {
+    layer: String,
+    parts: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -72,6 +79,12 @@ impl Report {
         }
         Self {
             parts: mechanism.parts.iter().map(|p| of_part(&p.part)).collect(),
+            apart: (imported.iter().flat_map(|o| &o.apart))
+                .map(|a| ApartReport {
+                    layer: a.layer.to_string(),
+                    parts: a.parts.clone(),
+                })
+                .collect(),
             used,
             ignored: (imported.iter().flat_map(|o| &o.ignored))
                 .map(|i| IgnoredReport {
@@ -143,6 +156,18 @@ impl Report {
         }
         let used: Vec<String> = self.used.iter().map(|(k, n)| format!("{n} {k}")).collect();
         writeln!(text, "\nused         {}", used.join(", "))?;
+        for (at, apart) in self.apart.iter().enumerate() {
+            let head = if at == 0 { "apart" } else { "" };
+            let (on, option) = match &*apart.layer {
+                "" => (String::new(), "--part NAME"),
+                layer => (format!(" on layer {layer:?}"), "--by-layer"),
+            };
+            writeln!(
+                text,
+                "{head:<13}{} outlines{on} are a part each; {option} makes one part of them",
+                apart.parts.len()
+            )?;
+        }
         // Each kind once, however many there are; the layers of each.
         let mut ignored: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
         for i in &self.ignored {

@@ -9,6 +9,7 @@ const PAGE: &str = "<!doctype html><title>a model</title>";
 
 fn site(models: &[&Path], docs: Option<&Path>, output: &Path) -> Result<(), Failure> {
     let args = SiteArgs {
+        cache: crate::args::CacheArgs { no_cache: true },
         models: models.iter().map(|m| m.to_path_buf()).collect(),
         output: output.to_owned(),
         docs: docs.map(Path::to_owned),
