@@ -3,4 +3,5 @@
 
 mod comes_apart;
 mod judged;
+mod makes_room;
 mod stays_together;
