@@ -19,7 +19,7 @@ use super::way_out::{path, straight, until_out};
 #[derive(Debug)]
 pub(super) enum Leaves {
     /// It can.
-    By(Way),
+    By(Box<Way>),
     /// It is enclosed.
     Not(Box<Enclosure>),
     /// It is not known.
@@ -49,7 +49,7 @@ pub(super) fn leaves(
         return Ok(Leaves::Unsure);
     };
     if (space.regions().get(region.index())).is_some_and(|r| r.unbounded) {
-        return Ok(Leaves::By(Way { sets, parts, space }));
+        return Ok(Leaves::By(Box::new(Way { sets, parts, space })));
     }
     let why = enclosure(units, sets, &space, region)?;
     Ok(Leaves::Not(Box::new(why)))

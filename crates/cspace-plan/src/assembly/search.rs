@@ -16,6 +16,17 @@ const STRAIGHT: usize = 2000;
 /// and so many by contact spaces, of one unit alone.
 const EXACT: usize = 100;
 
+/// What makes room for what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Room {
+    /// Parts on axes alone, for a straight way.
+    OnAxes,
+    /// Others, for a straight way.
+    Straight,
+    /// One part, for a way of any kind.
+    Any,
+}
+
 /// A set that leaves, and the steps by which it does: what makes room for it, then it.
 type Leaving = (Set, Vec<Step>);
 
@@ -128,10 +139,40 @@ impl<'a> Search<'a> {
 
     /// The next that leaves a set, after others have made room if they must.
     fn next(&mut self, set: Set) -> Result<Option<Leaving>, AssemblyError> {
-        if let Some((moving, step)) = self.first(set)? {
+        let mut groups = Vec::new();
+        if let Some((moving, step)) = self.first_straight(set, &mut groups)? {
             return Ok(Some((moving, vec![step])));
         }
-        self.after_room(set)
+        // Straight ways are found far quicker than that there is none of any kind.
+        if let Some(leaving) = self.after_room(set, Room::OnAxes)? {
+            return Ok(Some(leaving));
+        }
+        for moving in groups {
+            if let Some(step) = self.step(moving, set & !moving)? {
+                return Ok(Some((moving, vec![step])));
+            }
+        }
+        if let Some(leaving) = self.after_room(set, Room::Straight)? {
+            return Ok(Some(leaving));
+        }
+        if let Some((moving, step)) = self.any_group(set)? {
+            return Ok(Some((moving, vec![step])));
+        }
+        self.after_room(set, Room::Any)
+    }
+
+    /// The first of all groups that leaves a set.
+    fn any_group(&mut self, set: Set) -> Result<Option<(Set, Step)>, AssemblyError> {
+        if set.count_ones() <= 2 || self.may_leave(set) > ALL {
+            return Ok(None);
+        }
+        self.pairs(set)?;
+        for moving in divisions(set, self.units.still & set) {
+            if let Some(step) = self.step(moving, set & !moving)? {
+                return Ok(Some((moving, step)));
+            }
+        }
+        Ok(None)
     }
 
     /// Two rigid units of a set of which the one encloses the other, however all others move.
@@ -143,43 +184,33 @@ impl<'a> Search<'a> {
             .find(|two| two & !set == 0 && two & !self.units.rigid == 0)
     }
 
-    /// The first that leaves a set: single units and groups that the contacts let go by straight ways, then by any, then all groups.
-    fn first(&mut self, set: Set) -> Result<Option<(Set, Step)>, AssemblyError> {
+    /// The first that leaves a set on a straight way: single units, then groups that the contacts let go. All that were asked about
+    /// are told.
+    fn first_straight(
+        &mut self,
+        set: Set,
+        asked: &mut Vec<Set>,
+    ) -> Result<Option<(Set, Step)>, AssemblyError> {
         let still = self.units.still & set;
         // What is listed first stays as long as it can: it is what others are put into.
-        let singles: Vec<Set> = members(set & !still).map(|u| 1 << u).collect();
-        let mut groups: Vec<Set> = singles.into_iter().rev().collect();
-        if let Some(found) = self.first_straight(set, &groups)? {
-            return Ok(Some(found));
+        let mut singles: Vec<Set> = members(set & !still).map(|u| 1 << u).collect();
+        singles.reverse();
+        let found = self.straight_of(set, &singles)?;
+        asked.extend(singles);
+        if found.is_some() || set.count_ones() <= 2 {
+            return Ok(found);
         }
-        if set.count_ones() > 2 {
-            let units = &self.units;
-            let blocking = self.blocking.get_or_insert_with(|| Blocking::new(units));
-            let more = blocking.groups(set, still);
-            let is_new: Vec<Set> = more.into_iter().filter(|g| !groups.contains(g)).collect();
-            if let Some(found) = self.first_straight(set, &is_new)? {
-                return Ok(Some(found));
-            }
-            groups.extend(is_new);
-        }
-        if set.count_ones() > 2 && self.may_leave(set) <= ALL {
-            self.pairs(set)?;
-            groups.extend(divisions(set, still));
-        }
-        for moving in groups {
-            if let Some(step) = self.step(moving, set & !moving)? {
-                return Ok(Some((moving, step)));
-            }
-        }
-        Ok(None)
+        let units = &self.units;
+        let blocking = (self.blocking).get_or_insert_with(|| Blocking::new(units));
+        let mut groups = blocking.groups(set, still);
+        groups.retain(|g| !asked.contains(g));
+        let found = self.straight_of(set, &groups)?;
+        asked.extend(groups);
+        Ok(found)
     }
 
-    /// The first group that leaves a set on a straight way.
-    fn first_straight(
-        &self,
-        set: Set,
-        groups: &[Set],
-    ) -> Result<Option<(Set, Step)>, AssemblyError> {
+    /// The first of some groups that leaves a set on a straight way.
+    fn straight_of(&self, set: Set, groups: &[Set]) -> Result<Option<(Set, Step)>, AssemblyError> {
         for &moving in groups {
             if let Some(step) = leaves_straight(&self.units, (moving, set & !moving))? {
                 return Ok(Some((moving, step)));
@@ -189,50 +220,54 @@ impl<'a> Search<'a> {
     }
 
     /// The first that leaves a set after one unit or two have made room; these stay where they have come to.
-    fn after_room(&mut self, set: Set) -> Result<Option<Leaving>, AssemblyError> {
-        // Straight ways take no contact space: they are tried for all first.
-        for exact in [false, true] {
-            let mut left = if exact { EXACT } else { STRAIGHT };
-            for order in choices(&self.units, set) {
-                if left == 0 || exact && order.len() > 1 {
-                    continue;
+    fn after_room(&mut self, set: Set, room: Room) -> Result<Option<Leaving>, AssemblyError> {
+        let exact = room == Room::Any;
+        let mut left = if exact { EXACT } else { STRAIGHT };
+        for order in choices(&self.units, set) {
+            let on_axes = order.iter().all(|&u| self.units.axes[u].is_some());
+            let is_asked = match room {
+                Room::OnAxes => on_axes,
+                Room::Straight => !on_axes,
+                Room::Any => order.len() == 1,
+            };
+            if left == 0 || !is_asked {
+                continue;
+            }
+            let helped = self.helped(set, &order, exact)?;
+            if helped.is_empty() {
+                continue;
+            }
+            let units = self.units.clone();
+            let mut tried = 0;
+            let mut spaces = 0;
+            let progress = self.progress;
+            let found = each_place(&units, set, &order, &helped, &mut |moved| {
+                if tried >= left {
+                    return Ok(None);
                 }
-                let helped = self.helped(set, &order, exact)?;
-                if helped.is_empty() {
-                    continue;
+                tried += 1;
+                if !exact {
+                    return straight_step(moved, set, &helped);
                 }
-                let units = self.units.clone();
-                let mut tried = 0;
-                let mut spaces = 0;
-                let progress = self.progress;
-                let found = each_place(&units, set, &order, &helped, &mut |moved| {
-                    if tried >= left {
-                        return Ok(None);
+                for group in &helped {
+                    spaces += 1;
+                    let sets = (group.moving, set & !group.moving);
+                    if let Leaves::By(way) = leaves(&moved.units, sets, progress)?
+                        && let Some(step) = way.step(&moved.units, progress)?
+                    {
+                        return Ok(Some((group.moving, step)));
                     }
-                    tried += 1;
-                    if !exact {
-                        return straight_step(moved, set, &helped);
-                    }
-                    for group in &helped {
-                        spaces += 1;
-                        let sets = (group.moving, set & !group.moving);
-                        if let Leaves::By(way) = leaves(&moved.units, sets, progress)?
-                            && let Some(step) = way.step(&moved.units, progress)?
-                        {
-                            return Ok(Some((group.moving, step)));
-                        }
-                    }
-                    Ok(None)
-                })?;
-                self.spaces += spaces;
-                self.places += tried;
-                left -= tried;
-                if let Some((moved, (moving, step))) = found {
-                    let mut steps = moved.steps;
-                    steps.push(step);
-                    self.go_on_with(moved.units, &order);
-                    return Ok(Some((moving, steps)));
                 }
+                Ok(None)
+            })?;
+            self.spaces += spaces;
+            self.places += tried;
+            left -= tried;
+            if let Some((moved, (moving, step))) = found {
+                let mut steps = moved.steps;
+                steps.push(step);
+                self.go_on_with(moved.units, &order);
+                return Ok(Some((moving, steps)));
             }
         }
         Ok(None)
@@ -354,7 +389,7 @@ impl<'a> Search<'a> {
     }
 
     /// Whether one set can be taken out of another, by their contact space.
-    fn way(&mut self, moving: Set, staying: Set) -> Result<Option<Way>, AssemblyError> {
+    fn way(&mut self, moving: Set, staying: Set) -> Result<Option<Box<Way>>, AssemblyError> {
         if self.is_known(moving, staying) {
             return Ok(None);
         }

@@ -28,7 +28,7 @@ pub(super) struct Units {
     /// The parts as drawn.
     pub(super) drawn: Vec<Part>,
     /// The parts where they have come to.
-    pub(super) parts: Vec<Part>,
+    pub(super) here: Vec<Part>,
     /// The parts of each unit.
     pub(super) of: Vec<Vec<usize>>,
     /// The axes of the units that move on one.
@@ -103,7 +103,7 @@ impl Units {
         let count = of.len();
         let mut units = Self {
             drawn: Vec::new(),
-            parts: Vec::new(),
+            here: Vec::new(),
             axes: of
                 .iter()
                 .map(|parts| parts.first().and_then(|&i| moves(i)))
@@ -125,7 +125,7 @@ impl Units {
         let mut moved = self.clone();
         moved.at[unit] = at;
         for &i in &self.of[unit] {
-            moved.parts[i] = placed(&self.drawn[i], at)?;
+            moved.here[i] = placed(&self.drawn[i], at)?;
         }
         Ok(moved)
     }
@@ -164,9 +164,9 @@ impl Units {
                     gap,
                 })?);
         }
-        self.parts.clone_from(&self.drawn);
-        for (i, a) in self.parts.iter().enumerate() {
-            for (j, b) in self.parts.iter().enumerate().skip(i + 1) {
+        self.here.clone_from(&self.drawn);
+        for (i, a) in self.here.iter().enumerate() {
+            for (j, b) in self.here.iter().enumerate().skip(i + 1) {
                 let scene = Scene::new(a, b, None);
                 if scene.overlaps([0.0; 3]) || scene.clearance([0.0; 3]) < LEFT * gap {
                     return Err(AssemblyError::Overlap {
@@ -190,14 +190,14 @@ impl Units {
 
     /// All parts of a set as one.
     pub(super) fn together(&self, set: Set) -> Result<Part, AssemblyError> {
-        together(&self.parts, &self.parts_of(set))
+        together(&self.here, &self.parts_of(set))
     }
 
     /// Which part's feature one of the parts together is.
     pub(super) fn drawn(&self, set: Set, mut feature: cspace::FeatureName) -> PartFeature {
         let mut part = 0;
         for i in self.parts_of(set) {
-            let loops = self.parts[i].loops().len() as u32;
+            let loops = self.here[i].loops().len() as u32;
             part = i;
             if feature.loop_index < loops {
                 break;

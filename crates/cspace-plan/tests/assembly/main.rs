@@ -5,3 +5,4 @@ mod comes_apart;
 mod judged;
 mod makes_room;
 mod stays_together;
+mod ten;
