@@ -536,6 +536,8 @@ pub(crate) struct AssemblyArgs {
     pub(crate) gap: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -1399,23 +1401,28 @@ const ASSEMBLY: &str = "\
 Examples:
   cspace assembly models/latch_box.toml
   cspace assembly models/latch_box.toml --gap 0.01 --format json
+  cspace assembly models/latch_box.toml -o steps.svg
 
-One part, or a group as one, moves at a time and all the way out; the others
-stay as drawn. A step tells what moves out of what, and its path: x, y, theta
-of the moving parts from where they are drawn, by motions of constant rates.
+One part, or a group as one, moves at a time, while the others stay. Where none
+goes out, one part or two make room first: parts on axes (doors, bolts) along
+these, others straight; they stay where they have come to. The tree tells what
+comes out of what; a step tells what moves, and its path: x, y, theta of the
+moving parts from where they are before the step, or the motion v of a part on
+an axis. A path ends where a line lies between the parts and the others.
 
   apart    all comes apart, in the order told
-  locked   some parts do not: no part and no group of them can be taken out of
-           the rest in one go, and the smallest such set is told, with the
-           features that enclose it. That is certain
-  unknown  no way was found and none is excluded: more than 12 parts are left,
-           a contact space is in doubt, or parts on axes or joints were not
-           moved, which this command does not do
+  locked   some parts do not, however the others move: of two parts one encloses
+           the other, by the features that are told. That is certain
+  unknown  no way was found and none is excluded: what was tried is told, and
+           the smallest set of which none leaves while the others stay
 
-Parts with a motion other than planar stay where they are drawn; parts joined
-by a joint move as one. All parts are taken to lie in one plane, whichever
-pairs the model lists. Parts may touch as drawn: every boundary is moved inward
-by half of --gap. Parts that overlap by more are an error.";
+Parts on axes never go out; parts joined by a joint move as one. All parts are
+taken to lie in one plane, whichever pairs the model lists. Parts may touch as
+drawn: every boundary is moved inward by half of --gap. Parts that overlap by
+more are an error.
+
+-o OUT writes the answer as text or .json, or a picture with a frame for each
+step as .svg, .png or .pdf; then the answer is printed as well.";
 
 const CHECK: &str = "\
 Examples:

@@ -9,7 +9,8 @@
 //!   plane     ┤
 //!   zones     ┤
 //!   modes     ┤
-//!   motion    ┘
+//!   motion    ┤
+//!   frames    ┘
 //! ```
 //!
 //! | picture | function |
@@ -20,6 +21,7 @@
 //! | what is free, blocked, and between within tolerances | [`zones`] |
 //! | the modes of three parts, in the planes of their pairs | [`modes`] |
 //! | a mechanism in motion: parts, coordinates, contacts over time | [`motion`] |
+//! | parts at several times, one frame for each | [`frames`] |
 //!
 //! ```
 //! use cspace::{Axis, FixedAxesSpace, Part, Vector};
@@ -43,6 +45,7 @@ mod error;
 mod feature_labels;
 mod font;
 mod format;
+mod frames;
 mod labels;
 mod legend;
 mod line;
@@ -67,6 +70,7 @@ mod zones;
 pub use curves::{Curve, CurveStrip, CurvesPicture, curves};
 pub use error::PictureError;
 pub use format::PictureFormat;
+pub use frames::{FramesPicture, frames};
 pub use modes::{ModeFields, ModePlane, ModeRow, ModesPicture, modes};
 pub use motion::{MotionFrame, MotionPicture, PlanePath, motion};
 pub use options::{Labels, PictureOptions};

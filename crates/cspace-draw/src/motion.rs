@@ -354,7 +354,7 @@ fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f
 }
 
 /// A text, cut where it would be wider than there is room.
-fn cut(said: &str, room: f64, size: f64) -> String {
+pub(crate) fn cut(said: &str, room: f64, size: f64) -> String {
     let mut shown = said.to_owned();
     while font::width(&shown, size) > room && shown.pop().is_some() {}
     if shown.len() < said.len() {

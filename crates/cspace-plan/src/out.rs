@@ -21,9 +21,10 @@ const SAME: f64 = 1e-9;
 const APART: f64 = 0.05;
 
 /// A direction in the fixed part's frame, and how far it is in it until the hulls are apart.
-struct Exit {
-    direction: Vector,
-    distance: f64,
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exit {
+    pub(crate) direction: Vector,
+    pub(crate) distance: f64,
 }
 
 impl Planner<'_> {
@@ -119,7 +120,7 @@ fn apart(fixed: &Part, moving: &Part) -> f64 {
 }
 
 /// The directions of the axes and of the lines of both parts, and across them, by how far it is until the parts are apart.
-fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit> {
+pub(crate) fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit> {
     let turn = Rotation::by(at.theta);
     let apart = apart(fixed, moving);
     let mut exits: Vec<Exit> = (directions(fixed, moving, turn).into_iter())

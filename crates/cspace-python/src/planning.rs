@@ -116,6 +116,8 @@ pub(crate) fn _assembly<'py>(
             names(&step.staying),
             matrix(py, path)?,
             step.path.narrowest.clearance,
+            pythonize::pythonize(py, &step.kind).map_err(error)?,
+            (step.path.about.x, step.path.about.y),
         ));
     }
     told.set_item("steps", steps)?;

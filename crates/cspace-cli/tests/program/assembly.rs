@@ -80,3 +80,78 @@ fn what_is_no_assembly_is_refused() {
         );
     }
 }
+
+/// A tray, a block in it, and a door over both that opens up to 100 degrees.
+const DOOR: &str = r#"
+unit = "mm"
+[[part]]
+name = "tray"
+motion = { type = "fixed" }
+loops = [[[-1, -1], [5, -1], [5, 4], [4, 4], [4, 0], [0, 0], [0, 4], [-1, 4]]]
+[[part]]
+name = "block"
+loops = [[[1, 0], [3, 0], [3, 3], [1, 3]]]
+[[part]]
+name = "door"
+motion = { type = "revolute", center = [0, 4], range = ["0deg", "100deg"] }
+loops = [[[0, 4], [4, 4], [4, 4.3], [0, 4.3]]]
+"#;
+
+#[test]
+fn a_door_is_opened_first() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("door.toml");
+    std::fs::write(&file, DOOR).unwrap();
+    let file = file.to_str().unwrap();
+    let answer = json(&["assembly", file]);
+    assert_eq!(answer["verdict"], "apart");
+    let steps = answer["steps"].as_array().unwrap();
+    assert_eq!(moved(&answer), [["door"], ["block"]]);
+    assert_eq!(
+        (&steps[0]["kind"], &steps[1]["kind"]),
+        (&"moves".into(), &"leaves".into())
+    );
+    // Its end is left of the block at an angle of acos 1/4.
+    let opened = steps[0]["path"][1]["v"].as_f64().unwrap();
+    assert!((opened - 0.25_f64.acos()).abs() < 1e-4, "{opened}");
+    assert!(steps[0].get("about").is_none());
+    assert!(steps[1]["about"].is_array());
+    assert!(steps[1]["words"][0].as_str().unwrap().starts_with("up "));
+    let tree = &answer["tree"];
+    assert_eq!(tree["out"], serde_json::json!([{ "step": 1 }]));
+    assert_eq!(tree["left"], serde_json::json!(["tray", "door"]));
+    let text = printed(&["assembly", file]);
+    assert!(text.contains("  2. block, once door made room"), "{text}");
+}
+
+#[test]
+fn a_frame_for_each_step() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("door.toml");
+    std::fs::write(&file, DOOR).unwrap();
+    let file = file.to_str().unwrap();
+    for name in ["steps.svg", "steps.png", "steps.pdf"] {
+        let picture = dir.path().join(name);
+        let text = printed(&["assembly", file, "-o", picture.to_str().unwrap()]);
+        assert!(text.starts_with("apart: 2 steps"));
+        let bytes = std::fs::read(&picture).unwrap();
+        let begin: &[u8] = match name {
+            "steps.png" => b"\x89PNG",
+            "steps.pdf" => b"%PDF",
+            _ => b"<svg",
+        };
+        assert!(bytes.windows(begin.len()).take(200).any(|w| w == begin));
+        if name == "steps.svg" {
+            let svg = String::from_utf8(bytes).unwrap();
+            for said in ["as drawn", "1. door aside", "2. block out"] {
+                assert!(svg.contains(&format!(">{said}</text>")), "{said}");
+            }
+        }
+    }
+    // Without a picture, what is about one is refused.
+    fails(
+        cspace(&["assembly", file, "--size", "400x300"]),
+        2,
+        &["--size"],
+    );
+}

@@ -114,7 +114,7 @@ fn ways() {
 
 #[test]
 fn taking_apart() {
-    is_true("assembly.md", 2);
+    is_true("assembly.md", 3);
 }
 
 #[test]

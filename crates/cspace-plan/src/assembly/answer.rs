@@ -10,10 +10,14 @@ use crate::answer::Path;
 pub struct TakenApart {
     /// Whether it does.
     pub outcome: Outcome,
-    /// What is taken away, one after the other; also if not all comes apart.
+    /// What moves, one after the other; also if not all comes apart.
     pub steps: Vec<Step>,
-    /// The smallest set of parts that lock each other, if there is one.
+    /// What comes out of what.
+    pub tree: Tree,
+    /// The smallest set of parts that lock each other as they are, if there is one.
     pub locked: Option<Locked>,
+    /// What was tried where nothing goes out of parts that stay; none if that was not needed.
+    pub tried: Option<Tried>,
     /// Contact spaces that were computed.
     pub spaces: usize,
 }
@@ -24,23 +28,63 @@ pub struct TakenApart {
 pub enum Outcome {
     /// All parts that may leave do, in this order.
     Apart,
-    /// Some do not: no part and no group of them can be taken out of the rest.
+    /// Some do not, however the others move: of two rigid bodies one encloses the other.
     Locked,
-    /// No way was found, and none is excluded: there are too many parts for all groups, parts on axes or joints that could move were
-    /// not moved, or a contact space is in doubt.
+    /// No way was found, and none is excluded.
     Unknown,
 }
 
-/// Parts that are taken out of others.
+/// What a step does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Parts go out of the others.
+    Leaves,
+    /// A part moves aside, or along its axis, and stays among the others.
+    Moves,
+}
+
+/// A motion of some parts while the others stay.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
+    /// What it does.
+    pub kind: Kind,
     /// What moves, as one.
     pub moving: Vec<usize>,
-    /// What stays, as drawn.
+    /// What stays where it is.
     pub staying: Vec<usize>,
-    /// The motion of the moving parts in the frame of those that stay: from where they are drawn, which is (0, 0, 0), to where discs
-    /// around both are apart.
+    /// Of a part on an axis its coordinate, as v, with u = 0. Of other parts their motion in the frame of those that stay, from where
+    /// they are before the step, which is (0, 0, 0); of parts that leave up to where a line lies between the convex hulls of both.
     pub path: Path,
+}
+
+/// What comes out of a set of parts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Tree {
+    /// The parts.
+    pub parts: Vec<usize>,
+    /// What goes out of them, one after the other.
+    pub out: Vec<Branch>,
+    /// What is left of them.
+    pub left: Vec<usize>,
+}
+
+/// What goes out in a step.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Branch {
+    /// The index of the step.
+    pub step: usize,
+    /// What comes out of it in turn.
+    pub tree: Tree,
+}
+
+/// What was tried where nothing goes out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Tried {
+    /// So many parts were moved aside at a time, at most.
+    pub aside: usize,
+    /// To so many places, of one part or of two.
+    pub places: usize,
 }
 
 /// Parts of which no proper subset can be taken out of the rest.

@@ -43,7 +43,7 @@ impl Blocking {
                 for (&i, &j) in
                     (units.of[a].iter()).flat_map(|i| units.of[b].iter().map(move |j| (i, j)))
                 {
-                    let scene = Scene::new(&units.parts[i], &units.parts[j], None);
+                    let scene = Scene::new(&units.here[i], &units.here[j], None);
                     let lever = scene.levers()[2].max(f64::MIN_POSITIVE);
                     for near in scene.near([0.0; 3], TOUCHING * units.gap) {
                         let [x, y, t] = near.gradient;

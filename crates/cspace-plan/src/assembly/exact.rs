@@ -3,61 +3,97 @@
 use std::collections::BTreeSet;
 
 use cspace::{
-    Configuration, Coordinates, Location, Options, PairSpace, Progress, RegionId, Relation,
+    Configuration, Coordinates, Location, Options, PairSpace, Part, Progress, RegionId, Relation,
 };
 
 use crate::answer::{Path, Verdict};
+use crate::path::Prefer;
 use crate::planner::{Clearance, Planner, Wishes};
 
-use super::answer::{Enclosure, Step};
+use super::answer::{Enclosure, Kind, Step};
 use super::error::AssemblyError;
 use super::units::{Set, Units};
+use super::way_out::{path, straight, until_out};
 
 /// Whether one set can be taken out of another.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) enum Leaves {
-    /// By this step.
-    By(Box<Step>),
+    /// It can.
+    By(Box<Way>),
     /// It is enclosed.
     Not(Box<Enclosure>),
     /// It is not known.
     Unsure,
 }
 
-/// Asks the contact space of the staying and the moving units: they leave if and only if they are drawn in the region that goes on
-/// without limit.
-pub(super) fn leaves(
-    units: &Units,
-    (moving, staying): (Set, Set),
-    progress: &dyn Progress,
-) -> Result<Leaves, AssemblyError> {
-    let (fixed, mover) = (units.together(staying)?, units.together(moving)?);
-    let options = Options::default();
-    let space = PairSpace::compute_with(&fixed, &mover, Relation::Planar, &options, progress)?;
-    let drawn = Coordinates::Planar(Configuration::default());
-    let Location::Free(region) = space.locate(drawn)? else {
-        return Ok(Leaves::Unsure);
-    };
-    let sets = (moving, staying);
-    if !(space.regions().get(region.index())).is_some_and(|r| r.unbounded) {
-        return Ok(Leaves::Not(Box::new(enclosure(
-            units, sets, &space, region,
-        )?)));
-    }
-    let planner = Planner::new(&space)?;
-    let wishes = Wishes {
-        clearance: Clearance::Quick,
-        ..Wishes::default()
-    };
-    let (_, answer) = planner.plan_out(drawn, &wishes, progress)?;
-    Ok(match answer.verdict {
-        Verdict::Path(path) => Leaves::By(Box::new(step(units, sets, path))),
-        _ => Leaves::Unsure,
-    })
+/// That there is a way.
+#[derive(Debug)]
+pub(super) struct Way {
+    sets: (Set, Set),
+    parts: (Part, Part),
+    space: PairSpace,
 }
 
-fn step(units: &Units, (moving, staying): (Set, Set), path: Path) -> Step {
+/// Asks the contact space of the staying and the moving units: they leave if and only if they are in the region that goes on without
+/// limit.
+pub(super) fn leaves(
+    units: &Units,
+    sets: (Set, Set),
+    progress: &dyn Progress,
+) -> Result<Leaves, AssemblyError> {
+    let (moving, staying) = sets;
+    let parts = (units.together(staying)?, units.together(moving)?);
+    let options = Options::default();
+    let space = PairSpace::compute_with(&parts.0, &parts.1, Relation::Planar, &options, progress)?;
+    let Location::Free(region) = space.locate(HERE)? else {
+        return Ok(Leaves::Unsure);
+    };
+    if (space.regions().get(region.index())).is_some_and(|r| r.unbounded) {
+        return Ok(Leaves::By(Box::new(Way { sets, parts, space })));
+    }
+    let why = enclosure(units, sets, &space, region)?;
+    Ok(Leaves::Not(Box::new(why)))
+}
+
+/// Where units are before they move.
+const HERE: Coordinates = Coordinates::Planar(Configuration::new(0.0, 0.0, 0.0));
+
+impl Way {
+    /// The step; none if rounding hides the way.
+    pub(super) fn step(
+        &self,
+        units: &Units,
+        progress: &dyn Progress,
+    ) -> Result<Option<Step>, AssemblyError> {
+        let planner = Planner::new(&self.space)?;
+        let wishes = Wishes {
+            clearance: Clearance::Quick,
+            // Few legs take seconds to find where parts are as near as the gap.
+            prefer: Prefer::Length,
+            ..Wishes::default()
+        };
+        let (_, answer) = planner.plan_out(HERE, &wishes, progress)?;
+        let Verdict::Path(path) = answer.verdict else {
+            return Ok(None);
+        };
+        let path = until_out(&self.parts.0, &self.parts.1, path);
+        Ok(Some(leaving(units, self.sets, path)))
+    }
+}
+
+/// The step by which units leave others on a straight way, if there is one.
+pub(super) fn leaves_straight(
+    units: &Units,
+    (moving, staying): (Set, Set),
+) -> Result<Option<Step>, AssemblyError> {
+    let (fixed, mover) = (units.together(staying)?, units.together(moving)?);
+    let exit = straight(&fixed, &mover).next();
+    Ok(exit.map(|exit| leaving(units, (moving, staying), path(&fixed, &mover, exit))))
+}
+
+fn leaving(units: &Units, (moving, staying): (Set, Set), path: Path) -> Step {
     Step {
+        kind: Kind::Leaves,
         moving: units.parts_of(moving),
         staying: units.parts_of(staying),
         path,

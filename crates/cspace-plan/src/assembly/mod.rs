@@ -1,23 +1,31 @@
 //! Whether parts that are put together come apart: in which order, by which motions.
 //!
-//! One part or one group moves at a time, as a rigid body, all the way out; the others stay where they are drawn, and together are one
-//! fixed part with several outlines. A group can be taken out if and only if the configuration as drawn lies in the region of the
-//! contact space of the two that goes on without limit. What is taken away is no longer in the way, so the order in which
-//! things are tried does not change whether all comes apart.
+//! One part or one group moves at a time, as a rigid body; the others stay, and together are one fixed part with several outlines. A
+//! group can be taken out if and only if its configuration lies in the region of the contact space of the two that goes on
+//! without limit; a straight way is found without that space. What is taken away is no longer in the way, so the order in which things
+//! are tried does not change whether all comes apart.
+//!
+//! Where nothing leaves, single parts make room and stay among the others: parts on axes along these, up to contact or the end of
+//! their range, others straight. Only where one of two parts encloses the other is it proved that nothing helps.
 //!
 //! Parts that touch as drawn are made smaller: every boundary is moved inward by half of a gap.
 
 mod answer;
+mod aside;
 mod blocking;
 mod error;
 mod exact;
 mod inset;
 mod search;
+mod travel;
 mod units;
+mod way_out;
 
 use cspace::{Mechanism, Part, Progress, Silent};
 
-pub use answer::{Enclosure, Locked, Outcome, PartFeature, Step, TakenApart};
+pub use answer::{
+    Branch, Enclosure, Kind, Locked, Outcome, PartFeature, Step, TakenApart, Tree, Tried,
+};
 pub use error::AssemblyError;
 
 use search::Search;
@@ -25,7 +33,8 @@ use units::Units;
 
 /// Parts put together.
 ///
-/// Parts that do not move, or move on an axis, stay where they are drawn. Parts joined by joints move as one. All parts lie in one
+/// Parts that do not move stay where they are drawn, parts on an axis move along it and never go out. Parts joined by joints move as
+/// one; those of them on an axis stay. All parts lie in one
 /// plane: every two are in each other's way, whichever pairs the mechanism lists.
 ///
 /// ```
@@ -64,9 +73,9 @@ impl Assembly {
         self.units.gap
     }
 
-    /// The parts with the gap opened, in the mechanism's order: those of which paths and enclosures are told.
+    /// The parts as drawn, with the gap opened, in the mechanism's order: those of which paths and enclosures are told.
     pub fn parts(&self) -> &[Part] {
-        &self.units.parts
+        &self.units.drawn
     }
 
     /// Takes it apart.

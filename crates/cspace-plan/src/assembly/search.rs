@@ -2,40 +2,62 @@
 
 use cspace::Progress;
 
-use super::answer::{Enclosure, Locked, Outcome, Step, TakenApart};
+use super::answer::{Branch, Enclosure, Locked, Outcome, Step, TakenApart, Tree, Tried};
+use super::aside::{Helped, TOGETHER, choices, each_place, straight_step};
 use super::blocking::Blocking;
 use super::error::AssemblyError;
-use super::exact::{Leaves, leaves};
+use super::exact::{Leaves, Way, leaves, leaves_straight};
 use super::units::{Set, Units, members};
 
-/// All groups are tried in sets of at most so many units.
+/// All groups are tried in sets of at most so many units that may leave.
 const ALL: u32 = 12;
+/// So many places of units that make room are tried for each step by straight ways,
+const STRAIGHT: usize = 2000;
+/// and so many by contact spaces, of one unit alone.
+const EXACT: usize = 100;
+
+/// What makes room for what.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Room {
+    /// Parts on axes alone, for a straight way.
+    OnAxes,
+    /// Others, for a straight way.
+    Straight,
+    /// One part, for a way of any kind.
+    Any,
+}
+
+/// A set that leaves, and the steps by which it does: what makes room for it, then it.
+type Leaving = (Set, Vec<Step>);
 
 /// What is known of an assembly.
 pub(super) struct Search<'a> {
-    units: &'a Units,
+    units: Units,
     progress: &'a dyn Progress,
     blocking: Option<Blocking>,
     /// Sets that cannot be taken out of each other. Then neither can larger ones.
     enclosed: Vec<(Set, Set, Enclosure)>,
     /// Sets of which this is not known.
     unsure: Vec<(Set, Set)>,
-    /// Whether all that was not found is excluded.
-    is_certain: bool,
     steps: Vec<Step>,
+    /// Places of units that made room.
+    places: usize,
+    /// Sets that do not come apart.
+    stuck: Vec<Set>,
     spaces: usize,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(units: &'a Units, progress: &'a dyn Progress) -> Self {
+    pub(super) fn new(units: &Units, progress: &'a dyn Progress) -> Self {
         Self {
-            units,
+            units: units.clone(),
             progress,
             blocking: None,
             enclosed: Vec::new(),
             unsure: Vec::new(),
-            is_certain: true,
             steps: Vec::new(),
+            places: 0,
+            stuck: Vec::new(),
             spaces: 0,
         }
     }
@@ -44,34 +66,25 @@ impl<'a> Search<'a> {
     ///
     /// What is taken away is never in the way later, so it is right to take away the first that leaves.
     pub(super) fn run(mut self) -> Result<TakenApart, AssemblyError> {
-        let mut left = vec![self.units.all()];
+        let tree = self.apart(self.units.all())?;
         let mut locked: Option<Set> = None;
-        let mut is_stuck = false;
-        while let Some(set) = left.pop() {
-            if set.count_ones() < 2 {
-                continue;
-            }
-            if let Some((moving, step)) = self.first(set)? {
-                self.steps.push(step);
-                left.push(moving);
-                left.push(set & !moving);
-                continue;
-            }
-            is_stuck = true;
-            if set.count_ones() <= ALL {
-                let smallest = self.smallest(set)?;
-                if locked.is_none_or(|l| smallest.count_ones() < l.count_ones()) {
-                    locked = Some(smallest);
-                }
-            } else {
-                self.is_certain = false;
+        for set in self.stuck.clone() {
+            let found = match self.held(set) {
+                Some(two) => Some(two),
+                None if self.may_leave(set) <= ALL => Some(self.smallest(set)?),
+                None => None,
+            };
+            let size = |set: Set| (self.held(set).is_none(), set.count_ones());
+            if let Some(found) = found
+                && locked.is_none_or(|l| size(found) < size(l))
+            {
+                locked = Some(found);
             }
         }
-        let is_certain = self.is_certain && self.unsure.is_empty() && !self.units.is_simplified;
-        let outcome = match (is_stuck, is_certain) {
-            (false, _) => Outcome::Apart,
-            (true, true) => Outcome::Locked,
-            (true, false) => Outcome::Unknown,
+        let outcome = match locked {
+            _ if self.stuck.is_empty() => Outcome::Apart,
+            Some(set) if self.held(set) == Some(set) => Outcome::Locked,
+            _ => Outcome::Unknown,
         };
         let locked = locked.map(|set| Locked {
             parts: self.units.parts_of(set),
@@ -83,60 +96,264 @@ impl<'a> Search<'a> {
         Ok(TakenApart {
             outcome,
             steps: self.steps,
+            tree,
             locked,
+            tried: (self.places > 0 || outcome == Outcome::Unknown).then_some(Tried {
+                aside: TOGETHER,
+                places: self.places,
+            }),
             spaces: self.spaces,
         })
     }
 
-    /// The first that leaves a set: single units, then groups that the contacts let go, then all others.
-    fn first(&mut self, set: Set) -> Result<Option<(Set, Step)>, AssemblyError> {
-        let still = self.units.still() & set;
-        // What is listed first stays as long as it can: it is what others are put into.
-        let singles: Vec<Set> = members(set & !still).map(|u| 1 << u).collect();
-        for moving in singles.into_iter().rev() {
+    /// Takes a set apart, then what came out of it.
+    fn apart(&mut self, set: Set) -> Result<Tree, AssemblyError> {
+        let (mut left, mut out) = (set, Vec::new());
+        while left & !self.units.still != 0 && left.count_ones() > 1 {
+            let Some((moving, steps)) = self.next(left)? else {
+                self.stuck.push(left);
+                break;
+            };
+            self.steps.extend(steps);
+            out.push((self.steps.len() - 1, moving));
+            left &= !moving;
+        }
+        let mut branches = Vec::with_capacity(out.len());
+        for (step, moving) in out {
+            branches.push(Branch {
+                step,
+                tree: self.apart(moving)?,
+            });
+        }
+        Ok(Tree {
+            parts: self.units.parts_of(set),
+            out: branches,
+            left: self.units.parts_of(left),
+        })
+    }
+
+    /// How many units of a set may leave it.
+    fn may_leave(&self, set: Set) -> u32 {
+        (set & !self.units.still).count_ones()
+    }
+
+    /// The next that leaves a set, after others have made room if they must.
+    fn next(&mut self, set: Set) -> Result<Option<Leaving>, AssemblyError> {
+        let mut groups = Vec::new();
+        if let Some((moving, step)) = self.first_straight(set, &mut groups)? {
+            return Ok(Some((moving, vec![step])));
+        }
+        // Straight ways are found far quicker than that there is none of any kind.
+        if let Some(leaving) = self.after_room(set, Room::OnAxes)? {
+            return Ok(Some(leaving));
+        }
+        for moving in groups {
+            if let Some(step) = self.step(moving, set & !moving)? {
+                return Ok(Some((moving, vec![step])));
+            }
+        }
+        if let Some(leaving) = self.after_room(set, Room::Straight)? {
+            return Ok(Some(leaving));
+        }
+        if let Some((moving, step)) = self.any_group(set)? {
+            return Ok(Some((moving, vec![step])));
+        }
+        self.after_room(set, Room::Any)
+    }
+
+    /// The first of all groups that leaves a set.
+    fn any_group(&mut self, set: Set) -> Result<Option<(Set, Step)>, AssemblyError> {
+        if set.count_ones() <= 2 || self.may_leave(set) > ALL {
+            return Ok(None);
+        }
+        self.pairs(set)?;
+        for moving in divisions(set, self.units.still & set) {
             if let Some(step) = self.step(moving, set & !moving)? {
                 return Ok(Some((moving, step)));
             }
         }
-        if set.count_ones() > 2 {
-            let units = self.units;
-            let blocking = self.blocking.get_or_insert_with(|| Blocking::new(units));
-            for moving in blocking.groups(set, still) {
-                if let Some(step) = self.step(moving, set & !moving)? {
-                    return Ok(Some((moving, step)));
-                }
+        Ok(None)
+    }
+
+    /// Two rigid units of a set of which the one encloses the other, however all others move.
+    fn held(&self, set: Set) -> Option<Set> {
+        (self.enclosed.iter())
+            .filter(|(a, b, _)| a.count_ones() == 1 && b.count_ones() == 1)
+            .filter(|(_, _, why)| why.doubtful.is_empty())
+            .map(|(a, b, _)| a | b)
+            .find(|two| two & !set == 0 && two & !self.units.rigid == 0)
+    }
+
+    /// The first that leaves a set on a straight way: single units, then groups that the contacts let go. All that were asked about
+    /// are told.
+    fn first_straight(
+        &mut self,
+        set: Set,
+        asked: &mut Vec<Set>,
+    ) -> Result<Option<(Set, Step)>, AssemblyError> {
+        let still = self.units.still & set;
+        // What is listed first stays as long as it can: it is what others are put into.
+        let mut singles: Vec<Set> = members(set & !still).map(|u| 1 << u).collect();
+        singles.reverse();
+        let found = self.straight_of(set, &singles)?;
+        asked.extend(singles);
+        if found.is_some() || set.count_ones() <= 2 {
+            return Ok(found);
+        }
+        let units = &self.units;
+        let blocking = (self.blocking).get_or_insert_with(|| Blocking::new(units));
+        let mut groups = blocking.groups(set, still);
+        groups.retain(|g| !asked.contains(g));
+        let found = self.straight_of(set, &groups)?;
+        asked.extend(groups);
+        Ok(found)
+    }
+
+    /// The first of some groups that leaves a set on a straight way.
+    fn straight_of(&self, set: Set, groups: &[Set]) -> Result<Option<(Set, Step)>, AssemblyError> {
+        for &moving in groups {
+            if let Some(step) = leaves_straight(&self.units, (moving, set & !moving))? {
+                return Ok(Some((moving, step)));
             }
-            if set.count_ones() <= ALL {
-                self.pairs(set)?;
-                for moving in divisions(set, still) {
-                    if let Some(step) = self.step(moving, set & !moving)? {
-                        return Ok(Some((moving, step)));
+        }
+        Ok(None)
+    }
+
+    /// The first that leaves a set after one unit or two have made room; these stay where they have come to.
+    fn after_room(&mut self, set: Set, room: Room) -> Result<Option<Leaving>, AssemblyError> {
+        let exact = room == Room::Any;
+        let mut left = if exact { EXACT } else { STRAIGHT };
+        for order in choices(&self.units, set) {
+            let on_axes = order.iter().all(|&u| self.units.axes[u].is_some());
+            let is_asked = match room {
+                Room::OnAxes => on_axes,
+                Room::Straight => !on_axes,
+                Room::Any => order.len() == 1,
+            };
+            if left == 0 || !is_asked {
+                continue;
+            }
+            let helped = self.helped(set, &order, exact)?;
+            if helped.is_empty() {
+                continue;
+            }
+            let units = self.units.clone();
+            let mut tried = 0;
+            let mut spaces = 0;
+            let progress = self.progress;
+            let found = each_place(&units, set, &order, &helped, &mut |moved| {
+                if tried >= left {
+                    return Ok(None);
+                }
+                tried += 1;
+                if !exact {
+                    return straight_step(moved, set, &helped);
+                }
+                for group in &helped {
+                    spaces += 1;
+                    let sets = (group.moving, set & !group.moving);
+                    if let Leaves::By(way) = leaves(&moved.units, sets, progress)?
+                        && let Some(step) = way.step(&moved.units, progress)?
+                    {
+                        return Ok(Some((group.moving, step)));
+                    }
+                }
+                Ok(None)
+            })?;
+            self.spaces += spaces;
+            self.places += tried;
+            left -= tried;
+            if let Some((moved, (moving, step))) = found {
+                let mut steps = moved.steps;
+                steps.push(step);
+                self.go_on_with(moved.units, &order);
+                return Ok(Some((moving, steps)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What would leave a set if some units were not there: on straight ways, or by contact spaces.
+    fn helped(
+        &mut self,
+        set: Set,
+        order: &[usize],
+        exact: bool,
+    ) -> Result<Vec<Helped>, AssemblyError> {
+        let makes_room = order.iter().fold(0, |all: Set, u| all | 1 << u);
+        let rest = set & !makes_room;
+        let still = self.units.still & rest;
+        let mut helped = Vec::new();
+        for u in members(rest & !still) {
+            let (moving, others): (Set, Set) = (1 << u, rest & !(1 << u));
+            if others == 0 || self.is_held_in(moving, set) {
+                continue;
+            }
+            let group = Helped::new(&self.units, moving, others)?;
+            if group.is_straight() && !exact
+                || exact && (group.is_straight() || self.way(moving, others)?.is_some())
+            {
+                helped.push(group);
+            }
+        }
+        if !exact && let Some(blocking) = &self.blocking {
+            for moving in blocking.groups(rest, still) {
+                let others = rest & !moving;
+                if moving.count_ones() > 1 && others != 0 {
+                    let group = Helped::new(&self.units, moving, others)?;
+                    if group.is_straight() {
+                        helped.push(group);
                     }
                 }
             }
         }
-        Ok(None)
+        Ok(helped)
+    }
+
+    /// Whether a unit is held by another of a set, however all others move.
+    fn is_held_in(&self, unit: Set, set: Set) -> bool {
+        (self.enclosed.iter()).any(|(a, b, _)| {
+            let two = a | b;
+            a.count_ones() == 1 && b.count_ones() == 1 && two & unit != 0 && two & !set == 0
+        })
+    }
+
+    /// Goes on with some units elsewhere. What one of two encloses it still does, for it has moved without contact.
+    fn go_on_with(&mut self, units: Units, moved: &[usize]) {
+        self.units = units;
+        self.blocking = None;
+        let moved = moved.iter().fold(0, |all: Set, u| all | 1 << u);
+        let stays = |a: Set, b: Set| (a | b) & moved == 0;
+        (self.enclosed)
+            .retain(|(a, b, _)| stays(*a, *b) || a.count_ones() == 1 && b.count_ones() == 1);
+        self.unsure.retain(|&(a, b)| stays(a, b));
     }
 
     /// Asks of every two units of a set: two that hold each other answer for many groups.
     fn pairs(&mut self, set: Set) -> Result<(), AssemblyError> {
         for a in members(set) {
             for b in members(set).filter(|&b| b > a) {
-                self.step(1 << b, 1 << a)?;
+                let (a, b): (Set, Set) = (1 << a, 1 << b);
+                // What never goes out is what the other would leave.
+                match (a & self.units.still != 0, b & self.units.still != 0) {
+                    (true, true) => continue,
+                    (false, true) => self.step(a, b)?,
+                    _ => self.step(b, a)?,
+                };
             }
         }
         Ok(())
     }
 
-    /// The smallest set within one that does not come apart of which no part leaves the others.
+    /// The smallest set within one that does not come apart of which no part leaves the others as they are.
     fn smallest(&mut self, set: Set) -> Result<Set, AssemblyError> {
         let mut within = subsets(set);
         within.sort_by_key(|s| (s.count_ones(), *s));
         'next: for part in within {
-            if part.count_ones() < 2 {
+            if part.count_ones() < 2 || part & !self.units.still == 0 {
                 continue;
             }
-            for moving in divisions(part, self.units.still() & part) {
+            for moving in divisions(part, self.units.still & part) {
                 if self.step(moving, part & !moving)?.is_some() {
                     continue 'next;
                 }
@@ -148,22 +365,38 @@ impl<'a> Search<'a> {
 
     /// The step that takes one set out of another, if there is one.
     fn step(&mut self, moving: Set, staying: Set) -> Result<Option<Step>, AssemblyError> {
+        if self.is_known(moving, staying) {
+            return Ok(None);
+        }
+        if let Some(step) = leaves_straight(&self.units, (moving, staying))? {
+            return Ok(Some(step));
+        }
+        let Some(way) = self.way(moving, staying)? else {
+            return Ok(None);
+        };
+        let step = way.step(&self.units, self.progress)?;
+        if step.is_none() {
+            self.unsure.push((moving, staying));
+        }
+        Ok(step)
+    }
+
+    /// Whether it is known that one set cannot be taken out of another, or that this cannot be known.
+    fn is_known(&self, moving: Set, staying: Set) -> bool {
         let holds = |a: Set, b: Set| a & !moving == 0 && b & !staying == 0;
-        let known = |&(a, b): &(Set, Set)| holds(a, b) || holds(b, a);
-        if self.enclosed.iter().any(|(a, b, _)| known(&(*a, *b)))
+        (self.enclosed.iter()).any(|&(a, b, _)| holds(a, b) || holds(b, a))
             || self.unsure.contains(&(moving, staying))
-        {
+    }
+
+    /// Whether one set can be taken out of another, by their contact space.
+    fn way(&mut self, moving: Set, staying: Set) -> Result<Option<Box<Way>>, AssemblyError> {
+        if self.is_known(moving, staying) {
             return Ok(None);
         }
         self.spaces += 1;
-        match leaves(self.units, (moving, staying), self.progress)? {
-            Leaves::By(step) => return Ok(Some(*step)),
-            Leaves::Not(why) => {
-                if !why.doubtful.is_empty() {
-                    self.is_certain = false;
-                }
-                self.enclosed.push((moving, staying, *why));
-            }
+        match leaves(&self.units, (moving, staying), self.progress)? {
+            Leaves::By(way) => return Ok(Some(way)),
+            Leaves::Not(why) => self.enclosed.push((moving, staying, *why)),
             Leaves::Unsure => self.unsure.push((moving, staying)),
         }
         Ok(None)

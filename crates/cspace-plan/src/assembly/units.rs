@@ -1,6 +1,6 @@
 //! What moves as one.
 
-use cspace::{AxisMotion, Mechanism, Part, pair::Joint};
+use cspace::{Axis, AxisMotion, Configuration, Mechanism, Part, Vertex, pair::Joint};
 
 use crate::clash::depth;
 use crate::legs::Scene;
@@ -22,16 +22,25 @@ const GAPS: (f64, f64) = (1e-8, 1e-2);
 /// What must be left of the gap between two parts: parts that overlap by nearly all of it are refused.
 const LEFT: f64 = 1.0 / 64.0;
 
-/// Parts with the gap opened, as they move.
+/// Parts with the gap opened, as they move and where they are.
 #[derive(Debug, Clone)]
 pub(super) struct Units {
-    pub(super) parts: Vec<Part>,
+    /// The parts as drawn.
+    pub(super) drawn: Vec<Part>,
+    /// The parts where they have come to.
+    pub(super) here: Vec<Part>,
     /// The parts of each unit.
     pub(super) of: Vec<Vec<usize>>,
-    /// The unit that does not move, if there is one.
-    pub(super) ground: Option<usize>,
-    /// Whether parts could move that are not moved: those on axes, and joints that are not rigid.
-    pub(super) is_simplified: bool,
+    /// The axes of the units that move on one.
+    pub(super) axes: Vec<Option<Axis>>,
+    /// Where each unit is to where it is drawn.
+    pub(super) at: Vec<Configuration>,
+    /// The coordinate of each unit on an axis.
+    pub(super) coordinates: Vec<f64>,
+    /// The units that never go out: what does not move, and parts on axes.
+    pub(super) still: Set,
+    /// The units that are rigid bodies: none of their joints could move, and no part of them on an axis that is held.
+    pub(super) rigid: Set,
     pub(super) gap: f64,
 }
 
@@ -39,7 +48,12 @@ impl Units {
     pub(super) fn new(mechanism: &Mechanism, gap: Option<f64>) -> Result<Self, AssemblyError> {
         mechanism.check()?;
         let n = mechanism.parts.len();
-        let is_held = |i: usize| mechanism.parts[i].axis.is_some();
+        let axis = |i: usize| mechanism.parts[i].axis;
+        let is_joined =
+            |i: usize| (mechanism.joints.iter()).any(|j| [j.parts.0, j.parts.1].contains(&i));
+        // A part on an axis that is joined to others is held where it is drawn.
+        let moves = |i: usize| axis(i).filter(|a| a.motion != AxisMotion::Fixed && !is_joined(i));
+        let is_ground = |i: usize| axis(i).is_some() && moves(i).is_none();
         let mut root: Vec<usize> = (0..n).collect();
         let mut join = |a: usize, b: usize| {
             let (a, b) = (root[a].min(root[b]), root[a].max(root[b]));
@@ -49,8 +63,8 @@ impl Units {
                 }
             }
         };
-        let first = (0..n).find(|&i| is_held(i));
-        for i in (0..n).filter(|&i| is_held(i)) {
+        let first = (0..n).find(|&i| is_ground(i));
+        for i in (0..n).filter(|&i| is_ground(i)) {
             join(first.unwrap_or(i), i);
         }
         for joint in &mechanism.joints {
@@ -62,31 +76,75 @@ impl Units {
         let of: Vec<Vec<usize>> = (roots.iter())
             .map(|&r| (0..n).filter(|&i| root[i] == r).collect())
             .collect();
-        if of.len() < 2 {
-            return Err(AssemblyError::Nothing);
-        }
         if of.len() > MOST {
             return Err(AssemblyError::TooMany {
                 units: of.len(),
                 most: MOST,
             });
         }
-        let on_axis = |i: usize| {
-            mechanism.parts[i]
-                .axis
-                .is_some_and(|a| a.motion != AxisMotion::Fixed)
+        let set = |is_in: &dyn Fn(&[usize]) -> bool| -> Set {
+            (of.iter().enumerate())
+                .filter(|(_, parts)| is_in(parts))
+                .fold(0, |all, (u, _)| all | 1 << u)
         };
-        let flexible = |j: &cspace::JointEntry| !matches!(j.joint, Joint::Rigid);
+        let still = set(&|parts| parts.iter().any(|&i| axis(i).is_some()));
+        if of.len() < 2 || still.count_ones() as usize == of.len() {
+            return Err(AssemblyError::Nothing);
+        }
+        let rigid = set(&|parts| {
+            let could_move = |j: &cspace::JointEntry| {
+                parts.contains(&j.parts.0) && !matches!(j.joint, Joint::Rigid)
+            };
+            let is_held = |&i: &usize| {
+                axis(i).is_some_and(|a| a.motion != AxisMotion::Fixed) && moves(i).is_none()
+            };
+            !mechanism.joints.iter().any(could_move) && !parts.iter().any(is_held)
+        });
+        let count = of.len();
         let mut units = Self {
-            parts: Vec::new(),
-            ground: first.map(|f| roots.partition_point(|&r| r < root[f])),
+            drawn: Vec::new(),
+            here: Vec::new(),
+            axes: of
+                .iter()
+                .map(|parts| parts.first().and_then(|&i| moves(i)))
+                .collect(),
             of,
-            is_simplified: (0..n).any(on_axis) || mechanism.joints.iter().any(flexible),
+            at: vec![Configuration::default(); count],
+            coordinates: vec![0.0; count],
+            still,
+            rigid,
             gap: 0.0,
         };
         let drawn: Vec<&Part> = mechanism.parts.iter().map(|p| &p.part).collect();
         units.open(&drawn, gap)?;
         Ok(units)
+    }
+
+    /// The same with one unit elsewhere, to where it is drawn.
+    pub(super) fn moved(&self, unit: usize, at: Configuration) -> Result<Self, AssemblyError> {
+        let mut moved = self.clone();
+        moved.at[unit] = at;
+        for &i in &self.of[unit] {
+            moved.here[i] = placed(&self.drawn[i], at)?;
+        }
+        Ok(moved)
+    }
+
+    /// The same with one unit elsewhere on its axis.
+    pub(super) fn moved_on(&self, unit: usize, axis: Axis, to: f64) -> Result<Self, AssemblyError> {
+        let mut moved = self.moved(unit, axis.configuration(to))?;
+        moved.coordinates[unit] = to;
+        Ok(moved)
+    }
+
+    /// The size of all parts as they are drawn together.
+    pub(super) fn reach(&self) -> f64 {
+        extent(self.drawn.iter())
+    }
+
+    /// A unit's parts as drawn, as one.
+    pub(super) fn as_drawn(&self, unit: usize) -> Result<Part, AssemblyError> {
+        together(&self.drawn, &self.of[unit])
     }
 
     /// Opens the gap between all parts.
@@ -100,14 +158,15 @@ impl Units {
         self.gap = gap;
         for part in drawn {
             let smaller = inset(part, 0.5 * gap).ok().flatten();
-            self.parts
+            self.drawn
                 .push(smaller.ok_or_else(|| AssemblyError::TooSmall {
                     part: part.name().to_owned(),
                     gap,
                 })?);
         }
-        for (i, a) in self.parts.iter().enumerate() {
-            for (j, b) in self.parts.iter().enumerate().skip(i + 1) {
+        self.here.clone_from(&self.drawn);
+        for (i, a) in self.here.iter().enumerate() {
+            for (j, b) in self.here.iter().enumerate().skip(i + 1) {
                 let scene = Scene::new(a, b, None);
                 if scene.overlaps([0.0; 3]) || scene.clearance([0.0; 3]) < LEFT * gap {
                     return Err(AssemblyError::Overlap {
@@ -131,20 +190,14 @@ impl Units {
 
     /// All parts of a set as one.
     pub(super) fn together(&self, set: Set) -> Result<Part, AssemblyError> {
-        let parts = self.parts_of(set);
-        let names: Vec<&str> = parts.iter().map(|&i| self.parts[i].name()).collect();
-        let loops = (parts.iter())
-            .flat_map(|&i| self.parts[i].loops())
-            .map(|l| l.vertices().to_vec())
-            .collect();
-        Ok(Part::new(names.join("+"), loops)?)
+        together(&self.here, &self.parts_of(set))
     }
 
     /// Which part's feature one of the parts together is.
     pub(super) fn drawn(&self, set: Set, mut feature: cspace::FeatureName) -> PartFeature {
         let mut part = 0;
         for i in self.parts_of(set) {
-            let loops = self.parts[i].loops().len() as u32;
+            let loops = self.here[i].loops().len() as u32;
             part = i;
             if feature.loop_index < loops {
                 break;
@@ -158,11 +211,28 @@ impl Units {
     pub(super) fn all(&self) -> Set {
         (1 << self.of.len()) - 1
     }
+}
 
-    /// The unit that does not move.
-    pub(super) fn still(&self) -> Set {
-        self.ground.map_or(0, |g| 1 << g)
-    }
+/// Some parts as one.
+fn together(parts: &[Part], these: &[usize]) -> Result<Part, AssemblyError> {
+    let names: Vec<&str> = these.iter().map(|&i| parts[i].name()).collect();
+    let loops = (these.iter())
+        .flat_map(|&i| parts[i].loops())
+        .map(|l| l.vertices().to_vec())
+        .collect();
+    Ok(Part::new(names.join("+"), loops)?)
+}
+
+/// A part elsewhere, its loops and vertices numbered as before.
+pub(super) fn placed(part: &Part, at: Configuration) -> Result<Part, AssemblyError> {
+    let moved = |v: &Vertex| {
+        let p = at.fixed_from_moving(v.point());
+        Vertex::new(p.x, p.y, v.bulge)
+    };
+    let loops = (part.loops().iter())
+        .map(|l| l.vertices().iter().map(moved).collect())
+        .collect();
+    Ok(Part::new(part.name(), loops)?)
 }
 
 /// The units of a set.

@@ -96,7 +96,8 @@ fn three_lock_each_other_of_which_no_two_do() {
         (vec![], vec![base, cover, key]),
     ] {
         let apart = asked(&mechanism(&fixed, &planar));
-        assert_eq!(apart.outcome, Outcome::Locked);
+        // Nothing proves that all three at once could not.
+        assert_eq!(apart.outcome, Outcome::Unknown);
         assert!(apart.steps.is_empty());
         let locked = apart.locked.unwrap();
         assert_eq!(locked.parts, [0, 1, 2]);
@@ -109,7 +110,7 @@ fn three_lock_each_other_of_which_no_two_do() {
 fn a_key_of_two_lets_them_go_and_a_wider_one_does_not() {
     // The cover must shift by 1 to come off its hooks; the key, at the far end of its room of 3, leaves 3 less its width. The gap of a
     // hundred-thousandth is between the two.
-    for (width, outcome) in [(1.999_999, Outcome::Apart), (2.000_1, Outcome::Locked)] {
+    for (width, outcome) in [(1.999_999, Outcome::Apart), (2.000_1, Outcome::Unknown)] {
         let [base, cover, _] = keyed();
         let key = Part::rectangle("key", (7.0 - 0.5 * width, 1.95), width, 1.9).unwrap();
         let apart = asked(&mechanism(&[base], &[cover, key]));

@@ -88,18 +88,24 @@ class Escape:
 
 @dataclass(frozen=True)
 class Step:
-    """A step of taking a mechanism apart: the parts that move together, those that stay, the path, and its smallest clearance."""
+    """A step of taking a mechanism apart: the parts that move together, those that stay, the path, and its smallest clearance.
+
+    `kind` is "leaves", or "moves" of a part that makes room and stays among the others. Rows of the path are (x, y, theta) to where the
+    parts are before the step, joined by motions along which their point `about` goes straight; of a part on an axis (0, v).
+    """
 
     moving: list[str]
     staying: list[str]
     path: NDArray[np.float64]
     clearance: float
+    kind: str
+    about: tuple[float, float]
 
 
 @dataclass(frozen=True)
 class Assembly:
-    """Whether and how a mechanism comes apart: `verdict` is "apart", "locked" (proved for straight removals of groups of parts) or
-    "unknown". Parts that touch as drawn are `gap` apart. `locked` are the parts that stay together, and `why` names what moves, what stays
+    """Whether and how a mechanism comes apart: `verdict` is "apart", "locked" (proved: one of two parts encloses the
+    other, however the others move) or "unknown". Parts that touch as drawn are `gap` apart. `locked` are the parts that stay together, and `why` names what moves, what stays
     and what touches."""
 
     verdict: str

@@ -1,6 +1,6 @@
 //! `cspace plan`.
 
-mod picture;
+pub(crate) mod picture;
 mod proof;
 
 use std::fmt::{self, Write};

@@ -92,7 +92,7 @@ fn mark<'a>(
 }
 
 /// Configurations along a path, evenly by how far its points move.
-fn steps(scene: &Scene, path: &[Coordinates]) -> Vec<Coordinates> {
+pub(crate) fn steps(scene: &Scene, path: &[Coordinates]) -> Vec<Coordinates> {
     let places: Vec<[f64; 3]> = path
         .iter()
         .filter_map(|&at| scene.numbers(at).ok())

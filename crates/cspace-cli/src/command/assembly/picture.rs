@@ -1,0 +1,93 @@
+//! A picture of an assembly that comes apart: as drawn, then each step with the sweep of what moves.
+
+use cspace::{Configuration, Coordinates, Mechanism};
+use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames};
+use cspace_plan::assembly::{Kind, Step, TakenApart};
+
+use crate::args::AssemblyArgs;
+use crate::command::plan::picture::steps as along;
+use crate::failure::Failure;
+use crate::picture::{self, Plane};
+
+pub(super) fn write(
+    args: &AssemblyArgs,
+    model: &Mechanism,
+    apart: &TakenApart,
+    format: PictureFormat,
+) -> Result<(), Failure> {
+    let mut at = vec![Configuration::default(); model.parts.len()];
+    let all: Vec<usize> = (0..at.len()).collect();
+    let mut shown = FramesPicture {
+        frames: vec![("as drawn".to_owned(), placed(model, &at, &all))],
+    };
+    for (i, step) in apart.steps.iter().enumerate() {
+        shown.frames.push(frame(model, &mut at, i + 1, step));
+    }
+    let unit = model.unit.as_deref();
+    let options = (args.picture).options(Plane::Positions, model.name.clone(), unit)?;
+    let output = args.result.output.as_deref();
+    picture::write(output, format, &frames(&shown, &options))
+}
+
+/// Parts where they are.
+fn placed<'a>(model: &'a Mechanism, at: &[Configuration], parts: &[usize]) -> PartsPicture<'a> {
+    PartsPicture {
+        parts: parts.iter().map(|&i| part(model, i, at[i])).collect(),
+        without_origins: true,
+        ..PartsPicture::default()
+    }
+}
+
+fn part(model: &Mechanism, number: usize, at: Configuration) -> PlacedPart<'_> {
+    PlacedPart {
+        part: &model.parts[number].part,
+        assembly_from_part: at,
+        axis: model.parts[number].axis,
+        number,
+    }
+}
+
+/// What moves in a step and what stays, after the step. What has moved aside is there from then on; what has left is moved no more, so
+/// that what comes out of it in turn is seen where it was.
+fn frame<'a>(
+    model: &'a Mechanism,
+    at: &mut [Configuration],
+    number: usize,
+    step: &Step,
+) -> (String, PartsPicture<'a>) {
+    let axis = step.moving.first().and_then(|&i| model.parts[i].axis);
+    let place = |c: Coordinates, before: Configuration| match (c, axis) {
+        (Coordinates::Planar(c), _) => c.compose(before),
+        (Coordinates::Axes { v, .. }, Some(axis)) => axis.configuration(v),
+        (Coordinates::Axes { .. }, None) => before,
+    };
+    let mut picture = placed(model, at, &step.staying);
+    let parts: Vec<_> = model.parts.iter().map(|p| p.part.clone()).collect();
+    if let Some(scene) = super::scene(&parts, model, step) {
+        for c in along(&scene, &step.path.configurations) {
+            (picture.swept).extend(step.moving.iter().map(|&i| part(model, i, place(c, at[i]))));
+        }
+    }
+    if let Some(&last) = step.path.configurations.last() {
+        (picture.parts).extend(
+            step.moving
+                .iter()
+                .map(|&i| part(model, i, place(last, at[i]))),
+        );
+        if step.kind == Kind::Moves {
+            for &i in &step.moving {
+                at[i] = place(last, at[i]);
+            }
+        }
+    }
+    let names: Vec<&str> = step
+        .moving
+        .iter()
+        .map(|&i| model.parts[i].part.name())
+        .collect();
+    let does = match step.kind {
+        Kind::Leaves => "out",
+        Kind::Moves => "aside",
+    };
+    (format!("{number}. {} {does}", names.join(", ")), picture)
+}

@@ -1,0 +1,128 @@
+//! How an assembly comes apart, as text.
+
+use std::fmt::{self, Write};
+
+use cspace::Coordinates;
+use cspace_io::shown;
+use cspace_plan::assembly::{Kind, Outcome, Tried};
+
+use crate::wording::{count, degrees, length};
+
+use super::{Locked, Step, Told, Tree};
+
+pub(super) fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
+    let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
+    let steps = count(told.steps.len(), "step", "steps");
+    match told.verdict {
+        Outcome::Apart => writeln!(text, "apart: {steps}")?,
+        Outcome::Locked => writeln!(
+            text,
+            "locked: some parts stay together however the others move, after {steps}"
+        )?,
+        Outcome::Unknown => writeln!(
+            text,
+            "unknown: no way was found to take all apart, and none is excluded, {steps}"
+        )?,
+    }
+    if let Some(Tried { aside, places }) = told.tried.filter(|_| told.verdict != Outcome::Apart) {
+        let places = count(places, "place", "places");
+        writeln!(text, "tried: at most {aside} parts moved aside, {places}")?;
+    }
+    writeln!(text, "gap {}{unit}", length(told.gap))?;
+    writeln!(text, "{}", list(&told.tree.parts))?;
+    branches(text, &told.tree, &told.steps, 1)?;
+    for (i, step) in told.steps.iter().enumerate() {
+        describe_step(text, &unit, i + 1, step)?;
+    }
+    match &told.locked {
+        Some(locked) => describe_locked(text, locked, told.verdict),
+        None => Ok(()),
+    }
+}
+
+fn list(names: &[String]) -> String {
+    shown::text(&names.join(", ")).into_owned()
+}
+
+/// What goes out of some parts, by the numbers of the steps; what comes out of that in turn is farther in.
+fn branches(text: &mut String, tree: &Tree, steps: &[Step], depth: usize) -> fmt::Result {
+    let indent = "  ".repeat(depth);
+    for branch in &tree.out {
+        let Some(step) = steps.get(branch.step) else {
+            continue;
+        };
+        let room = steps[..branch.step]
+            .iter()
+            .rev()
+            .take_while(|s| s.kind == Kind::Moves);
+        let mut room: Vec<String> = room.map(|s| list(&s.moving)).collect();
+        room.reverse();
+        let after = match room.is_empty() {
+            true => String::new(),
+            false => format!(", once {} made room", room.join(" and ")),
+        };
+        writeln!(
+            text,
+            "{indent}{}. {}{after}",
+            branch.step + 1,
+            list(&step.moving)
+        )?;
+        if let Some(tree) = &branch.tree {
+            branches(text, tree, steps, depth + 2)?;
+        }
+    }
+    writeln!(text, "{indent}left: {}", list(&tree.left))
+}
+
+fn describe_step(text: &mut String, unit: &str, number: usize, step: &Step) -> fmt::Result {
+    let (moving, staying) = (list(&step.moving), list(&step.staying));
+    let clearance = step.clearance.map(length);
+    let clearance = clearance.map_or(String::new(), |c| format!(", clearance {c}{unit}"));
+    match step.kind {
+        Kind::Leaves => writeln!(text, "{number}. {moving} out of {staying}{clearance}")?,
+        Kind::Moves => writeln!(
+            text,
+            "{number}. {moving} makes room, {staying} stay{clearance}"
+        )?,
+    }
+    for (i, at) in step.path.iter().enumerate() {
+        if let Some(words) = i.checked_sub(1).and_then(|i| step.words.get(i)) {
+            writeln!(text, "  {words}")?;
+        }
+        if let Coordinates::Planar(c) = at {
+            let (x, y, theta) = (length(c.x), length(c.y), degrees(c.theta));
+            writeln!(text, "    x {x}, y {y}{unit}, theta {theta}")?;
+        }
+    }
+    Ok(())
+}
+
+fn describe_locked(text: &mut String, locked: &Locked, verdict: Outcome) -> fmt::Result {
+    /// More of them tell nothing new.
+    const MOST: usize = 12;
+    match verdict {
+        Outcome::Locked => writeln!(text, "lock each other: {}", list(&locked.parts))?,
+        _ => writeln!(
+            text,
+            "none leaves while the others stay: {}",
+            list(&locked.parts)
+        )?,
+    }
+    for why in &locked.why {
+        writeln!(
+            text,
+            "  {} cannot leave {}: enclosed by {}",
+            list(&why.moving),
+            list(&why.staying),
+            count(why.patches, "contact patch", "contact patches")
+        )?;
+        for [a, b] in why.touching.iter().take(MOST) {
+            writeln!(text, "    {} and {}", shown::text(a), shown::text(b))?;
+        }
+        let more = why.touching.len().saturating_sub(MOST);
+        if more > 0 {
+            writeln!(text, "    {more} more pairs of features")?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,128 @@
+//! Parts at several times on one page, all at one scale.
+
+use crate::colour::{INK, part as colours};
+use crate::legend::{Legend, Sign};
+use crate::motion::cut;
+use crate::options::{Labels, PictureOptions};
+use crate::parts::{PartsPicture, draw, seen};
+use crate::plot::{Plot, text, title};
+use crate::scene::{Anchor, Area, Dot, Item, Path, Scene, Stroke};
+
+/// What is shown of parts at several times.
+#[derive(Debug, Clone, Default)]
+pub struct FramesPicture<'a> {
+    /// What is said of each, and the parts.
+    pub frames: Vec<(String, PartsPicture<'a>)>,
+}
+
+/// So many frames are beside each other.
+const ACROSS: usize = 4;
+/// In sizes of letters: of the page for which all is designed, its margin, what is above and below frames.
+const WIDE: f64 = 100.0;
+const MARGIN: f64 = 1.0;
+const TOP: f64 = 2.8;
+const CAPTION: f64 = 2.6;
+/// A frame is at least as high as this share of its width, and at most.
+const HIGH: (f64, f64) = (0.4, 1.5);
+
+/// A page of parts at several times, in rows, each with what is said of it below.
+///
+/// ```
+/// use cspace::{Configuration, Part};
+/// use cspace_draw::{FramesPicture, PartsPicture, PictureOptions, PlacedPart, frames, svg};
+/// let plate = Part::rectangle("plate", (0.0, 0.0), 8.0, 4.0)?;
+/// let at = |x| PartsPicture {
+///     parts: vec![PlacedPart {
+///         part: &plate,
+///         assembly_from_part: Configuration::new(x, 0.0, 0.0),
+///         axis: None,
+///         number: 0,
+///     }],
+///     ..PartsPicture::default()
+/// };
+/// let picture = FramesPicture { frames: vec![("first".into(), at(0.0)), ("then".into(), at(9.0))] };
+/// let drawn = svg(&frames(&picture, &PictureOptions::default()));
+/// assert!(drawn.contains(">first</text>") && drawn.contains(">then</text>"));
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn frames(picture: &FramesPicture<'_>, options: &PictureOptions) -> Scene {
+    const EM: f64 = 13.0;
+    const LEAST: f64 = 5.0;
+    let across = picture.frames.len().clamp(1, ACROSS);
+    let rows = picture.frames.len().div_ceil(across) as f64;
+    let [x, y] = seen_of_all(picture, options);
+    // Frames of a page of one size of letters, and the height of all.
+    let wide = (WIDE - 2.0 * MARGIN - (across - 1) as f64) / across as f64;
+    let high = wide * ((y.1 - y.0) / (x.1 - x.0)).clamp(HIGH.0, HIGH.1);
+    let legend = |em: f64| Legend::new(entries(picture), (WIDE - 2.0) * em, em);
+    let natural = TOP + rows * (high + CAPTION) + legend(EM).height() / EM + 1.0;
+    let (width, height, em) = match options.size {
+        None => (WIDE * EM, natural * EM, EM),
+        Some((width, height)) => {
+            let em = (width / WIDE).min(height / natural).max(LEAST);
+            (width, height, em)
+        }
+    };
+    let mut items = Vec::new();
+    title(&mut items, &options.title, width, em);
+    for (k, (said, parts)) in picture.frames.iter().enumerate() {
+        let left = (MARGIN + (k % across) as f64 * (wide + 1.0)) * em;
+        let top = (TOP + (k / across) as f64 * (high + CAPTION)) * em;
+        let area = Area::new(left, top, wide * em, high * em);
+        // Signs on parts are smaller than those of a picture of the parts alone.
+        let plot = Plot::at_one_scale(area, x, y, 0.6 * em);
+        let mut inner = Vec::new();
+        draw(&mut inner, parts, &plot, Labels::None);
+        items.push(Item::Clipped { area, items: inner });
+        items.push(Item::Shape {
+            path: Path::rectangle(area),
+            fill: None,
+            stroke: Some(Stroke {
+                colour: INK,
+                width: 0.06 * em,
+            }),
+            title: None,
+        });
+        let base = Dot::new(left, area.hi.y + 1.3 * em);
+        let said = cut(said, wide * em, em);
+        items.push(text(said, base, em, Anchor::Start, INK));
+    }
+    let legend = legend(em);
+    let foot = height - legend.height() - 0.5 * em;
+    legend.draw(&mut items, Dot::new(em, foot));
+    Scene {
+        width,
+        height,
+        title: options.title.clone(),
+        items,
+    }
+}
+
+/// What of the plane is seen in all frames.
+fn seen_of_all(picture: &FramesPicture<'_>, options: &PictureOptions) -> [(f64, f64); 2] {
+    let mut all = [(f64::INFINITY, f64::NEG_INFINITY); 2];
+    for (_, parts) in &picture.frames {
+        for (a, b) in all.iter_mut().zip(seen(parts)) {
+            *a = (a.0.min(b.0), a.1.max(b.1));
+        }
+    }
+    if picture.frames.is_empty() {
+        all = [(0.0, 1.0); 2];
+    }
+    [options.x.unwrap_or(all[0]), options.y.unwrap_or(all[1])]
+}
+
+/// The parts of all frames by their colours.
+fn entries(picture: &FramesPicture<'_>) -> Vec<(Sign, String)> {
+    let mut known: Vec<(usize, String)> = (picture.frames.iter())
+        .flat_map(|(_, parts)| &parts.parts)
+        .map(|p| (p.number, p.part.name().to_owned()))
+        .collect();
+    known.sort();
+    known.dedup();
+    let entry = |(number, name): (usize, String)| {
+        let (fill, edge) = colours(number);
+        (Sign::Field(fill, edge), name)
+    };
+    known.into_iter().map(entry).collect()
+}
