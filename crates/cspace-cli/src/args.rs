@@ -292,6 +292,9 @@ pub(crate) struct ComputeArgs {
     /// Say as well how certain the structure is, and which spaces were computed before and kept
     #[arg(short, long)]
     pub(crate) verbose: bool,
+    /// The space in which the parts keep this clearance, in the model's unit: with the moving part grown by it all round
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
+    pub(crate) clearance: Option<f64>,
     #[command(flatten)]
     pub(crate) window: WindowArg,
 }

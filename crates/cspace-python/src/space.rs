@@ -400,14 +400,13 @@ impl Space {
         })
     }
 
-    /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary.
-    #[pyo3(signature = (start, goal=None, widest=false, clearance=None, about=None, prefer="legs"))]
+    /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary. An infinite clearance asks for the widest path.
+    #[pyo3(signature = (start, goal=None, clearance=None, about=None, prefer="legs"))]
     fn _plan<'py>(
         &self,
         py: Python<'py>,
         start: &Bound<'py, PyAny>,
         goal: Option<&Bound<'py, PyAny>>,
-        widest: bool,
         clearance: Option<f64>,
         about: Option<(f64, f64)>,
         prefer: &str,
@@ -415,17 +414,14 @@ impl Space {
         let space = Arc::clone(&self.known(py)?.space);
         let from = one(start, &space, "start")?;
         let to = goal.map(|goal| one(goal, &space, "goal")).transpose()?;
-        if let Some(clearance) = clearance {
-            check("clearance", clearance)?;
-            if widest {
-                return Err(error("`widest` and `clearance` are both given"));
-            }
+        if let Some(least) = clearance.filter(|c| *c != f64::INFINITY) {
+            check("clearance", least)?;
         }
         let wishes = Wishes {
-            clearance: match (widest, clearance) {
-                (true, _) => Clearance::Widest,
-                (false, Some(least)) => Clearance::AtLeast(least),
-                (false, None) => Clearance::Half,
+            clearance: match clearance {
+                Some(f64::INFINITY) => Clearance::Widest,
+                Some(least) => Clearance::AtLeast(least),
+                None => Clearance::Half,
             },
             prefer: match prefer {
                 "legs" => Prefer::Legs,

@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use cspace::fixed_axes::Role;
 use cspace::{
-    AxesError, ComputeError, ContactSpace, NoFit, Options, PairError, PairSpace, Relation, Slice,
-    Symmetry,
+    AxesError, ComputeError, ContactSpace, NoFit, Options, PairError, PairSpace, Part, Relation,
+    Slice, Symmetry,
 };
 use cspace_io::shown;
 
@@ -87,9 +87,32 @@ impl Chosen<'_> {
 
     /// The configuration space.
     pub(crate) fn space(&self) -> Result<Space<'_>, Failure> {
-        if let Subject::Saved(file) = self.subject {
-            return Ok(Space::Saved(&file.space));
+        match self.subject {
+            Subject::Saved(file) => Ok(Space::Saved(&file.space)),
+            Subject::Model { .. } => self.computed(self.moving()),
         }
+    }
+
+    /// The configuration space of the pair with a clearance: with the moving part grown by it all round.
+    pub(crate) fn space_with_clearance(&self, clearance: f64) -> Result<Space<'_>, Failure> {
+        if self.is_saved() {
+            return Err(Failure::input(
+                "--clearance: the file is a saved contact space, whose parts are as they were",
+            )
+            .help("give the model"));
+        }
+        let grown = cspace_plan::grown(self.moving(), clearance).map_err(|e| {
+            let name = shown::text(self.moving().name());
+            Failure::input(format_args!(
+                "--clearance {clearance:?}: {name} cannot be grown by it: {e}"
+            ))
+            .help("give a smaller clearance")
+        })?;
+        self.computed(&grown)
+    }
+
+    /// The configuration space with a moving part in place of the model's, computed or kept from before.
+    fn computed(&self, moving: &Part) -> Result<Space<'_>, Failure> {
         let relation = match self.relation() {
             Some(relation) if !self.general => relation,
             _ => Relation::Planar,
@@ -102,7 +125,7 @@ impl Chosen<'_> {
                 Symmetry::Detect
             },
         };
-        let (fixed, moving) = (self.fixed(), self.moving());
+        let fixed = self.fixed();
         let entry = match self.keeps {
             true => Entry::of(fixed, moving, relation, &options),
             false => None,

@@ -257,8 +257,8 @@ impl<'s> Search<'s> {
                 return None;
             }
             match state {
-                State::Bend(k) => self.from_bend(k, weight),
-                State::Crossing { angle, point } => self.from_crossing((angle, point), weight),
+                State::Bend(k) => self.leave_bend(k, weight),
+                State::Crossing { angle, point } => self.leave_crossing((angle, point), weight),
                 State::Out { .. } => {}
             }
         }
@@ -382,7 +382,7 @@ impl<'s> Search<'s> {
     }
 
     /// From a bend along the given way, across to its later bends, and onto the tracks.
-    fn from_bend(&mut self, k: u32, weight: f64) {
+    fn leave_bend(&mut self, k: u32, weight: f64) {
         let from = State::Bend(k);
         let Given { bends, tracks, .. } = *self.given;
         let last = bends.len() as u32 - 1;
@@ -425,7 +425,7 @@ impl<'s> Search<'s> {
         }
     }
 
-    fn from_crossing(&mut self, (angle, point): (u32, u32), weight: f64) {
+    fn leave_crossing(&mut self, (angle, point): (u32, u32), weight: f64) {
         let from = State::Crossing { angle, point };
         let Given { tracks, bends, .. } = *self.given;
         if weight + 1.0 >= self.most {

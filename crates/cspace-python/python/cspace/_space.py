@@ -2,6 +2,7 @@
 
 import dataclasses
 import html
+import math
 import os
 import tempfile
 from collections.abc import Sequence
@@ -185,8 +186,10 @@ class ContactSpace:
         part straight, in its frame, and turn the part about it: without it, the part's origin, or the middle of the part where that is drawn
         beside its origin. `prefer` is what else makes a path good: few "legs", "clearance" all along, or "length".
         """
+        if widest and clearance is not None:
+            raise Error("`widest` and `clearance` are both given")
         least = None if clearance is None else number("clearance", clearance, 0.0)
-        return Plan(**self._space._plan(start, goal, bool(widest), least, about, prefer))
+        return Plan(**self._space._plan(start, goal, math.inf if widest else least, about, prefer))
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""

@@ -173,7 +173,9 @@ fn told(model: &Mechanism, assembly: &Assembly, apart: &TakenApart, seconds: f64
             staying: names(&step.staying),
             clearance: Some(step.path.narrowest.clearance).filter(|c| c.is_finite()),
             about: (scene.as_ref().filter(is_planar)).map(|s| [s.about().x, s.about().y]),
-            words: scene.map_or_else(Vec::new, |scene| legs_in_words(&scene, path)),
+            words: scene.map_or_else(Vec::new, |scene| {
+                legs_in_words(&scene, path, model.unit.as_deref())
+            }),
             path: path.clone(),
         }
     };

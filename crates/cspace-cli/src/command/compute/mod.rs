@@ -160,7 +160,10 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
         .iter()
         .map(|pair| {
             let begin = Instant::now();
-            let space = pair.space()?;
+            let space = match args.clearance {
+                Some(clearance) => pair.space_with_clearance(clearance)?,
+                None => pair.space()?,
+            };
             if args.verbose && matches!(space, Space::Kept(_)) {
                 note(format_args!(
                     "pair {}: its space was computed before and kept; --no-cache computes it",
