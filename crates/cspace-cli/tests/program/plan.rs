@@ -312,7 +312,7 @@ fn what_legs_are_about_is_written_and_read() {
     let folder = tempfile::tempdir().unwrap();
     let way = folder.path().join("way.csv");
     let way = way.to_str().unwrap();
-    let ends = ["--from=-20,-23,0", "--to=0,-23,180deg"];
+    let ends = ["--from=-20,-23,0", "--to=20,-23,180deg"];
     let answer = json(&[&["plan", slot, "-o", way], &ends[..]].concat());
     assert_eq!(answer["verdict"], "path");
     let rows = std::fs::read_to_string(way).unwrap();
