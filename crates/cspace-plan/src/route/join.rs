@@ -1,5 +1,7 @@
 //! Legs from a way: so many, and so low above patches, that all are free.
 
+use core::cell::Cell;
+
 use crate::legs::{Coords, Scene};
 
 use super::piece::Piece;
@@ -8,15 +10,19 @@ use super::piece::Piece;
 const HEIGHTS: [f64; 4] = [1.0, 0.25, 0.0625, 0.015_625];
 /// Pieces are halved so often at most.
 const HALVINGS: u32 = 40;
-/// A way of more legs than this is none that anybody goes: it keeps to a surface with next to no clearance.
-const MOST: usize = 4096;
+/// A way is given up after so many bridges, and so many for each piece: it keeps to surfaces with next to no clearance.
+const MOST: usize = 1024;
+const EACH: usize = 32;
 /// A leg keeps at least this share of the clearance at its ends.
 const KEPT: f64 = 0.1;
 
 /// The configurations between which all legs are free, from the start of the first piece to the end of the last. `None` if
 /// there is no such path to rounding.
 pub(crate) fn join(scene: &Scene, pieces: &[Box<dyn Piece + '_>]) -> Option<Vec<Coords>> {
-    let joiner = Joiner { scene };
+    let joiner = Joiner {
+        scene,
+        left: Cell::new(MOST + EACH * pieces.len()),
+    };
     let (first, last) = (pieces.first()?, pieces.last()?);
     let mut path = vec![first.at(0.0).at(1.0)];
     let mut begins = 0.0;
@@ -34,6 +40,8 @@ pub(crate) fn join(scene: &Scene, pieces: &[Box<dyn Piece + '_>]) -> Option<Vec<
 
 struct Joiner<'a> {
     scene: &'a Scene,
+    /// So many bridges are still tried.
+    left: Cell<usize>,
 }
 
 impl Joiner<'_> {
@@ -56,6 +64,7 @@ impl Joiner<'_> {
 
     /// From one place to another, down to some height, across, and up again.
     fn bridge(&self, (a, s): (&dyn Piece, f64), (b, t): (&dyn Piece, f64)) -> Option<Vec<Coords>> {
+        self.left.set(self.left.get().checked_sub(1)?);
         let (from, to) = (a.at(s), b.at(t));
         HEIGHTS.iter().find_map(|&height| {
             let way = [from.at(1.0), from.at(height), to.at(height), to.at(1.0)];
@@ -80,7 +89,7 @@ impl Joiner<'_> {
             return Some(());
         }
         let middle = 0.5 * (s + t);
-        if left == 0 || path.len() > MOST || middle == s || middle == t {
+        if left == 0 || self.left.get() == 0 || middle == s || middle == t {
             return None;
         }
         self.within(piece, (s, middle), path, left - 1)?;

@@ -16,6 +16,8 @@ const ROUNDING: f64 = 1e-6;
 const APART: f64 = 0.1;
 /// The part is grown so often at most.
 const MOST: usize = 128;
+/// And no more after so many ways that are there, but that rounding hides.
+const MOST_HIDDEN: usize = 4;
 
 /// When a way is wide enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,8 +101,8 @@ pub(crate) fn widen(
     let exact = RESOLUTION * scene.size();
     // Larger radii are not tried: no way has them, or the grown part is none.
     let mut ceiling = known.most;
-    let mut tries = 0;
-    while ceiling - known.passes > exact && tries < MOST {
+    let (mut tries, mut hidden) = (0, 0);
+    while ceiling - known.passes > exact && tries < MOST && hidden < MOST_HIDDEN {
         let (lo, hi) = (known.passes, ceiling);
         let radius = match until {
             Until::Half if 2.0 * lo >= hi => break,
@@ -134,7 +136,10 @@ pub(crate) fn widen(
                 known.most = radius.max(known.clearance);
                 ceiling = radius;
             }
-            Between::Hidden => known.passes = radius,
+            Between::Hidden => {
+                known.passes = radius;
+                hidden += 1;
+            }
         }
     }
     Ok(known)
