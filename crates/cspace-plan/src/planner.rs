@@ -264,7 +264,8 @@ impl<'a> Planner<'a> {
                 let legs = Legs::new(&self.scene, wider.places.clone());
                 let legs = match wishes.prefer {
                     Prefer::Legs => legs.simple(kept, outside),
-                    Prefer::Clearance | Prefer::Length => legs.shortened(kept),
+                    Prefer::Clearance => legs.clear(kept),
+                    Prefer::Length => legs.short(kept),
                 };
                 if wishes.clearance == Clearance::Widest {
                     // Fewer legs may have more clearance.

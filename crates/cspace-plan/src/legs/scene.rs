@@ -161,6 +161,14 @@ impl Scene {
         self.levers
     }
 
+    /// How far the parts move on a leg, where each coordinate counts by its lever.
+    pub(crate) fn long(&self, from: Coords, to: Coords) -> f64 {
+        (0..3)
+            .map(|k| ((to[k] - from[k]) * self.levers[k]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    }
+
     /// The parts.
     pub fn parts(&self) -> (&Part, &Part) {
         (&self.parts.0, &self.parts.1)

@@ -1,16 +1,52 @@
 //! Fewer legs.
 
 use crate::legs::Scene;
+use crate::route::along;
 
 use super::legs::Legs;
 
-/// A leg that replaces others keeps this share of their clearance.
-const KEPT: f64 = 0.5;
+/// A leg that replaces others keeps this share of their clearance,
+pub(super) const KEPT: f64 = 0.5;
+/// or this where clearance is preferred.
+const MOST_KEPT: f64 = 0.9;
+/// Legs are divided and replaced again so often at most, while that makes the way shorter by a share.
+const ROUNDS: usize = 8;
+const SHORTER: f64 = 1e-3;
 
 impl<'a> Legs<'a> {
-    /// The path with as few legs between its places as can be, each with at least half the clearance of those that it
-    /// replaces, and at least a given clearance.
-    pub(crate) fn shortened(&self, clearance: f64) -> Legs<'a> {
+    /// The path with few legs, each with most of the clearance of those that it replaces, and at least a given clearance.
+    pub(crate) fn clear(&self, clearance: f64) -> Legs<'a> {
+        self.shortened(clearance, MOST_KEPT)
+    }
+
+    /// The path made short, with at least a given clearance.
+    pub(crate) fn short(&self, clearance: f64) -> Legs<'a> {
+        let mut best = self.shortened(clearance, 0.0);
+        for _ in 0..ROUNDS {
+            let quarters = best
+                .places
+                .windows(2)
+                .flat_map(|leg| [0.25, 0.5, 0.75, 1.0].map(|s| along(leg[0], leg[1], s)));
+            let places = best.places.first().copied().into_iter().chain(quarters);
+            let next = Legs::new(self.scene, places.collect()).shortened(clearance, 0.0);
+            if next.length() >= best.length() * (1.0 - SHORTER) {
+                break;
+            }
+            best = next;
+        }
+        best
+    }
+
+    /// How far the parts move along the path, where a radian counts as far as the moving part reaches.
+    pub(super) fn length(&self) -> f64 {
+        (self.places.windows(2))
+            .map(|leg| self.scene.long(leg[0], leg[1]))
+            .sum()
+    }
+
+    /// The path with as few legs between its places as can be, each with at least a share of the clearance of those that it replaces, and
+    /// at least a given clearance.
+    pub(super) fn shortened(&self, clearance: f64, share: f64) -> Legs<'a> {
         let scene: &'a Scene = self.scene;
         let last = self.places.len() - 1;
         let mut kept = vec![self.places[0]];
@@ -24,7 +60,7 @@ impl<'a> Legs<'a> {
                 scene.is_clearly_apart(
                     self.places[here],
                     self.places[to],
-                    (KEPT * least).max(clearance),
+                    (share * least).max(clearance),
                 )
             };
             let next = farthest(here, last, reaches);

@@ -10,6 +10,7 @@ use crate::legs::{Coords, Scene};
 use crate::route::along;
 
 use super::legs::Legs;
+use super::shorten::KEPT;
 use super::tracks::{Track, Tracks};
 
 /// What makes a way good.
@@ -30,8 +31,6 @@ const ACROSS: f64 = 1.25;
 const MIXED: f64 = 1.5;
 /// A way as long as the given one weighs as much as this share of a leg.
 const LENGTH: f64 = 0.01;
-/// A leg keeps this share of the clearance that the given way has where it is.
-const KEPT: f64 = 0.5;
 /// A track along which a part comes out at a flatter angle than this does not lead out: a sine.
 const STEEP: f64 = 0.1;
 /// So many legs are tried at most: what is found then is enough.
@@ -91,7 +90,7 @@ impl<'a> Legs<'a> {
         const WHOLE: [f64; 4] = [0.8, 1.0 - 1e-6, 1.25, 1.5];
         /// Weights that differ by less are those of as many legs of the same kinds.
         const SAME: f64 = 0.2;
-        let bends = self.shortened(clearance);
+        let bends = self.shortened(clearance, KEPT);
         let tracks = Tracks::new(self.scene, &self.places, bends.places());
         let profile: Vec<f64> = self
             .places
@@ -226,10 +225,8 @@ impl<'s> Search<'s> {
             keep,
             angles: angles as u32,
             most,
-            length: given
-                .places
-                .windows(2)
-                .map(|l| long(given.scene, l[0], l[1]))
+            length: (given.places.windows(2))
+                .map(|leg| given.scene.long(leg[0], leg[1]))
                 .sum(),
             reached: BTreeMap::new(),
             open: BinaryHeap::new(),
@@ -348,7 +345,7 @@ impl<'s> Search<'s> {
         let mut nearest = (f64::INFINITY, 0.0);
         for (leg, c) in places.windows(2).zip(profile.windows(2)) {
             let s = share(scene, at, (leg[0], leg[1]));
-            let apart = long(scene, at, along(leg[0], leg[1], s));
+            let apart = scene.long(at, along(leg[0], leg[1], s));
             if apart < nearest.0 {
                 nearest = (apart, c[0] + (c[1] - c[0]) * s);
             }
@@ -377,7 +374,7 @@ impl<'s> Search<'s> {
     }
 
     fn weighed(&self, weight: f64, leg: f64, from: State, to: State) -> f64 {
-        let long = long(self.given.scene, self.place(from), self.place(to));
+        let long = (self.given.scene).long(self.place(from), self.place(to));
         weight + leg + LENGTH * long / self.length
     }
 
@@ -512,15 +509,6 @@ impl<'s> Search<'s> {
     fn is_done(&self, state: State) -> bool {
         self.reached.get(&state).is_some_and(|r| r.done)
     }
-}
-
-/// How far the parts move on a leg at most.
-fn long(scene: &Scene, from: Coords, to: Coords) -> f64 {
-    let levers = scene.levers();
-    (0..3)
-        .map(|k| ((to[k] - from[k]) * levers[k]).powi(2))
-        .sum::<f64>()
-        .sqrt()
 }
 
 /// The share of a leg at which it is nearest to a place.
