@@ -6,7 +6,7 @@ from typing import Any
 class ContactSpace:
     """The configuration space of two parts: where the moving one is free, blocked or in contact."""
 
-    def _move(self, start: Any, by: Any) -> Any:
+    def _move(self, start: Any, by: Any, about: Any) -> Any:
         """A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
         what touches there."""
 
@@ -16,8 +16,8 @@ class ContactSpace:
     def _patches(self) -> Any:
         """The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any."""
 
-    def _plan(self, start: Any, goal: Any = None, widest: Any = False, clearance: Any = None) -> Any:
-        """A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary."""
+    def _plan(self, start: Any, goal: Any = None, clearance: Any = None, about: Any = None, prefer: Any = 'legs') -> Any:
+        """A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary. An infinite clearance asks for the widest path."""
 
     def _play(self, q: Any) -> Any:
         """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
