@@ -6,7 +6,7 @@ use crate::colour::part as colours;
 use crate::font;
 use crate::labels::Placed;
 use crate::outline::place;
-use crate::parts::PlacedPart;
+use crate::placed_part::PlacedPart;
 use crate::plot::Plot;
 use crate::scene::{Area, Dot, Item};
 

@@ -1,7 +1,7 @@
 //! Parts as drawn or at a configuration: outlines, names, axes of motion, joints, what touches.
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion, Configuration, JointEntry, Part, Point, Rotation, Vector};
+use cspace::{Axis, AxisMotion, JointEntry, Point, Rotation, Vector};
 
 use crate::colour::{INK, MARK, part as colours};
 use crate::feature_labels::{self, Fitting};
@@ -9,22 +9,10 @@ use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
 use crate::outline::{extent, of_edges, of_part, place, points, with_margin};
+use crate::placed_part::PlacedPart;
 use crate::plot::{AxisLabel, Plot, title};
 use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
 use crate::ticks::brief;
-
-/// A part and where it is.
-#[derive(Debug, Clone, Copy)]
-pub struct PlacedPart<'a> {
-    /// The part.
-    pub part: &'a Part,
-    /// Takes points of the part to the assembly.
-    pub assembly_from_part: Configuration,
-    /// How it moves, in the assembly; `None` if freely in the plane.
-    pub axis: Option<Axis>,
-    /// Its number in the model, which chooses its colour.
-    pub number: usize,
-}
 
 /// Where two parts touch.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,13 +1,15 @@
 //! Paths made better: more clearance, then fewer legs.
 
 mod legs;
+mod outside;
 mod raise;
+mod search;
 mod shorten;
 mod simple;
 mod steps;
 mod tracks;
 
 pub(crate) use legs::Legs;
-pub(crate) use simple::Outside;
+pub(crate) use outside::Outside;
 pub use simple::Prefer;
 pub(crate) use steps::{MOST_LEGS, divided};

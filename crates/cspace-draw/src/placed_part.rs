@@ -1,0 +1,16 @@
+//! A part in a picture.
+
+use cspace::{Axis, Configuration, Part};
+
+/// A part and where it is.
+#[derive(Debug, Clone, Copy)]
+pub struct PlacedPart<'a> {
+    /// The part.
+    pub part: &'a Part,
+    /// Takes points of the part to the assembly.
+    pub assembly_from_part: Configuration,
+    /// How it moves, in the assembly; `None` if freely in the plane.
+    pub axis: Option<Axis>,
+    /// Its number in the model, which chooses its colour.
+    pub number: usize,
+}
