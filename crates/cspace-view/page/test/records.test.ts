@@ -104,3 +104,17 @@ describe("other files", () => {
     for (const text of ["", "[1]", "null", "{}", "3", '{"samples": 3}', '{"verdict": "path"}']) assert.throws(() => readRecordText("f.json", text), RecordError);
   });
 });
+
+it("a leg moves the point straight that it is about", () => {
+  const path = [
+    { x: 0, y: 0, theta: 0 },
+    { x: 20, y: 0, theta: Math.PI },
+  ];
+  const record = readRecord("way", { verdict: "path", path, about: [10, 0], words: ["turn 180° counter-clockwise"], clearance: 1 });
+  assert.ok(record.kind === "plan");
+  assert.equal(record.ticks[0]?.text, "turn 180° counter-clockwise");
+  // The point (10, 0) stays where it is.
+  const half = pathAt(record, record.duration / 2);
+  assert.ok(half && "x" in half);
+  assert.ok(Math.hypot(half.x - 10, half.y + 10) < 1e-12, JSON.stringify(half));
+});

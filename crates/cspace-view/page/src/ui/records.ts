@@ -2,7 +2,7 @@
 
 import type { Configuration } from "../kernel/api.js";
 import { LARGEST_NUMBER, isUsable } from "./numbers.js";
-import type { Placement } from "./placement.js";
+import { apply, rotate, type Placement } from "./placement.js";
 
 export interface Tick {
   t: number;
@@ -195,14 +195,11 @@ export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Co
   if ("u" in a && "u" in b) return { u: mix(a.u, b.u, f), v: mix(a.v, b.v, f) };
   if (!("x" in a && "x" in b)) return null;
   // The point of the part that legs are about goes straight.
-  const [from, to] = [moved(a, record.about, 1), moved(b, record.about, 1)];
-  return moved({ x: mix(from.x, to.x, f), y: mix(from.y, to.y, f), theta: mix(a.theta, b.theta, f) }, record.about, -1);
-}
-
-/** A placement with its position moved by a vector of the part, turned with it, so many times. */
-function moved({ x, y, theta }: Placement, [bx, by]: readonly [number, number], times: number): Placement {
-  const [cos, sin] = [Math.cos(theta) * times, Math.sin(theta) * times];
-  return { x: x + bx * cos - by * sin, y: y + bx * sin + by * cos, theta };
+  const about = { x: record.about[0], y: record.about[1] };
+  const [from, to] = [apply(a, about), apply(b, about)];
+  const theta = mix(a.theta, b.theta, f);
+  const arm = rotate(about, theta);
+  return { x: mix(from.x, to.x, f) - arm.x, y: mix(from.y, to.y, f) - arm.y, theta };
 }
 
 /** The last state of a simulation that is not after a time of its playing: between states nothing is known, and a straight line between two
