@@ -262,10 +262,13 @@ impl<'a> Planner<'a> {
                     Clearance::Quick => 0.0,
                 };
                 let legs = Legs::new(&self.scene, wider.places.clone());
+                let simple = legs.simple(kept, outside);
                 let legs = match wishes.prefer {
-                    Prefer::Legs => legs.simple(kept, outside),
-                    Prefer::Clearance => legs.clear(kept),
-                    Prefer::Length => legs.short(kept),
+                    Prefer::Legs => simple,
+                    Prefer::Clearance => legs.clear(kept).or_wider(simple),
+                    // Out is where the simple way ends.
+                    Prefer::Length if outside.is_some() => simple.short(kept),
+                    Prefer::Length => legs.short(kept).or_shorter(simple.short(kept)),
                 };
                 if wishes.clearance == Clearance::Widest {
                     // Fewer legs may have more clearance.

@@ -33,7 +33,7 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let pair = subject.one_pair(common, args.window.theta)?;
     let from = pair.coordinates("--from", &args.from)?;
     let by = pair.coordinates("--by", &args.by)?;
-    let about = args.about.vector().unwrap_or(Vector::ZERO);
+    let about = pair.about(&args.about)?.unwrap_or(Vector::ZERO);
     let motion = Motion::new(from, by).about(about);
     let space = pair.space()?;
     let done = displace(&space, &motion).map_err(|e| pair.unanswered("--from", &e))?;

@@ -81,7 +81,7 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
             None => Coordinates::Planar(Configuration::default()),
         };
         let space = pair.space()?;
-        let answer = answer(pair, &space, at, args.about.vector())
+        let answer = answer(pair, &space, at, pair.about(&args.about)?)
             .map_err(|e| pair.unanswered("--at", &e))?;
         if !answers.is_empty() {
             text.push('\n');

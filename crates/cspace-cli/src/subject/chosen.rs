@@ -1,9 +1,10 @@
 //! What is known of a pair before anything is computed.
 
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
-use cspace::{Mechanism, PairEntry};
+use cspace::{Mechanism, PairEntry, Vector};
 
 use super::{Chosen, Subject};
+use crate::args::AboutArg;
 use crate::failure::Failure;
 
 impl Chosen<'_> {
@@ -47,6 +48,18 @@ impl Chosen<'_> {
     /// The pair as its model has it, in the window that was asked for; none if the space was read.
     pub(crate) fn entry(&self) -> Option<PairEntry> {
         self.pair
+    }
+
+    /// The point that `--about` gives; parts on axes move as these let them, whatever point is given.
+    pub(crate) fn about(&self, given: &AboutArg) -> Result<Option<Vector>, Failure> {
+        if given.about.is_some() && self.is_on_axes() {
+            return Err(Failure::input(format_args!(
+                "--about: the parts of the pair {} move on axes",
+                self.names()
+            ))
+            .help("leave it out, or compute x, y and theta with --general"));
+        }
+        Ok(given.vector())
     }
 
     /// The label of the unit of length, with a space before it; empty if the model has none.

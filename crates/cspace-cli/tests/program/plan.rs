@@ -343,3 +343,23 @@ fn what_legs_are_about_is_written_and_read() {
         &["about_x", "same finite number"],
     );
 }
+
+#[test]
+fn a_point_that_says_nothing_is_refused() {
+    let file = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
+    let path = file.path().to_str().unwrap();
+    std::fs::write(path, "x,y,theta,about_x\n0,60,0,3\n0,61,0,3\n").unwrap();
+    let half = cspace(&["plan", &model("peg_hole"), "--check", path]);
+    fails(half, 2, &["about_y", "missing"]);
+    let axes = cspace(&[
+        "move",
+        &model("ratchet_pawl"),
+        "--from",
+        "0,0",
+        "--by",
+        "0,0.1",
+        "--about",
+        "1,2",
+    ]);
+    fails(axes, 2, &["--about", "axes"]);
+}

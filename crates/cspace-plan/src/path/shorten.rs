@@ -37,6 +37,25 @@ impl<'a> Legs<'a> {
         best
     }
 
+    /// This path, or another that is shorter.
+    pub(crate) fn or_shorter(self, other: Self) -> Self {
+        if other.length() < self.length() {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// This path, or another with at least as much clearance.
+    pub(crate) fn or_wider(self, other: Self) -> Self {
+        let clearance = |legs: &Self| legs.narrowest().map_or(0.0, |n| n.1.distance);
+        if clearance(&other) >= clearance(&self) {
+            other
+        } else {
+            self
+        }
+    }
+
     /// How far the parts move along the path, where a radian counts as far as the moving part reaches.
     pub(super) fn length(&self) -> f64 {
         (self.places.windows(2))

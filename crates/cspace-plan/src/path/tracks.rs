@@ -10,6 +10,7 @@
 
 use core::f64::consts::TAU;
 
+use cspace::part::Bounds;
 use cspace::{Edge, Point, Rotation, Vector};
 
 use crate::legs::{Coords, Scene};
@@ -111,10 +112,17 @@ impl Tracks {
         }
         let ends = [bends.first(), bends.last()];
         let first = ends.into_iter().flatten().map(|c| Point::new(c[0], c[1]));
-        Self::crossed(tracks, angles, first.collect(), extent)
+        let around = around(bends, scene.size());
+        Self::crossed(tracks, angles, first.collect(), around, extent)
     }
 
-    fn crossed(tracks: Vec<Track>, angles: Vec<f64>, mut points: Vec<Point>, extent: f64) -> Self {
+    fn crossed(
+        tracks: Vec<Track>,
+        angles: Vec<f64>,
+        mut points: Vec<Point>,
+        around: Bounds,
+        extent: f64,
+    ) -> Self {
         let same = ON_TRACK * extent;
         let mut through: Vec<Vec<(u32, u32)>> = vec![Vec::new(); points.len()];
         let mut lines: Vec<Vec<u32>> = vec![Vec::new(); tracks.len()];
@@ -134,7 +142,8 @@ impl Tracks {
                 // The point p with s × p and t × p as the offsets say.
                 let v = (t.direction * s.offset - s.direction * t.offset) * (1.0 / sine);
                 let p = Point::ORIGIN + v;
-                if !points.iter().any(|q| q.distance(p) <= 4.0 * same) {
+                // Tracks at a small angle cross far away.
+                if around.contains(p) && !points.iter().any(|q| q.distance(p) <= 4.0 * same) {
                     points.push(p);
                     through.push(Vec::new());
                 }
@@ -168,6 +177,24 @@ fn within(places: &[Coords]) -> Vec<Coords> {
     let inner = &all[..all.len().saturating_sub(1)];
     let count = inner.len().min(CENTRED_AT);
     (0..count).map(|i| inner[i * inner.len() / count]).collect()
+}
+
+/// What is no farther from the places of a way than a length.
+fn around(places: &[Coords], length: f64) -> Bounds {
+    let by = Vector::new(length, length);
+    let corners = places.iter().map(|at| Point::new(at[0], at[1]));
+    let least = corners
+        .clone()
+        .fold((f64::INFINITY, f64::INFINITY), |m, p| {
+            (m.0.min(p.x), m.1.min(p.y))
+        });
+    let most = corners.fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, p| {
+        (m.0.max(p.x), m.1.max(p.y))
+    });
+    Bounds {
+        min: Point::new(least.0, least.1) - by,
+        max: Point::new(most.0, most.1) + by,
+    }
 }
 
 /// How far the places of a way are apart, along x and y.

@@ -140,7 +140,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         _ => Failure::work(error),
     };
     let begin = Instant::now();
-    let planner = match args.about.vector() {
+    let planner = match pair.about(&args.about)? {
         Some(about) => Planner::with_about(&space, about),
         None => Planner::new(&space),
     }
@@ -189,7 +189,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
     if let Some(window) = pair.window() {
         scene = scene.with_window(window);
     }
-    if let Some(about) = args.about.vector().or(about_in(&source, &rows)?) {
+    if let Some(about) = pair.about(&args.about)?.or(about_in(&source, &rows)?) {
         scene = scene.with_about(about);
     }
     let begin = Instant::now();
@@ -218,8 +218,15 @@ const ABOUT: [&str; 2] = ["about_x", "about_y"];
 /// The point that legs are about, from the columns that [`as_csv`] writes.
 fn about_in(source: &str, rows: &Rows) -> Result<Option<Vector>, Failure> {
     let column = |name: &str| rows.header.iter().position(|h| h == name);
-    let [Some(x), Some(y)] = ABOUT.map(column) else {
-        return Ok(None);
+    let (x, y) = match ABOUT.map(column) {
+        [Some(x), Some(y)] => (x, y),
+        [None, None] => return Ok(None),
+        _ => {
+            return Err(Failure::input(format_args!(
+                "{source}, line 1: of about_x and about_y one is missing"
+            ))
+            .help("give both columns, or leave both out for the origin of the moving part"));
+        }
     };
     let mut points = rows
         .records
@@ -285,6 +292,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         }
         Name::NoPath if told.bottleneck.is_some() => {
             writeln!(text, "no-path: no way has the clearance that is asked for")?;
+        }
+        Name::NoPath if told.contact.is_some() => {
+            writeln!(text, "no-path: the given path meets a contact")?;
         }
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
