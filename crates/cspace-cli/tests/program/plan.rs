@@ -353,7 +353,7 @@ fn a_point_that_says_nothing_is_refused() {
     fails(half, 2, &["about_y", "missing"]);
     let axes = cspace(&[
         "move",
-        &model("ratchet_pawl"),
+        &model("geneva"),
         "--from",
         "0,0",
         "--by",
