@@ -3,10 +3,10 @@
 use crate::colour::{INK, part as colours};
 use crate::legend::{Legend, Sign};
 use crate::motion::cut;
-use crate::options::{Labels, PictureOptions};
-use crate::parts::{PartsPicture, draw, seen};
-use crate::plot::{Plot, text, title};
-use crate::scene::{Anchor, Area, Dot, Item, Path, Scene, Stroke};
+use crate::options::PictureOptions;
+use crate::parts::{PartsPicture, frame_of, seen_of_all};
+use crate::plot::{text, title};
+use crate::scene::{Anchor, Area, Dot, Scene};
 
 /// What is shown of parts at several times.
 #[derive(Debug, Clone, Default)]
@@ -50,7 +50,7 @@ pub fn frames(picture: &FramesPicture<'_>, options: &PictureOptions) -> Scene {
     const LEAST: f64 = 5.0;
     let across = picture.frames.len().clamp(1, ACROSS);
     let rows = picture.frames.len().div_ceil(across) as f64;
-    let [x, y] = seen_of_all(picture, options);
+    let [x, y] = seen_of_all(picture.frames.iter().map(|f| &f.1), options);
     // Frames of a page of one size of letters, and the height of all.
     let wide = (WIDE - 2.0 * MARGIN - (across - 1) as f64) / across as f64;
     let high = wide * ((y.1 - y.0) / (x.1 - x.0)).clamp(HIGH.0, HIGH.1);
@@ -69,20 +69,7 @@ pub fn frames(picture: &FramesPicture<'_>, options: &PictureOptions) -> Scene {
         let left = (MARGIN + (k % across) as f64 * (wide + 1.0)) * em;
         let top = (TOP + (k / across) as f64 * (high + CAPTION)) * em;
         let area = Area::new(left, top, wide * em, high * em);
-        // Signs on parts are smaller than those of a picture of the parts alone.
-        let plot = Plot::at_one_scale(area, x, y, 0.6 * em);
-        let mut inner = Vec::new();
-        draw(&mut inner, parts, &plot, Labels::None);
-        items.push(Item::Clipped { area, items: inner });
-        items.push(Item::Shape {
-            path: Path::rectangle(area),
-            fill: None,
-            stroke: Some(Stroke {
-                colour: INK,
-                width: 0.06 * em,
-            }),
-            title: None,
-        });
+        frame_of(&mut items, parts, area, [x, y], em);
         let base = Dot::new(left, area.hi.y + 1.3 * em);
         let said = cut(said, wide * em, em);
         items.push(text(said, base, em, Anchor::Start, INK));
@@ -96,20 +83,6 @@ pub fn frames(picture: &FramesPicture<'_>, options: &PictureOptions) -> Scene {
         title: options.title.clone(),
         items,
     }
-}
-
-/// What of the plane is seen in all frames.
-fn seen_of_all(picture: &FramesPicture<'_>, options: &PictureOptions) -> [(f64, f64); 2] {
-    let mut all = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-    for (_, parts) in &picture.frames {
-        for (a, b) in all.iter_mut().zip(seen(parts)) {
-            *a = (a.0.min(b.0), a.1.max(b.1));
-        }
-    }
-    if picture.frames.is_empty() {
-        all = [(0.0, 1.0); 2];
-    }
-    [options.x.unwrap_or(all[0]), options.y.unwrap_or(all[1])]
 }
 
 /// The parts of all frames by their colours.

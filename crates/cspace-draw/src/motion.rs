@@ -6,10 +6,10 @@ use crate::colour::{BLOCKED, INK, KINDS, MARK, kind, part as colours};
 use crate::font;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
-use crate::parts::{PartsPicture, draw as draw_parts, seen as seen_of};
+use crate::parts::{PartsPicture, frame_of, seen_of_all};
 use crate::plane::{axis, draw as draw_plane, seen};
 use crate::plot::{Plot, text, title};
-use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::scene::{Anchor, Area, Colour, Dot, Item, Scene};
 use crate::timeline::{ContactRow, Timeline, Track};
 use crate::view::turns_for_ever;
 
@@ -185,19 +185,7 @@ impl<'a> Page<'a> {
 
     /// What of the plane is seen in all frames.
     fn seen_of_frames(&self) -> [(f64, f64); 2] {
-        let mut all = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-        for frame in &self.picture.frames {
-            for (a, b) in all.iter_mut().zip(seen_of(&frame.parts)) {
-                *a = (a.0.min(b.0), a.1.max(b.1));
-            }
-        }
-        if self.picture.frames.is_empty() {
-            all = [(0.0, 1.0); 2];
-        }
-        [
-            self.options.x.unwrap_or(all[0]),
-            self.options.y.unwrap_or(all[1]),
-        ]
+        seen_of_all(self.picture.frames.iter().map(|f| &f.parts), self.options)
     }
 
     fn frames(&self, items: &mut Vec<Item>, y: f64) -> f64 {
@@ -210,20 +198,7 @@ impl<'a> Page<'a> {
         for (k, frame) in self.picture.frames.iter().enumerate() {
             let x = MARGIN * em + k as f64 * (wide + em);
             let area = Area::new(x, y, wide, high);
-            // Signs on parts are smaller than those of a picture of the parts alone.
-            let plot = Plot::at_one_scale(area, seen_x, seen_y, 0.6 * em);
-            let mut inner = Vec::new();
-            draw_parts(&mut inner, &frame.parts, &plot, Labels::None);
-            items.push(Item::Clipped { area, items: inner });
-            items.push(Item::Shape {
-                path: Path::rectangle(area),
-                fill: None,
-                stroke: Some(Stroke {
-                    colour: INK,
-                    width: 0.06 * em,
-                }),
-                title: None,
-            });
+            frame_of(items, &frame.parts, area, [seen_x, seen_y], em);
             let letter = self.letters.get(k).map_or(' ', |l| l.1);
             let base = Dot::new(x, area.hi.y + 1.3 * em);
             items.push(text(letter.to_string(), base, em, Anchor::Start, MARK));

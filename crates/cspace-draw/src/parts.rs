@@ -116,6 +116,42 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
     }
 }
 
+/// A frame of parts, with an edge around it.
+pub(crate) fn frame_of(
+    items: &mut Vec<Item>,
+    parts: &PartsPicture<'_>,
+    area: Area,
+    [x, y]: [(f64, f64); 2],
+    em: f64,
+) {
+    // Signs on parts are smaller than those of a picture of the parts alone.
+    let plot = Plot::at_one_scale(area, x, y, 0.6 * em);
+    let mut inner = Vec::new();
+    draw(&mut inner, parts, &plot, Labels::None);
+    items.push(Item::Clipped { area, items: inner });
+    items.push(Item::Shape {
+        path: Path::rectangle(area),
+        fill: None,
+        stroke: Some(Stroke {
+            colour: INK,
+            width: 0.06 * em,
+        }),
+        title: None,
+    });
+}
+
+/// What of the plane is seen in all frames.
+pub(crate) fn seen_of_all<'p, 'a: 'p>(
+    frames: impl Iterator<Item = &'p PartsPicture<'a>>,
+    options: &PictureOptions,
+) -> [(f64, f64); 2] {
+    let all = frames.map(seen).reduce(|all, one| {
+        core::array::from_fn(|k| (all[k].0.min(one[k].0), all[k].1.max(one[k].1)))
+    });
+    let all = all.unwrap_or([(0.0, 1.0); 2]);
+    [options.x.unwrap_or(all[0]), options.y.unwrap_or(all[1])]
+}
+
 /// What of the plane is seen: the parts, the origin if it is near, pivots and contacts, and a margin.
 pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
     let mut all: Vec<Point> = (picture.parts.iter().chain(&picture.swept))

@@ -13,6 +13,7 @@ mod ends;
 pub mod escape;
 pub mod legs;
 mod off_contact;
+mod open;
 mod out;
 mod path;
 mod planner;

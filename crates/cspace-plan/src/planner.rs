@@ -6,7 +6,7 @@ use cspace::{
     Silent, Vector,
 };
 
-use crate::answer::{Answer, Bottleneck, Narrow, Path, Verdict};
+use crate::answer::{Answer, Bottleneck, Path, Verdict};
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
@@ -243,7 +243,7 @@ impl<'a> Planner<'a> {
                     return Ok(answer);
                 };
                 let bottleneck = |wider: &Wider| Bottleneck {
-                    narrow: self.narrow(&Legs::new(&self.scene, wider.places.clone())),
+                    narrow: Legs::new(&self.scene, wider.places.clone()).narrow(),
                     most: wider.most,
                 };
                 if let Clearance::AtLeast(least) = wishes.clearance
@@ -416,24 +416,8 @@ impl<'a> Planner<'a> {
         Ok(Path {
             configurations: places.into_iter().map(at).collect(),
             about: self.scene.about(),
-            narrowest: self.narrow(legs),
+            narrowest: legs.narrow(),
         })
-    }
-
-    fn narrow(&self, legs: &Legs<'_>) -> Narrow {
-        let at = |c: Coords| self.scene.coordinates(c);
-        match legs.narrowest() {
-            Some((c, found)) => Narrow {
-                clearance: found.distance,
-                at: at(c),
-                features: found.features,
-            },
-            None => Narrow {
-                clearance: f64::INFINITY,
-                at: at([0.0; 3]),
-                features: None,
-            },
-        }
     }
 
     fn doubtful(&self) -> Vec<(f64, f64)> {

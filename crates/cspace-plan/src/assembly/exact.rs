@@ -68,7 +68,6 @@ impl Way {
         let planner = Planner::new(&self.space)?;
         let wishes = Wishes {
             clearance: Clearance::Quick,
-            // Few legs take seconds to find where parts are as near as the gap.
             prefer: Prefer::Length,
             ..Wishes::default()
         };

@@ -2,10 +2,11 @@
 
 use cspace::{Configuration, Coordinates, Part, Vector};
 
-use crate::answer::{Narrow, Path};
+use crate::answer::Path;
 use crate::legs::{Coords, Scene};
 use crate::out::{Exit, exits};
 use crate::path::Legs;
+use crate::route;
 
 /// The place as drawn.
 const DRAWN: Coords = [0.0; 3];
@@ -32,24 +33,12 @@ pub(super) fn along(exit: Exit) -> Coords {
 /// A path with the place where it is narrowest.
 pub(super) fn told(scene: &Scene, places: Vec<Coords>) -> Path {
     let legs = Legs::new(scene, places);
-    let narrowest = match legs.narrowest() {
-        Some((at, found)) => Narrow {
-            clearance: found.distance,
-            at: scene.coordinates(at),
-            features: found.features,
-        },
-        None => Narrow {
-            clearance: f64::INFINITY,
-            at: scene.coordinates(DRAWN),
-            features: None,
-        },
-    };
     Path {
         configurations: (legs.places().iter())
             .map(|&at| scene.coordinates(at))
             .collect(),
         about: scene.about(),
-        narrowest,
+        narrowest: legs.narrow(),
     }
 }
 
@@ -71,7 +60,7 @@ pub(super) fn until_out(fixed: &Part, moving: &Part, path: Path) -> Path {
         return path;
     };
     let (from, to) = (places[last - 1], places[last]);
-    let part = |t: f64| core::array::from_fn(|k| from[k] + (to[k] - from[k]) * t);
+    let part = |t: f64| route::along(from, to, t);
     let (mut before, mut out) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (before + out);

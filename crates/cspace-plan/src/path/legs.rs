@@ -1,5 +1,6 @@
 //! A path with the clearance of its legs.
 
+use crate::answer::Narrow;
 use crate::legs::{Coords, Nearest, Scene};
 use crate::route::along;
 
@@ -43,6 +44,23 @@ impl<'a> Legs<'a> {
         }
         let (from, to) = ends(least.0);
         Some((along(from, to, least.1.time), least.1))
+    }
+
+    /// Where the path is narrowest, as answers have it.
+    pub(crate) fn narrow(&self) -> Narrow {
+        let at = |c: Coords| self.scene.coordinates(c);
+        match self.narrowest() {
+            Some((c, found)) => Narrow {
+                clearance: found.distance,
+                at: at(c),
+                features: found.features,
+            },
+            None => Narrow {
+                clearance: f64::INFINITY,
+                at: at([0.0; 3]),
+                features: None,
+            },
+        }
     }
 
     pub(crate) fn places(&self) -> &[Coords] {

@@ -1,12 +1,12 @@
 //! The way of least weight along tracks, and along the bends of the given way.
 
-use core::cmp::Ordering;
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use cspace::Point;
 
 use crate::legs::{Coords, Scene};
+use crate::open::Open;
 use crate::route::along;
 
 use super::outside::Outs;
@@ -45,26 +45,6 @@ struct Reached {
     done: bool,
 }
 
-#[derive(Debug, PartialEq)]
-struct Open {
-    weight: f64,
-    state: State,
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (other.weight.total_cmp(&self.weight)).then(other.state.cmp(&self.state))
-    }
-}
-
 /// The clearance of legs: the least anywhere, and the most that is required because the given way has more.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Keep {
@@ -72,11 +52,12 @@ pub(super) struct Keep {
     pub(super) most: f64,
 }
 
-/// A way, with the clearance of its places, where it bends, and tracks through it.
+/// A way, with its length, the clearance of its places, where it bends, and tracks through it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Given<'s> {
     pub(super) scene: &'s Scene,
     pub(super) places: &'s [Coords],
+    pub(super) length: f64,
     pub(super) profile: &'s [f64],
     pub(super) bends: &'s [Coords],
     pub(super) tracks: &'s Tracks,
@@ -91,9 +72,8 @@ pub(super) struct Search<'s> {
     angles: u32,
     /// What weighs as much is not sought, nor what weighs more than a way that is known.
     most: f64,
-    length: f64,
     reached: BTreeMap<State, Reached>,
-    open: BinaryHeap<Open>,
+    open: BinaryHeap<Open<State>>,
     required: BTreeMap<State, f64>,
     /// Whether the legs between states that are often tried are free.
     free: BTreeMap<(State, State), bool>,
@@ -107,9 +87,6 @@ impl<'s> Search<'s> {
             keep,
             angles: angles as u32,
             most,
-            length: (given.places.windows(2))
-                .map(|leg| given.scene.long(leg[0], leg[1]))
-                .sum(),
             reached: BTreeMap::new(),
             open: BinaryHeap::new(),
             required: BTreeMap::new(),
@@ -209,7 +186,10 @@ impl<'s> Search<'s> {
             done: false,
         };
         self.reached.insert(state, reached);
-        self.open.push(Open { weight, state });
+        self.open.push(Open {
+            cost: weight,
+            state,
+        });
     }
 
     /// The clearance that a leg keeps near a state.
@@ -257,7 +237,7 @@ impl<'s> Search<'s> {
 
     fn weighed(&self, weight: f64, leg: f64, from: State, to: State) -> f64 {
         let long = (self.given.scene).long(self.place(from), self.place(to));
-        weight + leg + LENGTH * long / self.length
+        weight + leg + LENGTH * long / self.given.length
     }
 
     /// From a bend along the given way, across to its later bends, and onto the tracks.
@@ -360,16 +340,9 @@ impl<'s> Search<'s> {
                 && place.is_none_or(|s| is_beyond(s, out))
             {
                 let to = State::Out { angle, line, ahead };
-                // From beyond where it comes out it is out already.
-                let to = if is_beyond(
-                    track.along(tracks.points[points[here as usize] as usize]),
-                    out,
-                ) {
-                    at
-                } else {
-                    to
-                };
-                if to != at && self.is_free_track(at, to) {
+                let place = track.along(tracks.points[points[here as usize] as usize]);
+                // Beyond where it comes out it is out already.
+                if !is_beyond(place, out) && self.is_free_track(at, to) {
                     let weight = self.weighed(weight, 1.0, from, to);
                     self.reach(to, weight, Some(from));
                 }

@@ -37,6 +37,7 @@ impl<'a> Legs<'a> {
         let given = Given {
             scene: self.scene,
             places: &self.places,
+            length: self.length(),
             profile: &profile,
             bends: bends.places(),
             tracks: &tracks,

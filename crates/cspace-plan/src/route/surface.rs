@@ -1,12 +1,12 @@
 //! The shortest way along a surface of the contact space, from patch to patch over their links.
 
-use core::cmp::Ordering;
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BinaryHeap};
 
 use cspace::Point;
 
 use crate::legs::Coords;
+use crate::open::Open;
 
 use super::planar::Planar;
 use super::station::{Across, Station, share_of};
@@ -23,27 +23,6 @@ struct Reached {
     /// The patch before, and where it was left.
     before: Option<(u32, Station)>,
     done: bool,
-}
-
-/// A patch to go on from, the one with the least sum of length and what is at least ahead first.
-#[derive(Debug, PartialEq)]
-struct Open {
-    sum: f64,
-    patch: u32,
-}
-
-impl Eq for Open {}
-
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> Ordering {
-        (other.sum.total_cmp(&self.sum)).then(other.patch.cmp(&self.patch))
-    }
 }
 
 impl Planar<'_> {
@@ -85,10 +64,11 @@ impl Planar<'_> {
             },
         );
         open.push(Open {
-            sum: 0.0,
-            patch: first,
+            cost: 0.0,
+            state: first,
         });
-        while let Some(Open { patch, .. }) = open.pop() {
+        // What is open costs the length to it and what is at least ahead.
+        while let Some(Open { state: patch, .. }) = open.pop() {
             let here = reached.get_mut(&patch)?;
             if here.done {
                 continue;
@@ -118,8 +98,8 @@ impl Planar<'_> {
                     },
                 );
                 open.push(Open {
-                    sum: length + apart(at, goal, true),
-                    patch: next,
+                    cost: length + apart(at, goal, true),
+                    state: next,
                 });
             });
         }

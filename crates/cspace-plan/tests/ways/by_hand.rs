@@ -556,54 +556,48 @@ fn problems() -> Vec<Problem> {
     ]
 }
 
+impl Problem {
+    fn space(&self) -> PairSpace {
+        let options = Options::default();
+        PairSpace::compute(&self.fixed, &self.moving, Relation::Planar, &options).unwrap()
+    }
+
+    /// The way to a place, or out, judged to be free.
+    fn way(&self, planner: &Planner<'_>, to: Option<At>, prefer: Prefer) -> Path {
+        let at = |(x, y, theta): At| Coordinates::Planar(Configuration::new(x, y, theta));
+        let wishes = Wishes {
+            prefer,
+            ..Wishes::default()
+        };
+        let from = at(self.from);
+        let answer = match to {
+            Some(to) => planner.plan(from, at(to), &wishes).unwrap(),
+            None => planner.plan_out(from, &wishes, &Silent).unwrap().1,
+        };
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("{}: {answer:?}", self.name);
+        };
+        let oracle = Oracle::new(&self.fixed, &self.moving);
+        let (scene, places) = (planner.scene(), &path.configurations);
+        is_free(scene, &oracle, places, 2000, self.name);
+        path
+    }
+}
+
 #[test]
 fn drawn_problems_take_at_most_twice_the_legs_by_hand() {
     let mut wrong = Vec::new();
     let all = problems();
     assert_eq!(all.len(), 30);
     for problem in &all {
-        let (fixed, moving) = (&problem.fixed, &problem.moving);
-        let space =
-            PairSpace::compute(fixed, moving, Relation::Planar, &Options::default()).unwrap();
+        let space = problem.space();
         let planner = Planner::new(&space).unwrap();
-        let at = |(x, y, theta): At| Coordinates::Planar(Configuration::new(x, y, theta));
-        let from = at(problem.from);
-        let answer = match problem.to {
-            Some(to) => planner.plan(from, at(to), &Wishes::default()).unwrap(),
-            None => {
-                planner
-                    .plan_out(from, &Wishes::default(), &Silent)
-                    .unwrap()
-                    .1
-            }
-        };
-        let Verdict::Path(path) = answer.verdict else {
-            wrong.push(format!("{}: {answer:?}", problem.name));
-            continue;
-        };
+        let path = problem.way(&planner, problem.to, Prefer::Legs);
         let legs = path.configurations.len() - 1;
-        println!("{}: {legs} legs, {} by hand", problem.name, problem.by_hand);
-        let oracle = Oracle::new(fixed, moving);
-        is_free(
-            planner.scene(),
-            &oracle,
-            &path.configurations,
-            2000,
-            problem.name,
-        );
+        let told = format!("{}: {legs} legs, {} by hand", problem.name, problem.by_hand);
+        println!("{told}");
         if legs > 2 * problem.by_hand {
-            wrong.push(format!(
-                "{}: {legs} legs, {} by hand: {:#?}",
-                problem.name,
-                problem.by_hand,
-                path.configurations
-                    .iter()
-                    .map(|c| match c {
-                        Coordinates::Planar(c) => (c.x, c.y, c.theta),
-                        _ => (0.0, 0.0, 0.0),
-                    })
-                    .collect::<Vec<_>>()
-            ));
+            wrong.push(format!("{told}: {:#?}", path.configurations));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -618,32 +612,11 @@ fn what_is_preferred_is_had() {
         "angle through a gap",
     ];
     for problem in problems().iter().filter(|p| names.contains(&p.name)) {
-        let (fixed, moving) = (&problem.fixed, &problem.moving);
-        let space =
-            PairSpace::compute(fixed, moving, Relation::Planar, &Options::default()).unwrap();
+        let space = problem.space();
         let planner = Planner::new(&space).unwrap();
-        let at = |(x, y, theta): At| Coordinates::Planar(Configuration::new(x, y, theta));
         let to = problem.to.unwrap_or((-16.0, 30.0, 0.0));
-        let [legs, clearance, length] =
-            [Prefer::Legs, Prefer::Clearance, Prefer::Length].map(|prefer| {
-                let wishes = Wishes {
-                    prefer,
-                    ..Wishes::default()
-                };
-                let answer = planner.plan(at(problem.from), at(to), &wishes).unwrap();
-                let Verdict::Path(path) = answer.verdict else {
-                    panic!("{}: {answer:?}", problem.name);
-                };
-                let oracle = Oracle::new(fixed, moving);
-                is_free(
-                    planner.scene(),
-                    &oracle,
-                    &path.configurations,
-                    2000,
-                    problem.name,
-                );
-                path
-            });
+        let [legs, clearance, length] = [Prefer::Legs, Prefer::Clearance, Prefer::Length]
+            .map(|prefer| problem.way(&planner, Some(to), prefer));
         let long = |path: &Path| -> f64 {
             let scene = planner.scene();
             let places: Vec<_> = path
