@@ -46,10 +46,10 @@ impl ContactSpace {
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vector};
     /// let table = Part::circle("table", [0.0, 0.0], 2.0)?;
-    /// // A coin drawn beside its origin, which turns about its own centre: it stays where it is.
+    /// // A coin drawn beside its origin. About its own centre it stays where it is; about its origin it swings onto the table.
     /// let coin = Part::circle("coin", [7.0, 0.0], 1.0)?;
     /// let space = ContactSpace::compute(&table, &coin, &Options::default())?;
-    /// let from = Configuration::new(-3.5, 0.0, 0.0);
+    /// let from = Configuration::new(-7.0, 0.0, -1.0);
     /// assert!(space.crossings_about(from, [0.0, 0.0, 3.0], Vector::new(7.0, 0.0), 1.0)?.is_empty());
     /// assert!(!space.crossings(from, [0.0, 0.0, 3.0], 1.0)?.is_empty());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
