@@ -17,7 +17,7 @@ const MOST: usize = 64;
 const EXITS: usize = 16;
 /// Directions that differ by less are the same: sines of angles.
 const SAME: f64 = 1e-9;
-/// The hulls are apart by this share of the parts' size.
+/// The hulls are apart by this share of the parts' size, and by less than twice as much: distances have few digits.
 const APART: f64 = 0.05;
 
 /// A direction in the fixed part's frame, and how far it is in it until the hulls are apart.
@@ -131,7 +131,7 @@ pub(crate) fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit>
             let first = to - farthest(moving, turn.inverse() * -direction);
             Exit {
                 direction,
-                distance: (last - first + apart).max(0.0),
+                distance: few_digits(last - first + apart, apart).max(0.0),
             }
         })
         .collect();
@@ -139,8 +139,14 @@ pub(crate) fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit>
     exits
 }
 
+/// A length rounded up to a number with few digits: by less than another.
+fn few_digits(length: f64, less_than: f64) -> f64 {
+    let step = 10f64.powf(less_than.log10().floor());
+    (length / step).ceil() * step
+}
+
 /// max p · d over the points of a part.
-fn farthest(part: &Part, direction: Vector) -> f64 {
+pub(crate) fn farthest(part: &Part, direction: Vector) -> f64 {
     // With the direction as the x axis the box says it.
     let turned = |p: Point| {
         let v = p.to_vector();

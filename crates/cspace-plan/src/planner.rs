@@ -130,8 +130,10 @@ enum Ways<'a> {
     Axes(Gaps<'a>),
 }
 
-/// Legs of a widest way that are joined keep this share of its clearance.
-const WIDEST: f64 = 1.0 - 1e-6;
+/// A way with as much clearance as is asked for, or possible, has that but for rounding,
+const ROUNDED: f64 = 1.0 - 1e-6;
+/// and a widest way this share of it: where it passes the last thousandth would take legs of a thousandth.
+const WIDEST: f64 = 0.999;
 
 impl<'a> Planner<'a> {
     /// Prepares a pair. Legs move a point of the moving part straight and turn the part about it: the origin of its frame if the part is
@@ -258,13 +260,13 @@ impl<'a> Planner<'a> {
                 let kept = match wishes.clearance {
                     Clearance::AtLeast(least) => least,
                     Clearance::Widest => wider.clearance * WIDEST,
-                    Clearance::Half => wider.clearance.min(0.5 * wider.most) * WIDEST,
+                    Clearance::Half => wider.clearance.min(0.5 * wider.most) * ROUNDED,
                     Clearance::Quick => 0.0,
                 };
                 let legs = Legs::new(&self.scene, wider.places.clone());
-                let simple = legs.simple(kept, outside);
+                let simple = legs.simple(kept, wider.most, outside);
                 let legs = match wishes.prefer {
-                    Prefer::Legs => simple,
+                    Prefer::Legs => simple.tidy(kept, outside),
                     Prefer::Clearance => legs.clear(kept).or_wider(simple),
                     // Out is where the simple way ends.
                     Prefer::Length if outside.is_some() => simple.short(kept),

@@ -7,6 +7,7 @@ mod search;
 mod shorten;
 mod simple;
 mod steps;
+mod tidy;
 mod tracks;
 
 pub(crate) use legs::Legs;

@@ -2,6 +2,8 @@
 
 use cspace::Vector;
 
+use crate::legs::Coords;
+
 use super::tracks::{Track, Tracks};
 
 /// A track along which a part comes out at a flatter angle than this does not lead out: a sine.
@@ -10,6 +12,14 @@ const STEEP: f64 = 0.1;
 /// Where a way may end beside its last place: where a planar part at an orientation (radians) is out, as directions d with the least
 /// p · d of its place p.
 pub(crate) type Outside<'o> = dyn Fn(f64) -> Vec<(Vector, f64)> + 'o;
+
+/// Whether a place is out.
+pub(super) fn is_out(outside: &Outside<'_>, at: Coords, size: f64) -> bool {
+    /// Places are rounded by this share of the parts' size.
+    const ROUNDING: f64 = 1e-12;
+    let place = Vector::new(at[0], at[1]);
+    (outside(at[2]).iter()).any(|&(d, least)| d.dot(place) >= least - ROUNDING * size)
+}
 
 /// Where tracks come out: of each orientation, track and way along it the place on it, as a coordinate along the track.
 #[derive(Debug)]

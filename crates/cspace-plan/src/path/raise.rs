@@ -18,7 +18,7 @@ const TRIED: usize = 8;
 /// A first step is at most this share of the parts' size.
 const FIRST: f64 = 0.1;
 /// Clearance of more than this share of the parts' size is enough, if both ends of the path have no more.
-const ENOUGH: f64 = 0.1;
+pub(super) const ENOUGH: f64 = 0.1;
 /// A path is divided into no more places.
 const MOST: usize = 256;
 

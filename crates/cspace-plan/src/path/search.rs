@@ -52,7 +52,7 @@ pub(super) struct Keep {
     pub(super) most: f64,
 }
 
-/// A way, with its length, the clearance of its places, where it bends, and tracks through it.
+/// A way, with its length, the clearance of its legs, where it bends, and tracks through it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Given<'s> {
     pub(super) scene: &'s Scene,
@@ -205,11 +205,11 @@ impl<'s> Search<'s> {
             ..
         } = *self.given;
         let mut nearest = (f64::INFINITY, 0.0);
-        for (leg, c) in places.windows(2).zip(profile.windows(2)) {
+        for (leg, &clearance) in places.windows(2).zip(profile) {
             let s = share(scene, at, (leg[0], leg[1]));
             let apart = scene.long(at, along(leg[0], leg[1], s));
             if apart < nearest.0 {
-                nearest = (apart, c[0] + (c[1] - c[0]) * s);
+                nearest = (apart, clearance);
             }
         }
         let required = (KEPT * nearest.1.min(self.keep.most)).max(self.keep.least);

@@ -14,11 +14,14 @@ use cspace::part::Bounds;
 use cspace::{Edge, Point, Rotation, Vector};
 
 use crate::legs::{Coords, Scene};
+use crate::out::farthest;
 
 /// Tracks have so many directions at most.
 const DIRECTIONS: usize = 4;
 /// In each direction there are so many tracks at most.
-const ABREAST: usize = 16;
+const ABREAST: usize = 24;
+/// Tracks around the fixed part pass it at this share of the parts' size.
+const AROUND: f64 = 0.05;
 /// Legs do not turn at more orientations than this.
 const ORIENTATIONS: usize = 8;
 /// Directions that differ by less are one: sines of angles.
@@ -32,7 +35,7 @@ const ON_TRACK: f64 = 1e-9;
 /// Tracks nearer to each other than this share of the way's extent are one.
 const SAME_TRACK: f64 = 1e-6;
 /// An orientation this near to one at which lines of the two parts are parallel gives way to that, radians.
-const ALIGNED: f64 = 0.2;
+pub(super) const ALIGNED: f64 = 0.2;
 /// The middle of a gap is found to this share of the clearance there, in so many steps at most.
 const CENTRED: f64 = 1e-7;
 const STEPS: usize = 64;
@@ -80,6 +83,8 @@ impl Tracks {
         let directions = directions(scene, bends);
         let angles = angles(scene, bends);
         let extent = extent(bends).max(f64::MIN_POSITIVE);
+        let (fixed, _) = scene.parts();
+        let beside = scene.levers()[2] + AROUND * scene.size();
         let mut tracks: Vec<Track> = Vec::new();
         for &direction in &directions {
             let mut offsets: Vec<f64> = Vec::new();
@@ -98,6 +103,12 @@ impl Tracks {
             let place = |at: &Coords| Point::new(at[0], at[1]);
             bends.first().map(place).map(&mut add);
             bends.last().map(place).map(&mut add);
+            if scene.motions().is_none() {
+                // Around the fixed part, at any orientation.
+                for side in [direction.left(), -direction.left()] {
+                    add(Point::ORIGIN + side * (farthest(fixed, side) + beside));
+                }
+            }
             for &at in &within {
                 centred(scene, at, direction.left()).map(&mut add);
             }
@@ -112,7 +123,7 @@ impl Tracks {
         }
         let ends = [bends.first(), bends.last()];
         let first = ends.into_iter().flatten().map(|c| Point::new(c[0], c[1]));
-        let around = around(bends, scene.size());
+        let around = around(scene, bends);
         Self::crossed(tracks, angles, first.collect(), around, extent)
     }
 
@@ -179,21 +190,18 @@ fn within(places: &[Coords]) -> Vec<Coords> {
     (0..count).map(|i| inner[i * inner.len() / count]).collect()
 }
 
-/// What is no farther from the places of a way than a length.
-fn around(places: &[Coords], length: f64) -> Bounds {
-    let by = Vector::new(length, length);
+/// Where tracks cross that are used: no farther from the places of a way, and from the fixed part, than the parts' size.
+fn around(scene: &Scene, places: &[Coords]) -> Bounds {
+    let by = Vector::new(scene.size(), scene.size());
+    let fixed = scene.parts().0.bounds();
     let corners = places.iter().map(|at| Point::new(at[0], at[1]));
-    let least = corners
-        .clone()
-        .fold((f64::INFINITY, f64::INFINITY), |m, p| {
-            (m.0.min(p.x), m.1.min(p.y))
-        });
-    let most = corners.fold((f64::NEG_INFINITY, f64::NEG_INFINITY), |m, p| {
-        (m.0.max(p.x), m.1.max(p.y))
+    let within = corners.fold(fixed, |b, p| Bounds {
+        min: Point::new(b.min.x.min(p.x), b.min.y.min(p.y)),
+        max: Point::new(b.max.x.max(p.x), b.max.y.max(p.y)),
     });
     Bounds {
-        min: Point::new(least.0, least.1) - by,
-        max: Point::new(most.0, most.1) + by,
+        min: within.min - by,
+        max: within.max + by,
     }
 }
 
@@ -279,7 +287,7 @@ fn angles(scene: &Scene, bends: &[Coords]) -> Vec<f64> {
 }
 
 /// The orientations at which the longest lines of the two parts are parallel, radians in a turn.
-fn alignments(scene: &Scene) -> Vec<f64> {
+pub(super) fn alignments(scene: &Scene) -> Vec<f64> {
     /// So many lines of each part are looked at.
     const LONGEST: usize = 4;
     let (fixed, moving) = scene.parts();

@@ -584,6 +584,18 @@ impl Problem {
     }
 }
 
+/// Each leg as the change of x and y of the point that moves straight, and of the orientation in degrees.
+fn in_numbers(planner: &Planner<'_>, path: &Path) -> String {
+    let places: Vec<_> = (path.configurations.iter())
+        .map(|&c| planner.scene().numbers(c).unwrap())
+        .collect();
+    let leg = |leg: &[[f64; 3]]| {
+        let by: [f64; 3] = core::array::from_fn(|k| leg[1][k] - leg[0][k]);
+        format!("({:.5} {:.5} {:.4}°)", by[0], by[1], by[2].to_degrees())
+    };
+    places.windows(2).map(leg).collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn drawn_problems_take_at_most_twice_the_legs_by_hand() {
     let mut wrong = Vec::new();
@@ -594,7 +606,13 @@ fn drawn_problems_take_at_most_twice_the_legs_by_hand() {
         let planner = Planner::new(&space).unwrap();
         let path = problem.way(&planner, problem.to, Prefer::Legs);
         let legs = path.configurations.len() - 1;
-        let told = format!("{}: {legs} legs, {} by hand", problem.name, problem.by_hand);
+        let told = format!(
+            "{}: {legs} legs, {} by hand, clearance {:.4}: {}",
+            problem.name,
+            problem.by_hand,
+            path.narrowest.clearance,
+            in_numbers(&planner, &path)
+        );
         println!("{told}");
         if legs > 2 * problem.by_hand {
             wrong.push(format!("{told}: {:#?}", path.configurations));
