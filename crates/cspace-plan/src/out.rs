@@ -9,7 +9,7 @@ use cspace::{
 };
 
 use crate::answer::{Answer, Verdict};
-use crate::planner::{PlanError, Planner, Wishes};
+use crate::planner::{Clearance, PlanError, Planner, Wishes};
 
 /// So many directions are tried for straight ways, those of the longest lines first.
 const MOST: usize = 64;
@@ -63,7 +63,17 @@ impl Planner<'_> {
         let Coordinates::Planar(at) = from else {
             return Err(PlanError::NoGoal);
         };
-        let exits = exits(space.fixed(), space.moving(), at);
+        // What is out is so far away that the parts can have the requested clearance there.
+        let room = match wishes.clearance {
+            Clearance::AtLeast(least) => least,
+            Clearance::Widest => {
+                (self.scene().numbers(from)).map_or(0.0, |at| self.scene().clearance(at))
+            }
+            Clearance::Half | Clearance::Quick => 0.0,
+        };
+        let (fixed, moving) = (space.fixed(), space.moving());
+        let apart = apart(fixed, moving).max(room);
+        let exits = exits_by(fixed, moving, at, apart);
         let goal = |exit: &Exit| {
             let by = exit.direction * exit.distance;
             Coordinates::Planar(Configuration::new(at.x + by.x, at.y + by.y, at.theta))
@@ -93,10 +103,9 @@ impl Planner<'_> {
         }
         // To the nearest exit, and on the simplest way to where it is out anywhere.
         let about = self.scene().about();
-        let (fixed, moving) = (space.fixed(), space.moving());
         let lines = directions(fixed, moving, Rotation::by(at.theta));
         let still: Vec<(Vector, f64)> = (lines.into_iter().take(EXITS))
-            .map(|d| (d, farthest(fixed, d) + apart(fixed, moving)))
+            .map(|d| (d, farthest(fixed, d) + apart))
             .collect();
         let outside = |angle: f64| {
             let turn = Rotation::by(angle);
@@ -121,8 +130,12 @@ fn apart(fixed: &Part, moving: &Part) -> f64 {
 
 /// The directions of the axes and of the lines of both parts, and across them, by how far it is until the parts are apart.
 pub(crate) fn exits(fixed: &Part, moving: &Part, at: Configuration) -> Vec<Exit> {
+    exits_by(fixed, moving, at, apart(fixed, moving))
+}
+
+/// As [`exits`], by a distance between the hulls.
+fn exits_by(fixed: &Part, moving: &Part, at: Configuration, apart: f64) -> Vec<Exit> {
     let turn = Rotation::by(at.theta);
-    let apart = apart(fixed, moving);
     let mut exits: Vec<Exit> = (directions(fixed, moving, turn).into_iter())
         .map(|direction| {
             let to = Vector::new(at.x, at.y).dot(direction);

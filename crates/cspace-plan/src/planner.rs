@@ -351,11 +351,22 @@ impl<'a> Planner<'a> {
         let mut places = legs.places().to_vec();
         let end = places.last().copied().unwrap_or(last);
         if leaves {
+            if let [first, second, ..] = places[..]
+                && goes_on([from, first, second])
+            {
+                places.remove(0);
+            }
             places.insert(0, from);
         }
         if arrives {
             // The goal as often around as the place before it.
-            places.push(core::array::from_fn(|k| to[k] + (end[k] - last[k])));
+            let goal = core::array::from_fn(|k| to[k] + (end[k] - last[k]));
+            if let [.., before, end] = places[..]
+                && goes_on([before, end, goal])
+            {
+                places.pop();
+            }
+            places.push(goal);
         }
         Legs::new(&self.scene, places)
     }
@@ -438,6 +449,14 @@ fn middle_if_far(part: &Part) -> Vector {
     } else {
         bounds.center().to_vector()
     }
+}
+
+/// Whether two legs change the same coordinate alone, and in the same direction: they are one leg without rounding.
+fn goes_on([a, b, c]: [Coords; 3]) -> bool {
+    let [first, second] =
+        [[a, b], [b, c]].map(|[p, q]| -> Coords { core::array::from_fn(|k| q[k] - p[k]) });
+    let alone = (0..3).filter(|&k| first[k] != 0.0 || second[k] != 0.0);
+    alone.count() == 1 && (0..3).any(|k| first[k] * second[k] > 0.0)
 }
 
 /// Puts the ends of a path where they were asked for: numbers of a point of the part and back are rounded.

@@ -4,8 +4,8 @@ use crate::legs::{Coords, Near};
 
 /// Steps of the search for the best mixture of gradients.
 const STEPS: usize = 400;
-/// Where it has come to within this share of the best.
-const RELATIVE: f64 = 1e-13;
+/// Where it has come to within this share of the best: what a step gains is a few hundredths.
+const RELATIVE: f64 = 1e-9;
 
 /// The displacement δ by which the least of the distances grows the most, less what it costs: it maximises
 ///
@@ -42,13 +42,17 @@ pub(crate) fn rise(
     let first = (0..near.len()).min_by(|&i, &j| near[i].distance.total_cmp(&near[j].distance))?;
     shares[first] = 1.0;
     let mut sum = gradients[first];
+    let mut slopes = vec![0.0; near.len()];
     for _ in 0..STEPS {
-        let slope = |i: usize| reach * dot(&gradients[i], &sum) + near[i].distance;
-        let best = (0..near.len()).min_by(|&i, &j| slope(i).total_cmp(&slope(j)))?;
+        for (slope, (gradient, near)) in slopes.iter_mut().zip(gradients.iter().zip(near)) {
+            *slope = reach * dot(gradient, &sum) + near.distance;
+        }
+        let by_slope = |&i: &usize, &j: &usize| slopes[i].total_cmp(&slopes[j]);
+        let best = (0..near.len()).min_by(by_slope)?;
         let worst = (0..near.len())
             .filter(|&i| shares[i] > 0.0)
-            .max_by(|&i, &j| slope(i).total_cmp(&slope(j)))?;
-        let gain = slope(worst) - slope(best);
+            .max_by(by_slope)?;
+        let gain = slopes[worst] - slopes[best];
         let way: Coords = core::array::from_fn(|k| gradients[best][k] - gradients[worst][k]);
         let bend = reach * dot(&way, &way);
         if gain <= RELATIVE * near[first].distance {
@@ -61,7 +65,7 @@ pub(crate) fn rise(
         };
         shares[best] += moved;
         shares[worst] -= moved;
-        sum = core::array::from_fn(|k| (0..near.len()).map(|i| shares[i] * gradients[i][k]).sum());
+        sum = core::array::from_fn(|k| sum[k] + moved * way[k]);
     }
     let grows = sum.iter().any(|s| s.abs() > 0.0);
     grows.then(|| {

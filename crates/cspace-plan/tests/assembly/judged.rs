@@ -120,7 +120,8 @@ fn judge(mechanism: &Mechanism, parts: &[Part], step: &Step, at: &mut [Configura
     };
     assert!(gap(last, 720) > 0.0, "it is out");
     for &c in places.iter().filter(|c| **c != last).step_by(7) {
-        assert!(gap(c, 4) < 1.001 * least, "it was out before");
+        // Distances are rounded up by less than as much again.
+        assert!(gap(c, 4) < 2.001 * least, "it was out before");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Silent, Vertex};
 use cspace_plan::legs::Scene;
-use cspace_plan::{Checked, Path, PlanError, Planner, Verdict, Wishes, check};
+use cspace_plan::{Checked, Clearance, Path, PlanError, Planner, Verdict, Wishes, check};
 
 fn part(name: &str, points: &[(f64, f64)]) -> Part {
     let loops = points.iter().map(|&(x, y)| Vertex::line(x, y)).collect();
@@ -153,4 +153,56 @@ fn on_axes_nothing_is_out() {
     let from = Coordinates::Axes { u: 0.0, v: 0.0 };
     let error = planner.plan_out(from, &Wishes::default(), &Silent);
     assert_eq!(error.unwrap_err(), PlanError::NoGoal);
+}
+
+/// What is said about all ways out is not said about those to one place beside the parts alone: a small pin in the middle of a wide slot
+/// has less room where it is only just out.
+#[test]
+fn no_way_out_has_more_clearance_than_is_said() {
+    let slot = part(
+        "slot",
+        &[
+            (-20.0, -12.0),
+            (20.0, -12.0),
+            (20.0, 12.0),
+            (10.0, 12.0),
+            (10.0, -10.0),
+            (-10.0, -10.0),
+            (-10.0, 12.0),
+            (-20.0, 12.0),
+        ],
+    );
+    let pin = Part::circle("pin", (0.0, 0.0), 1.0).unwrap();
+    let angle = part(
+        "angle",
+        &[
+            (-1.0, -1.0),
+            (3.0, -1.0),
+            (3.0, 0.0),
+            (0.0, 0.0),
+            (0.0, 3.0),
+            (-1.0, 3.0),
+        ],
+    );
+    for (moving, clearance) in [(&pin, 9.0), (&angle, 7.0)] {
+        let space =
+            PairSpace::compute(&slot, moving, Relation::Planar, &Options::default()).unwrap();
+        let planner = Planner::new(&space).unwrap();
+        let from = Coordinates::Planar(Configuration::new(0.0, 0.0, 0.0));
+        let wishes = Wishes {
+            clearance: Clearance::Widest,
+            ..Wishes::default()
+        };
+        let (_, answer) = planner.plan_out(from, &wishes, &Silent).unwrap();
+        let bottleneck = answer.bottleneck.unwrap();
+        assert!(bottleneck.most > clearance * (1.0 - 1e-9), "{bottleneck:?}");
+        assert!(
+            bottleneck.narrow.clearance > 0.999 * clearance,
+            "{bottleneck:?}"
+        );
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("it comes out")
+        };
+        assert!(path.narrowest.clearance > 0.99 * clearance, "{path:?}");
+    }
 }
