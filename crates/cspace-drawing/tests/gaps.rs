@@ -140,3 +140,25 @@ fn hidden_layers_and_other_outlines_are_told() {
     let told = problems(&drawing("", &body, &[]), &Settings::default());
     assert!(told.iter().all(|p| p.reason.contains("ends meet here")));
 }
+
+/// The directions of short lines beside each other differ by less than they are known to, far from the drawing's middle: none of them is
+/// taken to overlap another.
+#[test]
+fn a_circle_of_very_many_lines_is_one_loop() {
+    const LINES: u32 = 100_000;
+    let corner = |i: u32| {
+        let angle = core::f64::consts::TAU * f64::from(i % LINES) / f64::from(LINES);
+        (100.0 * angle.cos(), 100.0 * angle.sin())
+    };
+    let sides = (0..LINES).map(|i| {
+        let ((x0, y0), (x1, y1)) = (corner(i), corner(i + 1));
+        format!("0\nLINE\n8\nA\n10\n{x0:.6}\n20\n{y0:.6}\n11\n{x1:.6}\n21\n{y1:.6}\n")
+    });
+    let body: String = sides.collect();
+    let outlines = (drawing("", &body, &["A"]).outlines(&Settings::default())).unwrap();
+    assert_eq!(
+        (outlines.parts.len(), outlines.parts[0].loops().len()),
+        (1, 1)
+    );
+    assert_eq!(outlines.parts[0].edges().count(), LINES as usize);
+}

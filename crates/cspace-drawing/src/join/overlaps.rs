@@ -21,11 +21,11 @@ struct Laid {
     /// What the line or circle is known by: its kind and two or three lengths.
     kind: u8,
     key: [f64; 3],
-    /// From where to where, as length along a line or angle on a circle; and whether the piece runs the other way.
+    /// Start and end: x of a flat line, y of a steep one, the angle on a circle; and whether the piece runs the other way.
     from: f64,
     to: f64,
     is_backward: bool,
-    /// What a length is on the interval: 1 on a line, 1/r on a circle.
+    /// Length of the interval for a unit of length: |cos| or |sin| of a line's angle to the x axis, 1/r on a circle.
     unit: f64,
 }
 
@@ -110,8 +110,13 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
         } else {
             chord.unit()
         };
-        let (a, b) = (along.dot(p), along.dot(q));
-        let slope = if is_steep { along.x } else { along.y };
+        // Lines of a fine trace have different directions: lengths along these do not compare, x and y do.
+        let (a, b) = if is_steep { (p.y, q.y) } else { (p.x, q.x) };
+        let (slope, unit) = if is_steep {
+            (along.x, along.y)
+        } else {
+            (along.y, along.x)
+        };
         // A direction is as a length on the drawing's scale.
         let scale = p.length().max(q.length()).max(f64::MIN_POSITIVE);
         return Some(Laid {
@@ -121,7 +126,7 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
             from: a.min(b),
             to: a.max(b),
             is_backward,
-            unit: 1.0,
+            unit,
         });
     }
     let to_center = chord.left() * ((1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge));

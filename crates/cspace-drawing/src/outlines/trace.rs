@@ -67,6 +67,8 @@ impl Traced {
         const TRIED: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
         const VERY_LARGE: usize = 400;
         const ENOUGH: usize = 3;
+        /// Within what the chords of more edges are off a curve, pieces are too many to be of use, and take too long to find.
+        const MOST: usize = 20_000;
         let edges = part.edges().count();
         // Points that were traced are joined by lines: what has arcs was drawn, as a gear is with its many teeth.
         if edges <= Self::LARGE || part.edges().any(|e| !e.is_line()) {
@@ -74,7 +76,7 @@ impl Traced {
         }
         let count = if edges > VERY_LARGE { TRIED.len() } else { 1 };
         let unit = DEFAULT_FIT * part.size();
-        let of_chords = sagitta(part);
+        let of_chords = sagitta(part).filter(|_| edges <= MOST);
         let others = TRIED.iter().take(count).map(|by| by * unit);
         (of_chords.into_iter().chain(others))
             .map(rounded)
