@@ -68,7 +68,7 @@ impl Way {
         let planner = Planner::new(&self.space)?;
         let wishes = Wishes {
             clearance: Clearance::Quick,
-            prefer: Prefer::Length,
+            prefer: Prefer::Legs,
             ..Wishes::default()
         };
         let (_, answer) = planner.plan_out(HERE, &wishes, progress)?;
