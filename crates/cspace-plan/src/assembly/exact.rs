@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use cspace::{
     Configuration, Coordinates, Location, Options, PairSpace, Part, Progress, RegionId, Relation,
+    Vector,
 };
 
 use crate::answer::{Path, Verdict};
@@ -96,6 +97,7 @@ fn leaving(units: &Units, (moving, staying): (Set, Set), path: Path) -> Step {
         moving: units.parts_of(moving),
         staying: units.parts_of(staying),
         path,
+        onward: Vector::ZERO,
     }
 }
 

@@ -16,6 +16,7 @@ mod blocking;
 mod error;
 mod exact;
 mod inset;
+mod onward;
 mod search;
 mod travel;
 mod units;

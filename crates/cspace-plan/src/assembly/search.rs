@@ -7,6 +7,7 @@ use super::aside::{Helped, TOGETHER, choices, each_place, straight_step};
 use super::blocking::Blocking;
 use super::error::AssemblyError;
 use super::exact::{Leaves, Way, leaves, leaves_straight};
+use super::onward::Played;
 use super::units::{Set, Units, members};
 
 /// All groups are tried in sets of at most so many units that may leave.
@@ -93,6 +94,8 @@ impl<'a> Search<'a> {
                 .map(|(_, _, why)| why.clone())
                 .collect(),
         });
+        let units = &self.units;
+        Played::new(&units.drawn, units.part_axes()).tell(&tree, &mut self.steps)?;
         Ok(TakenApart {
             outcome,
             steps: self.steps,
@@ -114,13 +117,16 @@ impl<'a> Search<'a> {
                 self.stuck.push(left);
                 break;
             };
+            let first = self.steps.len();
             self.steps.extend(steps);
-            out.push((self.steps.len() - 1, moving));
+            let step = self.steps.len() - 1;
+            out.push((first..step, step, moving));
             left &= !moving;
         }
         let mut branches = Vec::with_capacity(out.len());
-        for (step, moving) in out {
+        for (room, step, moving) in out {
             branches.push(Branch {
+                room: room.collect(),
                 step,
                 tree: self.apart(moving)?,
             });

@@ -175,6 +175,7 @@ impl Travel {
             moving: units.parts_of(1 << self.unit),
             staying: units.parts_of(set & !(1 << self.unit)),
             path,
+            onward: Vector::ZERO,
         }
     }
 }
