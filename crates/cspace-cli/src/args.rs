@@ -1659,8 +1659,8 @@ Formats, by the extension of OUT:
           docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
           The model's `name` and `unit` are written with it
   .html   one page to look at and drag, with all pairs or that of --pair, which
-          works without a network; --with adds what `cspace plan` or `cspace
-          simulate` printed as JSON, to be played
+          works without a network; --with adds what `cspace plan`, `assembly` or
+          `simulate` printed as JSON, to be played
   .svg, .png, .pdf
           pictures of slices at even steps of orientation, free regions
           numbered, blocked space grey; of a pair with fixed axes of the plane

@@ -21,6 +21,7 @@ mod search;
 mod travel;
 mod units;
 mod way_out;
+mod wider;
 
 use cspace::{Mechanism, Part, Progress, Silent};
 

@@ -61,7 +61,8 @@ impl<'a> Played<'a> {
             let there: Vec<Point> = within.iter().map(|&p| to.fixed_from_moving(p)).collect();
             let ((first, last), (lo, hi)) = (range(&there, away), range(&all, away));
             let beside = hi + BESIDE * (hi - lo).max(last - first);
-            step.onward = away * (beside - first).max(0.0);
+            // Added to 0, no number is minus 0.
+            step.onward = Vector::ZERO + away * (beside - first).max(0.0);
             all.extend(way);
             all.extend(there.iter().map(|&p| p + step.onward));
             all.extend(there);
