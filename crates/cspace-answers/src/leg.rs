@@ -102,6 +102,42 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2], unit: &str) -> String {
     all.join(", ")
 }
 
+/// What a part on an axis does when its coordinate changes: "turns +75° about (0, 40)", "slides 12 mm along (1, 0)". A part that slides
+/// back does so along the opposite direction.
+///
+/// ```
+/// use cspace::AxisMotion;
+/// let door = AxisMotion::Revolute { center: (0.0, 40.0).into() };
+/// assert_eq!(cspace_answers::motion_in_words(door, -1.5, None), "turns \u{2212}85.94\u{b0} about (0, 40)");
+/// let bolt = AxisMotion::Prismatic { direction: (2.0, 0.0).into() };
+/// assert_eq!(cspace_answers::motion_in_words(bolt, -12.0, Some("mm")), "slides 12 mm along (-1, 0)");
+/// ```
+pub fn motion_in_words(motion: AxisMotion, by: f64, unit: Option<&str>) -> String {
+    let signed = |x: f64| match rounded(x.abs()) {
+        zero if zero == "0" => zero,
+        text if x < 0.0 => format!("-{text}"),
+        text => text,
+    };
+    let two = |x: f64, y: f64| format!("({}, {})", signed(x), signed(y));
+    match motion {
+        AxisMotion::Fixed => "stays".to_owned(),
+        AxisMotion::Revolute { center } => {
+            let sign = if by < 0.0 { "\u{2212}" } else { "+" };
+            let angle = rounded(by.to_degrees().abs());
+            format!(
+                "turns {sign}{angle}\u{b0} about {}",
+                two(center.x, center.y)
+            )
+        }
+        AxisMotion::Prismatic { direction } => {
+            let way = direction.unit() * by.signum();
+            let unit = unit.map_or(String::new(), |u| format!(" {u}"));
+            let far = rounded(by.abs());
+            format!("slides {far}{unit} along {}", two(way.x, way.y))
+        }
+    }
+}
+
 /// A number as it is said: four digits.
 fn rounded(x: f64) -> String {
     let digits = if x == 0.0 {

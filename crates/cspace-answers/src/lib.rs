@@ -8,5 +8,5 @@ mod made_of;
 pub mod plan;
 pub mod simulate;
 
-pub use leg::legs_in_words;
+pub use leg::{legs_in_words, motion_in_words};
 pub use made_of::MadeOf;

@@ -900,7 +900,7 @@ pub(crate) struct ExportArgs {
     /// Pictures: the number of slices, at even steps of orientation [default: 12]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
     pub(crate) slices: Option<u32>,
-    /// Pages: an answer of `cspace plan` or `cspace simulate` in JSON, to be played; may be given several times
+    /// Pages: an answer of `cspace plan`, `assembly` or `simulate` in JSON, to be played; may be given several times
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) with: Vec<PathBuf>,
     #[command(flatten)]
@@ -960,7 +960,7 @@ pub(crate) struct ViewArgs {
     #[command(flatten)]
     pub(crate) window: WindowArg,
 
-    /// An answer of `cspace plan` or `cspace simulate` in JSON, to be played; may be given several times
+    /// An answer of `cspace plan`, `assembly` or `simulate` in JSON, to be played; may be given several times
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) with: Vec<PathBuf>,
 
@@ -1405,13 +1405,15 @@ Examples:
   cspace assembly models/latch_box.toml
   cspace assembly models/latch_box.toml --gap 0.01 --format json
   cspace assembly models/latch_box.toml -o steps.svg
+  cspace assembly models/latch_box.toml -o apart.json
+  cspace view models/latch_box.toml --with apart.json
 
 One part, or a group as one, moves at a time, while the others stay. Where none
 goes out, one part or two make room first: parts on axes (doors, bolts) along
 these, others straight; they stay where they have come to. The tree tells what
 comes out of what; a step tells what moves, and its path: x, y, theta of the
-moving parts from where they are before the step, or the motion v of a part on
-an axis. A path ends where a line lies between the parts and the others.
+moving parts from where they are before the step, or what a part on an axis
+does. A path ends where a line lies between the parts and the others.
 
   apart    all comes apart, in the order told
   locked   some parts do not, however the others move: of two parts one encloses
@@ -1425,7 +1427,8 @@ drawn: every boundary is moved inward by half of --gap. Parts that overlap by
 more are an error.
 
 -o OUT writes the answer as text or .json, or a picture with a frame for each
-step as .svg, .png or .pdf; then the answer is printed as well.";
+step as .svg, .png or .pdf; then the answer is printed as well. `cspace view
+--with OUT.json` plays it, with all parts.";
 
 const CHECK: &str = "\
 Examples:
@@ -1656,8 +1659,8 @@ Formats, by the extension of OUT:
           docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
           The model's `name` and `unit` are written with it
   .html   one page to look at and drag, with all pairs or that of --pair, which
-          works without a network; --with adds what `cspace plan` or `cspace
-          simulate` printed as JSON, to be played
+          works without a network; --with adds what `cspace plan`, `assembly` or
+          `simulate` printed as JSON, to be played
   .svg, .png, .pdf
           pictures of slices at even steps of orientation, free regions
           numbered, blocked space grey; of a pair with fixed axes of the plane
@@ -1715,7 +1718,8 @@ model is saved by the browser, or its contact spaces are shown at once. The
 options for drawings are those of `cspace import`. A model or a drawing that is
 dropped onto the page is opened in it, also in a page that was exported.
 
---with has what `cspace plan` or `cspace simulate` printed with --format json.
+--with has what `cspace plan`, `cspace assembly` or `cspace simulate` printed
+with --format json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
 
 const EVALUATE: &str = "\

@@ -18,12 +18,12 @@ pub(super) fn wrong(file: &Path, what: &str, help: &str) -> Failure {
     Failure::input(format_args!("{}: {what}", file.display())).help(help)
 }
 
-/// An answer of `cspace simulate`, or of `cspace plan` where that is wanted too, as JSON about the parts of a model.
-pub(super) fn json(file: &Path, model: &Mechanism, with_plans: bool) -> Result<Value, Failure> {
-    let (commands, help) = match with_plans {
+/// An answer of `cspace simulate`, or of `cspace plan` or `cspace assembly` where these are wanted too, as JSON about the parts of a model.
+pub(super) fn json(file: &Path, model: &Mechanism, with_ways: bool) -> Result<Value, Failure> {
+    let (commands, help) = match with_ways {
         true => (
-            "`plan` or `simulate`",
-            "give what `cspace plan` or `cspace simulate` writes with -o OUT.json",
+            "`plan`, `assembly` or `simulate`",
+            "give what `cspace plan`, `cspace assembly` or `cspace simulate` writes with -o OUT.json",
         ),
         false => (
             "`simulate`",
@@ -34,11 +34,14 @@ pub(super) fn json(file: &Path, model: &Mechanism, with_plans: bool) -> Result<V
     let record: Value = serde_json::from_slice(&bytes)
         .map_err(|e| wrong(file, &format!("it is no JSON: {e}"), help))?;
     let is_plan = record["verdict"].is_string() && record["path"].is_array();
+    let in_tree = &record["tree"]["parts"];
+    let is_assembly = record["steps"].is_array() && in_tree.is_array();
     let is_motion = record["status"].is_string() && record["samples"].is_array();
-    if !(is_motion || is_plan && with_plans) {
+    if !(is_motion || (is_plan || is_assembly) && with_ways) {
         return Err(wrong(file, &format!("it is no answer of {commands}"), help));
     }
-    let parts = record["parts"].as_array().into_iter().flatten();
+    let parts = [&record["parts"], in_tree].map(|list| list.as_array());
+    let parts = parts.into_iter().flatten().flatten();
     for name in parts.filter_map(Value::as_str) {
         known(file, model, name)?;
     }

@@ -176,6 +176,10 @@ fn records_are_in_the_page() {
     assert_eq!(page["records"][0]["name"], "run.json");
     assert_eq!(page["records"][0]["record"], read(&run));
     assert_eq!(page["records"][1]["record"], read(&way));
+    let (latch, apart) = (model("latch_box"), place("apart.json"));
+    printed(&["assembly", &latch, "-o", &apart]);
+    let page = exported(&[&latch, "--with", &apart], &out);
+    assert_eq!(page["records"][0]["record"], read(&apart));
 
     std::fs::remove_file(&out).unwrap();
     let html = out.to_str().unwrap();
@@ -193,9 +197,10 @@ fn records_are_in_the_page() {
         (write("bad.json", "{"), &["bad.json", "no JSON"]),
         (
             write("list.json", "[]"),
-            &["list.json", "no answer of `plan` or `simulate`"],
+            &["list.json", "no answer of `plan`, `assembly` or `simulate`"],
         ),
         (write("half.json", r#"{"verdict": "path"}"#), &["no answer"]),
+        (apart, &["\"bolt\"", "same model"]),
         (
             write(
                 "other.json",

@@ -1,6 +1,6 @@
 //! What becomes of an assembly.
 
-use cspace::FeatureName;
+use cspace::{Axis, Configuration, Coordinates, FeatureName, Vector};
 use serde::Serialize;
 
 use crate::answer::Path;
@@ -56,6 +56,26 @@ pub struct Step {
     /// Of a part on an axis its coordinate, as v, with u = 0. Of other parts their motion in the frame of those that stay, from where
     /// they are before the step, which is (0, 0, 0); of parts that leave up to where a line lies between the convex hulls of both.
     pub path: Path,
+    /// Of parts that leave, how much farther they go straight to be out of the way of all that comes later, and to have room to be taken
+    /// apart; in the frame of the path. Nothing where that is no way.
+    pub onward: Vector,
+}
+
+impl Step {
+    /// Where one of the moving parts is when the step has come to some coordinates, by where it was before the step: of a part on an
+    /// axis to where it is drawn.
+    pub fn placed(
+        &self,
+        coordinates: Coordinates,
+        axis: Option<Axis>,
+        before: Configuration,
+    ) -> Configuration {
+        match (coordinates, axis) {
+            (Coordinates::Planar(c), _) => c.compose(before),
+            (Coordinates::Axes { v, .. }, Some(axis)) => axis.configuration(v),
+            (Coordinates::Axes { .. }, None) => before,
+        }
+    }
 }
 
 /// What comes out of a set of parts.
@@ -72,6 +92,8 @@ pub struct Tree {
 /// What goes out in a step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Branch {
+    /// The indices of the steps by which others make room for it, just before.
+    pub room: Vec<usize>,
     /// The index of the step.
     pub step: usize,
     /// What comes out of it in turn.

@@ -30,6 +30,29 @@ const EXITS: usize = 6;
 pub(super) struct Moved {
     pub(super) units: Units,
     pub(super) steps: Vec<Step>,
+    /// The way of each step, and how far it goes.
+    pub(super) went: Vec<(Travel, f64)>,
+}
+
+impl Moved {
+    /// Where the units are.
+    pub(super) fn none(units: &Units) -> Self {
+        Self {
+            units: units.clone(),
+            steps: Vec::new(),
+            went: Vec::new(),
+        }
+    }
+
+    /// Then one more within a set.
+    pub(super) fn then(&self, set: Set, travel: Travel, to: f64) -> Result<Self, AssemblyError> {
+        let mut steps = self.steps.clone();
+        steps.push(travel.step(&self.units, set, to));
+        let units = travel.to(&self.units, to)?;
+        let mut went = self.went.clone();
+        went.push((travel, to));
+        Ok(Self { units, steps, went })
+    }
 }
 
 /// What leaves, if others make room, with its straight ways out of those that do not.
@@ -80,11 +103,7 @@ pub(super) fn each_place<T>(
     helped: &[Helped],
     taken: &mut dyn FnMut(&Moved) -> Result<Option<T>, AssemblyError>,
 ) -> Result<Option<(Moved, T)>, AssemblyError> {
-    let start = Moved {
-        units: units.clone(),
-        steps: Vec::new(),
-    };
-    further(start, set, order, helped, taken)
+    further(Moved::none(units), set, order, helped, taken)
 }
 
 fn further<T>(
@@ -99,12 +118,7 @@ fn further<T>(
     };
     for travel in Travel::all(&so_far.units, set, unit)? {
         for to in places(&so_far.units, &travel, helped)? {
-            let mut steps = so_far.steps.clone();
-            steps.push(travel.step(&so_far.units, set, to));
-            let next = Moved {
-                units: travel.to(&so_far.units, to)?,
-                steps,
-            };
+            let next = so_far.then(set, travel.clone(), to)?;
             if let Some(found) = further(next, set, later, helped, taken)? {
                 return Ok(Some(found));
             }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use cspace::{
     Configuration, Coordinates, Location, Options, PairSpace, Part, Progress, RegionId, Relation,
+    Vector,
 };
 
 use crate::answer::{Path, Verdict};
@@ -68,7 +69,7 @@ impl Way {
         let planner = Planner::new(&self.space)?;
         let wishes = Wishes {
             clearance: Clearance::Quick,
-            prefer: Prefer::Length,
+            prefer: Prefer::Legs,
             ..Wishes::default()
         };
         let (_, answer) = planner.plan_out(HERE, &wishes, progress)?;
@@ -90,12 +91,39 @@ pub(super) fn leaves_straight(
     Ok(exit.map(|exit| leaving(units, (moving, staying), path(&fixed, &mover, exit))))
 }
 
+/// As [`leaves_straight`], in the direction of another straight step where that is a way.
+pub(super) fn leaves_straight_like(
+    units: &Units,
+    (moving, staying): (Set, Set),
+    like: &Step,
+) -> Result<Option<Step>, AssemblyError> {
+    /// Directions are the same within this sine of an angle.
+    const SAME: f64 = 1e-9;
+    let along = match like.path.configurations[..] {
+        [Coordinates::Planar(a), Coordinates::Planar(b)] if a.theta == b.theta => {
+            (b.position() - a.position()).unit()
+        }
+        _ => return leaves_straight(units, (moving, staying)),
+    };
+    let (fixed, mover) = (units.together(staying)?, units.together(moving)?);
+    let is_same = |d: Vector| d.dot(along) > 0.0 && d.cross(along).abs() < SAME;
+    let exit = straight(&fixed, &mover).find(|exit| is_same(exit.direction));
+    match exit {
+        Some(exit) => {
+            let path = path(&fixed, &mover, exit);
+            Ok(Some(leaving(units, (moving, staying), path)))
+        }
+        None => leaves_straight(units, (moving, staying)),
+    }
+}
+
 fn leaving(units: &Units, (moving, staying): (Set, Set), path: Path) -> Step {
     Step {
         kind: Kind::Leaves,
         moving: units.parts_of(moving),
         staying: units.parts_of(staying),
         path,
+        onward: Vector::ZERO,
     }
 }
 

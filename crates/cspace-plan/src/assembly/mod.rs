@@ -16,10 +16,12 @@ mod blocking;
 mod error;
 mod exact;
 mod inset;
+mod onward;
 mod search;
 mod travel;
 mod units;
 mod way_out;
+mod wider;
 
 use cspace::{Mechanism, Part, Progress, Silent};
 

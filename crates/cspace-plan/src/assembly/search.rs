@@ -6,8 +6,10 @@ use super::answer::{Branch, Enclosure, Locked, Outcome, Step, TakenApart, Tree, 
 use super::aside::{Helped, TOGETHER, choices, each_place, straight_step};
 use super::blocking::Blocking;
 use super::error::AssemblyError;
-use super::exact::{Leaves, Way, leaves, leaves_straight};
+use super::exact::{Leaves, Way, leaves, leaves_straight, leaves_straight_like};
+use super::onward::Played;
 use super::units::{Set, Units, members};
+use super::wider::wider;
 
 /// All groups are tried in sets of at most so many units that may leave.
 const ALL: u32 = 12;
@@ -93,6 +95,8 @@ impl<'a> Search<'a> {
                 .map(|(_, _, why)| why.clone())
                 .collect(),
         });
+        let units = &self.units;
+        Played::new(&units.drawn, units.part_axes()).tell(&tree, &mut self.steps)?;
         Ok(TakenApart {
             outcome,
             steps: self.steps,
@@ -114,13 +118,16 @@ impl<'a> Search<'a> {
                 self.stuck.push(left);
                 break;
             };
+            let first = self.steps.len();
             self.steps.extend(steps);
-            out.push((self.steps.len() - 1, moving));
+            let step = self.steps.len() - 1;
+            out.push((first..step, step, moving));
             left &= !moving;
         }
         let mut branches = Vec::with_capacity(out.len());
-        for (step, moving) in out {
+        for (room, step, moving) in out {
             branches.push(Branch {
+                room: room.collect(),
                 step,
                 tree: self.apart(moving)?,
             });
@@ -264,6 +271,21 @@ impl<'a> Search<'a> {
             self.places += tried;
             left -= tried;
             if let Some((moved, (moving, step))) = found {
+                let sets = (moving, set & !moving);
+                let mut spaces = 0;
+                let (moved, step) =
+                    wider(&units, set, moving, (moved, step), &mut |moved, like| {
+                        let step = leaves_straight_like(&moved.units, sets, like)?;
+                        if step.is_some() || !exact {
+                            return Ok(step);
+                        }
+                        spaces += 1;
+                        match leaves(&moved.units, sets, progress)? {
+                            Leaves::By(way) => way.step(&moved.units, progress),
+                            _ => Ok(None),
+                        }
+                    })?;
+                self.spaces += spaces;
                 let mut steps = moved.steps;
                 steps.push(step);
                 self.go_on_with(moved.units, &order);

@@ -127,6 +127,12 @@ impl Travel {
         Ok(has_room.then_some(travel))
     }
 
+    /// The same way, now that other units are elsewhere.
+    pub(super) fn again(&self, units: &Units, set: Set) -> Result<Option<Self>, AssemblyError> {
+        let rest = units.together(set & !(1 << self.unit))?;
+        Self::new(units, &rest, self.unit, self.axis, self.is_planar)
+    }
+
     /// Whether it is elsewhere at a coordinate.
     pub(super) fn moves(&self, to: f64) -> bool {
         self.differ(to, self.from)
@@ -175,6 +181,7 @@ impl Travel {
             moving: units.parts_of(1 << self.unit),
             staying: units.parts_of(set & !(1 << self.unit)),
             path,
+            onward: Vector::ZERO,
         }
     }
 }

@@ -137,6 +137,17 @@ impl Units {
         Ok(moved)
     }
 
+    /// The axes of the parts that move on one.
+    pub(super) fn part_axes(&self) -> Vec<Option<Axis>> {
+        let mut axes = vec![None; self.drawn.len()];
+        for (parts, &axis) in self.of.iter().zip(&self.axes) {
+            for &i in parts {
+                axes[i] = axis;
+            }
+        }
+        axes
+    }
+
     /// The size of all parts as they are drawn together.
     pub(super) fn reach(&self) -> f64 {
         extent(self.drawn.iter())
@@ -214,7 +225,7 @@ impl Units {
 }
 
 /// Some parts as one.
-fn together(parts: &[Part], these: &[usize]) -> Result<Part, AssemblyError> {
+pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, AssemblyError> {
     let names: Vec<&str> = these.iter().map(|&i| parts[i].name()).collect();
     let loops = (these.iter())
         .flat_map(|&i| parts[i].loops())

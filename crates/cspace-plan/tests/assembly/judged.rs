@@ -5,6 +5,8 @@ use cspace::{Axis, Configuration, Coordinates, Mechanism, Part, Point, Rotation,
 use cspace_oracle::Oracle;
 use cspace_plan::assembly::{Assembly, Kind, Step, TakenApart};
 
+use crate::played::play;
+
 /// Along each leg brute force looks at so many places.
 const PLACES: usize = 300;
 /// What is out is apart by this share of the parts' size.
@@ -30,12 +32,13 @@ pub(crate) fn asked(mechanism: &Mechanism) -> TakenApart {
     for step in &apart.steps {
         judge(mechanism, assembly.parts(), step, &mut at);
     }
+    play(mechanism, assembly.parts(), &apart);
     apart
 }
 
 /// Where the moving parts are along a step, each as often as brute force looks, to where they are before it; of a part on an axis to
 /// where it is drawn.
-fn places(step: &Step, axis: Option<Axis>) -> Vec<Configuration> {
+pub(crate) fn places(step: &Step, axis: Option<Axis>) -> Vec<Configuration> {
     let about = step.path.about;
     let mut places = Vec::new();
     for leg in step.path.configurations.windows(2) {

@@ -4,5 +4,6 @@
 mod comes_apart;
 mod judged;
 mod makes_room;
+mod played;
 mod stays_together;
 mod ten;

@@ -58,7 +58,7 @@ pub struct SceneSource {
     pub design: Option<SceneText>,
 }
 
-/// What `cspace plan` or `cspace simulate` has printed as JSON.
+/// What `cspace plan`, `cspace assembly` or `cspace simulate` has printed as JSON.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneRecord {
     /// What it is called: a file's name.

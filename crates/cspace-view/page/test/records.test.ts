@@ -2,7 +2,8 @@
 
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
-import { RecordError, pathAt, readRecord, readRecordText, stateAt } from "../src/ui/records.js";
+import { RecordError } from "../src/ui/record-json.js";
+import { pathAt, readRecord, readRecordText, stateAt } from "../src/ui/records.js";
 
 const path = [
   { x: 0, y: 0, theta: 0 },

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cspace::{Axis, ComputeError, Coordinates, Mechanism, PairError};
-use cspace_answers::legs_in_words;
+use cspace_answers::{legs_in_words, motion_in_words};
 use cspace_io::shown;
 use cspace_plan::PlanError;
 use cspace_plan::assembly::{
@@ -49,6 +49,9 @@ struct Step {
     about: Option<[f64; 2]>,
     words: Vec<String>,
     clearance: Option<f64>,
+    /// Of parts that leave, how much farther they go to be out of the way of what comes later.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    onward: Option<[f64; 2]>,
 }
 
 /// What comes out of some parts.
@@ -61,6 +64,9 @@ struct Tree {
 
 #[derive(Debug, Serialize)]
 struct Branch {
+    /// The indices of the steps that make room for it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    room: Vec<usize>,
     /// The index of the step.
     step: usize,
     /// What comes out of it in turn; nothing out of one part.
@@ -130,6 +136,21 @@ fn scene(parts: &[cspace::Part], model: &Mechanism, step: &assembly::Step) -> Op
     Some(Scene::new(part, part, axes).with_about(step.path.about))
 }
 
+/// What each leg does, in words: on an axis, what the part does about or along it.
+fn words(scene: &Scene, path: &[Coordinates], unit: Option<&str>) -> Vec<String> {
+    let Some((_, motion)) = scene.motions() else {
+        return legs_in_words(scene, path, unit);
+    };
+    (path.windows(2))
+        .map(|leg| match (leg[0], leg[1]) {
+            (Coordinates::Axes { v: from, .. }, Coordinates::Axes { v: to, .. }) => {
+                motion_in_words(motion, to - from, unit)
+            }
+            _ => String::new(),
+        })
+        .collect()
+}
+
 /// What the model cannot be asked is bad input; what could not be computed is not.
 fn failure(path: &Path, error: AssemblyError) -> Failure {
     let interrupted = PairError::Compute(ComputeError::Interrupted);
@@ -163,6 +184,7 @@ fn told(model: &Mechanism, assembly: &Assembly, apart: &TakenApart, seconds: f64
             .collect(),
         doubtful: why.doubtful.clone(),
     };
+    let unit = model.unit.as_deref();
     let step = |step: &assembly::Step| {
         let scene = scene(assembly.parts(), model, step);
         let path = &step.path.configurations;
@@ -173,9 +195,8 @@ fn told(model: &Mechanism, assembly: &Assembly, apart: &TakenApart, seconds: f64
             staying: names(&step.staying),
             clearance: Some(step.path.narrowest.clearance).filter(|c| c.is_finite()),
             about: (scene.as_ref().filter(is_planar)).map(|s| [s.about().x, s.about().y]),
-            words: scene.map_or_else(Vec::new, |scene| {
-                legs_in_words(&scene, path, model.unit.as_deref())
-            }),
+            words: (scene.as_ref()).map_or_else(Vec::new, |scene| words(scene, path, unit)),
+            onward: (step.kind == Kind::Leaves).then_some([step.onward.x, step.onward.y]),
             path: path.clone(),
         }
     };
@@ -196,6 +217,7 @@ fn told(model: &Mechanism, assembly: &Assembly, apart: &TakenApart, seconds: f64
 
 fn tree(of: &assembly::Tree, names: &dyn Fn(&[usize]) -> Vec<String>) -> Tree {
     let branch = |branch: &assembly::Branch| Branch {
+        room: branch.room.clone(),
         step: branch.step,
         tree: (branch.tree.parts.len() > 1).then(|| tree(&branch.tree, names)),
     };

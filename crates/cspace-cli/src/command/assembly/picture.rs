@@ -56,11 +56,7 @@ fn frame<'a>(
     step: &Step,
 ) -> (String, PartsPicture<'a>) {
     let axis = step.moving.first().and_then(|&i| model.parts[i].axis);
-    let place = |c: Coordinates, before: Configuration| match (c, axis) {
-        (Coordinates::Planar(c), _) => c.compose(before),
-        (Coordinates::Axes { v, .. }, Some(axis)) => axis.configuration(v),
-        (Coordinates::Axes { .. }, None) => before,
-    };
+    let place = |c: Coordinates, before: Configuration| step.placed(c, axis, before);
     let mut picture = placed(model, at, &step.staying);
     let parts: Vec<_> = model.parts.iter().map(|p| p.part.clone()).collect();
     if let Some(scene) = super::scene(&parts, model, step) {

@@ -51,22 +51,11 @@ fn branches(text: &mut String, tree: &Tree, steps: &[Step], depth: usize) -> fmt
         let Some(step) = steps.get(branch.step) else {
             continue;
         };
-        let room = steps[..branch.step]
-            .iter()
-            .rev()
-            .take_while(|s| s.kind == Kind::Moves);
-        let mut room: Vec<String> = room.map(|s| list(&s.moving)).collect();
-        room.reverse();
-        let after = match room.is_empty() {
-            true => String::new(),
-            false => format!(", once {} made room", room.join(" and ")),
-        };
-        writeln!(
-            text,
-            "{indent}{}. {}{after}",
-            branch.step + 1,
-            list(&step.moving)
-        )?;
+        for (i, room) in (branch.room.iter()).filter_map(|&i| Some((i, steps.get(i)?))) {
+            let (parts, does) = (list(&room.moving), room.words.join(", "));
+            writeln!(text, "{indent}{}. {parts} {does} (makes room)", i + 1)?;
+        }
+        writeln!(text, "{indent}{}. {}", branch.step + 1, list(&step.moving))?;
         if let Some(tree) = &branch.tree {
             branches(text, tree, steps, depth + 2)?;
         }

@@ -1,8 +1,9 @@
-/** What `cspace plan` and `cspace simulate` print, read and told at any time. */
+/** What `cspace plan`, `cspace assembly` and `cspace simulate` print, read and told at any time. */
 
 import type { Configuration } from "../kernel/api.js";
-import { LARGEST_NUMBER, isUsable } from "./numbers.js";
+import { readAssembly } from "./assembly-record.js";
 import { apply, rotate, type Placement } from "./placement.js";
+import { RecordError, array, isObject, number, type Json } from "./record-json.js";
 
 export interface Tick {
   t: number;
@@ -22,9 +23,6 @@ export interface Sample {
   parts: Map<string, Placement | number>;
 }
 
-/** Why a file is no record, for the user. */
-export class RecordError extends Error {}
-
 /** A planned path has no times: it is played in this many seconds. */
 const PATH_SECONDS = 6;
 /** And so is what goes from one balance to another at once. */
@@ -32,13 +30,12 @@ const SNAP_SECONDS = 0.4;
 /** Where contacts come and go there are two states of one time; with more, parts go somewhere. */
 const OF_ONE_TIME = 4;
 
-type Json = Record<string, unknown>;
-
 export function readRecord(name: string, record: unknown): PlayableRecord {
-  if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan" or "cspace simulate" prints with --format json: no object`);
+  if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan", "cspace assembly" or "cspace simulate" prints with --format json: no object`);
+  if ("verdict" in record && "steps" in record) return readAssembly(name, record);
   if ("verdict" in record) return readPlan(name, record);
   if ("samples" in record) return readSimulation(name, record);
-  throw new RecordError(`${name}: neither "verdict" (cspace plan) nor "samples" (cspace simulate) is in it`);
+  throw new RecordError(`${name}: neither "verdict" (cspace plan, cspace assembly) nor "samples" (cspace simulate) is in it`);
 }
 
 export function readRecordText(name: string, text: string): PlayableRecord {
@@ -75,7 +72,7 @@ function readPlan(name: string, record: Json): PlayableRecord {
 }
 
 /** How long legs are relative to each other; a radian counts as a unit of length, which only sets the pace. */
-function distance(a: Configuration, b: Configuration): number {
+export function distance(a: Configuration, b: Configuration): number {
   const [p, q] = [numbersOf(a), numbersOf(b)];
   return Math.hypot(...p.map((x, i) => (q[i] ?? x) - x));
 }
@@ -84,8 +81,8 @@ export function numbersOf(c: Configuration): number[] {
   return "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
 }
 
-function configuration(name: string, c: unknown, index: number): Configuration {
-  const place = `path[${index}]`;
+export function configuration(name: string, c: unknown, index: number, list = "path"): Configuration {
+  const place = `${list}[${index}]`;
   if (Array.isArray(c) && c.length === 3) return { x: number(name, c[0], place), y: number(name, c[1], place), theta: number(name, c[2], place) };
   if (Array.isArray(c) && c.length === 2) return { u: number(name, c[0], place), v: number(name, c[1], place) };
   if (isObject(c) && "u" in c) return { u: number(name, c["u"], `${place}.u`), v: number(name, c["v"], `${place}.v`) };
@@ -191,11 +188,14 @@ export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Co
   const [i, f] = between(record.steps, t);
   const a = record.steps[i]?.at;
   const b = record.steps[i + 1]?.at ?? a;
-  if (!a || !b) return null;
+  return a && b ? onLeg(a, b, record.about, f) : null;
+}
+
+/** The configuration at a share of a leg. The point of the part that legs are about goes straight. */
+export function onLeg(a: Configuration, b: Configuration, [x, y]: readonly [number, number], f: number): Configuration | null {
   if ("u" in a && "u" in b) return { u: mix(a.u, b.u, f), v: mix(a.v, b.v, f) };
   if (!("x" in a && "x" in b)) return null;
-  // The point of the part that legs are about goes straight.
-  const about = { x: record.about[0], y: record.about[1] };
+  const about = { x, y };
   const [from, to] = [apply(a, about), apply(b, about)];
   const theta = mix(a.theta, b.theta, f);
   const arm = rotate(about, theta);
@@ -206,19 +206,4 @@ export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Co
  * would lead through parts. */
 export function stateAt(record: PlayableRecord & { kind: "simulation" }, t: number): Sample | null {
   return record.steps[between(record.steps, t)[0]] ?? null;
-}
-
-function isObject(value: unknown): value is Json {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
-function array(name: string, value: unknown, place: string): unknown[] {
-  if (!Array.isArray(value)) throw new RecordError(`${name}: "${place}" is no list`);
-  return value;
-}
-
-function number(name: string, value: unknown, place: string): number {
-  if (typeof value !== "number" || Number.isNaN(value)) throw new RecordError(`${name}: ${place} is no number`);
-  if (!isUsable(value)) throw new RecordError(`${name}: ${place} is ${value}, which is beyond what can be shown (${LARGEST_NUMBER})`);
-  return value;
 }

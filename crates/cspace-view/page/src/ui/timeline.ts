@@ -1,9 +1,10 @@
-/** Planned ways and simulations are played here. */
+/** Planned ways, assemblies that come apart and simulations are played here. */
 
 import { html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { short } from "./numbers.js";
-import { RecordError, pathAt, readRecord, readRecordText, stateAt } from "./records.js";
+import { RecordError } from "./record-json.js";
+import { pathAt, readRecord, readRecordText, stateAt } from "./records.js";
 import type { PlayableRecord } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
