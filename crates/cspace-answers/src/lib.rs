@@ -6,7 +6,11 @@ pub mod check;
 mod leg;
 mod made_of;
 pub mod plan;
+mod rest;
 pub mod simulate;
+mod twin;
 
 pub use leg::legs_in_words;
 pub use made_of::MadeOf;
+pub use rest::Rest;
+pub use twin::Twin;
