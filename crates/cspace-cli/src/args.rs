@@ -607,6 +607,8 @@ pub(crate) struct CheckArgs {
     pub(crate) sensitivities: bool,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -858,6 +860,8 @@ pub(crate) struct SimulateArgs {
     pub(crate) picture: PictureArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
