@@ -7,10 +7,13 @@ mod leg;
 mod made_of;
 pub mod plan;
 mod rest;
+mod rounded;
+mod side;
 pub mod simulate;
 mod twin;
 
 pub use leg::legs_in_words;
 pub use made_of::MadeOf;
 pub use rest::Rest;
+pub use side::place_on_part;
 pub use twin::Twin;

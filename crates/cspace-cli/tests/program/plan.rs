@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
 
 fn numbers(at: &Value) -> Vec<f64> {
     ["x", "y", "theta", "u", "v"]
@@ -325,7 +325,7 @@ fn what_legs_are_about_is_written_and_read() {
     let checked = json(&["plan", slot, "--check", way]);
     assert_eq!(checked["verdict"], "path");
     assert_eq!(checked["about"], answer["about"]);
-    let other = json(&["plan", slot, "--check", way, "--about", "0,0"]);
+    let other = json_beside_notes(&["plan", slot, "--check", way, "--about", "0,0"]);
     assert_eq!(other["verdict"], "no-path");
     // The same turn as a motion: about the middle it is free, about the origin it is not.
     let turn = |about: &str| {

@@ -329,7 +329,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         writeln!(text, "clearance {}{unit}{rest}", length(clearance))?;
         writeln!(text, "  at       {}", pair.place(place.at))?;
         if let Some(features) = place.features {
-            writeln!(text, "  there    {}", near(pair, features))?;
+            writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
     if let Some(b) = &told.bottleneck {
@@ -342,7 +342,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         )?;
         writeln!(text, "  at       {}", pair.place(b.place.at))?;
         if let Some(features) = b.place.features {
-            writeln!(text, "  there    {}", near(pair, features))?;
+            writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
     if let Some(enclosed) = &told.enclosed {
@@ -350,12 +350,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         const MOST: usize = 12;
         writeln!(
             text,
-            "start and goal are in different regions; region {} is enclosed by {}:",
-            enclosed.region,
+            "start and goal are in different regions; {} is enclosed by {}:",
+            pair.region(enclosed.region),
             count(enclosed.patches, "contact patch", "contact patches")
         )?;
         for &features in enclosed.features.iter().take(MOST) {
-            writeln!(text, "  {}", pair.touch(features))?;
+            writeln!(text, "  {}", pair.touches(features))?;
         }
         let more = enclosed.features.len().saturating_sub(MOST);
         if more > 0 {
@@ -373,7 +373,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     }
     if let Some(blocked) = &told.blocked {
         if let Some(features) = blocked.features {
-            writeln!(text, "  overlap  {}", near(pair, features))?;
+            writeln!(text, "  overlap  {}", pair.beside(features))?;
         }
         if let (Some(depth), Some(at)) = (blocked.depth, blocked.nearest) {
             writeln!(
@@ -400,7 +400,7 @@ fn met(text: &mut String, pair: &Chosen<'_>, hit: &Contact) -> fmt::Result {
     )?;
     writeln!(text, "  at       {}", pair.place(hit.place.at))?;
     if let Some(features) = hit.place.features {
-        writeln!(text, "  there    {}", pair.touch(features))?;
+        writeln!(text, "  there    {}", pair.touches(features))?;
     }
     Ok(())
 }
@@ -419,16 +419,4 @@ fn off_contact(rest: &Rest, configurations: usize, unit: &str) -> String {
     let clearance =
         (rest.clearance).map_or(String::new(), |c| format!("; {}{unit} {place}", length(c)));
     format!(": the path {begins} in contact{clearance}")
-}
-
-/// Two features that are near each other, in words.
-fn near(pair: &Chosen<'_>, (fixed, moving): crate::subject::FeaturePair) -> String {
-    let (a, b) = (pair.fixed(), pair.moving());
-    format!(
-        "{} of {} and {} of {}",
-        a.feature_text(fixed),
-        a.name(),
-        b.feature_text(moving),
-        b.name()
-    )
 }
