@@ -5,6 +5,8 @@ use core::f64::consts::TAU;
 use cspace::{AxisMotion, Coordinates, Vector};
 use cspace_plan::legs::Scene;
 
+use crate::rounded::rounded;
+
 /// What each leg of a path does: "up 6 mm", "left 2.5 mm", "turn 90° clockwise", "6.1 mm towards 32.5° while turning 12°
 /// counter-clockwise". Directions are those of the fixed part's frame: x is right, y is up. Of parts on axes "u by +30°, v by −2.5 mm".
 /// Without a unit lengths are numbers.
@@ -135,19 +137,5 @@ pub fn motion_in_words(motion: AxisMotion, by: f64, unit: Option<&str>) -> Strin
             let far = rounded(by.abs());
             format!("slides {far}{unit} along {}", two(way.x, way.y))
         }
-    }
-}
-
-/// A number as it is said: four digits.
-fn rounded(x: f64) -> String {
-    let digits = if x == 0.0 {
-        0
-    } else {
-        (3 - x.log10().floor() as i32).clamp(0, 12)
-    };
-    let text = format!("{x:.*}", digits as usize);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
     }
 }

@@ -6,7 +6,14 @@ pub mod check;
 mod leg;
 mod made_of;
 pub mod plan;
+mod rest;
+mod rounded;
+mod side;
 pub mod simulate;
+mod twin;
 
 pub use leg::{legs_in_words, motion_in_words};
 pub use made_of::MadeOf;
+pub use rest::Rest;
+pub use side::place_on_part;
+pub use twin::Twin;

@@ -7,6 +7,8 @@ use cspace_plan::{Answer, Blocked, Checked, Narrow, Path, Verdict};
 use serde::Serialize;
 
 use crate::leg::legs_in_words;
+use crate::rest::Rest;
+use crate::twin::Twin;
 
 /// A feature of the fixed part and one of the moving part.
 pub type FeaturePair = (FeatureName, FeatureName);
@@ -29,6 +31,9 @@ pub struct Told {
     /// Where the path is narrowest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub narrowest: Option<Place>,
+    /// The clearance off the contacts that the path starts or ends in, if it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rest: Option<Rest>,
     /// The clearance of the widest way, if it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bottleneck: Option<Bottleneck>,
@@ -37,6 +42,9 @@ pub struct Told {
     /// What encloses start or goal, if that is why there is no path.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub enclosed: Option<Enclosed>,
+    /// A configuration to which there is a path, and in which the moving part looks as at the goal, to which there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub twin: Option<Twin>,
     /// What overlaps at start or goal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blocked: Option<Overlap>,
@@ -183,9 +191,11 @@ impl Told {
             words: Vec::new(),
             clearance: None,
             narrowest: None,
+            rest: None,
             bottleneck: None,
             regions: Regions::default(),
             enclosed: None,
+            twin: None,
             blocked: None,
             contact: None,
             doubtful: Vec::new(),
@@ -202,16 +212,22 @@ impl Told {
         path: Vec<Coordinates>,
         narrow: &Narrow,
     ) {
-        let about = scene.about();
-        self.about = scene.motions().is_none().then_some([about.x, about.y]);
+        self.about = about(scene);
+        self.rest = Rest::of(scene, &path);
         self.words = legs_in_words(scene, &path, unit);
         self.path = path;
         self.clearance = Some(narrow.clearance).filter(|c| c.is_finite());
         self.narrowest = Some(parts.place(narrow.at, narrow.features));
     }
 
-    /// Of a question for a path, asked of a planner.
-    pub fn planned(space: &PairSpace, legs: Legs<'_>, answer: Answer, seconds: f64) -> Self {
+    /// The answer of a planner to a question for a path to a goal, or to where the part is out.
+    pub fn planned(
+        space: &PairSpace,
+        legs: Legs<'_>,
+        goal: Option<Coordinates>,
+        answer: Answer,
+        seconds: f64,
+    ) -> Self {
         let parts = Parts {
             fixed: space.fixed(),
             moving: space.moving(),
@@ -233,6 +249,8 @@ impl Told {
                 ..
             }) => told.free(parts, legs, configurations, &narrowest),
             Verdict::NoPath(enclosed) => {
+                told.twin = (told.regions.from.zip(goal))
+                    .and_then(|(region, goal)| Twin::in_region(space, region, goal));
                 told.enclosed = Some(Enclosed {
                     region: enclosed.region,
                     patches: enclosed.patches,
@@ -243,13 +261,16 @@ impl Told {
             Verdict::FromBlocked(blocked) | Verdict::ToBlocked(blocked) => {
                 told.blocked = Some(overlap(parts, &blocked));
             }
-            Verdict::Unknown(doubtful) => told.doubtful = doubtful,
+            Verdict::Unknown(doubtful) => {
+                told.about = about(legs.0);
+                told.doubtful = doubtful;
+            }
             Verdict::TooNarrow => {}
         }
         told
     }
 
-    /// Of a path that is judged.
+    /// The verdict of the judge of a given path.
     pub fn checked(
         parts: Parts<'_>,
         legs: Legs<'_>,
@@ -264,6 +285,16 @@ impl Told {
             Checked::Meets(_) => Name::NoPath,
         };
         let mut told = Self::new(verdict, seconds);
+        let overlap = |at: Option<&Coordinates>| {
+            let features = (at.and_then(|&at| legs.0.numbers(at).ok()))
+                .and_then(|at| legs.0.nearest(at).features);
+            Overlap {
+                depth: None,
+                nearest: None,
+                touching: features.map(|f| parts.texts(f)),
+                features,
+            }
+        };
         match checked {
             Checked::Free(narrow) => told.free(parts, legs, path, narrow),
             Checked::Meets(hit) => {
@@ -273,10 +304,17 @@ impl Told {
                     place: parts.place(hit.at, hit.features),
                 });
             }
-            Checked::FromBlocked | Checked::ToBlocked => {}
+            Checked::FromBlocked => told.blocked = Some(overlap(path.first())),
+            Checked::ToBlocked => told.blocked = Some(overlap(path.last())),
         }
         told
     }
+}
+
+/// The point that legs of a planar part are about.
+fn about(scene: &Scene) -> Option<[f64; 2]> {
+    let about = scene.about();
+    scene.motions().is_none().then_some([about.x, about.y])
 }
 
 fn name(verdict: &Verdict) -> Name {

@@ -346,7 +346,7 @@ pub(crate) struct ClassifyArgs {
 pub(crate) enum Column {
     /// free, blocked or contact
     Class,
-    /// The number of the free region, as `compute` lists them
+    /// The number of the free region: 0 for `outside`, 1 for `pocket 1`
     Region,
     /// How far the moving part moves to the nearest contact
     Distance,
@@ -607,6 +607,8 @@ pub(crate) struct CheckArgs {
     pub(crate) sensitivities: bool,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -858,6 +860,8 @@ pub(crate) struct SimulateArgs {
     pub(crate) picture: PictureArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
     /// Number of threads; 0 for one per processor. Results do not depend on it
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
     pub(crate) threads: u16,
@@ -1381,7 +1385,8 @@ with less than --clearance, or the pair is on fixed axes.
 
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
 way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check
-judges a path by the two outlines alone, without their contact space.";
+judges a path by the two outlines alone, without their contact space; blocked:
+it meets a contact (in JSON no-path).";
 
 const ESCAPE: &str = "\
 Examples:
@@ -1612,8 +1617,8 @@ adds those of --columns, which the input may not have:
 
   class     free: the interiors of the parts do not meet; blocked: they do;
             contact: within the resolution of the boundary between the two
-  region    the number of the free region, as compute lists them; empty where
-            not free
+  region    the number of the free region: 0 for `outside`, 1 for `pocket 1`;
+            empty where not free
   distance  how far the moving part moves to the nearest contact: a length at
             that orientation, or, on fixed axes, along or about its axis; 0 in
             contact, empty where blocked or nothing is met

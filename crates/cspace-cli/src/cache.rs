@@ -5,10 +5,10 @@
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::time::{Duration, Instant, SystemTime};
 
 use cspace::space::SAVED_VERSION;
-use cspace::{Options, PairSpace, Part, Relation};
+use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
 use cspace_io::saved;
 use etcetera::BaseStrategy;
 use flate2::Compression;
@@ -40,19 +40,47 @@ const ENDING: &str = ".cspace.gz";
 /// What names of files begin with that are not written to their ends.
 const UNFINISHED: &str = ".cspace-";
 
+/// The space of two parts, and whether it was kept from before. One that is computed is kept.
+pub(crate) fn space(
+    keeps: bool,
+    (fixed, moving): (&Part, &Part),
+    relation: Relation,
+    options: &Options,
+    progress: &dyn Progress,
+) -> Result<(PairSpace, bool), PairError> {
+    let entry = match keeps {
+        true => Entry::of(fixed, moving, relation, options),
+        false => None,
+    };
+    if let Some(space) = entry.as_ref().and_then(Entry::read) {
+        return Ok((space, true));
+    }
+    let begin = Instant::now();
+    let space = PairSpace::compute_with(fixed, moving, relation, options, progress)?;
+    if let Some(entry) = entry {
+        entry.keep(&space, begin.elapsed());
+    }
+    Ok((space, false))
+}
+
+/// A way to come by spaces for computations on several pairs: kept from before, or computed and then kept.
+pub(crate) fn compute(
+    keeps: bool,
+    progress: &dyn Progress,
+) -> impl Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync {
+    move |fixed, moving, relation, options| {
+        Ok(space(keeps, (fixed, moving), relation, options, progress)?.0)
+    }
+}
+
 /// The place for the space of a pair.
-pub(crate) struct Entry {
+struct Entry {
     path: PathBuf,
 }
 
 impl Entry {
     /// The place for the space of two parts; none where nothing is kept.
-    pub(crate) fn of(
-        fixed: &Part,
-        moving: &Part,
-        relation: Relation,
-        options: &Options,
-    ) -> Option<Self> {
+    fn of(fixed: &Part, moving: &Part, relation: Relation, options: &Options) -> Option<Self> {
         let folder = folder()?;
         let parts = serde_json::to_vec(&(fixed, moving)).ok()?;
         let key = Sha256::new()
@@ -65,7 +93,7 @@ impl Entry {
     }
 
     /// The space, if it was kept and is whole.
-    pub(crate) fn read(&self) -> Option<PairSpace> {
+    fn read(&self) -> Option<PairSpace> {
         let file = std::fs::File::open(&self.path).ok()?;
         let mut bytes = Vec::new();
         (&file).take(LARGEST).read_to_end(&mut bytes).ok()?;
@@ -85,7 +113,7 @@ impl Entry {
     }
 
     /// Keeps a space, if computing it took long enough. Where it cannot be written it is computed again the next time.
-    pub(crate) fn keep(&self, space: &PairSpace, took: Duration) {
+    fn keep(&self, space: &PairSpace, took: Duration) {
         if took.as_secs_f64() >= after() {
             let _ = self.write(space);
         }
@@ -108,7 +136,7 @@ impl Entry {
         file.write_all(&Sha256::digest(&packed))?;
         file.write_all(&packed)?;
         file.persist(&self.path)?;
-        bound(folder)
+        bound(folder, MOST)
     }
 }
 
@@ -141,8 +169,8 @@ fn program() -> Option<String> {
     ))
 }
 
-/// Removes the oldest entries until the rest is small enough; files that are no entries stay.
-fn bound(folder: &Path) -> std::io::Result<()> {
+/// Removes the oldest entries until the rest has no more bytes than these; files that are no entries stay.
+fn bound(folder: &Path, most: u64) -> std::io::Result<()> {
     let mut entries: Vec<(SystemTime, u64, PathBuf)> = Vec::new();
     for file in std::fs::read_dir(folder)? {
         let file = file?;
@@ -156,7 +184,7 @@ fn bound(folder: &Path) -> std::io::Result<()> {
     entries.sort();
     let mut all: u64 = entries.iter().map(|e| e.1).sum();
     for (_, bytes, path) in entries {
-        if all <= MOST {
+        if all <= most {
             break;
         }
         // Another command may have removed it.
@@ -168,4 +196,49 @@ fn bound(folder: &Path) -> std::io::Result<()> {
 
 fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::time::{Duration, SystemTime};
+
+    use super::{ENDING, UNFINISHED, bound};
+
+    /// Entries of 100 bytes, the first the oldest, and a file that is none.
+    #[test]
+    fn the_oldest_entries_are_removed_beyond_the_limit() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |name: &str, age: u64| {
+            let file = fs::File::create(folder.path().join(name)).unwrap();
+            file.set_len(100).unwrap();
+            let then = SystemTime::now() - Duration::from_secs(age);
+            file.set_modified(then).unwrap();
+        };
+        let names = ["a", "b", "c", "d"].map(|name| format!("{name}{ENDING}"));
+        for (name, age) in names.iter().zip([50, 40, 30, 20]) {
+            write(name, age);
+        }
+        let unfinished = format!("{UNFINISHED}e");
+        write(&unfinished, 60);
+        write("notes.txt", 1000);
+        let left = || {
+            let files = fs::read_dir(folder.path()).unwrap();
+            let mut names: Vec<String> = files
+                .map(|file| file.unwrap().file_name().into_string().unwrap())
+                .collect();
+            names.sort();
+            names
+        };
+        let all = left();
+        bound(folder.path(), 500).unwrap();
+        assert_eq!(left(), all);
+        bound(folder.path(), 499).unwrap();
+        assert!(!left().contains(&unfinished));
+        assert_eq!(left().len(), 5);
+        bound(folder.path(), 250).unwrap();
+        assert_eq!(left(), [&names[2], &names[3], "notes.txt"]);
+        bound(folder.path(), 0).unwrap();
+        assert_eq!(left(), ["notes.txt"]);
+    }
 }

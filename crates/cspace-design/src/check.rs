@@ -1,5 +1,6 @@
 //! All requirements of a model.
 
+use cspace::mechanism::Compute;
 use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
 use cspace_io::model::{Requirement, Subject, Target};
 use cspace_io::{Model, ModelError};
@@ -59,7 +60,19 @@ pub struct Interrupted;
 /// If the progress ends the computation.
 pub fn check_with(model: &Model, progress: &dyn Progress) -> Result<Vec<Checked>, Interrupted> {
     let spaces = Spaces::compute(model, progress)?;
-    Ok(model.requirements.iter().map(|r| spaces.check(r)).collect())
+    Ok(spaces.check_all(model))
+}
+
+/// As [`check_with`], with the spaces from elsewhere.
+///
+/// # Errors
+/// If the progress ends the computation.
+pub fn check_by(
+    model: &Model,
+    compute: &Compute<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<Checked>, Interrupted> {
+    Ok(Spaces::compute_by(model, compute, progress)?.check_all(model))
 }
 
 /// Why there is no model with some values, in words.
@@ -78,6 +91,18 @@ pub(crate) struct Spaces {
 
 impl Spaces {
     pub(crate) fn compute(model: &Model, progress: &dyn Progress) -> Result<Self, Interrupted> {
+        let compute: &Compute<'_> = &|fixed, moving, relation, options| {
+            PairSpace::compute_with(fixed, moving, relation, options, progress)
+        };
+        Self::compute_by(model, compute, progress)
+    }
+
+    /// The spaces from elsewhere, and motions that are followed on them.
+    pub(crate) fn compute_by(
+        model: &Model,
+        compute: &Compute<'_>,
+        progress: &dyn Progress,
+    ) -> Result<Self, Interrupted> {
         let mut found = Self {
             pairs: Vec::new(),
             motions: Vec::new(),
@@ -86,12 +111,12 @@ impl Spaces {
             match requirement.subject {
                 Subject::Pair(pair, _) => {
                     if found.pairs.iter().all(|s| s.0 != pair) {
-                        found.pairs.push((pair, space(model, &pair, progress)?));
+                        found.pairs.push((pair, space(model, &pair, compute)?));
                     }
                 }
                 Subject::Motion(time, _) => {
                     if found.motions.iter().all(|m| m.0 != time) {
-                        let motion = Motion::follow(&model.mechanism, time, progress)
+                        let motion = Motion::follow(&model.mechanism, time, compute, progress)
                             .map_err(|_| Interrupted)?;
                         found.motions.push((time, motion));
                     }
@@ -99,6 +124,10 @@ impl Spaces {
             }
         }
         Ok(found)
+    }
+
+    fn check_all(&self, model: &Model) -> Vec<Checked> {
+        model.requirements.iter().map(|r| self.check(r)).collect()
     }
 
     /// Measures a requirement, and names what touches.
@@ -166,7 +195,7 @@ enum On<'a> {
 fn space(
     model: &Model,
     pair: &PairEntry,
-    progress: &dyn Progress,
+    compute: &Compute<'_>,
 ) -> Result<Result<PairSpace, Unmeasured>, Interrupted> {
     let mechanism = &model.mechanism;
     let [fixed, moving] = [pair.fixed, pair.moving].map(|i| &mechanism.parts[i].part);
@@ -175,7 +204,7 @@ fn space(
         ..Options::default()
     };
     let relation = mechanism.relation(pair);
-    match PairSpace::compute_with(fixed, moving, relation, &options, progress) {
+    match compute(fixed, moving, relation, &options) {
         Ok(space) => Ok(Ok(space)),
         Err(PairError::Compute(ComputeError::Interrupted)) => Err(Interrupted),
         Err(error) => Ok(Err(Unmeasured::Space(error.to_string()))),

@@ -1,5 +1,6 @@
 //! What is measured of the motion of the whole mechanism.
 
+use cspace::mechanism::Compute;
 use cspace::{ComputeError, Mechanism, Progress};
 use cspace_io::model::{Happening, MotionQuantity};
 use cspace_motion::{
@@ -42,10 +43,11 @@ impl Motion {
     pub(crate) fn follow(
         mechanism: &Mechanism,
         time: f64,
+        compute: &Compute<'_>,
         progress: &dyn Progress,
     ) -> Result<Result<Self, Unmeasured>, ComputeError> {
         let settings = Settings { time, every: None };
-        let found = Simulation::new_with(mechanism, progress).and_then(|simulation| {
+        let found = Simulation::new_by(mechanism, compute).and_then(|simulation| {
             let record = simulation.follow_with(&settings, progress)?;
             Ok((simulation, record))
         });

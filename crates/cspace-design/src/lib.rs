@@ -49,11 +49,11 @@ mod tolerance;
 mod touching;
 
 pub use changes::Change;
-pub use check::{Checked, Interrupted, check, check_with};
+pub use check::{Checked, Interrupted, check, check_by, check_with};
 pub use displace::{Displaced, Outcome, displace};
 pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach};
 pub use motion::Motion;
-pub use sensitivity::{Sensitivity, sensitivities};
+pub use sensitivity::{Sensitivity, sensitivities, sensitivities_by};
 pub use solve::{ContactGoal, Goal, Relation, Solved, Span, put_contact, solve};
 pub use sweep::{Row, Sweep, Varied};
 pub use tolerance::{

@@ -4,6 +4,7 @@
 //! at which f(e, p) = 0 moves by de/dp = −(∂f/∂p) / (∂f/∂e). ∂f/∂p is that by the vertices and axes of the drawing
 //! ([`FeatureContact::by_drawing`]) times what the model makes of p ([`Template::slopes`]), both in dual numbers.
 
+use cspace::mechanism::Compute;
 use cspace::{
     Axis, Ball, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName,
     PairSpace, Part, Point, Progress, QueryError,
@@ -41,6 +42,21 @@ pub fn sensitivities(
     progress: &dyn Progress,
 ) -> Result<Vec<(Checked, Vec<Sensitivity>)>, Interrupted> {
     let spaces = Spaces::compute(model, progress)?;
+    Ok(sensitivities_on(&spaces, template, host, model))
+}
+
+/// As [`sensitivities`], with the spaces from elsewhere.
+///
+/// # Errors
+/// If the progress ends the computation.
+pub fn sensitivities_by(
+    template: &Template,
+    host: &Host<'_>,
+    model: &Model,
+    compute: &Compute<'_>,
+    progress: &dyn Progress,
+) -> Result<Vec<(Checked, Vec<Sensitivity>)>, Interrupted> {
+    let spaces = Spaces::compute_by(model, compute, progress)?;
     Ok(sensitivities_on(&spaces, template, host, model))
 }
 

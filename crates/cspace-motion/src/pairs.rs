@@ -1,6 +1,6 @@
 //! The pairs of a mechanism that can meet, with their configuration spaces.
 
-use cspace::mechanism::MechanismError;
+use cspace::mechanism::{Compute, MechanismError};
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
     PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
@@ -93,12 +93,25 @@ impl Pairs {
     /// # Errors
     /// If a space cannot be computed.
     pub fn compute(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, MechanismError> {
+        Self::compute_by(mechanism, &|fixed, moving, relation, options| {
+            PairSpace::compute_with(fixed, moving, relation, options, progress)
+        })
+    }
+
+    /// As [`compute`](Self::compute), with the spaces from elsewhere.
+    ///
+    /// # Errors
+    /// What `compute` returns.
+    pub fn compute_by(
+        mechanism: &Mechanism,
+        compute: &Compute<'_>,
+    ) -> Result<Self, MechanismError> {
         let candidates = mechanism.pairs.iter().copied();
         let candidates: Vec<PairEntry> = candidates
             .filter(|pair| can_meet(mechanism, pair))
             .collect();
         let computed = parallel::map(&candidates, 1, |pair| {
-            let space = mechanism.compute_with(pair, &Options::default(), progress)?;
+            let space = mechanism.compute_by(pair, &Options::default(), compute)?;
             Ok((*pair, space))
         });
         let computed: Result<Vec<_>, MechanismError> = computed.into_iter().collect();

@@ -2,7 +2,8 @@
 
 use core::cell::Cell;
 
-use cspace::{Mechanism, Progress, Silent, Stage};
+use cspace::mechanism::Compute;
+use cspace::{Mechanism, PairSpace, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
 use crate::contact::check_start;
@@ -93,13 +94,23 @@ impl Simulation {
     /// # Errors
     /// As [`new`](Self::new); and what `progress` returns.
     pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
+        Self::new_by(mechanism, &|fixed, moving, relation, options| {
+            PairSpace::compute_with(fixed, moving, relation, options, progress)
+        })
+    }
+
+    /// As [`new`](Self::new), with the spaces from elsewhere.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); and what `compute` returns.
+    pub fn new_by(mechanism: &Mechanism, compute: &Compute<'_>) -> Result<Self, SimulateError> {
         mechanism.check()?;
         let system = System::new(mechanism);
         if system.count() == 0 {
             return Err(SimulateError::NothingMoves);
         }
         check_ranges(&system, &system.start())?;
-        let pairs = Pairs::compute(mechanism, progress)?;
+        let pairs = Pairs::compute_by(mechanism, compute)?;
         let Some(start) = assemble(&system, &pairs) else {
             return Err(system.open_joint(&system.start()));
         };

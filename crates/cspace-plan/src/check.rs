@@ -88,8 +88,8 @@ pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, PlanError> 
     let (Some(&first), Some(&last)) = (places.first(), places.last()) else {
         return outside;
     };
-    let touch = TOUCHING * scene.size() + scene.rounding(first, last);
-    let touches = |at: Coords| scene.clearance(at) <= touch;
+    let rounding = scene.rounding(first, last);
+    let touches = |at: Coords| touches_up_to(scene, at, rounding);
     let is_blocked = |at: Coords| !touches(at) && scene.overlaps(at);
     if is_blocked(first) {
         return Ok(Checked::FromBlocked);
@@ -135,6 +135,15 @@ pub fn check(scene: &Scene, path: &[Coordinates]) -> Result<Checked, PlanError> 
         }),
         None => Checked::FromBlocked,
     })
+}
+
+/// Whether the parts touch where a free path is.
+pub fn touches(scene: &Scene, at: Coords) -> bool {
+    touches_up_to(scene, at, scene.rounding(at, at))
+}
+
+fn touches_up_to(scene: &Scene, at: Coords, rounding: f64) -> bool {
+    scene.clearance(at) <= TOUCHING * scene.size() + rounding
 }
 
 /// Whether a coordinate leaves its limits; of a window of orientations, by whichever turn.

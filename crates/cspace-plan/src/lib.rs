@@ -23,7 +23,7 @@ pub mod slide;
 mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
-pub use check::{Checked, Meeting, check};
+pub use check::{Checked, Meeting, check, touches};
 pub use path::Prefer;
 pub use planner::{Clearance, PlanError, Planner, Wishes};
 pub use widest::{grown, shrunk};

@@ -197,14 +197,19 @@ impl Model {
         };
         let planner = Planner::new(&space).map_err(fault)?;
         let from = coordinates(from)?;
-        let answer = match to {
-            [] => (planner.plan_out(from, &wishes, &Silent)).map(|out| out.1),
-            to => planner.plan_with(from, coordinates(to)?, &wishes, &Silent),
+        let goal = match to {
+            [] => None,
+            to => Some(coordinates(to)?),
+        };
+        let answer = match goal {
+            None => (planner.plan_out(from, &wishes, &Silent)).map(|out| out.1),
+            Some(goal) => planner.plan_with(from, goal, &wishes, &Silent),
         };
         let answer = answer.map_err(fault)?;
         json(&plan::Told::planned(
             &space,
             (planner.scene(), unit),
+            goal,
             answer,
             seconds() - begin,
         ))

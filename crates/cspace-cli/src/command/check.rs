@@ -9,6 +9,7 @@ use cspace_io::model::Dimension;
 use cspace_io::{Document, Model};
 
 use crate::args::{CheckArgs, Format};
+use crate::cache;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::catch_interrupts;
@@ -44,9 +45,10 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         chosen(&mut model, &args.requirement)?;
     }
     let bar = Bar::new(model.mechanism.name.clone());
+    let keeps = !args.cache.no_cache;
     let rows: Vec<Row> = match &template {
         None => bar
-            .watch(|bar| cspace_design::check_with(&model, bar))
+            .watch(|bar| cspace_design::check_by(&model, &cache::compute(keeps, bar), bar))
             .map_err(Failure::work)?
             .iter()
             .map(|c| Row::of(&model, c, None))
@@ -54,7 +56,8 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         Some(template) => bar
             .watch(|bar| {
                 let host = input::host(&args.values);
-                cspace_design::sensitivities(template, &host, &model, bar)
+                let compute = cache::compute(keeps, bar);
+                cspace_design::sensitivities_by(template, &host, &model, &compute, bar)
             })
             .map_err(Failure::work)?
             .into_iter()

@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use cspace::{Coordinates, Location, NearFeatures, PairSpace, QueryError};
+use cspace::{Coordinates, Location, NearFeatures, PairSpace, QueryError, RegionId};
 use serde::Serialize;
 
 use crate::args::{ContactsArgs, Format};
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::{Chosen, Subject, pair_of, texts};
+use crate::subject::{Chosen, FeaturePair, Subject, pair_of, placed, texts};
 use crate::wording::length;
 
 /// What is within this share of the smaller part's size is told, if the user does not say.
@@ -32,6 +32,9 @@ struct Answer {
 struct Contact {
     /// Features of the fixed and of the moving part.
     features: [String; 2],
+    /// The features, not as text.
+    #[serde(skip)]
+    names: FeaturePair,
     /// How far the features are apart; less than 0 by as much as they overlap.
     distance: f64,
     /// Nearest points, in the fixed part's frame.
@@ -77,6 +80,7 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
         );
         Contact {
             features: texts(space, pair_of(near)),
+            names: pair_of(near),
             distance: near.distance,
             on_fixed: [p.x, p.y],
             on_moving: [q.x, q.y],
@@ -97,13 +101,13 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
 
 fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::Result {
     let unit = pair.unit();
-    write!(text, "{}: {}", pair.place(answer.at), answer.class)?;
+    let class = match answer.region {
+        Some(region) => pair.is_free(RegionId(region)),
+        None => answer.class.to_owned(),
+    };
+    write!(text, "{}: {class}", pair.place(answer.at))?;
     match (answer.region, answer.clearance) {
-        (Some(region), Some(clearance)) => writeln!(
-            text,
-            ", in region {region}, {}{unit} apart",
-            length(clearance)
-        )?,
+        (Some(_), Some(clearance)) => writeln!(text, ", {}{unit} apart", length(clearance))?,
         _ => writeln!(text)?,
     }
     if answer.contacts.is_empty() {
@@ -114,13 +118,11 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
         let point = |p: [f64; 2]| format!("({}, {})", length(p[0]), length(p[1]));
         writeln!(
             text,
-            "  {:>12}{unit}  {} of {} at {}, {} of {} at {}, normal {}",
+            "  {:>12}{unit}  {} at {}, {} at {}, normal {}",
             length(c.distance),
-            c.features[0],
-            pair.fixed().name(),
+            placed(pair.fixed(), c.names.0),
             point(c.on_fixed),
-            c.features[1],
-            pair.moving().name(),
+            placed(pair.moving(), c.names.1),
             point(c.on_moving),
             point(c.normal)
         )?;

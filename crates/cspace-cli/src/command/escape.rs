@@ -236,7 +236,8 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     }
     if let Some(enclosed) = &told.enclosed {
         let patches = count(enclosed.patches, "contact patch", "contact patches");
-        writeln!(text, "region {} is enclosed by {patches}", enclosed.region)?;
+        let region = pair.region(enclosed.region);
+        writeln!(text, "{region} is enclosed by {patches}")?;
     }
     if let Some(Overlap {
         nearest: Some(at),

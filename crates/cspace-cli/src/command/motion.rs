@@ -75,7 +75,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
     }
     writeln!(text, "  at       {}", pair.place(answer.at))?;
     for &features in &answer.features {
-        writeln!(text, "  there    {}", pair.touch(features))?;
+        writeln!(text, "  there    {}", pair.touches(features))?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 use cspace::pair::PairMotion;
 use cspace::{
-    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, QueryError, Vector,
+    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, QueryError, RegionId, Vector,
 };
 use cspace_design::{Motion, reach};
 use cspace_io::model::Coordinate;
@@ -292,7 +292,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
         pair.place(answer.at)
     )?;
     if let (Some(region), Some(words)) = (answer.region, &answer.region_is) {
-        writeln!(text, "  {:24} {words}", format!("region {region}"))?;
+        writeln!(text, "  {:24} {words}", pair.region(RegionId(region)))?;
     }
     for d in &answer.directions {
         let far = match d.distance {

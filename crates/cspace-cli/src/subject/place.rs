@@ -1,6 +1,7 @@
 //! Configurations and displacements as they are given on the command line, and in words.
 
-use cspace::{Configuration, Coordinates, PairClass, QueryError};
+use cspace::{Configuration, Coordinates, FeatureName, PairClass, Part, QueryError, RegionId};
+use cspace_answers::place_on_part;
 use cspace_design::FeaturePair;
 use cspace_io::shown;
 
@@ -98,6 +99,37 @@ impl Chosen<'_> {
         )
     }
 
+    /// As [`touch`](Self::touch), with where on the parts the features are.
+    pub(crate) fn touches(&self, (fixed, moving): FeaturePair) -> String {
+        let (a, b) = (self.fixed(), self.moving());
+        format!("{} touches {}", placed(a, fixed), placed(b, moving))
+    }
+
+    /// Two features that are near each other, in words.
+    pub(crate) fn beside(&self, (fixed, moving): FeaturePair) -> String {
+        let (a, b) = (self.fixed(), self.moving());
+        format!("{} and {}", placed(a, fixed), placed(b, moving))
+    }
+
+    /// The name of a free region: by the part's freedom and its number, or by its number alone on axes, where nothing is outside. The
+    /// page calls regions the same.
+    pub(crate) fn region(&self, region: RegionId) -> String {
+        match region {
+            RegionId(i) if self.is_on_axes() => format!("region {i}"),
+            RegionId(0) => "outside".to_owned(),
+            RegionId(i) => format!("pocket {i}"),
+        }
+    }
+
+    /// The words that a configuration in a free region is told with.
+    pub(crate) fn is_free(&self, region: RegionId) -> String {
+        let name = self.region(region);
+        match name.as_str() {
+            "outside" => "free, outside".to_owned(),
+            _ => format!("free, in {name}"),
+        }
+    }
+
     /// That a question has no answer.
     pub(crate) fn unanswered(&self, option: &str, error: &QueryError) -> Failure {
         let failure = Failure::input(format_args!("{option}: pair {}: {error}", self.names()));
@@ -110,5 +142,14 @@ impl Chosen<'_> {
             }
             _ => failure,
         }
+    }
+}
+
+/// A feature of a part, with where on the part it is.
+pub(crate) fn placed(part: &Part, feature: FeatureName) -> String {
+    let name = format!("{} of {}", part.feature_text(feature), part.name());
+    match place_on_part(part, feature) {
+        Some(place) => format!("{name} ({place})"),
+        None => name,
     }
 }

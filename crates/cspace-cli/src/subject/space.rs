@@ -3,7 +3,6 @@
 use core::f64::consts::TAU;
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use cspace::fixed_axes::Role;
 use cspace::{
@@ -13,7 +12,7 @@ use cspace::{
 use cspace_io::shown;
 
 use super::{Chosen, Subject};
-use crate::cache::Entry;
+use crate::cache;
 use crate::failure::Failure;
 use crate::progress::Bar;
 
@@ -126,22 +125,14 @@ impl Chosen<'_> {
             },
         };
         let fixed = self.fixed();
-        let entry = match self.keeps {
-            true => Entry::of(fixed, moving, relation, &options),
-            false => None,
-        };
-        if let Some(space) = entry.as_ref().and_then(Entry::read) {
-            return Ok(Space::Kept(space));
-        }
-        let begin = Instant::now();
         let bar = Bar::new(self.names());
-        let space = bar
-            .watch(|bar| PairSpace::compute_with(fixed, moving, relation, &options, bar))
+        let (space, kept) = bar
+            .watch(|bar| cache::space(self.keeps, (fixed, moving), relation, &options, bar))
             .map_err(|e| self.failure(&e))?;
-        if let Some(entry) = entry {
-            entry.keep(&space, begin.elapsed());
-        }
-        Ok(Space::Computed(space))
+        Ok(match kept {
+            true => Space::Kept(space),
+            false => Space::Computed(space),
+        })
     }
 
     pub(crate) fn failure(&self, error: &PairError) -> Failure {

@@ -20,7 +20,7 @@ fn caged_regions_have_their_orientations() {
     let text = text_of(RING, &[]);
     let has = |words: &str| assert!(text.contains(words), "{words}: {text}");
     has("block relative to ring");
-    has("as drawn       free, in region 1, 1.000000 mm apart");
+    has("as drawn       free, in pocket 1, 1.000000 mm apart");
     has("2 connected regions, 1 caged");
     has("caged: block cannot leave it, at all orientations");
     // Nothing touches the four inner corners.

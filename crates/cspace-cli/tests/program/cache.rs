@@ -148,3 +148,29 @@ fn a_folder_that_cannot_be_written_does_not_matter() {
     });
     assert!(entries(&cache).is_empty());
 }
+
+/// Requirements and motions are measured on spaces that were kept, with the same answers; all these commands share them.
+#[test]
+fn requirements_and_motions_use_what_was_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let (cache, model) = (folder.path(), model("ratchet_pawl"));
+    let pairs = || entries(cache).len();
+    let check = ["check", &model];
+    let simulate = ["simulate", &model, "--time", "0.1"];
+    let plain = [&check[..], &simulate[..]].map(|args| answer(cspace(args)).0);
+    answer(keeping(cache, &[&check[..], &["--no-cache"]].concat()));
+    answer(keeping(cache, &[&simulate[..], &["--no-cache"]].concat()));
+    assert_eq!(pairs(), 0);
+    assert_eq!(answer(keeping(cache, &check)).0, plain[0]);
+    let kept = pairs();
+    assert!(kept > 0);
+    assert_eq!(answer(keeping(cache, &check)).0, plain[0]);
+    answer(keeping(cache, &[&check[..], &["--sensitivities"]].concat()));
+    assert_eq!(pairs(), kept);
+    answer(keeping(cache, &simulate));
+    let kept = pairs();
+    assert_eq!(answer(keeping(cache, &simulate)).0, plain[1]);
+    // The command that computes spaces finds them computed.
+    assert!(answer(keeping(cache, &["compute", &model, "-v"])).1);
+    assert_eq!(pairs(), kept);
+}

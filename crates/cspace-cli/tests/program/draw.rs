@@ -98,7 +98,7 @@ fn contacts_are_marked_where_they_are() {
         "{marks:?} {three}"
     );
     let apart = svg(&["draw", file, "--at", "4.5,0,0"]);
-    assert!(apart.contains("free, in region 0, 0.500000 mm apart") && !apart.contains("#d0002a"));
+    assert!(apart.contains("free, outside, 0.500000 mm apart") && !apart.contains("#d0002a"));
     let over = svg(&["draw", file, "--at", "0,0,0"]);
     assert!(over.contains("blocked: the parts overlap"));
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
 
 fn numbers(at: &Value) -> Vec<f64> {
     ["x", "y", "theta", "u", "v"]
@@ -59,6 +59,11 @@ fn a_path_through_material_is_no_path() {
     // The peg is 16 below its origin, and comes down by 50 on the first leg.
     let fraction = answer["contact"]["fraction"].as_f64().unwrap();
     assert!((fraction - 0.84).abs() < 1e-9, "{fraction}");
+    let told = printed(&["plan", &peg, "--check", path]);
+    assert!(
+        told.starts_with("blocked: the given path meets a contact on leg 1, after 84.0"),
+        "{told}"
+    );
     std::fs::write(path, "x,y\n0,60\n").unwrap();
     fails(cspace(&["plan", &peg, "--check", path]), 2, &["theta"]);
     std::fs::write(path, "x,y,theta\n").unwrap();
@@ -320,7 +325,7 @@ fn what_legs_are_about_is_written_and_read() {
     let checked = json(&["plan", slot, "--check", way]);
     assert_eq!(checked["verdict"], "path");
     assert_eq!(checked["about"], answer["about"]);
-    let other = json(&["plan", slot, "--check", way, "--about", "0,0"]);
+    let other = json_beside_notes(&["plan", slot, "--check", way, "--about", "0,0"]);
     assert_eq!(other["verdict"], "no-path");
     // The same turn as a motion: about the middle it is free, about the origin it is not.
     let turn = |about: &str| {
@@ -362,4 +367,82 @@ fn a_point_that_says_nothing_is_refused() {
         "1,2",
     ]);
     fails(axes, 2, &["--about", "axes"]);
+}
+
+/// A table with a square slot in it, open upwards, and a square pin that turns outside alone.
+fn pin_and_slot(folder: &std::path::Path) -> String {
+    let path = folder.join("pin.toml");
+    let text = r#"
+[[part]]
+name = "slot"
+loops = [[[-10, -5], [10, -5], [10, 5], [-10, 5]], [[-2, -2], [2, -2], [2, 2], [-2, 2]]]
+
+[[part]]
+name = "pin"
+loops = [[[-1.9, -1.9], [1.9, -1.9], [1.9, 1.9], [-1.9, 1.9]]]
+"#;
+    std::fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_square_pin_that_cannot_turn_looks_the_same_where_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let pin = pin_and_slot(folder.path());
+    let asked = ["plan", &pin, "--from", "0,0,0", "--to", "0.05,0,90deg"];
+    let answer = json(&asked);
+    assert_eq!(answer["verdict"], "no-path");
+    let at = numbers(&answer["twin"]["at"]);
+    assert!((at[0] - 0.05).abs() < 1e-9 && at[1].abs() < 1e-9 && at[2].abs() < 1e-9);
+    let told = printed(&asked);
+    assert!(
+        told.contains("hint: pin looks the same turned by -90"),
+        "{told}"
+    );
+    // Out of the slot no turn leads.
+    let away = json(&["plan", &pin, "--from", "0,0,0", "--to", "50,0,90deg"]);
+    assert!(away.get("twin").is_none());
+}
+
+#[test]
+fn a_path_that_starts_in_contact_has_a_clearance_off_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let pin = pin_and_slot(folder.path());
+    let way = folder.path().join("way.csv");
+    let way = way.to_str().unwrap();
+    std::fs::write(way, "x,y,theta\n0.1,0,0\n0.05,0,0\n0,0,0\n").unwrap();
+    let answer = json(&["plan", &pin, "--check", way]);
+    assert_eq!(answer["rest"]["from_contact"], true);
+    assert_eq!(answer["rest"]["to_contact"], false);
+    let clearance = answer["rest"]["clearance"].as_f64().unwrap();
+    assert!((clearance - 0.05).abs() < 1e-6, "{clearance}");
+    let told = printed(&["plan", &pin, "--check", way]);
+    assert!(told.contains("the path starts in contact; 0.05"), "{told}");
+    std::fs::write(way, "x,y,theta\n0,0,0\n0.1,0,0\n").unwrap();
+    let told = printed(&["plan", &pin, "--check", way]);
+    assert!(told.contains("ends in contact; 0.1"), "{told}");
+    std::fs::write(way, "x,y,theta\n0,0,0\n1,0,0\n").unwrap();
+    let told = printed(&["plan", &pin, "--check", way]);
+    assert!(told.starts_with("to-blocked"), "{told}");
+    assert!(told.contains("  overlap  "), "{told}");
+}
+
+#[test]
+fn another_point_than_that_of_the_file_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let pin = pin_and_slot(folder.path());
+    let way = folder.path().join("way.csv");
+    let way = way.to_str().unwrap();
+    let rows = "x,y,theta,about_x,about_y\n0,0,0,1,0\n0.05,0,0,1,0\n";
+    std::fs::write(way, rows).unwrap();
+    let notes = |about: &str| {
+        let mut command = cspace(&["plan", &pin, "--check", way, about]);
+        let output = command.assert().success().get_output().clone();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let told = notes("--about=2,0");
+    for word in ["--about 2,0", "about_x 1", "way.csv"] {
+        assert!(told.contains(word), "{told}");
+    }
+    assert_eq!(notes("--about=1,0"), "");
 }

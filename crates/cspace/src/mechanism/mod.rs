@@ -14,6 +14,7 @@ pub use dynamics::{
     MassProperties, PairSurface, PartDynamics, PartPosition, PartVelocity, Spring, SpringKind,
 };
 pub use entries::{JointEntry, Mechanism, PairEntry, PartEntry};
+pub use relation::Compute;
 
 #[cfg(test)]
 mod tests;

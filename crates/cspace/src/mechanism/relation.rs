@@ -2,10 +2,15 @@
 
 use crate::fixed_axes::Axis;
 use crate::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
+use crate::part::Part;
 use crate::space::{Options, Progress, Silent};
 
 use super::check::MechanismError;
 use super::entries::{Mechanism, PairEntry};
+
+/// A way to come by the configuration space of two parts: to compute it, or to read what was computed before.
+pub type Compute<'a> =
+    dyn Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync + 'a;
 
 impl Mechanism {
     /// How the parts of a pair are related: by a joint if one names both, in either order; otherwise in the plane if either
@@ -77,6 +82,21 @@ impl Mechanism {
         options: &Options,
         progress: &dyn Progress,
     ) -> Result<PairSpace, MechanismError> {
+        self.compute_by(pair, options, &|fixed, moving, relation, options| {
+            PairSpace::compute_with(fixed, moving, relation, options, progress)
+        })
+    }
+
+    /// As [`compute`](Self::compute), with the space from elsewhere.
+    ///
+    /// # Errors
+    /// If an index is no part's; and what `compute` returns.
+    pub fn compute_by(
+        &self,
+        pair: &PairEntry,
+        options: &Options,
+        compute: &Compute<'_>,
+    ) -> Result<PairSpace, MechanismError> {
         let [fixed, moving] = [pair.fixed, pair.moving].map(|i| self.parts.get(i));
         let (Some(fixed), Some(moving)) = (fixed, moving) else {
             return Err(MechanismError::NoSuchPart {
@@ -90,8 +110,7 @@ impl Mechanism {
             _ => options.window,
         };
         let options = Options { window, ..*options };
-        let space =
-            PairSpace::compute_with(&fixed.part, &moving.part, relation, &options, progress);
+        let space = compute(&fixed.part, &moving.part, relation, &options);
         space.map_err(|error: PairError| MechanismError::Pair {
             fixed: fixed.part.name().to_owned(),
             moving: moving.part.name().to_owned(),

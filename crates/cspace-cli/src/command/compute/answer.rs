@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 
 use cspace::{
     Configuration, ContactSpace, Coordinates, FixedAxesSpace, FreeRegion, Location, PairSpace,
+    RegionId,
 };
 
 use crate::command::regions;
@@ -56,7 +57,8 @@ fn as_drawn_is(
         Ok(Location::Free(region)) => {
             let clearance = space.clearance(at).unwrap_or(0.0);
             format!(
-                "free, in region {region}, {}{unit} apart",
+                "{}, {}{unit} apart",
+                pair.is_free(region),
                 length(clearance)
             )
         }
@@ -83,7 +85,8 @@ fn planar_regions(text: &mut String, pair: &Chosen<'_>, space: &ContactSpace) ->
         };
         writeln!(
             text,
-            "    region {i}     {}, e.g. x {}, y {}{}, theta {}",
+            "    {:12} {}, e.g. x {}, y {}{}, theta {}",
+            pair.region(RegionId(i as u32)),
             regions::planar(space, i as u32),
             length(example.x),
             length(example.y),
@@ -188,7 +191,8 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
         let ranges = regions::on_axes(space, r, &unit);
         writeln!(
             text,
-            "    region {i}     {ranges}, e.g. {}, {}",
+            "    {:12} {ranges}, e.g. {}, {}",
+            pair.region(RegionId(i as u32)),
             u.example(r.sample.0, r.u, r.around_u),
             v.example(r.sample.1, r.v, r.around_v)
         )?;

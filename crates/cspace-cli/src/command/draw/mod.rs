@@ -153,7 +153,8 @@ fn mark_contacts(
         Ok(Location::Free(region)) => {
             let apart = space.clearance(at).map_err(unanswered)?;
             format!(
-                "free, in region {region}, {}{} apart",
+                "{}, {}{} apart",
+                pair.is_free(region),
                 length(apart),
                 pair.unit()
             )

@@ -1,5 +1,6 @@
 //! `cspace plan`.
 
+mod hint;
 pub(crate) mod picture;
 mod proof;
 
@@ -14,7 +15,7 @@ use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
 
 use crate::args::{Format, PlanArgs};
 use crate::command::rows::{self, Rows};
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::input;
 use crate::output;
 use crate::picture::format;
@@ -22,7 +23,8 @@ use crate::progress::Bar;
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
 
-use cspace_answers::plan::{Name, Parts, Told};
+use cspace_answers::Rest;
+use cspace_answers::plan::{Contact, Name, Parts, Told};
 
 /// Why there is no proof where there is a way that is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
@@ -150,6 +152,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         steps,
         prefer: args.prefer.into(),
     };
+    let goal = to;
     let (to, answer) = Bar::new(pair.names())
         .watch(|bar| match to {
             Some(to) => Ok((to, planner.plan_with(from, to, &wishes, bar)?)),
@@ -159,6 +162,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     let mut told = Told::planned(
         &space,
         (planner.scene(), pair.unit_label()),
+        goal,
         answer,
         begin.elapsed().as_secs_f64(),
     );
@@ -189,7 +193,17 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
     if let Some(window) = pair.window() {
         scene = scene.with_window(window);
     }
-    if let Some(about) = pair.about(&args.about)?.or(about_in(&source, &rows)?) {
+    let asked = pair.about(&args.about)?;
+    let own = about_in(&source, &rows)?;
+    if let (Some(asked), Some(own)) = (asked, own)
+        && asked != own
+    {
+        note(format_args!(
+            "legs are judged about --about {},{}, not about_x {}, about_y {} of {source}",
+            asked.x, asked.y, own.x, own.y
+        ));
+    }
+    if let Some(about) = asked.or(own) {
         scene = scene.with_about(about);
     }
     let begin = Instant::now();
@@ -271,6 +285,9 @@ fn as_csv(pair: &Chosen<'_>, told: &Told) -> Result<Vec<u8>, Failure> {
 
 fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     let unit = pair.unit();
+    if let Some(hit) = &told.contact {
+        return met(text, pair, hit);
+    }
     match told.verdict {
         Name::Path => {
             let legs = told.path.len().saturating_sub(1);
@@ -293,9 +310,6 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         Name::NoPath if told.bottleneck.is_some() => {
             writeln!(text, "no-path: no way has the clearance that is asked for")?;
         }
-        Name::NoPath if told.contact.is_some() => {
-            writeln!(text, "no-path: the given path meets a contact")?;
-        }
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
         Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
@@ -309,10 +323,13 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         )?,
     }
     if let (Some(clearance), Some(place)) = (told.clearance, &told.narrowest) {
-        writeln!(text, "clearance {}{unit}", length(clearance))?;
+        let rest = (told.rest).map_or(String::new(), |rest| {
+            off_contact(&rest, told.path.len(), &unit)
+        });
+        writeln!(text, "clearance {}{unit}{rest}", length(clearance))?;
         writeln!(text, "  at       {}", pair.place(place.at))?;
         if let Some(features) = place.features {
-            writeln!(text, "  there    {}", near(pair, features))?;
+            writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
     if let Some(b) = &told.bottleneck {
@@ -325,7 +342,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         )?;
         writeln!(text, "  at       {}", pair.place(b.place.at))?;
         if let Some(features) = b.place.features {
-            writeln!(text, "  there    {}", near(pair, features))?;
+            writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
     if let Some(enclosed) = &told.enclosed {
@@ -333,12 +350,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         const MOST: usize = 12;
         writeln!(
             text,
-            "start and goal are in different regions; region {} is enclosed by {}:",
-            enclosed.region,
+            "start and goal are in different regions; {} is enclosed by {}:",
+            pair.region(enclosed.region),
             count(enclosed.patches, "contact patch", "contact patches")
         )?;
         for &features in enclosed.features.iter().take(MOST) {
-            writeln!(text, "  {}", pair.touch(features))?;
+            writeln!(text, "  {}", pair.touches(features))?;
         }
         let more = enclosed.features.len().saturating_sub(MOST);
         if more > 0 {
@@ -356,7 +373,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     }
     if let Some(blocked) = &told.blocked {
         if let Some(features) = blocked.features {
-            writeln!(text, "  overlap  {}", near(pair, features))?;
+            writeln!(text, "  overlap  {}", pair.beside(features))?;
         }
         if let (Some(depth), Some(at)) = (blocked.depth, blocked.nearest) {
             writeln!(
@@ -367,32 +384,39 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             )?;
         }
     }
-    if let Some(hit) = &told.contact {
-        writeln!(
-            text,
-            "contact on leg {} after {:.6} % of it",
-            hit.leg + 1,
-            100.0 * hit.fraction
-        )?;
-        writeln!(text, "  at       {}", pair.place(hit.place.at))?;
-        if let Some(features) = hit.place.features {
-            writeln!(text, "  there    {}", pair.touch(features))?;
-        }
-    }
     for &(lo, hi) in &told.doubtful {
         writeln!(text, "  doubtful {} to {}", angle(lo), angle(hi))?;
+    }
+    hint::write(text, pair, told)
+}
+
+/// A given path that meets a contact.
+fn met(text: &mut String, pair: &Chosen<'_>, hit: &Contact) -> fmt::Result {
+    writeln!(
+        text,
+        "blocked: the given path meets a contact on leg {}, after {:.6} % of it",
+        hit.leg + 1,
+        100.0 * hit.fraction
+    )?;
+    writeln!(text, "  at       {}", pair.place(hit.place.at))?;
+    if let Some(features) = hit.place.features {
+        writeln!(text, "  there    {}", pair.touches(features))?;
     }
     Ok(())
 }
 
-/// Two features that are near each other, in words.
-fn near(pair: &Chosen<'_>, (fixed, moving): crate::subject::FeaturePair) -> String {
-    let (a, b) = (pair.fixed(), pair.moving());
-    format!(
-        "{} of {} and {} of {}",
-        a.feature_text(fixed),
-        a.name(),
-        b.feature_text(moving),
-        b.name()
-    )
+/// The clearance of a path off the contacts that it starts or ends in, as it follows the clearance of all of it.
+fn off_contact(rest: &Rest, configurations: usize, unit: &str) -> String {
+    let ends = usize::from(rest.from_contact) + usize::from(rest.to_contact);
+    let is_one = configurations == ends + 1;
+    let (begins, place) = match (rest.from_contact, rest.to_contact) {
+        (true, true) => ("starts and ends", "between"),
+        (true, false) if is_one => ("starts", "at its end"),
+        (true, false) => ("starts", "after leaving it"),
+        (false, _) if is_one => ("ends", "at its start"),
+        (false, _) => ("ends", "before coming to it"),
+    };
+    let clearance =
+        (rest.clearance).map_or(String::new(), |c| format!("; {}{unit} {place}", length(c)));
+    format!(": the path {begins} in contact{clearance}")
 }

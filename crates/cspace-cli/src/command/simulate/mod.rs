@@ -16,6 +16,7 @@ use cspace_io::shown;
 use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
 
 use crate::args::{Format, Mode, SimulateArgs};
+use crate::cache;
 use crate::failure::{Failure, note};
 use crate::interrupt::{catch_interrupts, keep};
 use crate::output;
@@ -61,7 +62,8 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     };
     let (simulation, mut record) = Bar::new(shown::text(&model.name).into_owned())
         .watch(|bar| {
-            let mut simulation = Simulation::new_with(&model, bar)?;
+            let compute = cache::compute(!args.cache.no_cache, bar);
+            let mut simulation = Simulation::new_by(&model, &compute)?;
             if let Some(last) = earlier.as_ref().and_then(Record::last) {
                 simulation = simulation.taken_up(last)?;
             }

@@ -35,8 +35,8 @@ describe("the page that tells", { skip }, () => {
     };
     // The command has the same regions by the same numbers.
     const regions = run(["compute", model("ball_in_c")]);
-    assert.match(regions, /region 0 +open/);
-    assert.match(regions, /region 1 +caged/);
+    assert.match(regions, /outside +open/);
+    assert.match(regions, /pocket 1 +caged/);
     // A ball of radius 10 in a bore of radius 12: by Pythagoras, 2 above and below the middle.
     assert.match(await place(0), /ball is caged in pocket 1: it cannot leave\..*4 mm along y; without shifting it turns all the way round/);
     assert.match(await place(60), /ball is not caged: it can leave/);
