@@ -115,12 +115,7 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2], unit: &str) -> String {
 /// assert_eq!(cspace_answers::motion_in_words(bolt, -12.0, Some("mm")), "slides 12 mm along (-1, 0)");
 /// ```
 pub fn motion_in_words(motion: AxisMotion, by: f64, unit: Option<&str>) -> String {
-    let signed = |x: f64| match rounded(x.abs()) {
-        zero if zero == "0" => zero,
-        text if x < 0.0 => format!("-{text}"),
-        text => text,
-    };
-    let two = |x: f64, y: f64| format!("({}, {})", signed(x), signed(y));
+    let two = |x: f64, y: f64| format!("({}, {})", rounded(x), rounded(y));
     match motion {
         AxisMotion::Fixed => "stays".to_owned(),
         AxisMotion::Revolute { center } => {
