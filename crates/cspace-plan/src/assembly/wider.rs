@@ -32,14 +32,16 @@ impl Score {
     }
 }
 
-/// The best of places of the units that have made room, one after the other: where they are, and farther on. `leaves` tells how the
-/// group leaves then, if it can in the direction of a step that is known.
+/// How a group leaves once others have moved, in the direction of a step that is known if it can.
+type Asked<'a> = dyn FnMut(&Moved, &Step) -> Result<Option<Step>, AssemblyError> + 'a;
+
+/// The best of places of the units that have made room, one after the other: where they are, and farther on.
 pub(super) fn wider(
     units: &Units,
     set: Set,
     moving: Set,
     (mut moved, mut step): (Moved, Step),
-    leaves: &mut dyn FnMut(&Moved, &Step) -> Result<Option<Step>, AssemblyError>,
+    leaves: &mut Asked<'_>,
 ) -> Result<(Moved, Step), AssemblyError> {
     for k in 0..moved.went.len() {
         let (travel, found) = moved.went[k].clone();
