@@ -32,8 +32,8 @@ impl Score {
     }
 }
 
-/// How a group leaves after others have made room, if it can in the direction of a step that is known.
-pub(super) type Leaves<'l> = dyn FnMut(&Moved, &Step) -> Result<Option<Step>, AssemblyError> + 'l;
+/// How a group leaves once others have moved, in the direction of a step that is known if it can.
+type Asked<'a> = dyn FnMut(&Moved, &Step) -> Result<Option<Step>, AssemblyError> + 'a;
 
 /// The best of places of the units that have made room, one after the other: where they are, and farther on.
 pub(super) fn wider(
@@ -41,7 +41,7 @@ pub(super) fn wider(
     set: Set,
     moving: Set,
     (mut moved, mut step): (Moved, Step),
-    leaves: &mut Leaves<'_>,
+    leaves: &mut Asked<'_>,
 ) -> Result<(Moved, Step), AssemblyError> {
     for k in 0..moved.went.len() {
         let (travel, found) = moved.went[k].clone();
