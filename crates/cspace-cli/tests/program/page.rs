@@ -200,7 +200,7 @@ fn records_are_in_the_page() {
             &["list.json", "no answer of `plan`, `assembly` or `simulate`"],
         ),
         (write("half.json", r#"{"verdict": "path"}"#), &["no answer"]),
-        (apart, &["\"bolt\"", "same model"]),
+        (apart, &["\"box\"", "same model"]),
         (
             write(
                 "other.json",

@@ -325,6 +325,14 @@ fn what_legs_are_about_is_written_and_read() {
     let checked = json(&["plan", slot, "--check", way]);
     assert_eq!(checked["verdict"], "path");
     assert_eq!(checked["about"], answer["about"]);
+    // A turn on the spot in the slot.
+    std::fs::write(
+        way,
+        "x,y,theta,about_x,about_y\n-20,-23,0,20,0\n20,-23,180deg,20,0\n",
+    )
+    .unwrap();
+    let checked = json(&["plan", slot, "--check", way]);
+    assert_eq!(checked["verdict"], "path");
     let other = json_beside_notes(&["plan", slot, "--check", way, "--about", "0,0"]);
     assert_eq!(other["verdict"], "no-path");
     // The same turn as a motion: about the middle it is free, about the origin it is not.
