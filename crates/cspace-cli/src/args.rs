@@ -466,13 +466,8 @@ pub(crate) struct PlanArgs {
     pub(crate) window: WindowArg,
     #[command(flatten)]
     pub(crate) about: AboutArg,
-    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
-    #[arg(
-        long,
-        value_name = "C",
-        allow_hyphen_values = true,
-        required_unless_present = "check"
-    )]
+    /// The configuration to begin at, x,y,theta, or u,v of a pair on fixed axes; as drawn unless given
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) from: Option<String>,
     /// The configuration to come to; `out`, where the parts can be taken apart for good, unless given
     #[arg(long, value_name = "C", allow_hyphen_values = true)]

@@ -454,3 +454,11 @@ fn another_point_than_that_of_the_file_is_told() {
     }
     assert_eq!(notes("--about=1,0"), "");
 }
+
+#[test]
+fn a_way_begins_where_the_parts_are_drawn() {
+    let peg = model("peg_hole");
+    let answer = json(&["plan", &peg]);
+    assert_eq!(answer, json(&["plan", &peg, "--from", "0,0,0"]));
+    assert_eq!(answer["verdict"], "path");
+}

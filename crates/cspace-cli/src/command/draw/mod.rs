@@ -101,7 +101,7 @@ pub(super) fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
 }
 
 /// The configuration of a pair in which its parts are drawn.
-pub(super) fn as_drawn(pair: &Chosen<'_>) -> Coordinates {
+pub(crate) fn as_drawn(pair: &Chosen<'_>) -> Coordinates {
     match pair.is_on_axes() {
         true => Coordinates::Axes { u: 0.0, v: 0.0 },
         false => Coordinates::Planar(Configuration::default()),

@@ -14,6 +14,7 @@ use cspace_plan::legs::Scene;
 use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
 
 use crate::args::{Format, PlanArgs};
+use crate::command::draw::as_drawn;
 use crate::command::rows::{self, Rows};
 use crate::failure::{Failure, note};
 use crate::input;
@@ -100,11 +101,16 @@ fn goal(args: &PlanArgs) -> Option<&str> {
     args.to.as_deref().filter(|to| *to != "out")
 }
 
+/// The start: the parts as drawn unless one is given.
+fn start(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Coordinates, Failure> {
+    match &args.from {
+        Some(from) => pair.coordinates("--from", from),
+        None => Ok(as_drawn(pair)),
+    }
+}
+
 fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
-    let Some(from) = &args.from else {
-        return Err(Failure::input("--from is missing"));
-    };
-    let from = pair.coordinates("--from", from)?;
+    let from = start(args, pair)?;
     let to = match goal(args) {
         Some(to) => Some(pair.coordinates("--to", to)?),
         None => None,

@@ -30,14 +30,9 @@ pub(super) fn write(
         vec![from, to]
     } else {
         // Without a path, what was asked about.
-        let given = [
-            ("--from", args.from.as_deref()),
-            ("--to", super::goal(args)),
-        ];
-        let given = given.into_iter().filter_map(|(o, t)| Some((o, t?)));
-        given
-            .map(|(option, text)| pair.coordinates(option, text))
-            .collect::<Result<_, _>>()?
+        let to = super::goal(args).map(|text| pair.coordinates("--to", text));
+        let from = args.check.is_none().then(|| super::start(args, pair));
+        from.into_iter().chain(to).collect::<Result<_, _>>()?
     };
     for (k, &at) in shown.iter().enumerate() {
         let [fixed, moving] = &at_configuration(pair, at).parts[..] else {
