@@ -25,7 +25,8 @@ fn main() {
     }
 }
 
-/// What both parts are: sides, and the share of them that are arcs. Five sides with their corners are ten features.
+/// Kinds of parts measured (both parts of a pair are of the same kind): name, number of sides, and share of sides that are arcs. Five sides
+/// with their corners are ten features.
 const KINDS: [(&str, usize, f64); 4] = [
     ("polygons of 5 sides", 5, 0.0),
     ("outlines of 5 edges, 4 of 10 arcs", 5, 0.4),

@@ -113,21 +113,22 @@ struct Node<B> {
 }
 
 impl<B: Volume> Boxes<B> {
-    /// Of boxes that are numbered from 0.
+    /// Tree of the given boxes, numbered from 0 in their order.
     pub(crate) fn new(bounds: impl Iterator<Item = B>) -> Self {
         Self::numbered((0..).zip(bounds).collect())
     }
 
-    /// Of boxes that have numbers; several may have the same.
+    /// Tree of numbered boxes; several boxes may have the same number.
     pub(crate) fn numbered(mut things: Vec<(u32, B)>) -> Self {
         let mut nodes = Vec::new();
         divide(&mut things, 0, &mut nodes);
         Self { nodes, things }
     }
 
-    /// Whether `hit` is true of a thing whose box `reaches`. Stops at the first; the order is always the same.
+    /// Whether `hit` holds for any thing whose box satisfies `reaches`. Stops at the first such thing; the order of visits is
+    /// deterministic.
     ///
-    /// A box must reach if one inside it does.
+    /// `reaches` must hold for a box if it holds for any box inside it.
     pub(crate) fn any(
         &self,
         reaches: impl Fn(&B) -> bool,

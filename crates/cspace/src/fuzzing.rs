@@ -23,7 +23,7 @@ fn roots(trig: &Trig, mid: f64, half: f64) -> Vec<Root> {
     all
 }
 
-/// What the events of two contact curves depend on: all in the pair's frame, where both parts are in the unit disc.
+/// Data that the events of two contact curves depend on, in the pair's frame, where both parts are in the unit disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Carrier {
     /// The circle of that radius about a spiral.
@@ -88,7 +88,7 @@ pub fn polynomial_roots(
     [found, vague]
 }
 
-/// What is done to enclosures.
+/// Operations on enclosures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     /// a + b

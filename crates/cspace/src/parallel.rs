@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 /// Iterators whose items may go to several threads.
 #[cfg(feature = "rayon")]
 pub(crate) use rayon::prelude;
-/// The same by their names, on the caller's thread.
+/// Sequential replacements under the same names; they run on the caller's thread.
 #[cfg(not(feature = "rayon"))]
 pub(crate) use sequential as prelude;
 
@@ -29,7 +29,8 @@ std::thread_local! {
     static UNDIVIDED: core::cell::Cell<bool> = const { core::cell::Cell::new(false) };
 }
 
-/// What `work` makes of every item and its number, in their order: items go to several threads, and each is done by one alone.
+/// Results of `work` for every item and its number, in order. Items are distributed to several threads; each item is processed by one
+/// thread.
 pub(crate) fn each<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(usize, &T) -> R + Sync + Send,
@@ -63,7 +64,7 @@ pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     work()
 }
 
-/// What `work` makes of every item, in their order: the items are divided among threads, none of which is given fewer than `least`.
+/// Results of `work` for every item, in order. The items are divided among threads; each thread gets at least `least` items.
 ///
 /// ```
 /// let squares = cspace::parallel::map(&[1, 2, 3], 1, |x| x * x);
@@ -83,7 +84,7 @@ pub fn map<T: Sync, R: Send>(
     items.iter().map(work).collect()
 }
 
-/// What `work` makes of every so many items in a row, given the number of the first of them; in their order.
+/// Results of `work` for every chunk of `size` consecutive items, in order; `work` also gets the number of the chunk's first item.
 pub(crate) fn chunks<T: Sync, R: Send>(
     items: &[T],
     size: usize,
@@ -97,7 +98,7 @@ pub(crate) fn chunks<T: Sync, R: Send>(
     items.chunks(size).enumerate().map(work).collect()
 }
 
-/// What `work` makes of the numbers below `count`, in their order, written where it stays; no thread is given fewer than `least`.
+/// Results of `work` for the numbers below `count`, in order, written directly into the output. Each thread gets at least `least` numbers.
 #[cfg_attr(not(feature = "rayon"), allow(unused_variables))]
 pub(crate) fn numbered<R: Send>(
     count: usize,
@@ -112,7 +113,7 @@ pub(crate) fn numbered<R: Send>(
     (0..count).map(work).collect()
 }
 
-/// What both make.
+/// Results of both functions, which may run on two threads.
 pub(crate) fn join<A: Send, B: Send>(
     first: impl FnOnce() -> A + Send,
     second: impl FnOnce() -> B + Send,
@@ -150,7 +151,7 @@ pub(crate) fn sort_unstable_by<T: Send>(
 mod tests {
     use super::*;
 
-    /// What comes out is in order and the same with any number of threads.
+    /// Results are in order, and equal for any number of threads.
     #[test]
     fn threads_do_not_matter() {
         let items: Vec<u64> = (0..5000).map(|i| i * 7919 % 5003).collect();

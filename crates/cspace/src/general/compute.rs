@@ -108,7 +108,7 @@ struct Computation<'a> {
     moving: &'a Part,
     window: Option<(f64, f64)>,
     progress: &'a dyn Progress,
-    /// What the clock showed.
+    /// Reading of the clock at the start.
     begin: f64,
 }
 
@@ -188,10 +188,10 @@ impl Computation<'_> {
     }
 }
 
-/// What takes the seconds of a stage.
+/// Stopwatch for the seconds of each stage.
 pub(crate) struct Clock<'a> {
     progress: &'a dyn Progress,
-    /// What it showed at the last lap.
+    /// Reading at the last lap.
     last: f64,
 }
 
@@ -222,7 +222,7 @@ pub(crate) struct Stages<'a> {
 }
 
 impl Stages<'_> {
-    /// What is linked, and counts; `None` if circles that were divided are touched.
+    /// Runs all stages: returns the linked chains, and counts; `None` if circles that were divided are touched.
     pub(crate) fn run(
         &self,
         seconds: &mut StageSeconds,

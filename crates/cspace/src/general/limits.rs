@@ -1,8 +1,7 @@
-//! How large a pair may be: what is refused before it takes memory and time out of all proportion.
+//! Limits of size: larger pairs are refused before they take memory and time out of all proportion.
 //!
-//! None of these limits depends on the machine or on the number of threads, so that a pair is refused everywhere or nowhere.
-//! Two outlines of 2500 vertices each, which touch at every pair of features, are within all of them, with 15 gigabytes and
-//! some minutes.
+//! The limits do not depend on the machine or on the number of threads, so that a pair is refused everywhere or nowhere. Two outlines of
+//! 2500 vertices each, which touch at every pair of features, are within all limits, with 15 gigabytes and some minutes.
 
 /// The most edges of a part. Whatever is asked of a part place by place, such as its symmetry and where its material is, takes
 /// seconds; and two parts make more contacts than [`MOST_SHEETS`] anyway, but for a few that are almost all symmetry.

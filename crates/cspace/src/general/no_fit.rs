@@ -118,7 +118,7 @@ impl NoFit {
 
     /// The shortest translation to a position without overlap, zero if the configuration is one; `None` if there is no such position.
     ///
-    /// Of two parts that overlap its length is their penetration at this orientation.
+    /// For two parts that overlap, its length is their penetration at this orientation.
     ///
     /// ```
     /// use cspace::{Configuration, NoFit, Part};

@@ -34,15 +34,15 @@ pub(crate) struct Plan {
     pub(crate) names: Names,
 }
 
-/// What the features of the parts as computed are called in the parts as drawn.
+/// Maps from the features of the parts as computed to those of the parts as drawn.
 #[derive(Default)]
 pub(crate) struct Names {
     fixed: Option<Symmetrized>,
     moving: Option<Symmetrized>,
 }
 
-/// How far beyond the ends of a window is looked, radians: more than the width of what is known worst of events, so
-/// that no event of the window lies in one cluster with the end of what was looked at.
+/// Margin in radians by which a window is extended at each end: more than the largest error of an event, so that no event of the window
+/// lies in one cluster with an end of the extended window.
 pub(crate) const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
 
 impl Plan {

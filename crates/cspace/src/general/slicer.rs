@@ -93,7 +93,7 @@ impl Slicer {
     }
 }
 
-/// What a slice was read off, with the patch of each of its curves.
+/// Data from which a slice was computed, with the patch of each of its curves.
 pub(super) struct Sliced {
     pub(super) geometry: Geometry,
     /// The orientation, which differs from that of the slice by whole turns.
@@ -173,7 +173,7 @@ fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta:
         function: &'a ContactFunction,
         center: Point,
         radius: f64,
-        /// Of the normals: the middle one, and how far they go to both sides (radians).
+        /// Range of the normals: the middle one, and the angle to both ends (radians).
         middle: f64,
         half: f64,
     }

@@ -18,19 +18,19 @@ pub trait SmoothMotion {
     fn rate_bounds(&self, from: f64, to: f64) -> [f64; 3];
 }
 
-/// What becomes of a smooth motion.
+/// Outcome of a smooth motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SmoothOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It is free until the parts are nearer to each other than the tolerance.
+    /// The motion is free until the parts are nearer to each other than the tolerance.
     Contact {
-        /// When.
+        /// Time at which they are.
         time: f64,
         /// The configuration then.
         at: Coordinates,
     },
-    /// It is free until it leaves the window of orientations or the range of a part's motion, about at this time.
+    /// The motion is free until it leaves the window of orientations or the range of a part's motion, about at this time.
     Leaves {
         /// When.
         time: f64,

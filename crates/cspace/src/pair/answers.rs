@@ -1,4 +1,4 @@
-//! What is answered of pairs of any class, and why a question has no answer.
+//! Answers to questions about pairs of any class, and reasons why a question has no answer.
 
 use crate::geometry::Configuration;
 use crate::query::MotionError;
@@ -10,7 +10,7 @@ use super::relation::{Coordinates, PairClass};
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairContact {
-    /// When, in the unit of time of the rates.
+    /// Time of contact, in the unit of time of the rates.
     pub time: f64,
     /// The configuration then.
     pub at: Coordinates,
@@ -30,31 +30,31 @@ pub struct PairNearest {
     pub distance: f64,
 }
 
-/// What becomes of a motion.
+/// Outcome of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PairMotion {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a patch.
     Contact(PairContact),
-    /// It is free until it leaves the window of orientations or the range of a part's motion, at this time.
+    /// The motion is free until it leaves the window of orientations or the range of a part's motion, at this time.
     Leaves {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
 
-/// A contact that a motion comes through.
+/// A contact surface that a motion crosses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairCrossing {
-    /// When, in the unit of time of the rates.
+    /// Time of the crossing, in the unit of time of the rates.
     pub time: f64,
     /// The patch.
     pub patch: PatchId,
-    /// Whether the motion goes into blocked space there; otherwise it comes out.
+    /// Whether the motion enters blocked space there; otherwise it leaves blocked space.
     pub enters: bool,
 }
 
@@ -62,13 +62,13 @@ pub struct PairCrossing {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Neighbours {
-    /// Those before it, at its left boundary.
+    /// Patches before it, at its left boundary.
     pub before: Vec<PatchId>,
-    /// Those after it, at its right boundary.
+    /// Patches after it, at its right boundary.
     pub after: Vec<PatchId>,
-    /// Those it continues at its lowest orientation. Patches of fixed axes have none.
+    /// Patches that it continues at its lowest orientation. Patches of fixed axes have none.
     pub below: Vec<PatchId>,
-    /// Those that continue it at its highest orientation.
+    /// Patches that continue it at its highest orientation.
     pub above: Vec<PatchId>,
 }
 
@@ -83,7 +83,7 @@ pub enum QueryError {
         class: PairClass,
         /// The coordinates it has.
         wanted: &'static str,
-        /// Those it was given.
+        /// Coordinates of the configuration that was passed.
         given: &'static str,
     },
     /// The configuration is not finite, or outside the window or the ranges of motion.
@@ -97,7 +97,7 @@ pub enum QueryError {
         /// The largest there is.
         last: PatchId,
     },
-    /// The parts never part.
+    /// The parts of a lower pair are always in contact.
     #[error(
         "the parts of a lower pair are in contact for ever: there is no first or nearest contact"
     )]

@@ -1,4 +1,4 @@
-//! What a pair's space consists of: patches, the links between them, bands and free regions.
+//! Elements of a pair's space: patches, the links between them, bands and free regions.
 
 use crate::space::Band;
 
@@ -95,7 +95,7 @@ impl PairSpace {
     /// The bands: intervals between critical orientations, in which nothing but lengths changes.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate: lower pairs and those with fixed axes.
+    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
     pub fn bands(&self) -> Result<Vec<Band>, QueryError> {
         match self {
             Self::Planar(space) => Ok(space.bands()),

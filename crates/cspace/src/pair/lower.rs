@@ -34,7 +34,7 @@ pub enum Joint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PermanentContact {
-    /// What it is: a point of the moving part on a line or an arc of the fixed part.
+    /// Kind of contact: a point of the moving part on a line or an arc of the fixed part.
     pub kind: PermanentKind,
     /// Its contact function at a position (x, y) and orientation; zero on all configurations of the joint.
     pub function: ContactFunction,
@@ -42,7 +42,7 @@ pub struct PermanentContact {
     pub permanent: bool,
 }
 
-/// What touches for ever.
+/// Kind of a permanent contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -161,7 +161,7 @@ impl LowerPair {
         self.limits
     }
 
-    /// What touches for ever.
+    /// The permanent contacts.
     pub fn contacts(&self) -> &[PermanentContact] {
         &self.contacts
     }

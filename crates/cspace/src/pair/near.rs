@@ -110,7 +110,7 @@ impl PairSpace {
 
 /// More than the rounding error of points of the two parts, in the model's unit of length.
 fn rounding(frame: &PairFrame, at: Configuration) -> f64 {
-    /// Of the few sums in which the configuration's position enters.
+    /// Bound of the rounding error of the few sums in which the configuration's position enters, relative to its distance from the origin.
     const PLACED: f64 = 8.0 * f64::EPSILON;
     frame.outer_length(frame.rounding()) + PLACED * at.x.hypot(at.y)
 }
@@ -126,7 +126,7 @@ fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
 struct Feature {
     name: FeatureName,
     shape: FeatureShape<f64>,
-    /// None of a vertex.
+    /// The edge; `None` for a vertex.
     edge: Option<Edge>,
     /// The angle of the first of its outward normals, and how far the others turn from it counter-clockwise (radians).
     normals: (f64, f64),
@@ -261,14 +261,14 @@ impl Feature {
     }
 }
 
-/// What is looked for.
+/// Limits of a search for near features.
 struct Sought {
     within: f64,
-    /// Features may overlap by so much.
+    /// Maximum overlap of two features.
     deepest: f64,
-    /// Places may be so far beyond the ends of features: a part in a concave corner may be in one side of it by as much.
+    /// Maximum distance of a touching place beyond the end of a feature: a part in a concave corner may overlap one side of it by as much.
     beyond: f64,
-    /// Points nearer to each other are one.
+    /// Distance below which two points count as one.
     slack: f64,
 }
 

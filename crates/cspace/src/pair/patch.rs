@@ -60,7 +60,7 @@ pub struct ByDrawing {
     pub moving: Vec<ByVertex>,
     /// By the centre, or the direction, of the fixed part's axis; 0 if it has none.
     pub fixed_axis: [f64; 2],
-    /// The same of the moving part's.
+    /// By the centre, or the direction, of the moving part's axis; 0 if it has none.
     pub moving_axis: [f64; 2],
 }
 
@@ -90,7 +90,7 @@ impl<'a> PairPatch<'a> {
     /// The features of the fixed and of the moving part that touch.
     ///
     /// # Errors
-    /// Of a lower pair: what touches are a point and a line, or two points, of the joint.
+    /// If the pair is a lower pair: there the contact is between a point and a line, or two points, of the joint.
     pub fn features(&self) -> Result<(FeatureId, FeatureId), QueryError> {
         let (fixed, moving) = self.names()?;
         Ok((FeatureId::of_fixed(fixed), FeatureId::of_moving(moving)))
@@ -113,7 +113,7 @@ impl<'a> PairPatch<'a> {
     /// The free region it bounds.
     ///
     /// # Errors
-    /// Of a lower pair, which has none.
+    /// If the pair is a lower pair, which has no free regions.
     pub fn region(&self) -> Result<Option<RegionId>, QueryError> {
         match self.space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
@@ -127,7 +127,7 @@ impl<'a> PairPatch<'a> {
     /// The orientations at which it exists, first and last, in radians; the last may be beyond π.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate: lower pairs and those with fixed axes.
+    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
     pub fn orientations(&self) -> Result<(f64, f64), QueryError> {
         match self.space {
             PairSpace::Planar(space) => {
@@ -146,7 +146,7 @@ impl<'a> PairPatch<'a> {
     /// The derivatives are not finite where the patch shrinks to a point.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate, and outside the patch's [orientations](Self::orientations).
+    /// If the pair has no orientation as a coordinate, or `theta` is outside the patch's [orientations](Self::orientations).
     pub fn ends_at(&self, theta: f64) -> Result<[(Coordinates, [f64; 2]); 2], QueryError> {
         self.orientations()?;
         let PairSpace::Planar(space) = self.space else {
@@ -170,7 +170,7 @@ impl<'a> PairPatch<'a> {
     /// The contact of its features, by which contact functions are evaluated.
     ///
     /// # Errors
-    /// Of a lower pair.
+    /// If the pair is a lower pair.
     pub fn contact(&self) -> Result<FeatureContact, QueryError> {
         let (fixed, moving) = self.names()?;
         self.space.contact_of(fixed, moving)
@@ -181,7 +181,7 @@ impl PairSpace {
     /// The contact of a feature of the fixed part with one of the moving part, whether or not they ever touch.
     ///
     /// # Errors
-    /// Of a lower pair; and if a part has no such feature.
+    /// If the pair is a lower pair, or a part has no such feature.
     pub fn contact_of(
         &self,
         fixed: FeatureName,
@@ -267,8 +267,7 @@ impl FeatureContact {
 
     /// The contact function with its gradient and Hessian by the coordinates: by x, y and θ, or by u and v.
     ///
-    /// Of a planar configuration the first two components of the gradient are the outward unit normal of the fixed part at
-    /// the contact.
+    /// For a planar configuration, the first two components of the gradient are the outward unit normal of the fixed part at the contact.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
@@ -360,7 +359,7 @@ fn by_vertices(drawn: Drawn, slope: [f64; 5]) -> Vec<ByVertex> {
 }
 
 impl Part {
-    /// What text calls one of its features: the name that the part gives it, or its kind and place, such as `line 3 of loop 0`.
+    /// Text for one of the part's features: the name that the part gives it, or its kind and place, such as `line 3 of loop 0`.
     pub fn feature_text(&self, name: FeatureName) -> String {
         let (loop_index, index) = (name.loop_index, name.index);
         let feature = match name.kind {

@@ -103,7 +103,7 @@ impl PairSpace {
         Ok(nearest)
     }
 
-    /// That a configuration can be projected.
+    /// Checks that a configuration can be projected with a metric.
     fn check_projected(&self, at: Coordinates, metric: Metric) -> Result<(), QueryError> {
         let rho = metric.length_per_radian;
         if !(rho > 0.0 && (rho * rho).is_normal()) {

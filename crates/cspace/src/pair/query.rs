@@ -137,9 +137,9 @@ impl PairSpace {
         self.first_contact_about(from, rates, Vector::ZERO, duration)
     }
 
-    /// The same for a motion along which the moving part's point `about`, in the part's frame, goes straight: see
-    /// [`ContactSpace::first_contact_about`](crate::ContactSpace::first_contact_about). Parts on fixed axes move as their axes let
-    /// them, whatever point is asked for.
+    /// The first contact of a motion along which the moving part's point `about`, in the part's frame, moves on a straight line: see
+    /// [`ContactSpace::first_contact_about`](crate::ContactSpace::first_contact_about). Parts on fixed axes move as their axes let them,
+    /// whatever `about` is.
     ///
     /// # Errors
     /// As [`first_contact`](Self::first_contact).

@@ -65,9 +65,9 @@ pub enum Coordinates {
     Planar(Configuration),
     /// The motions of the fixed and of the moving part: pairs with fixed axes.
     Axes {
-        /// Of the fixed part, radians or the model's unit of length.
+        /// Motion of the fixed part, radians or the model's unit of length.
         u: f64,
-        /// Of the moving part.
+        /// Motion of the moving part, radians or the model's unit of length.
         v: f64,
     },
 }

@@ -33,11 +33,11 @@ use super::relation::{PairClass, Relation};
 /// ```
 #[derive(Debug)]
 pub enum PairSpace {
-    /// Of a lower pair.
+    /// Space of a lower pair.
     Lower(Box<LowerPair>),
-    /// Of a pair with fixed axes.
+    /// Space of a pair with fixed axes.
     FixedAxes(Box<FixedAxesSpace>),
-    /// Of a general pair, computed with or without symmetry.
+    /// Space of a general pair, computed with or without symmetry.
     Planar(Arc<ContactSpace>),
 }
 

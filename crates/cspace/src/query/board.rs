@@ -1,7 +1,7 @@
-//! The cells of one slot of orientations while they are found.
+//! The cells of one interval of orientations while they are computed.
 //!
-//! First the patches that come to a cell are marked there; then the cells without are told apart into free and blocked ones;
-//! then all is packed, and the board is clear for the next slot.
+//! First the patches that reach a cell are marked in it; then the cells without patches are classified as free or blocked; then the result
+//! is packed, and the board is cleared for the next interval.
 
 use super::cells::{CellStore, Entry};
 use super::grid::TILE;
@@ -10,19 +10,19 @@ use super::walk::Content;
 /// No patch.
 const NONE: u32 = u32::MAX;
 
-/// A square of cells.
+/// A square grid of cells.
 #[derive(Debug)]
 pub(super) struct Board {
     side: usize,
-    /// For every cell the last of its marks.
+    /// For every cell, the index of its last mark.
     last: Vec<u32>,
-    /// Patches, each with the mark before it in the same cell.
+    /// Marks: a patch, and the index of the previous mark in the same cell.
     marks: Vec<(u32, u32)>,
-    /// Which cells have patches, by rows, eight columns a byte.
+    /// Bit set of the cells that have patches: by rows, eight columns per byte.
     mixed: Vec<u8>,
-    /// Which of the others are free.
+    /// Bit set of the cells without patches that are free.
     free: Vec<u8>,
-    /// What is in those with patches.
+    /// Contents of the cells that have patches.
     entries: Vec<Entry>,
 }
 
@@ -74,10 +74,10 @@ impl Board {
         self.marks.clear();
     }
 
-    /// Tells the free cells without patches from those that are blocked.
+    /// Classifies the cells without patches as free or blocked.
     ///
-    /// What is right of the square is free. Neighbours without patches are alike; where there is none in the row above,
-    /// `is_free` tells it of the last cell of a row of them, from what is right of it.
+    /// Everything right of the square is free. Adjacent cells without patches have the same class, so a run of them takes the class of a
+    /// cell without patches above it; if there is none, `is_free` classifies the last cell of the run from its right neighbour.
     pub(super) fn fill(&mut self, is_free: impl Fn(&Self, usize, usize) -> bool) {
         for row in 0..self.side {
             let mut end = self.side;
@@ -125,7 +125,7 @@ impl Board {
         (above >= first).then_some(above)
     }
 
-    /// What is in a cell; of a cell without patches as far as it is known.
+    /// Content of a cell. For a cell without patches it is valid only as far as [`fill`](Self::fill) has got.
     pub(super) fn content<'a>(
         &'a self,
         lists: &'a CellStore,

@@ -1,21 +1,21 @@
-//! What is in each cell of a grid, packed.
+//! Contents of the cells of a grid, packed.
 
 use super::grid::TILE;
 use super::walk::Content;
 
-/// What is in a cell that contact may pass: one patch, or a list of patches.
+/// Content of a cell that has patches: one patch, or a list of patches.
 ///
-/// A list is its place with the highest bit set; the first number there is its length.
+/// A list is stored as its index with the highest bit set; the first number at that index is the length of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Entry(u32);
 
 const LIST: u32 = 1 << 31;
 
 impl Entry {
-    /// Of a cell that nothing is known of yet.
+    /// Entry of a cell that has not been examined.
     pub(super) const UNKNOWN: Self = Self(0);
 
-    /// An entry for patches, of which more than one are appended to the lists.
+    /// An entry for patches; if there are more than one, they are appended to the lists.
     pub(super) fn listed(patches: &[u32], lists: &mut Vec<u32>) -> Self {
         if let [patch] = *patches {
             return Self(patch);
@@ -141,7 +141,7 @@ impl CellStore {
         self.lists.shrink_to_fit();
     }
 
-    /// What is in a cell of a slot.
+    /// Content of a cell at one interval of orientations.
     #[inline]
     pub(super) fn content(
         &self,

@@ -25,21 +25,21 @@ const SLOTS_TOGETHER: usize = 8;
 
 /// A [`ContactSpace`] prepared for classifying millions of configurations: 0.02 to 0.1 µs each on one core.
 ///
-/// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
-/// comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not sampled: the
-/// curves of a patch over an interval of orientations are enclosed by a curve and a distance. The other cells have lists of
-/// the patches that may come to them. There the patches of the list are evaluated at the very orientation: contact if one is
-/// within 2⁻³⁷ of the size of the pair, otherwise the first that an axis meets tells, from cell to cell until one does or
-/// the cell is pure. Where the axis passes too close to an end of a patch, another direction is tried, and at last the slice
-/// is made, so the answer is always that of [`ContactSpace::classify`].
+/// Orientations are divided into intervals (slots), and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
+/// reaches it at any orientation of its interval; then all of it is free, or all is blocked. This is certain, not sampled: the curves of a
+/// patch over an interval of orientations are enclosed by a curve and a distance. Every other cell has a list of the patches that may reach
+/// it. There the patches of the list are evaluated at the exact orientation: the configuration is in contact if one is within 2⁻³⁷ of the
+/// size of the pair; otherwise a ray along an axis is followed from cell to cell until it meets a patch or a pure cell, which decides.
+/// Where the ray passes too close to an end of a patch, another direction is tried, and at last the slice is computed, so the answer is
+/// always that of [`ContactSpace::classify`].
 ///
-/// Of a space that was computed by symmetry, for a full turn, one slab is prepared, and configurations are turned to it; whether
-/// a configuration is at contact is still told by the patch that is there, and beside critical orientations by the space.
+/// For a space that was computed by symmetry, over a full turn, one period is prepared, and configurations are turned into it; whether a
+/// configuration is in contact is still decided by the patches there, and near critical orientations by the space.
 ///
-/// There are about 32 mixed cells for each patch, and some 16000 in a small space, or in the slab of a symmetric one: 300 to
-/// 600 bytes a patch with all indices, 0.1 to 0.3 MB in a small space. It takes a
-/// millisecond or a few to prepare small and symmetric pairs, others about a third of the time that the space took, and small
-/// ones as long as that. Building uses all threads, and gives the same result with any number of them.
+/// There are about 32 mixed cells for each patch, and at least some 16000 in a space, or in one period of a symmetric one: 300 to 600 bytes
+/// a patch with all indices, 0.1 to 0.3 MB in a small space. Preparation takes a millisecond or a few for small and symmetric pairs, about
+/// a third of the time that the space took for others, and for small ones as long as that. Building uses all threads, and gives the same
+/// result with any number of them.
 #[derive(Debug, Clone)]
 pub struct Classifier<S> {
     space: S,

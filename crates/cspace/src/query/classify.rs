@@ -8,7 +8,7 @@ use crate::space::ContactSpace;
 
 use super::ray::END_ERROR;
 
-/// What a configuration is.
+/// Class of a configuration: free, blocked or in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -47,10 +47,11 @@ impl ContactSpace {
         }
     }
 
-    /// What a configuration is by the nearest contact curve, without the slice: contact if it is near, otherwise what is on this side of
-    /// it, for the way there meets no other. `None` where that is in doubt, or would take as long as the slice.
+    /// Classifies a configuration by the nearest contact curve, without the slice: contact if the curve is near, otherwise by the side of
+    /// the curve on which the configuration is, since the segment to the nearest point meets no other curve. `None` where this is in doubt,
+    /// or would take as long as the slice.
     fn plainly(&self, c: Configuration) -> Option<Classification> {
-        /// Curves that are nearer to each other than this may be in the other order, and their ends are known to it (length of the
+        /// Curves closer to each other than this may be in the other order; the ends of curves are known to this accuracy (length of the
         /// pair's frame).
         const CLEAR: f64 = 2.0 * END_ERROR;
         self.places.made()?;
@@ -127,9 +128,9 @@ impl ContactSpace {
         c.position().is_finite() && c.theta.is_finite() && within
     }
 
-    /// What a configuration is, and the region that the curve bounds by which that is told.
+    /// Class of a configuration, and the region bounded by the curve that decides the class.
     fn located(&self, c: Configuration) -> Option<(Classification, u32)> {
-        /// Of a position from which a ray meets nothing.
+        /// Region of a position from which a ray meets nothing.
         const UNBOUNDED: u32 = 0;
         if !self.covers(c) {
             return None;

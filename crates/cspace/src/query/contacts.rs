@@ -1,4 +1,4 @@
-//! What touches, and what is nearest to touching.
+//! Contacts at a configuration, and the contact nearest to it.
 
 use core::cmp;
 

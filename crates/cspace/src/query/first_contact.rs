@@ -19,18 +19,18 @@ pub struct FirstContact {
     pub patch: u32,
 }
 
-/// What becomes of a motion.
+/// Outcome of a motion: free to the end, first contact, or end of the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum MotionOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a patch.
     Contact(FirstContact),
-    /// It is free until its orientation leaves the window of the space, at this time.
+    /// The motion is free until its orientation leaves the window of the space, at this time.
     LeavesWindow {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
@@ -211,12 +211,11 @@ impl ContactSpace {
         })
     }
 
-    /// Whether a motion that starts in contact goes into blocked space there, though no contact tells: where all contacts of a
-    /// place end at one orientation, as of a part that is clamped between two corners, the motion leaves them by turning on. Until
-    /// the next contact it is free or blocked as a whole, so that one configuration on the way decides. The patch is one that
-    /// touches at the start.
+    /// Whether a motion that starts in contact enters blocked space there although it crosses no patch: where all contacts at a position
+    /// end at one orientation, as for a part that is clamped between two corners, the motion leaves them by turning further. Until the next
+    /// contact the motion is free or blocked as a whole, so one configuration on it decides. Returns a patch that touches at the start.
     fn enters_at_once(&self, path: &Path, found: Option<&Touch>, end: f64) -> Option<u32> {
-        /// What grazes is not deeper than this, in distances of contact: twice the resolution, and room for rounding.
+        /// Largest depth of a grazing motion, in contact distances: twice the resolution, and room for rounding.
         const DEEP: f64 = 8.0;
         let middle = path.outer_at(0.5 * found.map_or(end, |touch| touch.time));
         if self.classify(middle) != Some(Classification::Blocked) {

@@ -9,21 +9,21 @@ use super::slab::Slab;
 /// Side of a tile of cells.
 pub(super) const TILE: usize = 8;
 
-/// Cells which contact passes, for each patch: about so many, of some ten bytes each.
+/// Approximate number of mixed cells per patch, of some ten bytes each.
 const CELLS_PER_PATCH: f64 = 32.0;
-/// The same for a whole space, or the slab of a symmetric one, at least: small spaces shall be fast as well.
+/// Minimum number of mixed cells of a space, or of one period of a symmetric one, so that small spaces are fast as well.
 const LEAST_CELLS: f64 = 16384.0;
-/// All cells, as a multiple of those which contact passes: one bit of a tile's masks each, so bounded as well.
+/// Upper bound of all cells, as a multiple of the mixed ones: each takes one bit of a tile's masks, so they are bounded as well.
 const ALL_CELLS: f64 = 32.0;
 const MOST_SLOTS: f64 = 4096.0;
 const MOST_COLUMNS: f64 = 2048.0;
 
-/// Cells are entered if a patch comes within this of them (length of the pair's frame, about 1e-9): above the resolution
-/// of contact, and all rounding, unless parts are drawn very far from their origins. Slots are longer by as much
-/// (radians), for orientations are rounded when they are brought home by turns.
+/// A patch is entered in all cells that it comes within this distance of (length of the pair's frame, about 1e-9): above the contact
+/// resolution, and above all rounding, unless parts are drawn very far from their origins. Intervals of orientation are longer by as much
+/// (radians), because orientations are rounded when they are reduced by whole turns.
 pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Slots of orientation, each with the same square of square cells about the origin of the pair's frame.
+/// Intervals of orientation, each with the same square of square cells about the origin of the pair's frame.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
     /// First orientation, radians.

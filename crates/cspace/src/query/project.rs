@@ -103,7 +103,7 @@ struct Search<'a> {
     from: Configuration,
     /// The image of its orientation, radians.
     theta: f64,
-    /// What a radian counts (length of the pair's frame).
+    /// Length that one radian counts in the metric (length of the pair's frame).
     weight: f64,
     /// Where the position is in the pair's frame, which moves with the orientation.
     seat: Spiral,

@@ -1,23 +1,23 @@
-//! What a straight way parallel to an axis meets of a patch's curve at one orientation.
+//! Intersection of a ray parallel to an axis with a patch's curve at one orientation.
 
 use crate::contact::{ContactFunction, Cycle};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{PASSED_ENDS, Patch};
 
-/// Ends of curves are known this well (length of the pair's frame, about 1.9e-6): next to a tangency they move with the
-/// square root of rounding, and critical orientations are known to 1e-6 at worst.
+/// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
+/// of rounding, and critical orientations are known to 1e-6 at worst.
 ///
-/// A way that passes an end at less is not followed; neither is one that meets two curves at less from each other.
+/// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
 pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
-/// What a way meets.
+/// Result of following a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Meeting {
-    /// Nothing.
+    /// The ray meets nothing.
     Nothing,
-    /// A curve at a distance; whether the way comes from its free side.
+    /// A curve at a distance; `from_free` if the ray starts on its free side.
     Curve { distance: f64, from_free: bool },
-    /// Too close to an end to be told.
+    /// The ray passes too close to an end to decide.
     Unclear,
 }
 
@@ -84,7 +84,7 @@ impl Local {
         }
     }
 
-    /// What the way from the point meets first of the curve.
+    /// First intersection of the ray from the point with the curve.
     #[inline]
     pub(super) fn meet(&self, direction: Direction) -> Meeting {
         if !self.known {

@@ -1,4 +1,4 @@
-//! What is in the cells of the slots of orientation.
+//! Computes the contents of the cells of each interval of orientations.
 
 use core::f64::consts::TAU;
 

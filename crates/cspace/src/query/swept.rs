@@ -87,13 +87,13 @@ impl Swept {
         Self::of_ends(patch, over, [None; 2])
     }
 
-    /// The same of an interval within one that is enclosed already: how fast things move there is known.
+    /// Encloses the curves over an interval within one that is enclosed already: the known speeds of the ends are used again.
     pub(super) fn within(&self, patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, self.ends.map(Some))
     }
 
-    /// Into how many equal pieces the interval is to be divided, so that in each the curve moves from its middle by no
-    /// more than a distance, and is longer by no more than another. Infinite if that is not known.
+    /// Number of equal pieces into which the interval must be divided so that in each the curve moves from its middle by no more than
+    /// `distance`, and is longer by no more than `longer`. Infinite if the speeds are unknown.
     pub(super) fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
         let ends = self.ends[0].max(self.ends[1]);
         over.half * (self.speed / distance).max(ends / longer)
@@ -196,8 +196,8 @@ fn segment(left: End, right: End, carrier: &Cycle, moves: f64) -> Swept {
     }
 }
 
-/// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
-/// along it to which an end may come to the last, and by how far the line moves sideways there.
+/// Encloses the same segments by a strip, where that is much narrower: the line in the middle, from the first place along it that an end
+/// may reach to the last, and the distance by which the line moves sideways there.
 ///
 /// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
 /// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or

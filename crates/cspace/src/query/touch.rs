@@ -105,7 +105,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// The same of one patch: after each contact the search goes on behind it.
+    /// Finds every contact with one patch: after each contact the search continues behind it.
     fn all_of(&self, along: &Along<'_>, mut lo: f64, hi: f64, found: &mut Vec<(f64, u32, bool)>) {
         loop {
             let mut best: Best = None;
@@ -275,9 +275,9 @@ impl<'a> Search<'a> {
         (0.5 * (a + b), 0.5 * (b - a), (theta - clamp(theta)).abs())
     }
 
-    /// The contact function of a patch over times, with its derivative by time; above the depth at which it is sought.
+    /// The contact function of a patch over an interval of time, with its derivative by time, plus the depth at which contact is sought.
     ///
-    /// Of a circle it is (|v|² − r²) / 2 |r|, which has no root of a square in it.
+    /// For a circle it is (|v|² − r²) / 2 |r|, which needs no square root.
     fn function(&self, along: &Along<'_>, t: Ball) -> Dual<1, Ball> {
         let (turn, p) = self.path.enclosed(t);
         let depth = Dual::constant(if self.from_contact { DEPTH } else { 0.0 });

@@ -18,9 +18,9 @@ pub enum DataError {
     /// Not a contact space at all.
     #[error("the format is {found:?}, not {wanted:?}")]
     Format {
-        /// What it says.
+        /// Format name found in the data.
         found: String,
-        /// What it should say.
+        /// Format name expected.
         wanted: &'static str,
     },
     /// Written by another version.
@@ -28,30 +28,30 @@ pub enum DataError {
         "the format's version is {found}, this program reads version {SAVED_VERSION}; compute the space again"
     )]
     Version {
-        /// What it says.
+        /// Version found in the data.
         found: u32,
     },
-    /// What a space has once is not as any computation leaves it.
+    /// A field that a space has once has a value that no computation gives.
     #[error("{what} is damaged: {why}")]
     Whole {
-        /// Which field.
+        /// Name of the field.
         what: &'static str,
-        /// What is wrong.
+        /// Reason for the rejection.
         why: &'static str,
     },
     /// A link or patch refers to something that does not exist, or a number is not finite.
     #[error("{what} {index} is damaged: {why}")]
     Damaged {
-        /// Which list.
+        /// Name of the list.
         what: &'static str,
-        /// Which entry.
+        /// Index of the entry.
         index: usize,
-        /// What is wrong.
+        /// Reason for the rejection.
         why: &'static str,
     },
 }
 
-/// That data are of the format and version that is read.
+/// Checks that data have the expected format and the supported version.
 pub(crate) fn check_head(
     format: &str,
     wanted: &'static str,
@@ -75,7 +75,7 @@ const LARGEST_LENGTH: f64 = 1e6;
 /// Orientations may be off the window by this much, in radians, and unit vectors off their length.
 const SLACK: f64 = 1e-6;
 
-/// That the data are of this format, refer to what is there, and fit the parts.
+/// Checks that the data have this format, refer only to existing entries, and fit the parts.
 pub(super) fn check(data: &SpaceData) -> Result<(), DataError> {
     check_head(&data.format, FORMAT, data.version)?;
     check_references(data)?;
@@ -90,7 +90,7 @@ pub(super) fn check(data: &SpaceData) -> Result<(), DataError> {
     })
 }
 
-/// That everything referred to is there, and that every number is one that a computation can have given.
+/// Checks that every reference is to an existing entry, and that every number is one that a computation can have given.
 fn check_references(data: &SpaceData) -> Result<(), DataError> {
     check_whole(data).map_err(|(what, why)| DataError::Whole { what, why })?;
     each("patch", &data.patches, |p| check_patch(data, p))?;
@@ -130,7 +130,7 @@ fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Resul
     })
 }
 
-/// What is there once.
+/// Checks the fields that a space has once: window, frame, and so on.
 fn check_whole(data: &SpaceData) -> Result<(), (&'static str, &'static str)> {
     let w = data.window;
     if !(is_interval(w.lo, w.hi) && w.lo < w.hi) {

@@ -116,14 +116,14 @@ pub struct FreeRegion {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureCounts {
-    /// Of the fixed part.
+    /// Number of features of the fixed part.
     pub fixed: u32,
-    /// Of the moving part.
+    /// Number of features of the moving part.
     pub moving: u32,
 }
 
 impl FeatureCounts {
-    /// Of two parts.
+    /// Counts the features of two parts.
     pub fn of(fixed: &Part, moving: &Part) -> Self {
         let frame = PairFrame::new(fixed, moving);
         let count =

@@ -40,12 +40,12 @@ pub(crate) struct Doubts<'a> {
 }
 
 impl Doubts<'_> {
-    /// Whether an orientation is in one of them.
+    /// Whether an orientation is in one of the intervals.
     pub(crate) fn hold(&self, theta: f64) -> bool {
         self.hold_among(theta, 0..self.intervals.len())
     }
 
-    /// The same, if it is known which of them come near.
+    /// Whether an orientation is in one of the intervals whose indices are in `near`.
     #[inline]
     pub(crate) fn hold_among(&self, theta: f64, near: core::ops::Range<usize>) -> bool {
         let Some(near) = self.intervals.get(near).filter(|near| !near.is_empty()) else {
@@ -68,7 +68,7 @@ impl Doubts<'_> {
     }
 }
 
-/// The same orientations as disjoint intervals, in ascending order.
+/// Union of intervals of orientation as disjoint intervals, in ascending order.
 pub(crate) fn union(mut intervals: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
     intervals.dedup_by(|b, a| {

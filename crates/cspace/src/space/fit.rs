@@ -10,15 +10,15 @@ use super::patch::Patch;
 /// Nothing, or what is wrong.
 pub(super) type Check = Result<(), &'static str>;
 
-/// That something holds; otherwise `why` says what is wrong.
+/// Returns `why` as an error if the condition does not hold.
 pub(super) fn ensure(holds: bool, why: &'static str) -> Check {
     if holds { Ok(()) } else { Err(why) }
 }
 
-/// Lengths of the pair's frame are known better than that.
+/// Upper bound of the error of lengths in the pair's frame.
 const SLACK: f64 = 1e-6;
 
-/// That the frame is the one in which a computation of these parts writes patches.
+/// Checks that the frame is the one in which a computation of these parts writes patches.
 pub(super) fn check_frame(data: &SpaceData) -> Check {
     let (fixed, moving, frame) = (&data.fixed, &data.moving, data.frame);
     let PairFrame {
@@ -70,7 +70,7 @@ fn inside(lo: f64, hi: f64) -> [f64; 3] {
 /// The ends of patches, and links, that last for less (radians) are not looked at: carriers may all but coincide there, and cross anywhere.
 const BRIEF: f64 = 1e-8;
 
-/// That a patch begins and ends on its own contact surface, where the parts can touch.
+/// Checks that a patch begins and ends on its own contact surface, at positions where the parts can touch.
 pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
     if p.hi - p.lo < BRIEF {
         return Ok(());
@@ -91,7 +91,7 @@ pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
     Ok(())
 }
 
-/// That where one patch ends the next one begins.
+/// Checks that two linked patches meet: the right boundary of `before` coincides with the left boundary of `after`.
 pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
     let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
     let (Some(before), Some(after)) = (before, after) else {

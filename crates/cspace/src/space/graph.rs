@@ -83,7 +83,7 @@ impl ContactSpace {
         }
     }
 
-    /// What slices are read off.
+    /// View of the data from which slices are computed.
     pub(crate) fn surface(&self) -> Surface<'_> {
         Surface {
             window: self.data.window,

@@ -1,4 +1,4 @@
-//! What to compute, what may go wrong, and who is told of progress.
+//! Options of a computation, its errors, and the trait by which it reports progress.
 
 use core::f64::consts::TAU;
 
@@ -22,12 +22,12 @@ pub struct Window {
     pub full_turn: bool,
 }
 
-/// What to compute.
+/// Options of a computation: the window of orientations, and the use of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// Only orientations from the first to the second, in radians; `None` is the full turn.
     pub window: Option<(f64, f64)>,
-    /// Whether symmetric parts are computed for one slab of orientations, of which the others are copies.
+    /// Whether symmetric parts are computed for one period of orientations only; the other periods are then copies.
     pub symmetry: Symmetry,
 }
 
@@ -140,8 +140,8 @@ pub trait Progress: Sync {
     /// [`ComputeError::Interrupted`] if the user wants no more of it.
     fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
 
-    /// What a clock shows, in seconds since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences. The
-    /// library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
+    /// Reading of a clock in seconds, since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences of readings.
+    /// The library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
     fn seconds(&self) -> f64 {
         0.0
     }

@@ -150,10 +150,10 @@ impl Patch {
         self.inner_at_turned(boundary, theta, Rotation::by(theta))
     }
 
-    /// The same, given the rotation by the orientation.
+    /// Position of one of the patch's boundaries, as [`inner_at`](Self::inner_at), given the rotation by the orientation.
     ///
-    /// Where the two carriers almost become one, their crossing is hardly known, or not at all, yet has a limit. It is
-    /// found from nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
+    /// Where the two carriers almost coincide, their crossing is hardly known, or not at all, yet has a limit. The limit is found from
+    /// nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
     pub(crate) fn inner_at_turned(&self, boundary: &Boundary, theta: f64, turn: Rotation) -> Point {
         /// A rounding error up to this is accepted, in the pair's frame.
         const GOOD: f64 = 1e-7;

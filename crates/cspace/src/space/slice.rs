@@ -40,8 +40,8 @@ impl<'a> Surface<'a> {
         self.slice_of(theta, theta, 0..self.patches.len() as u32)
     }
 
-    /// The same as positions at another orientation, which differs from it by whole turns, given patches in ascending order among
-    /// which are all that exist there.
+    /// The slice at `theta`, with positions given at the orientation `asked`, which differs from `theta` by whole turns. `among` lists, in
+    /// ascending order, patches that include all those that exist at `theta`.
     pub(crate) fn slice_of(
         &self,
         theta: f64,
@@ -137,7 +137,7 @@ impl<'a> Surface<'a> {
         (self.curve_with_ends(patch, Turned::by(theta), Turned::by(asked))).0
     }
 
-    /// The same, and where the curve begins and ends.
+    /// The curve as [`curve_as_at`](Self::curve_as_at) gives it, and the points where it begins and ends.
     fn curve_with_ends(
         &self,
         patch: &Patch,

@@ -56,19 +56,19 @@ pub(crate) struct SheetRun {
     pub(crate) hi_blocked: bool,
 }
 
-/// What is to be looked at.
+/// Pairs of sheets that may cross, and the runs of orientation in which sheets are to be examined.
 #[derive(Debug)]
 pub(crate) struct Candidates {
-    /// Bounds of the slots.
+    /// Bounds of the intervals of orientation (slots).
     pub(crate) slots: Vec<f64>,
     pub(crate) pairs: Vec<PairRun>,
     /// Sorted by sheet, then by orientation.
     pub(crate) sheets: Vec<SheetRun>,
-    /// For every slot the sheets that are not known to be blocked in it, the leftmost box first.
+    /// For every interval, the sheets not known to be blocked in it, ordered by the left side of their boxes.
     by_slot: Vec<Vec<Boxed>>,
 }
 
-/// A sheet and a box that it does not leave in a slot.
+/// A sheet and a box that contains it throughout an interval.
 #[derive(Debug, Clone, Copy)]
 struct Boxed {
     sheet: u32,

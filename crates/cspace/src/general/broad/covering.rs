@@ -11,7 +11,7 @@ pub(crate) struct Covering {
 }
 
 impl Covering {
-    /// Of intervals by their ends, numbered from 0.
+    /// Covering by intervals given by their ends, numbered from 0.
     pub(crate) fn new(intervals: impl Iterator<Item = (f64, f64)>) -> Self {
         let mut by_start: Vec<_> = (0..).zip(intervals).map(|(i, (a, b))| (a, b, i)).collect();
         by_start.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Point, Vector};
 
-/// Of curves that reach further than this from their middle, discs that cover an end may be missed.
+/// Half the extent of a curve above which discs that cover only an end of it may be missed.
 pub(crate) const LONG: f64 = 0.06;
 
 /// Positions blocked for certain at one orientation; they move as it changes.

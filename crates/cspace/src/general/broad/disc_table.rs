@@ -45,7 +45,7 @@ const NEARLY: f64 = 0.95;
 const ALLOWANCE: f64 = 1e-9;
 
 impl Anchors {
-    /// Of the part with more edges, for `fixed` and `moving` discs inside the parts, the largest first.
+    /// Anchors on the part with more edges, for `fixed` and `moving` discs inside the parts, the largest first.
     pub(crate) fn new(
         geometry: &Geometry,
         fixed: &[(Point, f64)],

@@ -119,7 +119,7 @@ impl Cores {
 }
 
 impl DiscPair {
-    /// Of a disc in each part, by their centres and radii.
+    /// Pair of a disc in each part, given by centres and radii.
     fn new(fixed: (Point, f64), moving: (Point, f64)) -> Self {
         Self {
             fixed: fixed.0,

@@ -1,4 +1,4 @@
-//! A grid over the plane of positions that tells which of many discs may come near a place.
+//! A grid over the plane of positions that finds which of many discs may come near a place.
 
 use crate::geometry::Point;
 use crate::grouped::Grouped;
@@ -14,7 +14,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Of discs given by centres and radii, to be asked for those within `reach`.
+    /// Grid of discs given by centres and radii, for queries of the discs within `reach` of a place.
     pub(crate) fn new(discs: impl Iterator<Item = (Point, f64)> + Clone, reach: f64) -> Self {
         let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
         for (c, r) in discs.clone() {

@@ -20,7 +20,7 @@ pub(crate) struct BlockedDiscs<'a> {
 /// How often the middles of what is left open are looked up.
 const ROUNDS: usize = 3;
 
-/// What is not covered between two parameters.
+/// Collects in `open` the parts of a parameter range that `covered` leaves uncovered.
 fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<(f64, f64)>) {
     covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     open.clear();
@@ -36,11 +36,11 @@ fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<
     }
 }
 
-/// The work of [`BlockedDiscs::uncovered`], kept for the next time.
+/// Buffers of [`BlockedDiscs::uncovered`], kept for the next call.
 #[derive(Debug, Default)]
 pub(crate) struct Uncovered {
     covered: Vec<(f64, f64)>,
-    /// What no disc covers: ranges of the parameter.
+    /// Ranges of the parameter that no disc covers.
     pub(crate) open: Vec<(f64, f64)>,
 }
 
@@ -291,7 +291,7 @@ mod tests {
         Part::new("wheel", vec![outline.collect()]).unwrap()
     }
 
-    /// What is covered is blocked, at any orientation of the interval; and a good deal is covered.
+    /// Covered places are blocked, at any orientation of the interval; and a good deal is covered.
     #[test]
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);

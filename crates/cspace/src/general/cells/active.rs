@@ -25,7 +25,7 @@ impl<'a> Active<'a> {
         }
     }
 
-    /// Those that exist just after a cluster, in the order of their indices. Clusters must come in order.
+    /// Branches that exist just after a cluster, in the order of their indices. Clusters must come in order.
     pub(crate) fn after(&mut self, cluster: u32) -> &[u32] {
         let branches = self.branches;
         self.now.retain(|&b| branches[b as usize].to > cluster);

@@ -17,12 +17,12 @@ pub(crate) struct Extent {
     pub(crate) hi_error: f64,
 }
 
-/// What two cells share of one curve.
+/// Piece of a curve that two cells share.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shared {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it is longer than the errors of its ends.
+    /// Whether the piece is certainly longer than the errors of its ends.
     pub(crate) certain: bool,
 }
 
@@ -82,13 +82,13 @@ pub(crate) struct CellExtents<'a> {
     speed: f64,
     /// The bounds measured so far: most are asked for again, by the cell on their other side.
     known: Vec<((u32, Side), (f64, f64))>,
-    /// The same as far as doubles tell.
+    /// Bounds measured in f64.
     rough: Vec<(u32, (f64, f64))>,
     /// The cluster's orientation in double-double, once it is asked for.
     turn: Option<Orientation<Exact>>,
     /// The curve in double-double at the orientations asked for so far, with the places of its ends.
     exact: Vec<(Exact, Placing<'a, Exact>, (Exact, Exact))>,
-    /// What is known better than this is known well enough (length).
+    /// Accuracy that is good enough (length): a bound known this well in f64 is not measured again.
     good: f64,
 }
 
@@ -131,12 +131,12 @@ impl<'a> CellExtents<'a> {
         }
     }
 
-    /// The same, measured no better than to this (length), where doubles tell as much.
+    /// Extents measured only to this accuracy (length), where f64 reaches it.
     pub(crate) fn measured_within(self, good: f64) -> Self {
         Self { good, ..self }
     }
 
-    /// What a cell that ends at the cluster shares with one that begins there: by doubles if these decide whether there is anything.
+    /// Piece of curve shared by a cell that ends at the cluster and one that begins there: in f64 if that decides whether they share any.
     pub(crate) fn shared(&mut self, lower: &Cell, upper: &Cell) -> Option<Shared> {
         let one = |a: u32, b: u32| a != END && a == b;
         if one(lower.right, upper.left) || one(upper.right, lower.left) {
@@ -176,7 +176,7 @@ impl<'a> CellExtents<'a> {
         measured
     }
 
-    /// The same as far as doubles tell; an infinite error where they do not.
+    /// A bound and its error, as [`bound`](Self::bound) but in f64 only; the error is infinite where f64 decides nothing.
     fn rough(&mut self, branch: u32, end: f64) -> (f64, f64) {
         if branch == END {
             let moved = self.speed * (self.width + TURN_ERROR);

@@ -58,19 +58,19 @@ pub(crate) struct Level {
     sheet: u32,
 }
 
-/// What is kept from level to level, for its room.
+/// Buffers that are reused from level to level.
 #[derive(Default)]
 struct Work {
-    /// Cells that end on the level, and those that begin.
+    /// Cells that end on the level, and cells that begin there.
     ending: Vec<u32>,
     beginning: Vec<u32>,
-    /// The same as pieces of the track.
+    /// Pieces of the track covered by these cells.
     below: Vec<Piece>,
     above: Vec<Piece>,
     /// The ends of all pieces, in order.
     marks: Vec<f64>,
-    /// Stretches of the track with the cells that continue each other there, on its face along the normal and on the other;
-    /// neighbours of one pair of cells are one.
+    /// Stretches of the track with the cells that continue each other there, on the face along the track's normal and on the other face;
+    /// adjacent stretches of one pair of cells are merged.
     stretches: [Vec<Stretch>; 2],
 }
 
@@ -266,7 +266,7 @@ impl Levels<'_> {
         }
     }
 
-    /// The same, of one sheet.
+    /// Appends the pieces of a track that are cells of one sheet.
     fn pieces_of_sheet(
         &self,
         cells: &[u32],

@@ -39,22 +39,22 @@ fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
 /// Sheets swept at a time by one thread.
 const CHUNK: usize = 32;
 
-/// What is kept from sheet to sheet, for its room.
+/// Buffers that are reused from sheet to sheet.
 #[derive(Default)]
 struct Work {
     /// Clusters at which cells of the sheet may begin or end.
     times: Vec<u32>,
-    /// Those at which all do.
+    /// Clusters at which all cells of the sheet end.
     splits: Vec<u32>,
     /// Cells that have begun and not ended, in order of travel.
     open: Vec<u32>,
-    /// What bounds those of the next interval.
+    /// Bounds (left and right branch) of the cells of the next interval.
     keys: Vec<(u32, u32)>,
     /// Cells that end where the interval begins.
     closing: Vec<u32>,
-    /// Of each cell of the sheet whether it is shut: what bounds it on both sides blocks it.
+    /// For each cell of the sheet, whether it is closed: the branches that bound it block it from both sides.
     shut: Vec<bool>,
-    /// The number of each cell once those that nothing asks for are dropped.
+    /// New number of each cell after the cells that nothing needs are dropped.
     moved: Vec<u32>,
 }
 

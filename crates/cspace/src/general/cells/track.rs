@@ -24,7 +24,7 @@ pub(crate) struct Piece {
     pub(crate) half: f64,
     /// Errors of its ends, in the order of the coordinate.
     pub(crate) errors: (f64, f64),
-    /// Whether its free side is that of the track.
+    /// Whether its free side is the track's.
     pub(crate) along: bool,
 }
 
@@ -90,8 +90,8 @@ impl Track {
         half.is_finite().then_some([-half, half])
     }
 
-    /// Of a sheet on it with a normal at a point: whether its free side is that of the track, and whether its travel goes
-    /// with the coordinate. On a line that does if the normals agree, on a circle if the radius is positive.
+    /// Two flags for a sheet on the track with a given normal at a point: whether its free side is the track's, and whether its direction
+    /// of travel is that of the coordinate. On a line, both hold if the normals agree; on a circle, the second if the radius is positive.
     pub(crate) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
         if self.cycle.is_centred() {
             let forward = sheet.locus.radius > 0.0;

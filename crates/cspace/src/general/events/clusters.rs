@@ -141,7 +141,7 @@ impl Clusters {
         self.lo.len()
     }
 
-    /// Those that are wider than the narrowest band.
+    /// Clusters wider than the narrowest band.
     pub(crate) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
         (0..self.len() as u32).filter(|&i| self.width(i) > NARROWEST_BAND)
     }
@@ -151,12 +151,12 @@ impl Clusters {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
     }
 
-    /// The orientation in the cluster at which an event is known best to happen.
+    /// The orientation in the cluster whose event is known best.
     pub(crate) fn at(&self, i: u32) -> f64 {
         self.exact_at(i).to_f64()
     }
 
-    /// The same in double-double.
+    /// The orientation [`at`](Self::at) in double-double.
     pub(crate) fn exact_at(&self, i: u32) -> Exact {
         self.best[i as usize].theta
     }
@@ -196,7 +196,7 @@ impl Clusters {
         self.exact_between(i, j).to_f64()
     }
 
-    /// The same in double-double.
+    /// The orientation `between` in double-double.
     pub(crate) fn exact_between(&self, i: u32, j: u32) -> Exact {
         (self.hi[i as usize] + self.lo[j as usize]).scaled(0.5)
     }

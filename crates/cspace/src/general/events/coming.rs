@@ -46,19 +46,19 @@ pub(crate) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
     all
 }
 
-/// What doubles find of the roots of a condition.
+/// Result of the f64 filter for the roots of a condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Rough {
-    /// There is none.
+    /// There is no root.
     None,
-    /// There are these, to within [`Rough::ERROR`].
+    /// The roots, to within [`Rough::ERROR`].
     At([Option<f64>; 2]),
     /// Nothing is certain.
     Unknown,
 }
 
 impl Rough {
-    /// Roots that are known worse are not certain (radians).
+    /// Error above which roots are not certain (radians).
     const ERROR: f64 = 1e-11;
 
     /// With one more root.

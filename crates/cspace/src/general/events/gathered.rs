@@ -8,7 +8,7 @@ use crate::general::events::pinches::Pinch;
 use crate::general::events::trace::{Coincidence, Traced};
 use crate::general::events::triple::Triples;
 
-/// What happens between sheets, and at which clusters.
+/// All events between sheets, by clusters.
 pub(crate) struct Gathered {
     pub(crate) clusters: Clusters,
     pub(crate) branches: Vec<Branch>,

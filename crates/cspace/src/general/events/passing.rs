@@ -108,7 +108,7 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    /// Of a branch on a sheet; `None` where its crossing is too blunt for the interval.
+    /// Samples a branch on a sheet; `None` where it crosses at too small an angle for the interval.
     pub(crate) fn new(
         geometry: &Geometry,
         sheet: u32,
@@ -154,7 +154,8 @@ impl Sample {
 }
 
 impl Passing<'_> {
-    /// The same as [`isolate`](Self::isolate) in a narrow interval, if samples of both branches there are enough to tell.
+    /// Finds passings as [`isolate`](Self::isolate) does, in a narrow interval, from samples of both branches. Returns whether the samples
+    /// decide.
     pub(crate) fn told_by(
         &self,
         [x, y]: [&Sample; 2],
@@ -318,8 +319,8 @@ impl Passing<'_> {
         Some(Moment { theta, error })
     }
 
-    /// What vanishes where the three carriers meet; `None` with a large arc: what turns with its radius leaves doubles few digits, and
-    /// places on it are not known in them.
+    /// The function that vanishes where the three carriers meet, in f64; `None` if a large arc is involved: terms that turn with its radius
+    /// leave few digits in f64, and places on it are not known in f64.
     pub(crate) fn rough_polynomial(&self) -> Option<TrigPolynomial> {
         let sheets = &self.geometry.contacts.sheets;
         let three = self.sheets().map(|s| &sheets[s as usize]);
@@ -327,7 +328,7 @@ impl Passing<'_> {
         (!flat).then(|| TrigPolynomial::sampled(|turn| concurrency(three.map(|s| s.cycle(turn)))))
     }
 
-    /// The same in double-double.
+    /// The function that vanishes where the three carriers meet, in double-double.
     fn polynomial(&self) -> TrigPolynomial<Exact> {
         let three = self.sheets();
         TrigPolynomial::sampled(|turn| concurrency(three.map(|s| self.geometry.cycle(s, turn))))

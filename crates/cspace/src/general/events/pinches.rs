@@ -18,7 +18,7 @@ pub(crate) struct Pinch {
     pub(crate) other: u32,
 }
 
-/// Those of a sheet at a cluster, of a sorted list.
+/// Pinches of a sheet at a cluster, from a sorted list.
 pub(crate) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
     let from = all.partition_point(|p| (p.sheet, p.at) < (sheet, at));
     let count = all[from..].partition_point(|p| (p.sheet, p.at) == (sheet, at));

@@ -45,12 +45,12 @@ impl<'a, T: Precision> Placing<'a, T> {
         self.curve.length_to(self.crossed_by(b).1)
     }
 
-    /// What orders branches by their places, as the places themselves would, at less cost: see [`Cycle::rank`].
+    /// Value that orders branches as their places do, at less cost: see [`Cycle::rank`].
     pub(crate) fn rank(&self, b: &Branch) -> T {
         self.curve.rank(self.crossed_by(b).1)
     }
 
-    /// What a branch crosses the curve with, and at which place of its cycle.
+    /// The curve that a branch crosses this one with, and the place of the crossing on its cycle.
     fn crossed_by(&self, b: &Branch) -> (Cycle<T>, Vector<T>) {
         let other = self.geometry.cycle(b.other(self.index), self.at.turn);
         let place = (self.curve.cycle).root(&other, b.root, b.second == self.index);
@@ -154,7 +154,7 @@ impl Placing<'_> {
         (self.curve.length_to(v).clamp(-half, half), error)
     }
 
-    /// What orders branches by their places; with the place on the cycle, and its error.
+    /// Value that orders branches as their places do, with the place on the cycle and its error.
     pub(crate) fn ranking(&self, b: &Branch) -> Rank {
         let (place, error) = self.place_and_error(b);
         let rank = self.curve.rank(place);

@@ -27,15 +27,15 @@ pub(crate) struct Encounter {
     pub(crate) to: u32,
 }
 
-/// What there is between two sheets.
+/// Branches and events between pairs of sheets.
 #[derive(Debug, Default)]
 pub(crate) struct Traced {
     /// Sorted by their sheets and then by orientation.
     pub(crate) branches: Vec<Branch>,
     pub(crate) coincidences: Vec<Coincidence>,
-    /// Sheets so short that they pass another within one cluster, and where: what they are does not go on beyond.
+    /// Pairs (sheet, cluster): the sheet crosses another one completely within the cluster, so it must not be continued past it.
     pub(crate) swallowed: Vec<(u32, u32)>,
-    /// Sheets of which some comes behind another within one cluster.
+    /// Sheets of which a piece passes behind another sheet within one cluster.
     pub(crate) pinches: Vec<Pinch>,
     /// Sorted like the branches.
     pub(crate) encounters: Vec<Encounter>,
@@ -200,7 +200,7 @@ fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Exact) -> 
     crossings(&f, &g, corners(geometry, run))
 }
 
-/// The same as [`exact_crossings_between`] in doubles.
+/// Computes [`exact_crossings_between`] in f64.
 fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<bool>; 2] {
     let [f, g] = [run.first, run.second].map(|s| &geometry.contacts.sheets[s as usize]);
     let at = Orientation::by(theta);

@@ -74,13 +74,13 @@ pub(crate) struct Meeting {
     pub(crate) event: Moment,
 }
 
-/// What was found, and how.
+/// Events found, and counts of how they were decided.
 #[derive(Debug, Default)]
 pub(crate) struct Triples {
     pub(crate) events: Vec<Meeting>,
     /// Intervals in which two branches may pass each other.
     pub(crate) isolated: u64,
-    /// Parts of them in which the polynomial tells nothing.
+    /// Parts of these intervals in which the sign of the polynomial cannot be determined.
     pub(crate) by_places: u64,
 }
 
@@ -125,8 +125,8 @@ struct Search<'a> {
     clusters: &'a Clusters,
     sheet: u32,
     gaps: Gaps,
-    /// What vanishes in doubles where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
-    /// within that if a large arc is involved, of which doubles tell nothing.
+    /// Polynomials, in f64, that vanish where two branches pass each other, by pair of branches. `None` for pairs that never do;
+    /// `Some(None)` until computed; `Some(Some(None))` if a large arc is involved, for which f64 decides nothing.
     concurrencies: HashMap<(u32, u32), Option<Option<Option<TrigPolynomial>>>>,
     found: Triples,
 }

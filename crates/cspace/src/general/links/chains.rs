@@ -9,8 +9,7 @@ use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::verdict::shells::Shells;
 
-/// What a bound of a cell is, in terms that do not depend on how sheets were cut: an end of features, or a crossing
-/// with a feature pair.
+/// Bound of a cell, in terms that do not depend on how sheets were cut: an end of features, or a crossing with a feature pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum BoundKey {
     End(u32),
@@ -22,7 +21,7 @@ enum BoundKey {
     },
 }
 
-/// A cluster seen from some number of slabs below.
+/// A cluster, and the number of periods by which it lies above the reference period.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Place {
     pub(crate) cluster: u32,
@@ -37,7 +36,7 @@ pub(crate) struct Chain {
     /// Where it begins, in the slab of its first cell, and where it ends.
     pub(crate) from: Place,
     pub(crate) to: Place,
-    /// The same in radians.
+    /// Orientations of both ends, in radians.
     pub(crate) lo: f64,
     pub(crate) hi: f64,
     /// Whether it goes around the whole turn and continues itself.
@@ -88,7 +87,7 @@ impl Members {
     }
 }
 
-/// What chains are made of.
+/// Data from which chains are linked.
 #[derive(Clone, Copy)]
 pub(crate) struct Linker<'a> {
     pub(crate) geometry: &'a Geometry,
@@ -128,7 +127,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    /// What bounds a cell; `below` asks for what does so one slab lower.
+    /// Bounds of a cell; with `below`, the corresponding bounds one period lower.
     fn keys(&self, cell: u32, below: bool) -> [BoundKey; 2] {
         let c = &self.cells[cell as usize];
         let sheet = self.sheet(cell);

@@ -185,7 +185,7 @@ impl Links<'_> {
         }
     }
 
-    /// What two cells share of their curve, some slabs further.
+    /// Piece of curve that two cells share, moved up by a number of periods.
     fn overlap(&self, curve: &Curve, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
         let steps = &self.lifts.steps;
         let curve = steps.motion(slabs).curve(curve);
@@ -229,7 +229,7 @@ fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
     all
 }
 
-/// What vertical links are sorted by, and their number, by which equal ones keep their order.
+/// Sort key of a vertical link, and the link's number, by which equal links keep their order.
 #[derive(Clone, Copy)]
 struct Key {
     theta: f64,

@@ -27,20 +27,20 @@ const RUNS: usize = 16;
 /// Curves nearer than this to each other are one where a run is contracted (length).
 const ONE_CURVE: f64 = 1e-9;
 
-/// What two cells share where a run is contracted is longer than this (length), or than a quarter of the shorter: places move
-/// while it lasts.
+/// Minimum length of the piece of curve that two cells share where a run is contracted; for short cells, a quarter of the shorter one:
+/// places move during the run.
 const SHARED: f64 = 1e-8;
 
-/// It is longer than this (length) in any case: what growth and perturbation leave within the narrowest band is shorter.
+/// Minimum length in any case: pieces that growth and perturbation leave within the narrowest band are shorter.
 const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
 
-/// Ends are measured to this (length): well below what two cells must share.
+/// Accuracy to which ends are measured (length): well below the length that two cells must share.
 const MEASURED: f64 = SHORTEST / 64.0;
 
-/// Ends of cells that share some of a curve come nearer to each other than this (length): far above [`ONE_CURVE`].
+/// Distance within which the ends of cells that share a piece of a curve must come to each other (length): far above [`ONE_CURVE`].
 const NEAR: f64 = 1e-6;
 
-/// So many ends are compared one by one faster than they are looked for by their places.
+/// Number of ends up to which they are compared one by one, which is faster than a search by place.
 const FEW: usize = 8;
 
 /// In place of the number of a run: none.
@@ -130,7 +130,7 @@ struct Contraction<'a> {
     runs: &'a Runs,
 }
 
-/// What a run touches.
+/// Cells that end or begin in a run.
 #[derive(Default)]
 struct Touched {
     ending: Vec<u32>,
@@ -302,7 +302,7 @@ impl Above {
         }
     }
 
-    /// Those that may share some of a curve with an end below, in their order.
+    /// Ends that may share a piece of a curve with an end below, in their order.
     fn near(&self, within: &Contraction<'_>, below: &End) -> impl Iterator<Item = &End> {
         let mut near: Vec<u32> = Vec::new();
         match &self.places {

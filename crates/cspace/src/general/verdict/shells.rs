@@ -52,7 +52,7 @@ struct Member {
     cell: u32,
 }
 
-/// What a shell was found to be.
+/// Classification of a shell.
 struct Verdict {
     /// For each of its members.
     free: Vec<bool>,
@@ -371,7 +371,7 @@ impl ShellFinder<'_> {
         placing.point(place)
     }
 
-    /// The same place along the curve in double-double.
+    /// Placing of the curve, and the place as in [`point`](Self::point), in double-double.
     fn exact_place(&self, cell: &Cell, share: f64) -> (Placing<'_, Exact>, Exact) {
         let turn = Orientation::by(self.clusters.exact_between(cell.from, cell.to));
         let placing = Placing::new(self.geometry, cell.sheet, turn);
@@ -387,7 +387,7 @@ impl ShellFinder<'_> {
         (placing, lo + (hi - lo) * share)
     }
 
-    /// What a test beside its largest cell says, or where doubles tell nothing there, beside others: in a slice all last as long, and
+    /// Tests beside the largest cell of a ring; where f64 decides nothing there, beside others: in a slice all cells last equally long, and
     /// the first may be arcs of 1e-12.
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
         let is_free = |c: u32| self.is_free(&cells[c as usize]);

@@ -23,7 +23,7 @@ pub use region::{ConfigurationBox, Witness};
 /// A number of the drawing of two parts: the fixed one is part 0, the moving one part 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawingNumber {
-    /// Of a vertex as it is given in [`Part::new`].
+    /// A number of a vertex as given in [`Part::new`].
     Vertex {
         /// The part.
         part: usize,
@@ -34,7 +34,7 @@ pub enum DrawingNumber {
         /// 0 and 1 for its coordinates x and y, 2 for its bulge.
         component: usize,
     },
-    /// Of the centre or the direction of a part's axis.
+    /// A number of the centre or the direction of a part's axis.
     Axis {
         /// The part.
         part: usize,
@@ -64,11 +64,11 @@ pub enum DrawingNumber {
 /// ```
 #[derive(Debug, Clone)]
 pub struct DrawnPair<T> {
-    /// None of a pair in the plane.
+    /// Axes of the fixed and the moving part; `None` for a pair in the plane.
     axes: Option<[DrawnAxis<T>; 2]>,
-    /// In frames with the origins of the axes.
+    /// Edges of both parts, in frames with the origins at the axes.
     edges: [Vec<DrawnEdge<T>>; 2],
-    /// Features that overlap by less where a motion begins may be missed by a test of the parts (model length).
+    /// Depth of overlap below which features that overlap where a motion begins may be missed by a test of the parts (model length).
     unseen: f64,
 }
 
@@ -132,30 +132,30 @@ struct DrawnEdge<T> {
     name: FeatureName,
     shape: FeatureShape<T>,
     vertex: FeatureName,
-    /// None of one that is concave for certain, which touches nothing first.
+    /// Shape of the vertex; `None` if it is certainly concave, because such a vertex is never the first to touch.
     corner: Option<FeatureShape<T>>,
     circle: OfCircle,
 }
 
-/// What an edge has to do with the whole of its circle.
+/// Role of an edge on its circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum OfCircle {
-    /// It is an arc of it, or a line.
+    /// The edge is an arc of its circle, or a line.
     Piece,
-    /// It stands for all of it, which has no ends.
+    /// The edge represents the whole circle, which has no ends.
     Whole,
-    /// Another stands for it.
+    /// Another edge represents the whole circle.
     Other,
 }
 
-/// Parts that overlap by less, relative to their sizes, may be taken to touch: ten times what a part is made smaller by in
-/// [`overlap_as_drawn`].
+/// Depth of overlap, relative to the sizes of the parts, below which parts may be taken to touch: ten times the amount by which a part is
+/// shrunk in [`overlap_as_drawn`].
 const UNSEEN: f64 = 1e-8;
 
 /// A contact of two features, by their numbers in a [`DrawnPair`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DrawnContact {
-    /// Of the fixed and of the moving part: the edge, and whether the vertex at its start is meant.
+    /// Edge of the fixed and of the moving part; the flag is true if the vertex at the start of the edge is meant.
     features: [(u32, bool); 2],
 }
 

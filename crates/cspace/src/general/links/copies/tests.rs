@@ -248,7 +248,7 @@ fn half_a_turn_is_the_first_orientation() {
     }
 }
 
-/// Of a window narrower than two such bands, what has more than half of it.
+/// In a window narrower than two narrowest bands, a copy counts if more than half of the window is in it.
 #[test]
 fn a_copy_has_more_than_the_narrowest_band_in_the_window() {
     let (clusters, chains) = (clusters(), chains());
