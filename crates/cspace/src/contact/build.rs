@@ -418,8 +418,8 @@ fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     }
 }
 
-/// What the circle of two round features is written by: the spiral of its centre; or if one is far away, that of a point of the circle
-/// near the parts, and the normal there, which is on the arc it belongs to.
+/// Data that define the circle of two round features: the spiral of its centre; or, if a centre is far away, the spiral of a point of the
+/// circle near the parts, and the normal there, in the frame of the arc it belongs to.
 fn carrier(a: &Feature, b: &Feature) -> (SheetKind, Spiral, Vector) {
     let spiral = |fixed: Point, moving: Point| Spiral::new(fixed, -moving.to_vector());
     match (a.near, b.near) {

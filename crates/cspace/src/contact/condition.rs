@@ -12,8 +12,8 @@ use super::spiral::Spiral;
 
 /// Calls `take` with every condition of two loci that is `asked` for, and its number, by which it is asked for.
 ///
-/// Of flat arcs the centres are far away: that is for double-double. `corners` tells whether the first ends, and starts, where
-/// the other starts, and ends.
+/// The centres of flat arcs are far away: such conditions need double-double. `corners` states whether the first curve ends where the other
+/// starts, and starts where the other ends.
 pub(crate) fn conditions<T: Real>(
     f: &Locus<T>,
     g: &Locus<T>,

@@ -49,9 +49,9 @@ impl Contacts {
 
     /// Whether a circle lies between the curves of two lines wherever both exist, tangent to both.
     ///
-    /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
-    /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
-    /// second order, so that computing would tell little.
+    /// It turns by less than half a turn, so that the lines cross at a distance ρ tan(φ/2) beyond its ends: the curves do not cross. That
+    /// distance vanishes to first order where the circle begins, and the height of an end over the other line to second order, so that a
+    /// computation would decide little.
     fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
         let lines = f.is_line() && g.is_line() && f.locus.kind != g.locus.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
@@ -85,7 +85,7 @@ impl Contacts {
         Self::of(sheets, span, period, names)
     }
 
-    /// What there is in a part of the window, given numbers of sheets among which are all that exist there.
+    /// Contacts within a part of the window; `sheets` must include all sheets that exist there.
     pub(crate) fn within(&self, span: Span, sheets: &[u32]) -> Self {
         let window = || Seam::Window;
         let sheets = (sheets.iter().map(|&i| &self.sheets[i as usize]))

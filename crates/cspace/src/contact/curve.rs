@@ -117,7 +117,7 @@ impl<T: Ordered> Curve<T> {
 }
 
 impl Curve<Dd> {
-    /// The same in doubles.
+    /// The curve rounded to f64.
     pub(crate) fn rounded(&self) -> Curve {
         Curve {
             start: self.start.map(Dd::to_f64),

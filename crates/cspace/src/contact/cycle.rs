@@ -127,7 +127,7 @@ impl<T: Real> Cycle<T> {
         self.off(steepness.sqrt(), level)
     }
 
-    /// The same of a place at which the length of the gradient and the level are known.
+    /// The signed distance of a place at which the length of the gradient and the level are known.
     #[inline]
     pub(crate) fn off(&self, gradient: T, level: T) -> T {
         if self.is_centred() {
@@ -154,7 +154,7 @@ impl<T: Real> Cycle<T> {
         self.through + (normal - self.normal) * (T::constant(1.0) / self.weight)
     }
 
-    /// The same line or circle with its free side exchanged for the blocked one.
+    /// The cycle with its free side and its blocked side exchanged.
     pub(crate) fn reversed(&self) -> Self {
         Self {
             normal: -self.normal,
@@ -174,7 +174,7 @@ impl<T: Real> Cycle<T> {
 }
 
 impl Cycle<Dd> {
-    /// The same in doubles.
+    /// The cycle rounded to f64.
     pub(crate) fn rounded(&self) -> Cycle {
         Cycle {
             through: self.through.map(Dd::to_f64),
@@ -519,8 +519,8 @@ impl<T: Real> Cycle<T> {
 /// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
 pub(crate) const PLACE_ERROR: f64 = 1e-14;
 
-/// The same for a circle by its centre, in units of its radius: coordinates of the centre, sums of them and the distance from there
-/// are rounded.
+/// Rounding error of a place on a circle given by its centre, in units of the radius: coordinates of the centre, sums of them and the
+/// distance from there are rounded.
 const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
 
 impl Cycle {
@@ -535,7 +535,7 @@ impl Cycle {
         }
     }
 
-    /// The same in numbers of another kind.
+    /// The cycle in numbers of another kind.
     pub(crate) fn lift<T: Real>(&self) -> Cycle<T> {
         Cycle {
             through: self.through.map(T::constant),

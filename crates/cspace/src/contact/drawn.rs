@@ -55,8 +55,7 @@ pub struct Touching {
 
 /// The value of a contact function with its first and second derivatives by the configuration.
 ///
-/// Of a planar configuration the derivatives are by x, y and θ. Of two parts on fixed axes they are by u and v, and what
-/// would be third is 0.
+/// For a planar configuration the derivatives are by x, y and θ. For two parts on fixed axes they are by u and v, and the third is 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactValue {
     /// The value (the model's unit of length).
@@ -68,8 +67,8 @@ pub struct ContactValue {
 }
 
 impl<T: Real> FeatureShape<T> {
-    /// The same with each of its numbers made another kind of number; they are counted from 0 as start, end and bulge, or as
-    /// the vertex.
+    /// The shape with each of its numbers converted by `f`, which also gets the number's index: start, end and bulge, or the vertex,
+    /// counted from 0.
     pub fn map<U>(&self, mut f: impl FnMut(usize, T) -> U) -> FeatureShape<U> {
         match *self {
             Self::Edge { start, end, bulge } => FeatureShape::Edge {

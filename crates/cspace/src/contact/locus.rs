@@ -16,9 +16,9 @@ pub(crate) enum SheetKind {
     RoundLine,
     /// Arcs or vertices of both.
     RoundRound,
-    /// The same, the fixed arc being so large that the curve is a flat arc; its normal is constant.
+    /// As `RoundRound`, where the fixed arc is so large that the curve is a flat arc; its normal is constant.
     FixedFlatArc,
-    /// The same, the moving arc alone being so large; its normal turns with θ.
+    /// As `RoundRound`, where only the moving arc is so large; the normal turns with θ.
     MovingFlatArc,
 }
 

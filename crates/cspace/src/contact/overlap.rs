@@ -23,7 +23,7 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// Of a pair whose moving part is smaller than drawn by `room` (length).
+    /// Body of a part of a pair whose moving part is smaller than drawn by `room` (length).
     pub(crate) fn new(
         outline: &Outline,
         part: &Part,

@@ -87,7 +87,7 @@ pub(crate) struct Placed<'a> {
     pub(crate) part: &'a Part,
     /// The point that becomes the origin of the pair's frame, in the part's frame.
     pub(crate) center: Point,
-    /// The same point in the frame of the part as the user drew it.
+    /// The point that becomes the origin of the pair's frame, in the frame of the part as the user drew it.
     pub(crate) drawn_center: Point,
     /// Where one step of its symmetry takes its loops, if it is drawn in order of travel and about its centre.
     pub(crate) images: Option<&'a [LoopImage]>,
@@ -174,11 +174,11 @@ impl Geometry {
         self.contacts.sheets[sheet as usize].curve_on(T::locus(self, sheet), at)
     }
 
-    /// The same in doubles, with the rotation in doubles.
+    /// The curve of a sheet in f64, with the rotation in f64.
     ///
-    /// Ends that turn about a far centre are lost in the rounding of their orientations in doubles, which is as much longer as that is
-    /// farther: where a flat arc is involved, the curve is found in double-double and rounded, so that places that are told from its
-    /// middle are where they are.
+    /// Ends that turn about a far centre are lost in the rounding of their orientations to f64, by an error proportional to the distance of
+    /// the centre: where a flat arc is involved, the curve is computed in double-double and rounded, so that places measured from its
+    /// middle are right.
     pub(crate) fn rounded_curve(&self, sheet: u32, theta: Dd, turn: Rotation) -> Curve {
         let of = &self.contacts.sheets[sheet as usize];
         if of.is_flat() {
@@ -187,7 +187,7 @@ impl Geometry {
         of.curve(theta.to_f64(), turn)
     }
 
-    /// The same pair from one orientation to another, given numbers of sheets among which are all that exist there.
+    /// The pair restricted to an interval of orientations; `sheets` must include all sheets that exist there.
     pub(crate) fn within(&self, (lo, hi): (f64, f64), sheets: &[u32]) -> Self {
         let full = false;
         let contacts = self.contacts.within(Span { lo, hi, full }, sheets);

@@ -1,4 +1,4 @@
-//! What two sheets have in common by their making, so that nothing needs to be computed: ends, circles, directions.
+//! Ends, circles and directions that two sheets share by construction, and that are therefore known to be equal without computing.
 
 use crate::feature::tolerance::{CLOSE_CENTERS, SAME_CARRIER};
 
@@ -8,7 +8,7 @@ use super::spiral::Spiral;
 /// The ends that two sheets have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SharedEnds {
-    /// The carriers are one, or tangent at every orientation: the curves do not cross.
+    /// Whether the carriers are one, or tangent at every orientation: then the curves do not cross.
     pub(crate) tangent: bool,
     /// Whether they cross where the first ends, and where it starts, but only there.
     pub(crate) corners: [bool; 2],

@@ -37,7 +37,7 @@ impl EndAngle {
     }
 }
 
-/// What a sheet meets where its orientations end.
+/// Event at which a sheet's interval of orientations begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Seam {
     /// The curve shrinks to a point there.
@@ -46,7 +46,7 @@ pub(crate) enum Seam {
     Lines(u32, u32),
     /// A fixed line is tangent at a joint between two moving features, neither of them a line.
     LineJoint(u32, u32),
-    /// The same with the roles exchanged.
+    /// A joint between two fixed features, neither of them a line, at which a moving line is tangent.
     JointLine(u32, u32),
     /// The end moves from one joint to another; the sheet goes on: fixed, moving feature, turn, which.
     Same(u32, u32, i32, u8),
@@ -70,7 +70,7 @@ pub(crate) struct Sheet {
     pub(crate) moving: u32,
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// The same in double-double.
+    /// Ends of the interval in double-double.
     pub(crate) from: Dd,
     pub(crate) to: Dd,
     pub(crate) start_at: EndAt,
@@ -90,7 +90,7 @@ pub(crate) struct Sheet {
 const SHORTEST: f64 = 1e-26;
 
 impl Sheet {
-    /// What of it is within a window, and what it meets at the ends of that; `None` if nothing.
+    /// The part of the sheet within a window, with the seams where the window cuts it; `None` if nothing is left.
     pub(super) fn cut(
         mut self,
         span: Span,

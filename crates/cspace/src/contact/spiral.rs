@@ -92,7 +92,7 @@ impl<T: Real> Spiral<T> {
 }
 
 impl Spiral {
-    /// The same in numbers of another kind.
+    /// The spiral in numbers of another kind.
     #[inline(always)]
     pub(crate) fn lift<T: Real>(&self) -> Spiral<T> {
         Spiral {

@@ -11,8 +11,8 @@ impl Sheet {
     /// about the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others
     /// that follow each other smoothly. Their curves do not cross, whatever rounding makes of it.
     ///
-    /// What vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three orientations far from
-    /// each other, it is so at all. Two lines are not tangent.
+    /// The function that vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three
+    /// orientations far from each other, it is 0 everywhere. Two lines are not tangent.
     pub(super) fn always_tangent(&self, other: &Self) -> bool {
         if self.is_line() && other.is_line() {
             return false;
@@ -96,8 +96,7 @@ pub(super) mod tests {
         Part::new(name, vec![outline]).unwrap()
     }
 
-    /// The same contact with circles about their centres, and ends as two vectors: right as long as the radii are no larger
-    /// than here.
+    /// The contact written with circles about their centres, and ends as two vectors: correct as long as the radii are no larger than here.
     pub(in crate::contact) fn plain(sheet: &Sheet) -> Sheet {
         let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
         let mut plain = *sheet;
@@ -110,7 +109,8 @@ pub(super) mod tests {
         plain
     }
 
-    /// What vanishes at an orientation where the carriers are tangent, on one side or on the other, by centres and radii.
+    /// Two functions, by centres and radii, one of which vanishes at an orientation where the carriers are tangent: on one side, or on the
+    /// other.
     fn off(f: &Sheet, g: &Sheet, theta: f64) -> Option<[f64; 2]> {
         let [c, d] = [f, g].map(|s| plain(s).cycle(Rotation::by(theta)));
         let (line, circle): (Cycle, Cycle) = match (c.is_line(), d.is_line()) {

@@ -27,7 +27,7 @@ impl Outline {
         Self::grown_by(part, center, scale, |_| growth, None)
     }
 
-    /// The same, each loop grown by a length of its own, after the part was made generic.
+    /// Features of a part with each loop grown by its own length, after the part was made generic.
     pub(crate) fn grown_by(
         part: &Part,
         center: Point,

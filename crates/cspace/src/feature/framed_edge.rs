@@ -13,7 +13,7 @@ pub(super) struct FramedEdge {
     pub(super) end: Point<Dd>,
     /// `None` for a line.
     pub(super) arc: Option<(Point<Dd>, Dd)>,
-    /// Of a large arc.
+    /// Reference point of a large arc.
     pub(super) near: Option<Near>,
     pub(super) start_direction: Vector<Dd>,
     pub(super) end_direction: Vector<Dd>,

@@ -1,25 +1,25 @@
-//! By how much each loop of a part is grown.
+//! Growth of each loop of a part.
 //!
-//! All loops of a part are grown alike, unless arcs of two of them touch the other part along one circle at every orientation
-//! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more
-//! than the one below. Arcs of one loop are grown alike.
+//! All loops of a part are grown by the same length, unless arcs of two of them touch the other part along one circle at every orientation
+//! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more than the
+//! level below. Arcs of one loop are grown alike.
 
 use super::concentric::{EqualSum, equal_sums};
 use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH, ONE_LENGTH};
 use super::types::Outline;
 
-/// By how much each loop of a part is grown (length): evenly, but for loops with equal sums.
+/// Length by which each loop of a part is grown: the same for all, except for loops with equal sums.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Growths {
     least: f64,
-    /// From one level to the next.
+    /// Difference between one level and the next.
     step: f64,
-    /// Of each loop.
+    /// Level of each loop.
     levels: Vec<u8>,
 }
 
 impl Growths {
-    /// Of parts of one loop each, which need no levels.
+    /// Growths of the fixed and the moving part if they have one loop each, which need no levels.
     pub(crate) fn alike() -> (Self, Self) {
         let least = |least| Self {
             least,

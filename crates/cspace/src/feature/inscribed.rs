@@ -8,7 +8,7 @@ use crate::part::{Edge, Part};
 
 /// Points tried along each side of the bounding box.
 const GRID: usize = 12;
-/// Of parts with more edges no disc is sought: a tenth of a second.
+/// Number of edges above which no disc is searched: a search takes a tenth of a second.
 const MOST_SEARCHED: usize = 1 << 17;
 /// Rounds of halving the step around the best point.
 const ROUNDS: usize = 8;

@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 use crate::geometry::{Rotation, Vector};
 use crate::part::{LoopImage, Part};
 
-/// What a part's vertices are to be moved by.
+/// Parameters of the displacements of a part's vertices.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Perturbation<'a> {
     /// The largest move along either axis, and of the middle of an arc (length in the pair's frame).

@@ -55,7 +55,7 @@ pub(crate) const OVERSHOOT_SEPARATION: f64 = 1.0 / (1u64 << 46) as f64;
 /// what is grown still covers what is drawn.
 pub(crate) const PERTURBATION: f64 = GROWTH / 8.0;
 
-/// The same of the moving part (length, about 5.4e-14).
+/// Length by which vertices of the moving part are moved to make it generic (about 5.4e-14).
 pub(crate) const MOVING_PERTURBATION: f64 = MOVING_GROWTH / 4.0;
 
 /// How much cheaper it is to slide a vertex by a length than to move it across by as much.

@@ -3,7 +3,7 @@
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 
-/// What a feature is.
+/// Kind of a feature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -22,7 +22,7 @@ pub enum FeatureKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureName {
-    /// What it is.
+    /// Kind of the feature.
     pub kind: FeatureKind,
     /// The loop, counted from 0 in the order given.
     pub loop_index: u32,

@@ -11,7 +11,7 @@ use super::motion::{Extent, brought_between};
 use super::piece::{Key, Name, Pair, Piece};
 use super::tolerance::MOST_MEETINGS;
 
-/// What is at an end of a cell.
+/// Node or crossing at an end of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Stop {

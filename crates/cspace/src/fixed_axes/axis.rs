@@ -79,7 +79,7 @@ impl Axis {
         }
     }
 
-    /// The same motion between two limits.
+    /// The motion restricted to the range from `lo` to `hi`.
     #[must_use]
     pub const fn within(self, lo: f64, hi: f64) -> Self {
         Self {

@@ -1,7 +1,7 @@
 //! All pieces of contact curves, not yet cut by each other.
 //!
-//! Of every orbit of features of the swept part one is looked at, over its full turn; what it touches in the k-th copy of
-//! the window its k-th image touches in the window itself (`repeats`).
+//! From every orbit of features of the swept part, one feature is examined over its full turn; its contacts in the k-th copy of the window
+//! are those of its k-th image in the window itself (`repeats`).
 
 use super::condition::Condition;
 use super::motion::clusters;
@@ -114,7 +114,7 @@ pub(super) struct Builder<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) nodes: Vec<Node>,
     pub(super) breaks: Vec<f64>,
-    /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
+    /// For the current pair, its images by copies of the window, and whether pieces resulted.
     instances: Vec<Option<(u32, bool)>>,
 }
 

@@ -4,7 +4,7 @@ use super::condition::Condition;
 use crate::contact::Cycle;
 use crate::geometry::{Point, Vector};
 
-/// What must vanish where two features touch, at zero coordinates.
+/// Contact condition of two features: the equation that holds where they touch, at zero coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Carriers {

@@ -36,7 +36,7 @@ impl FixedAxesSpace {
         Self::swept((fixed, fixed_axis), (moving, moving_axis), None)
     }
 
-    /// The same, swept along the coordinate of a part, if one is asked for.
+    /// Computes the space, swept along the coordinate of a given part, if any.
     pub(super) fn swept(
         (fixed, fixed_axis): (&Part, Axis),
         (moving, moving_axis): (&Part, Axis),

@@ -16,14 +16,14 @@ pub(super) struct Condition {
     pub(super) first: Cycle,
     pub(super) second: Cycle,
     pub(super) motions: Motions,
-    /// Of the first, from the second part's pivot.
+    /// Bearing of the first cycle as seen from the second part's pivot.
     pub(super) bearing: Bearing,
-    /// Of the second, from its part's pivot: the angle by which its arm is to be turned back, how long the arm is, and how far
-    /// the pivot is outside.
+    /// Position of the second cycle as seen from its part's pivot: the angle by which its arm is to be turned back, the length of the arm,
+    /// and the distance of the pivot outside.
     angle: f64,
     arm: f64,
     pub(super) outside: f64,
-    /// 1, or −1 if y is measured from the opposite arm of one of both.
+    /// 1, or −1 if y is measured from the opposite arm of one of the two cycles.
     side: f64,
 }
 
@@ -51,7 +51,7 @@ impl Condition {
         }
     }
 
-    /// The same condition, to be solved for x.
+    /// The condition prepared to be solved for x.
     pub(super) fn swapped(&self) -> Self {
         Self::new(self.second, self.first, self.motions.swapped())
     }

@@ -108,7 +108,7 @@ pub enum AxesDataError {
     /// Not such a space at all.
     #[error("the format is {found:?}, not {FORMAT:?}")]
     Format {
-        /// What it says.
+        /// Format name found in the data.
         found: String,
     },
     /// An axis is none.
@@ -127,7 +127,7 @@ pub enum AxesDataError {
         "the saved space is damaged: its {what} refer to what is not there, or are out of order; compute the space again"
     )]
     Damaged {
-        /// What is wrong.
+        /// Reason for the rejection.
         what: &'static str,
     },
 }

@@ -35,17 +35,17 @@ pub struct AxesContact {
     pub patch: u32,
 }
 
-/// What becomes of a motion on fixed axes.
+/// Outcome of a motion on fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AxesMotionOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a contact curve.
     Contact(AxesContact),
-    /// It is free until it leaves the range of a part's motion, at this time.
+    /// The motion is free until it leaves the range of a part's motion, at this time.
     Leaves {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
@@ -56,10 +56,10 @@ impl FixedAxesSpace {
     /// Along the motion the contact condition of each curve is a smooth function of time (for two arcs the square of the
     /// centres' distance). A bound on its second derivative tells for any interval of time that it holds no root, or one
     /// at most; other intervals are halved. A root counts if the parts come closer there and the configuration is on the
-    /// curve. Nothing is found by sampling. Motions that touch without going deeper go on. A motion that asks a part to move that does not leaves its range at once.
-    ///
-    /// The time this takes grows with the number of turns until the contact.
-    ///
+    /// Along the motion the contact condition of each curve is a smooth function of time (for two arcs the square of the centres'
+    /// distance). A bound on its second derivative shows, for an interval of time, that it holds no root, or at most one; other intervals
+    /// are halved. A root counts if the parts come closer there and the configuration is on the curve. Nothing is found by sampling.
+    /// Motions that touch without going deeper go on. A motion that requires a fixed part to move leaves its range at once.
     /// # Errors
     /// If numbers are not finite, the motion begins in blocked space or outside the ranges, or a part turns farther than
     /// [`LARGEST_ANGLE`](crate::LARGEST_ANGLE) before it touches.
@@ -88,9 +88,9 @@ impl FixedAxesSpace {
         self.first_below(from, rates, duration, 0.0)
     }
 
-    /// The same, but contact is where the contact function sinks to −`depth` (model length): so that a motion along contact, which
-    /// rounding and curvature bring a little below it and above, goes on. A depth of less than the
-    /// [`contact_distance`](Self::contact_distance) leaves it in contact.
+    /// The first contact, where contact is defined as the contact function falling to −`depth` (model length): so that a motion along
+    /// contact, which rounding and curvature bring a little below it and above, goes on. If the depth is less than the
+    /// [`contact_distance`](Self::contact_distance), such a motion stays in contact.
     ///
     /// # Errors
     /// As [`first_contact`](Self::first_contact), and if the depth is negative or not finite.
@@ -349,9 +349,9 @@ pub(super) struct Way {
 pub(super) struct Along<'a> {
     pub(super) condition: &'a Condition,
     pub(super) way: &'a Way,
-    /// What G is there where the contact function is as deep as it is sought, with the other sign.
+    /// Value of −G where the contact function is −depth.
     above: f64,
-    /// What G varies by without doing more than touch: rounding, or little of the depth.
+    /// Variation of G that still counts as touching: rounding, or a small part of the depth.
     flat: f64,
 }
 
@@ -385,9 +385,9 @@ impl<'a> Along<'a> {
 
     /// G, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
     ///
-    /// Of the terms of G that move each by itself, in the way w from one cycle to the other and in both normals n: with its
-    /// velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a
-    /// rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far the point is from the pivot; one that slides has no acceleration.
+    /// The bound comes from the terms of G that move each by itself, in the vector w from one cycle to the other and in both normals n:
+    /// with its velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a rate
+    /// ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R the distance of the point from the pivot; one that slides has no acceleration.
     fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
         let mid = 0.5 * (lo + hi);
         let Way { x, y, dx, dy } = *self.way;

@@ -184,17 +184,17 @@ pub(super) struct Extent {
     pub(super) kind: ExtentKind,
 }
 
-/// What is at the two ends of an extent.
+/// Kind of the two ends of an extent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum ExtentKind {
-    /// The same place: a full turn.
+    /// Both ends are one place: a full turn.
     Circle,
     /// Limits of a motion by an angle, which may be more than a turn.
     TurnLimits,
     /// Limits of a motion along a direction.
     SlideLimits,
-    /// Places beyond which nothing touches, or beyond which all repeats.
+    /// Places beyond which nothing touches, or beyond which the space repeats.
     Open,
 }
 

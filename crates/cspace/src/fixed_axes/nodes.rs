@@ -17,11 +17,10 @@ use crate::geometry::{Point, Rotation, Vector};
 use core::f64::consts::PI;
 
 impl Scene {
-    /// Calls `found` with every node on the curve of a pair of which one is round at least. The first feature stands for
-    /// its orbit.
+    /// Calls `found` with every node on the curve of a pair with at least one round feature. The first feature represents its orbit.
     ///
-    /// What belongs to another joint or line of the first part is computed from the one that stands for its orbit, and
-    /// moved: so all pairs that meet there have the same numbers, in whatever copy of the window they meet.
+    /// Nodes that belong to another joint or line of the first part are computed from the representative of its orbit, and moved: so all
+    /// pairs that meet there have the same numbers, in whatever copy of the window they meet.
     pub(super) fn nodes(&self, ia: u32, ib: u32, mut found: impl FnMut(Node)) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let fold = self.repeats.fold;

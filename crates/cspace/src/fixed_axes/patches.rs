@@ -8,7 +8,7 @@ use super::sweep::{Gaps, Graphs};
 use super::tolerance::NEAR;
 use crate::feature::FeatureName;
 
-/// What patches are made with.
+/// Data from which patches are made.
 pub(super) struct Patches<'a> {
     pub(super) setting: &'a Setting,
     pub(super) gaps: Gaps<'a>,
@@ -159,7 +159,7 @@ pub struct AxesPatch {
     pub region: Option<u32>,
 }
 
-/// What is a function of what on a branch.
+/// Direction of the function on a branch: v of u, or u of v.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -176,7 +176,7 @@ pub enum BranchForm {
 pub struct AxesBranch {
     /// The contact curve it belongs to.
     pub patch: u32,
-    /// What is a function of what.
+    /// Which coordinate is a function of the other.
     pub form: BranchForm,
     /// The configuration (u, v) at which travel along it begins; v and u are continuous along the branch.
     pub start: (f64, f64),

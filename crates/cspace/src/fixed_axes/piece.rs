@@ -114,7 +114,7 @@ impl Piece {
 
 // Names of nodes: ends of curves that have one name are one place.
 
-/// What a node is, so that ends of curves find each other.
+/// Identity of a node, by which ends of curves are matched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Name {

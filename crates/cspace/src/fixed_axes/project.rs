@@ -111,7 +111,7 @@ struct Search<'a> {
     space: &'a FixedAxesSpace,
     piece: &'a Piece,
     from: (f64, f64),
-    /// What a unit of x and of y counts (length of the pair's frame).
+    /// Lengths that a unit of x and of y counts (length of the pair's frame).
     weights: (f64, f64),
 }
 

@@ -1,4 +1,4 @@
-//! Where features can come, to tell pairs that never meet.
+//! Ranges of positions of features, by which pairs that never meet are excluded.
 
 use core::f64::consts::{PI, TAU};
 
@@ -8,16 +8,16 @@ use crate::geometry::{Point, Vector, wrap};
 use super::motion::{Motion, Motions};
 use super::scene::Scene;
 
-/// Where a feature can come, and how its normals lean.
+/// Range of a feature's positions, and of the inclination of its normals.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach {
-    /// Distances from its pivot, or beside its direction of sliding.
+    /// Smallest and largest distance from the part's pivot, or offset across the direction of sliding.
     distances: (f64, f64),
-    /// Of a part that turns: the angles from the ray, pivot to contact, to the normal there; their middle and half width.
+    /// For a part that turns: the angles from the ray, pivot to contact, to the normal there; their middle and half width.
     lean: (f64, f64),
 }
 
-/// Where the features of a part can come.
+/// Ranges of the features of a part.
 pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Vec<Reach> {
     let (side, motion) = if is_first {
         (&scene.first, scene.motions.first)

@@ -15,12 +15,12 @@ use super::motion::{Extent, ExtentKind};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Image {
     pub(super) of: u32,
-    /// How many steps take it there, fewer than the fold.
+    /// Number of symmetry steps that take the representative there, fewer than the fold.
     pub(super) steps: u32,
 }
 
 impl Image {
-    /// Of one that stands for itself.
+    /// Image of a representative, which is itself.
     pub(super) const fn itself(of: u32) -> Self {
         Self { of, steps: 0 }
     }

@@ -1,4 +1,4 @@
-//! What follows from the parts and their axes alone: frame, motions, outlines, and where the coordinates run.
+//! Quantities that follow from the parts and their axes alone: frame, motions, outlines, and ranges of the coordinates.
 
 use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::displacement::Displacement;
@@ -377,7 +377,7 @@ impl Bodies {
     }
 }
 
-/// What follows from the parts and their axes alone and is needed for questions.
+/// Quantities that follow from the parts and their axes alone, as queries need them.
 #[derive(Debug)]
 pub(super) struct Setting {
     pub(super) map: Map,
@@ -385,7 +385,7 @@ pub(super) struct Setting {
     pub(super) x: Extent,
     pub(super) y: Extent,
     pub(super) bodies: Bodies,
-    /// What the features of the first and of the second part are called.
+    /// Names of the features of the first and of the second part.
     pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
     /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
     pub(super) deviation: f64,
@@ -394,25 +394,25 @@ pub(super) struct Setting {
 }
 
 impl Setting {
-    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
-    /// what corners are grown by.
+    /// Distance below which a configuration is in contact (model length): the resolution, plus the deviation of the parts as computed from
+    /// the parts as drawn; growth of corners is not included.
     pub(super) fn contact_distance(&self) -> f64 {
         self.map.frame.outer_length(CONTACT) + self.deviation
     }
 
-    /// The same in the frame of the pair.
+    /// The contact distance in the frame of the pair.
     pub(super) fn inner_contact_distance(&self) -> f64 {
         self.contact_distance() * self.map.frame.scale
     }
 
-    /// u and v of a point on a curve: 0 of a part that does not move, of which the arrangement has a strip.
+    /// u and v of a point on a curve; 0 for a part that does not move, for which the arrangement has a strip.
     pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
         let at = |t: f64, m: Motion| if m == Motion::Still { 0.0 } else { t };
         self.map
             .outer(at(x, self.motions.first), at(y, self.motions.second))
     }
 
-    /// Coordinates within the extents; none outside the ranges.
+    /// Coordinates within the extents; `None` outside the ranges.
     pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
         let (mut x, mut y) = self.map.inner(u, v);
         if !(x.is_finite() && y.is_finite()) {
@@ -441,7 +441,7 @@ impl Setting {
         Some((x, y))
     }
 
-    /// Of parts that slide along one line without limits only the difference of y and so many x matters.
+    /// Factor s for parts that slide along one line without limits: there only y − s x matters. `None` for other parts.
     pub(super) fn on_one_line(&self) -> Option<f64> {
         let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
             (self.motions.first, self.motions.second)

@@ -29,7 +29,7 @@ pub(super) struct Link {
     pub(super) y_turns: i32,
 }
 
-/// What the sweep finds.
+/// Result of the sweep.
 #[derive(Debug, Default)]
 pub(super) struct Swept {
     pub(super) bands: Vec<Band>,
@@ -43,9 +43,9 @@ pub(super) struct Swept {
 #[derive(Debug, Default)]
 pub(super) struct Tally {
     pub(super) tests: usize,
-    /// Those that tell another thing than the cells beside the gap.
+    /// Tests whose result differs from the class that the cells beside the gap give.
     pub(super) conflicts: usize,
-    /// Of these the tests that are certain.
+    /// Conflicts in which the test is certain.
     pub(super) contradictions: usize,
 }
 

@@ -65,7 +65,7 @@ pub struct PlaneCurve {
     turns: i32,
 }
 
-/// What bounds a gap; `None` at a limit of y, and of a full turn that is free.
+/// The curves that bound a gap; `None` at a limit of y, and for a full turn that is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlaneGap {
     /// The curve below.

@@ -9,7 +9,7 @@ use crate::space::LONGEST_WINDOW;
 use super::dynamics::DynamicsError;
 use super::entries::{JointEntry, Mechanism, PairEntry, PartEntry};
 
-/// What is wrong with a mechanism.
+/// Reason why a mechanism is rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MechanismError {
@@ -225,7 +225,7 @@ impl PairEntry {
     }
 }
 
-/// That two indices are those of parts.
+/// Checks that two indices are those of parts.
 fn check_two((a, b): (usize, usize), parts: usize) -> Result<(), MechanismError> {
     let part = a.max(b);
     if part < parts {

@@ -1,4 +1,4 @@
-//! What a mechanism is made of.
+//! Elements of a mechanism: parts, joints and pairs.
 
 use crate::fixed_axes::Axis;
 use crate::geometry::{Point, Vector};
@@ -28,7 +28,7 @@ use super::dynamics::Dynamics;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mechanism {
-    /// What it is called.
+    /// Name of the mechanism.
     pub name: String,
     /// A label for the unit of length.
     pub unit: Option<String>,
@@ -62,13 +62,13 @@ pub struct PartEntry {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointEntry {
-    /// What the connection leaves free.
+    /// Type of joint.
     pub joint: Joint,
     /// The two parts' indices.
     pub parts: (usize, usize),
 }
 
-/// Two different parts whose configuration space is wanted.
+/// Two different parts whose configuration space is requested.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairEntry {

@@ -42,9 +42,9 @@ impl Enclosure for Ball {
 pub struct Affine<const N: usize> {
     /// The middle.
     pub mid: f64,
-    /// What each quantity adds at most.
+    /// Coefficient of each quantity.
     pub by: [f64; N],
-    /// What else may be added.
+    /// Bound of the remaining term δ.
     pub radius: f64,
 }
 

@@ -23,7 +23,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - (s - v)) + (b - v))
 }
 
-/// The same where |a| ≥ |b|.
+/// a + b and what its rounding loses, where |a| ≥ |b|.
 #[inline(always)]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
@@ -127,7 +127,7 @@ impl Dd {
         (s0 * c + c0 * s, c0 * c - s0 * s)
     }
 
-    /// The same for |x| ≤ 0.0123.
+    /// Sine and cosine for |x| ≤ 0.0123.
     fn sin_cos_of_little(self) -> (Self, Self) {
         /// 1/3! and 1/5!.
         const SIXTH: Dd = Dd {
@@ -350,7 +350,7 @@ impl Real for Dd {
 mod tests {
     use super::*;
 
-    /// What is left of a number that should be none, in units of the rounding of doubles.
+    /// Whether a number that should be 0 is, up to a small multiple of the rounding of double-double.
     fn is_none(x: Dd) -> bool {
         x.hi.abs() < 2e-31
     }

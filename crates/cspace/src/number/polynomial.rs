@@ -10,7 +10,7 @@ const DEGREE: usize = 4;
 /// Orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// What a polynomial's coefficients are made of.
+/// Orientations and weights from which a polynomial's coefficients are computed.
 struct Sampling {
     /// Cosine and sine of the sampled orientations.
     turns: [(Dd, Dd); SAMPLES],
@@ -248,7 +248,7 @@ mod tests {
         }
     }
 
-    /// What is zero within its error is told as one interval, not as roots.
+    /// A polynomial that is zero within its error gives one interval, not roots.
     #[test]
     fn nothing_is_known_of_what_vanishes() {
         let p = TrigPolynomial::sampled(|_: Rotation| (1e-16, 1.0));

@@ -1,8 +1,8 @@
-//! What formulas need of a number, so that each is written once for all kinds of arithmetic.
+//! Operations that formulas need of a number, so that each formula is written once for all kinds of arithmetic.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number, or what stands for one.
+/// A real number, or a type that stands for one.
 ///
 /// `f64` is a value alone, [`Dual`](crate::Dual) a value with first derivatives by N quantities,
 /// [`SecondOrder`](crate::SecondOrder) a value with its gradient and Hessian. Within the library also numbers of 106 bits and

@@ -13,7 +13,7 @@ pub(crate) struct Trig<T = f64> {
     pub(crate) gamma: T,
     /// A bound on the absolute values added up in any coefficient: the coefficients are right to a few ulps of it.
     pub(crate) scale: f64,
-    /// What it is made of, if it is a difference of squares of distances.
+    /// The distances whose squares' difference it is, if it is one.
     pub(crate) distances: Option<Distances<T>>,
 }
 

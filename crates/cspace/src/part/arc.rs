@@ -38,9 +38,9 @@ pub enum Direction {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ArcSize {
-    /// That of at most half a turn.
+    /// The arc of at most half a turn.
     Short,
-    /// That of at least half a turn.
+    /// The arc of at least half a turn.
     Long,
 }
 

@@ -41,7 +41,7 @@ pub struct OutlineBuilder<T = f64> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Drawn<T> {
     at: Point<T>,
-    /// Of the edge that leaves it.
+    /// Bulge of the edge that leaves it.
     bulge: T,
     /// The radius of its fillet.
     fillet: Option<T>,
@@ -171,7 +171,7 @@ impl<T: Real> OutlineBuilder<T> {
     /// The loop. It returns to the start by a line, unless the last edge ends there already, within [`RESOLUTION`] of the
     /// size of the box of all vertices.
     ///
-    /// That its edges do not meet is checked by [`Part::new`](super::Part::new), to which it can be given with other loops.
+    /// [`Part::new`](super::Part::new) checks that the loop's edges do not meet each other, nor those of other loops.
     ///
     /// # Errors
     /// The first vertex or edge that cannot be drawn, why, and what to do.
@@ -183,7 +183,7 @@ impl<T: Real> OutlineBuilder<T> {
     /// fillet makes two of one.
     ///
     /// # Errors
-    /// Those of [`close`](Self::close).
+    /// As for [`close`](Self::close).
     ///
     /// ```
     /// use cspace::part::OutlineBuilder;

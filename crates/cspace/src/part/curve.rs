@@ -16,7 +16,7 @@ use super::{Bounds, Edge};
 const SERIES_BULGE: f64 = 1.0 / 16.0;
 
 impl Edge {
-    /// The same curve, travelled backwards.
+    /// The curve traversed backwards.
     #[inline]
     #[must_use]
     pub fn reversed(&self) -> Self {

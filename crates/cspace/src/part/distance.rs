@@ -4,11 +4,11 @@ use crate::geometry::{Configuration, Point, Rotation};
 
 use super::{Edge, Part};
 
-/// The least distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in
-/// the model's unit of length.
+/// Minimum distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in the model's unit
+/// of length.
 ///
-/// Of every two edges it is between an end of one and the other, or along a line at right angles to both. Pairs of edges
-/// whose discs are farther apart than what was found are passed over.
+/// For any two edges the minimum is between an end of one and the other, or along a line at right angles to both. Pairs of edges whose
+/// discs are farther apart than the minimum found so far are skipped.
 pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration) -> f64 {
     let turn = Rotation::by(moving_at.theta);
     let place = |p: Point| turn * p + moving_at.position().to_vector();

@@ -1,4 +1,4 @@
-//! What can be wrong with a part.
+//! Errors of a part.
 
 use crate::geometry::Point;
 
@@ -162,7 +162,7 @@ pub enum PartError {
     RepeatedLoop {
         /// The loop.
         loop_index: usize,
-        /// The same loop.
+        /// The loop that repeats it.
         other_loop: usize,
     },
 
@@ -171,7 +171,7 @@ pub enum PartError {
     BadSize {
         /// Which size.
         what: &'static str,
-        /// What was given.
+        /// Value that was given.
         value: f64,
     },
 
@@ -182,16 +182,16 @@ pub enum PartError {
     TooThin {
         /// Which size.
         what: &'static str,
-        /// What was given.
+        /// Value that was given.
         value: f64,
-        /// What it must be more than.
+        /// Bound that the value must exceed.
         least: f64,
     },
 
-    /// A name is given to an edge or a vertex that is not there.
+    /// A name is given to an edge or a vertex that does not exist.
     #[error("there is no {feature}: choose one of the part's loops and vertices, counted from 0")]
     NoFeature {
-        /// What is not there.
+        /// The feature that does not exist.
         feature: PartFeature,
     },
 
@@ -200,7 +200,7 @@ pub enum PartError {
         "the name {name:?} of {feature} is empty or given twice: give every one a name of its own"
     )]
     FeatureName {
-        /// What was to have it.
+        /// The feature that was to be named.
         feature: PartFeature,
         /// The name.
         name: String,

@@ -25,11 +25,11 @@ pub const WHOLE_EDGE: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fillet<T = f64> {
-    /// What is left of the edge before the corner; none if the fillet takes all of it.
+    /// Remaining part of the edge before the corner; `None` if the fillet takes all of it.
     pub before: Option<Edge<T>>,
     /// The fillet: an arc of at most half a turn. Its index is that of the edge after the corner.
     pub arc: Edge<T>,
-    /// What is left of the edge after the corner; none if the fillet takes all of it.
+    /// Remaining part of the edge after the corner; `None` if the fillet takes all of it.
     pub after: Option<Edge<T>>,
 }
 

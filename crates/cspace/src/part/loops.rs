@@ -137,7 +137,7 @@ impl Part {
         }
     }
 
-    /// What is around the part, up to a rectangle that is so far from it.
+    /// The complement of the part within a rectangle that is larger than the part's box by `far` on every side.
     pub(crate) fn framing(&self, far: f64) -> Self {
         let (lo, hi) = (self.bounds.min, self.bounds.max);
         let around = Loop {

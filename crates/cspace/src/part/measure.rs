@@ -1,4 +1,4 @@
-//! What a part measures: its box, its size, its area, and which points are in it.
+//! Measures of a part: its box, its size, its area, and tests of whether points are in it.
 
 use crate::boxes::Boxes;
 use crate::geometry::Point;

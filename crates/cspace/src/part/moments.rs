@@ -30,7 +30,7 @@ const SERIES_BULGE: f64 = 0.5;
 /// Terms of the series: at [`SERIES_BULGE`] the first one left out is 4⁻²² / 10⁵ ≈ 6·10⁻¹⁹, of a sum of about 1/15.
 const SERIES_TERMS: u32 = 22;
 
-/// What the area of a part is, where its middle is, and how it is spread about it.
+/// Area of a part, its centroid, and its second moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AreaMoments {
@@ -86,7 +86,7 @@ impl Part {
         }
     }
 
-    /// The same, summed as seen from a point.
+    /// The moments, summed about a point.
     fn moments_from(&self, origin: Point) -> AreaMoments {
         let all: Vec<Moments> = self.edges().map(|e| Moments::swept(&e, origin)).collect();
         let area = sum(all.iter().map(|m| m.area));
@@ -112,7 +112,7 @@ struct Moments {
 }
 
 impl Moments {
-    /// Of what the segment from `origin` to the edge sweeps out along the edge, about `origin`.
+    /// Moments, about `origin`, of the area swept by the segment from `origin` to a point that moves along the edge.
     fn swept(edge: &Edge, origin: Point) -> Self {
         let (a, b) = (edge.start - origin, edge.end - origin);
         let c = a.cross(b);
@@ -137,7 +137,7 @@ impl Moments {
         }
     }
 
-    /// Of what is between an arc and its chord, about the middle of the chord.
+    /// Moments of the area between an arc and its chord, about the middle of the chord.
     fn segment(edge: &Edge) -> Self {
         let chord = edge.end - edge.start;
         let square = chord.length_squared();

@@ -121,7 +121,7 @@ impl Part {
     /// A polygon: lines from corner to corner, and from the last to the first, in either direction.
     ///
     /// # Errors
-    /// Those of [`Part::new`]: fewer than three corners, sides that meet, a number that is not finite.
+    /// As for [`Part::new`]: fewer than three corners, sides that meet, a number that is not finite.
     ///
     /// ```
     /// use cspace::{Part, PartError};
@@ -206,7 +206,7 @@ fn positive(what: &'static str, value: f64) -> Result<(), PartError> {
     }
 }
 
-/// What is below the resolution of the whole is told by its own name, not as two vertices at one place.
+/// Checks that a size is above the resolution of the whole, so that the error names the size instead of two vertices at one place.
 fn thick(what: &'static str, value: f64, size: f64) -> Result<(), PartError> {
     let least = RESOLUTION * size;
     if value > least {

@@ -34,17 +34,18 @@ pub struct Slice {
     pub loops: Vec<Vec<u32>>,
     /// Whether the curves are not to be relied upon.
     ///
-    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from scratch: at
-    /// those of the space of orientations around it; where an arc lies on another contact, circle on circle; and if there are
-    /// too many contacts to compute it. Of either: a curve does not begin where the one before it ends.
+    /// A slice of a contact space is doubtful at the space's [doubtful orientations](crate::ContactSpace::doubtful_orientations). A slice
+    /// computed from scratch is doubtful at the doubtful orientations of the space of orientations around it; where an arc lies on another
+    /// contact, circle on circle; and if there are too many contacts to compute it. Either is doubtful if a curve does not begin where the
+    /// one before it ends.
     #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful: bool,
 }
 
-/// Lets every curve without a successor be followed by the nearest that begins within a distance and follows none.
+/// Joins every curve without a successor to the nearest one that begins within a distance and follows no other.
 ///
-/// Where more than two curves meet in a point but for rounding, or two contacts are one curve, the order in which they are
-/// met there may leave an end open. Which curves there are does not change.
+/// Where more than two curves meet in a point up to rounding, or two contacts are one curve, the order in which they are met there may
+/// leave an end open. The set of curves does not change.
 fn close(curves: &mut [SliceCurve], within: f64) {
     let n = curves.len();
     let is_open = |c: &SliceCurve| c.next as usize >= n;
@@ -84,7 +85,7 @@ impl Slice {
             .min_by(|a, b| (a.1.distance(position)).total_cmp(&b.1.distance(position)))
     }
 
-    /// Of loops, each of its curves in order of travel; which follows which is set here.
+    /// Slice of the given loops, each with its curves in order of travel; successors are set here.
     pub(crate) fn of_loops(theta: f64, loops: Vec<Vec<SliceCurve>>, doubtful: bool) -> Self {
         let mut slice = Self {
             theta,
@@ -108,7 +109,7 @@ impl Slice {
         indices.iter().map(|&i| self.curves[i as usize])
     }
 
-    /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
+    /// Finds the loops of curves that know their successors; a curve without a successor is followed by one that begins where it ends.
     pub(crate) fn from_curves(
         theta: f64,
         curves: Vec<SliceCurve>,
@@ -120,7 +121,7 @@ impl Slice {
         Self::from_curves_and_ends(theta, curves, &ends, doubtful, frame)
     }
 
-    /// The same, if it is known where every curve begins and ends.
+    /// Finds the loops of curves, as [`from_curves`](Self::from_curves), given the points where every curve begins and ends.
     pub(crate) fn from_curves_and_ends(
         theta: f64,
         mut curves: Vec<SliceCurve>,

@@ -241,8 +241,8 @@ fn nearer(p: Point, start: Point, end: Point) -> Point {
     }
 }
 
-/// The same of an arc by its ends and bulge b: with its chord c and q from its start, points of its circle have
-/// (1 − b²) c × q + 2 b q·(c − q) = 0.
+/// [`CurveGeometry::hit`] for an arc given by its ends and bulge b; the second value is a positive multiple of the product there. With the
+/// arc's chord c and q from its start, points of its circle have (1 − b²) c × q + 2 b q·(c − q) = 0.
 fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
     let (b, c, q) = (e.bulge, e.end - e.start, p - e.start);
     let flat = (1.0 - b) * (1.0 + b);

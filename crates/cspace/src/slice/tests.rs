@@ -294,7 +294,7 @@ fn slice(pieces: &[(CurveGeometry, u32)]) -> Slice {
     Slice::from_curves(0.0, curves, false, &frame())
 }
 
-/// That of the plane itself.
+/// Frame of the plane itself.
 fn frame() -> PairFrame {
     PairFrame {
         fixed_center: Point::ORIGIN,
@@ -473,8 +473,8 @@ fn open_ends_are_followed_by_the_nearest_beginnings() {
     assert!(kept.curves[1].next as usize >= 4);
 }
 
-/// What does not join is doubtful, whatever else is known: an end beyond the distance at which curves are joined, or one
-/// that is followed by a curve elsewhere.
+/// A slice whose curves do not join is doubtful, whatever else is known: an end is beyond the distance at which curves are joined, or
+/// followed by a curve elsewhere.
 #[test]
 fn slices_that_are_open_are_doubtful() {
     let p = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));

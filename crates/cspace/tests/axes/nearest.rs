@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// Configurations of each mechanism, and steps of brute force on the way to a contact.
 const ASKED: usize = 200;
 const STEPS: u32 = 40;
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
 
 #[derive(Default)]

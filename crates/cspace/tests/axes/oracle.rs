@@ -15,9 +15,9 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;
-/// Arcs whose radius is so many times their length that their centres are not known well enough: a known gap.
+/// Pairs with arcs whose radius is so many times their length that their centres are not known well enough: a known gap.
 const TOO_FLAT: [&str; 1] = ["nearly straight arcs"];
 /// Configurations anywhere, and searches for contact.
 const FAR: usize = 300;

@@ -201,7 +201,7 @@ fn patches_follow_each_other() {
     }
 }
 
-/// The same answers as the general contact space of the pair gives at the relative configuration.
+/// Classes agree with those that the general contact space of the pair gives at the relative configuration.
 #[test]
 fn agrees_with_the_general_space() {
     let slow = ["gears", "escapement", "ratchet"];

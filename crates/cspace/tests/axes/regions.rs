@@ -18,7 +18,7 @@ use rayon::prelude::*;
 const VALUES: usize = 360;
 /// How often a step between neighbours is halved.
 const HALVINGS: u32 = 6;
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
 /// Places at which the clearance exceeds what a step moves, times this, must be joined by the fill if they are in one region:
 /// others may be in a cusp between two curves that no step leads out of.
@@ -139,7 +139,7 @@ fn root(of: &mut [usize], mut i: usize) -> usize {
     i
 }
 
-/// What is wrong with the regions of a mechanism, and a line about it.
+/// Errors in the regions of a mechanism, and a line of summary.
 fn compare(m: &Mechanism) -> (Vec<String>, String, usize) {
     let space = FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
     let oracle = Oracle::new(&m.fixed, &m.moving);

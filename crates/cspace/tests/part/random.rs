@@ -41,7 +41,7 @@ fn star_shaped() -> impl Strategy<Value = Vec<Vertex>> {
     })
 }
 
-/// The same loop turned by an angle, scaled and moved.
+/// The loop turned by an angle, scaled and moved.
 fn placed(vertices: &[Vertex], angle: f64, scale: f64, to: Point) -> Vec<Vertex> {
     let (sin, cos) = angle.sin_cos();
     vertices

@@ -44,7 +44,7 @@ fn anywhere(oracle: &Oracle, rng: &mut impl Rng) -> Configuration {
     Configuration::new(at.x + share() - turned.x, at.y + share() - turned.y, theta)
 }
 
-/// What is wrong with the answer at a configuration, if anything.
+/// Message if the answer at a configuration is wrong.
 fn wrong(
     space: &ContactSpace,
     classifier: &Classifier<&ContactSpace>,

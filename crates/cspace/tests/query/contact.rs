@@ -288,7 +288,7 @@ fn touching_points_are_on_both_parts() {
     }
 }
 
-/// Of a point and an edge, from many points of the edge and their neighbours.
+/// Distance of a point and an edge, from many points of the edge and their neighbours.
 fn distance(e: &cspace::Edge, p: Point) -> f64 {
     let on = |s: f64| {
         if e.is_line() {

@@ -220,7 +220,7 @@ fn leaves_the_window() {
     assert_eq!(outside, Err(MotionError::StartsOutside));
 }
 
-/// What happens on random motions of a pair.
+/// Outcomes of random motions of a pair.
 #[derive(Default)]
 struct Tally {
     contacts: usize,

@@ -48,8 +48,8 @@ fn names(near: &[NearFeatures]) -> Vec<String> {
     near.iter().map(name).collect()
 }
 
-/// Of parts that are apart: places on the features, distances not below the clearance and no larger than dense points have, and
-/// the nearest as far apart as the parts.
+/// Places on parts that are apart lie on the features; distances are not below the clearance and not above those of dense points; and the
+/// nearest equals the distance of the parts.
 #[test]
 fn distances_are_between_features() {
     let mut told = 0;
@@ -146,7 +146,7 @@ fn lines_and_circles_end_with_their_features() {
     assert!(near.iter().all(|n| n.distance >= near[0].distance));
 }
 
-/// What is flush has both ends told; what is about one centre, every arc; corner on corner, both corners.
+/// Flush edges give both ends; concentric arcs give every arc; corner on corner gives both corners.
 #[test]
 fn places_that_are_not_alone() {
     let plate = Part::rectangle("plate", (0.0, 0.0), 4.0, 4.0).unwrap();

@@ -162,7 +162,7 @@ fn coordinates_of_another_class_are_refused() {
     assert_eq!((plane.fixed().name(), plane.moving().name()), ("a", "b"));
 }
 
-/// What comes after one patch comes before the other, and what is above below; links say the same.
+/// If one patch comes after another, the other comes before it; and likewise above and below; links agree.
 #[test]
 fn neighbours_are_mutual() {
     for space in [planar(None), planar(Some((-1.0, 1.0))), sliding()] {

@@ -11,10 +11,10 @@ use cspace_oracle::shapes::mechanisms::mechanisms;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// What a projection may be off the least, and off its patch, as a share of the size.
+/// Tolerance of a projection's distance, compared with the minimum, and of its distance from the patch, as shares of the size.
 const NEAR: f64 = 2e-11;
 const ON_PATCH: f64 = 1e-9;
-/// Configurations projected to each patch, and patches of each pair: of one in the plane fewer, for samples take long there.
+/// Configurations projected to each patch, and patches of each pair: fewer for a pair in the plane, because samples take long there.
 const ASKED: usize = 3;
 const PATCHES: usize = 8;
 const PATCHES_ON_AXES: usize = 60;

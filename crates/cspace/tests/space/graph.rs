@@ -1,4 +1,4 @@
-//! What the contact graph promises, checked on spaces of many kinds.
+//! Properties that the contact graph guarantees, checked on spaces of many kinds.
 
 use core::cell::RefCell;
 use core::f64::consts::{PI, TAU};
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Large: gears are covered by the smaller pair.
 const LEFT_OUT: [&str; 1] = ["gears 26 and 24"];
 
-/// Pairs whose contact curves cross at angles of a millionth: their crossings are known to 10⁻¹³, divided by that.
+/// Pairs whose contact curves cross at angles of a millionth: their crossings are known to 10⁻¹³ divided by that angle.
 const GRAZING: [&str; 2] = [
     "pin in socket of equal radius",
     "peg in hole, clearance 1e-6",
@@ -239,7 +239,7 @@ fn slices_at_critical_orientations_are_those_just_above() {
     });
 }
 
-/// The same of a window, which is not turned.
+/// Slices at critical orientations, as above, for a window, which is not turned.
 #[test]
 fn slices_at_critical_orientations_of_a_window_are_those_just_above() {
     const ALONE: f64 = 1e-8;

@@ -103,7 +103,7 @@ fn every_hole_of_a_plate_is_a_region() {
     }
 }
 
-/// What has too many edges is refused before memory is spent.
+/// Parts with too many edges are refused before memory is spent.
 #[test]
 fn what_is_too_large_is_refused() {
     let compute = |fixed: &Part, moving: &Part| {

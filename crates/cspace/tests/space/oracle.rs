@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Takes half a minute by itself; see `largest_gears_agree_with_brute_force`.
 const LARGEST: &str = "gears 26 and 24";
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;
 
 /// Distances from contact, as shares of the size.

@@ -26,7 +26,7 @@ const WIDE: [(&str, usize); 8] = [
 /// Larger pairs take the oracle too long.
 const MOST_EDGES: usize = 24;
 
-/// What is wrong, and how many configurations were asked.
+/// Errors, and the number of configurations compared.
 fn compare(name: &str, case: &Case, depth: u32) -> (Vec<String>, usize) {
     let options = Options {
         window: case.window,

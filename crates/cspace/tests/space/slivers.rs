@@ -11,7 +11,7 @@ const HEIGHTS: [f64; 6] = [1e-6, 5e-8, 8e-9, 1e-9, 1e-10, 6e-11];
 /// Widths of slits in a part that is nearly 6 large, whose sides would touch if they were narrower.
 const WIDTHS: [f64; 4] = [1e-6, 5e-8, 8e-9, 4e-10];
 
-/// What is pointed at both ends.
+/// Outlines that are pointed at both ends.
 fn outlines(height: f64) -> [(&'static str, Vec<Vertex>); 3] {
     let line = |(x, y)| Vertex::line(x, y);
     let half = 0.5 * height;

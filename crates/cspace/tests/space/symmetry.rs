@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Orientations are compared to this, radians.
 const SAME: f64 = 1e-9;
 
-/// The same where a pin fills its socket: what sets in with the square of the orientation is known to the root of the rounding.
+/// Tolerance where a pin fills its socket: quantities that grow with the square of the orientation are known to the root of the rounding.
 const SAME_AT_TIES: f64 = 1e-7;
 
 fn tolerance(name: &str) -> f64 {
@@ -30,7 +30,7 @@ fn computed(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> [Contact
     })
 }
 
-/// What a patch is, without the numbers: features, kinds of bounds, and whether it goes around the turn.
+/// Identity of a patch without its numbers: features, kinds of bounds, and whether it goes around the turn.
 type Label = (FeatureName, FeatureName, BoundaryKind, BoundaryKind, bool);
 
 fn label(space: &ContactSpace, i: u32) -> Label {
@@ -140,7 +140,7 @@ fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
     same_within_one(&v, &w, &format!("{name}: vertical"));
 }
 
-/// The same links, with orientations that differ by at most one unit.
+/// Checks that links are equal, except that orientations may differ by one unit.
 fn same_within_one(a: &[(u32, u32, i64)], b: &[(u32, u32, i64)], name: &str) {
     assert_eq!(a.len(), b.len(), "{name} links");
     for (x, y) in a.iter().zip(b) {

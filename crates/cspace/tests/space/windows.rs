@@ -22,7 +22,7 @@ const BESIDE: [f64; 13] = [
     -3e-6, -3e-7, -1e-9, -1e-11, -1e-13, -1e-16, 0.0, 1e-16, 1e-13, 1e-11, 1e-9, 3e-7, 3e-6,
 ];
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
 
 /// Critical orientations tried of each pair.

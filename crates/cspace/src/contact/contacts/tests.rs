@@ -259,8 +259,8 @@ fn arcs_with_play_go_around_a_circle() {
     }
 }
 
-/// Of all curves of a pair: what is walked along one is in its box, and of a flat arc no further from the chord than its sheet says;
-/// nor is the box of a flat arc much larger.
+/// For every curve of a pair: points on the curve are in its box, and those of a flat arc are no farther from the chord than its sheet
+/// states; nor is the box of a flat arc much too large.
 #[test]
 fn curves_are_in_their_boxes() {
     let geometry = bulging();

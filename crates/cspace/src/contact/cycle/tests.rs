@@ -233,7 +233,7 @@ fn functions() -> [ContactFunction; 6] {
     ]
 }
 
-/// What is said of cycles, and of two of them, in one arithmetic: places at which they cross first.
+/// Results of all formulas for cycles and pairs of them in one arithmetic, beginning with places at which they cross.
 fn formulas<T: Real>(turn: Rotation<T>) -> Vec<Vector<T>> {
     let all = functions().map(|f| f.cycle(turn));
     let p = (turn * Vector::new(0.4, -0.3).map(T::constant)).map(|x| x + T::constant(0.2));

@@ -119,7 +119,7 @@ fn length_of(v: Vector<Dd>) -> f64 {
     v.length().to_f64()
 }
 
-/// What is told of a crossing by its name: where it is, and which curve enters; and what orders crossings along a curve.
+/// A crossing's place and which curve enters, in double-double and in f64; also its place along both curves.
 #[test]
 fn crossings_are_those_of_doubles() {
     let geometry = geometry();

@@ -1,4 +1,4 @@
-//! What sheets know of each other without computing, against distances at many orientations.
+//! Relations between sheets that are known without computing, compared with distances at many orientations.
 
 use super::super::spiral::Spiral;
 use super::*;

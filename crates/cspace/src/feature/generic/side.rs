@@ -25,7 +25,7 @@ pub(super) fn vector(v: Vector<Dd>) -> Vector {
     v.map(Dd::to_f64)
 }
 
-/// What the equations need of an edge.
+/// Data of an edge that the equations need.
 pub(super) struct Side {
     /// Unit directions of travel at both ends.
     pub(super) exact_leave: Vector<Dd>,
@@ -104,13 +104,13 @@ pub(super) fn sides(vertices: &[ExactVertex]) -> Option<Vec<Side>> {
         .collect()
 }
 
-/// What the equations need of a vertex.
+/// Data of a vertex that the equations need.
 pub(super) struct Knot {
     pub(super) smooth: bool,
     /// Directions of its two unknowns: those of travel and to the left of it where it is smooth, of x and y elsewhere.
     pub(super) axes: [Vector; 2],
     pub(super) weights: [f64; 2],
-    /// Of the arc that starts here; 0 of a line.
+    /// Weight of the sagitta of the arc that starts here; 0 for a line.
     pub(super) sagitta_weight: f64,
     /// The shorter chord of its edges.
     pub(super) shortest: f64,

@@ -196,7 +196,7 @@ fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Point<Dd> {
 
 struct Told {
     residual: f64,
-    /// What the rounding of coordinates may leave of it: of edges of length l, 2⁻¹⁰⁵ / l.
+    /// Residual that rounding of coordinates may leave: for edges of length l, 2⁻¹⁰⁵ / l.
     rounding: f64,
     off: f64,
     slide: f64,

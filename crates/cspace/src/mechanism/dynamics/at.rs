@@ -11,7 +11,7 @@ pub(super) fn stands_still(axis: Option<Axis>) -> bool {
     axis.is_some_and(|x| x.motion == AxisMotion::Fixed)
 }
 
-/// What is checked.
+/// Item that is checked.
 #[derive(Clone, Copy)]
 pub(super) struct At(pub(super) DynamicsItem);
 

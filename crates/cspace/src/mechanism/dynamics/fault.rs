@@ -1,28 +1,28 @@
-//! What can be wrong with what makes a mechanism move.
+//! Faults in the dynamic data of a mechanism.
 
 use core::fmt;
 
-/// Something wrong: where it is, and what it is. [`help`](DynamicsFault::help) of the fault says what to do.
+/// A fault: the item, the key, and what is wrong. [`help`](DynamicsFault::help) of the fault says what to do.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{item}, {key}: {fault}; {}", fault.help())]
 pub struct DynamicsError {
-    /// What it is wrong of.
+    /// Item that has the fault.
     pub item: DynamicsItem,
-    /// What of that: the key of a model file.
+    /// Key of the value, as in a model file.
     pub key: &'static str,
-    /// What is wrong.
+    /// Kind of fault.
     pub fault: DynamicsFault,
 }
 
-/// What a mechanism has that can be wrong, by index.
+/// Item of a mechanism that can have a fault, by index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum DynamicsItem {
-    /// Something of the mechanism as a whole.
+    /// The mechanism as a whole.
     Mechanism,
     /// A part.
     Part(usize),
-    /// What two parts have where they touch.
+    /// Contact data of two parts.
     Pair(usize, usize),
     /// A drive.
     Drive(usize),
@@ -32,11 +32,11 @@ pub enum DynamicsItem {
     Spring(usize),
 }
 
-/// What is wrong with a value.
+/// Kind of fault of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DynamicsFault {
-    /// A number is infinite or none.
+    /// A number is infinite or NaN.
     NotFinite,
     /// A number that must be positive is not.
     NotPositive(f64),
@@ -159,7 +159,7 @@ impl fmt::Display for DynamicsFault {
 }
 
 impl DynamicsFault {
-    /// What to do about it.
+    /// Text that says how to correct the fault.
     pub const fn help(&self) -> &'static str {
         match self {
             Self::NotFinite => "give finite numbers",

@@ -8,11 +8,11 @@ use crate::geometry::{Point, Vector};
 pub struct Load {
     /// The index of the part.
     pub part: usize,
-    /// What acts on it.
+    /// Force or torque that acts on the part.
     pub kind: LoadKind,
 }
 
-/// What acts on a part.
+/// Force or torque that acts on a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

@@ -7,25 +7,25 @@ use crate::geometry::{Configuration, Vector};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PartPosition {
-    /// Of a part without an axis of its own: its frame as seen from the assembly's.
+    /// Position of a part without an axis of its own: its frame as seen from the assembly's.
     Planar(Configuration),
-    /// Of a part that turns or slides: how far along its axis, radians or the model's unit of length.
+    /// Position of a part that turns or slides, along its axis: radians or the model's unit of length.
     Axis(f64),
 }
 
-/// How fast a part moves at the start: the derivative of its [`PartPosition`] by time.
+/// Velocity of a part at the start: the derivative of its [`PartPosition`] by time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PartVelocity {
-    /// Of a part without an axis of its own.
+    /// Velocity of a part without an axis of its own.
     Planar {
         /// The velocity of the origin of the part's frame, in the assembly's frame, unit/s.
         linear: Vector,
         /// The angular velocity, rad/s.
         angular: f64,
     },
-    /// Of a part that turns or slides: rad/s or unit/s.
+    /// Velocity of a part that turns or slides: rad/s or unit/s.
     Axis(f64),
 }
 

@@ -8,10 +8,10 @@ use super::data::PartDynamics;
 use super::mass::{Mass, MassProperties};
 
 impl PartDynamics {
-    /// Mass, centre of mass and inertia of a part; none of a part without mass.
+    /// Mass, centre of mass and inertia of a part; `None` for a part without mass.
     ///
-    /// What is not given comes from the outline, as if the mass were spread over it evenly: with the area A, the centroid
-    /// g and the polar second moment I about it ([`Part::moments`]),
+    /// Values that are not given follow from the outline, as if the mass were spread over it evenly: with the area A, the centroid g and
+    /// the polar second moment I about it ([`Part::moments`]),
     ///
     /// - a density ρ makes the mass m = ρ A,
     /// - the centre of mass is c = g,

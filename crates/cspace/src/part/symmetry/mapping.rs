@@ -1,4 +1,4 @@
-//! What a rotation has to map to itself, how nearly, and where it takes loops.
+//! Correspondence that a symmetry must have: elements to be mapped, tolerance, and images of loops.
 
 /// How far a part may be off its own image under a rotation, as a fraction of its size: 2⁻³⁰ ≈ 9·10⁻¹⁰.
 ///
@@ -7,7 +7,7 @@
 /// that is from the drawing.
 pub const SYMMETRIC: f64 = 1.0 / (1_u64 << 30) as f64;
 
-/// What has to be mapped to itself.
+/// Elements of a part that a symmetry must map to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Corresponding {
     /// The outline: whole circles have no vertices.

@@ -1,4 +1,4 @@
-//! The same outline with as few vertices as it needs.
+//! Merges edges that lie on one line or circle, so that an outline has as few vertices as possible.
 
 use crate::part::{Edge, Loop, Part, Vertex};
 

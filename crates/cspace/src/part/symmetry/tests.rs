@@ -35,7 +35,7 @@ fn hole(center: Point, radius: f64, from: f64) -> Vec<Vertex> {
         .into()
 }
 
-/// The same loop in the other direction.
+/// The loop in the other direction.
 fn reversed(l: &[Vertex]) -> Vec<Vertex> {
     let n = l.len();
     (0..n)
