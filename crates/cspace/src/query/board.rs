@@ -38,7 +38,7 @@ impl Board {
         }
     }
 
-    /// Says that a patch comes to a cell; all that is said of one patch is said in a row.
+    /// Marks that a patch reaches a cell; all marks of one patch must come in a row.
     #[inline]
     pub(super) fn mark(&mut self, cell: usize, patch: u32) {
         let last = self.last[cell];
@@ -50,7 +50,7 @@ impl Board {
         self.mixed[cell / 8] |= 1 << (cell % 8);
     }
 
-    /// Makes lists of the marks. Cells in a row share theirs if they have the same patches.
+    /// Makes lists of patches from the marks. Consecutive cells share a list if they have the same patches.
     pub(super) fn list(&mut self, lists: &mut Vec<u32>) {
         let (mut before, mut here) = (Vec::new(), Vec::new());
         let mut entry = Entry::UNKNOWN;
@@ -102,7 +102,7 @@ impl Board {
         }
     }
 
-    /// The last cell of a row before a column that has patches, or has none.
+    /// The last cell of a row, before column `end`, that has patches, or has none.
     fn last_in(&self, row: usize, end: usize, mixed: bool) -> Option<usize> {
         let bytes = &self.mixed[row * self.side / 8..][..self.side / 8];
         let wanted = |byte: usize| if mixed { bytes[byte] } else { !bytes[byte] };
@@ -119,7 +119,7 @@ impl Board {
         Some(8 * byte + 7 - bits.leading_zeros() as usize)
     }
 
-    /// A cell without patches above some cells of a row.
+    /// A cell without patches in the row above, over the given cells of a row.
     fn last_above(&self, row: usize, first: usize, last: usize) -> Option<usize> {
         let above = self.last_in(row.checked_sub(1)?, last + 1, false)?;
         (above >= first).then_some(above)
@@ -142,7 +142,7 @@ impl Board {
         }
     }
 
-    /// Adds all to what is packed, and clears the board.
+    /// Appends all cells to the packed ones, and clears the grid.
     pub(super) fn pack(&mut self, store: &mut CellStore) {
         let width = self.side / TILE;
         for ty in 0..width {
@@ -164,7 +164,7 @@ impl Board {
     }
 }
 
-/// The places of the ones in a number, from the lowest.
+/// Positions of the set bits of a number, from the lowest.
 fn ones(mut bits: u64) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
         let bit = (bits != 0).then_some(bits.trailing_zeros() as usize);
@@ -177,7 +177,7 @@ fn bit(bytes: &[u8], place: usize) -> bool {
     bytes[place / 8] >> (place % 8) & 1 == 1
 }
 
-/// Sets the bits from one to another, both included.
+/// Sets the bits from `first` to `last`, both included.
 fn set(bytes: &mut [u8], first: usize, last: usize) {
     let (from, to) = (u8::MAX << (first % 8), u8::MAX >> (7 - last % 8));
     let bytes = &mut bytes[first / 8..=last / 8];
@@ -196,7 +196,7 @@ mod tests {
 
     const SIDE: usize = 24;
 
-    /// A ring of patches: cells within are blocked, those around it free, and one walk tells each kind.
+    /// A ring of patches: cells inside are blocked, cells outside are free, and one ray decides for all cells inside.
     #[test]
     fn what_a_ring_separates() {
         let mut board = Board::new(SIDE);
@@ -221,7 +221,7 @@ mod tests {
                 asked.set(asked.get() + 1);
                 column.abs_diff(11).max(row.abs_diff(12)) > 6
             });
-            // Within the ring once; left of it the row above tells.
+            // One query inside the ring; left of it, the row above decides.
             assert_eq!(asked.get(), 1);
             board.pack(&mut store);
         }

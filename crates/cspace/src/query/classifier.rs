@@ -1,4 +1,4 @@
-//! Classifying many configurations.
+//! Fast classification of many configurations.
 
 use core::ops::Deref;
 
@@ -16,11 +16,11 @@ use super::slab::{Home, Slab};
 use super::slot;
 use super::walk::{self, Content};
 
-/// Orientations farther from zero than this (radians, some hundred turns) are classified the slow way: brought home by
-/// turns, their rounding is no longer small beside the margin of cells.
+/// Absolute orientation (radians, some hundred turns) above which the slow path is used: reduced by whole turns, the rounding of larger
+/// ones is no longer small compared with the margin of cells.
 const FARTHEST_ORIENTATION: f64 = 1024.0;
 
-/// So many slots are found by one thread in a row.
+/// Number of consecutive intervals computed by one thread at a time.
 const SLOTS_TOGETHER: usize = 8;
 
 /// A [`ContactSpace`] prepared for classifying millions of configurations: 0.02 to 0.1 µs each on one core.
@@ -45,10 +45,9 @@ pub struct Classifier<S> {
     space: S,
     slab: Slab,
     grid: Grid,
-    /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
+    /// Squared distance from the centre of the fixed part beyond which all is free (model length).
     far: f64,
-    /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
-    /// exceeds the resolution.
+    /// Rounding error of positions (length of the pair's frame). For parts drawn far from their origins it may exceed the resolution.
     rounding: f64,
     nearby: Nearby,
     drawn: Drawn,
@@ -56,7 +55,7 @@ pub struct Classifier<S> {
 }
 
 impl ContactSpace {
-    /// Prepares to classify many configurations; see [`Classifier`].
+    /// Prepares the classification of many configurations; see [`Classifier`].
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -77,7 +76,7 @@ impl ContactSpace {
 }
 
 impl<S: Deref<Target = ContactSpace>> Classifier<S> {
-    /// As [`ContactSpace::classifier`], of a space that is owned, as by an [`Arc`](std::sync::Arc).
+    /// As [`ContactSpace::classifier`], for a space that is owned or shared, as by an [`Arc`](std::sync::Arc).
     pub fn new(owned: S) -> Self {
         let space = &*owned;
         let reach = space
@@ -111,15 +110,15 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         }
     }
 
-    /// As [`ContactSpace::classify`], and with the same answers: `None` outside the window, and for a configuration that
-    /// is not finite.
+    /// Classifies a configuration; the answer is that of [`ContactSpace::classify`]: `None` outside the window, and for a configuration
+    /// that is not finite.
     #[inline]
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         let home = self.slab.home(c.theta)?;
         let slot = self.grid.slot(home.from_lo);
         let from = c.position() - self.space.data.frame.fixed_center;
         let square = from.length_squared();
-        // Not "at least", so that NaN comes here too.
+        // Written as a negation, so that NaN also comes here.
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
@@ -166,7 +165,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         }
     }
 
-    /// Classifies a configuration that is, brought home, in a cell that contact may pass.
+    /// Classifies a configuration that, reduced to the period, is in a cell that has patches.
     #[inline(never)]
     fn classify_among(
         &self,
@@ -227,7 +226,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
     }
 
-    /// How far a configuration is from the curve of a patch (model length); `None` if the patch is not there.
+    /// Distance of a configuration from the curve of a patch (model length); `None` if the patch does not exist at its orientation.
     #[cold]
     fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
         let patch = &self.space.data.patches[patch as usize];

@@ -1,4 +1,4 @@
-//! Is a configuration free?
+//! Classification of a configuration: free, blocked or in contact.
 
 use core::f64::consts::TAU;
 
@@ -22,11 +22,10 @@ pub enum Classification {
 }
 
 impl ContactSpace {
-    /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise
-    /// by the side from which a ray meets the first contact curve. At
-    /// [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are tested for overlap instead, also just beside what
-    /// the curves tell to be contact. `None`
-    /// outside the window, or if the configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
+    /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise by the side
+    /// from which a ray meets the first contact curve. At [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are
+    /// tested for overlap instead, and a contact must also be confirmed by tests just beside it. `None` outside the window, or if the
+    /// configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -72,7 +71,7 @@ impl ContactSpace {
                 }
             }
             match nearest {
-                // Nothing else is asked of a contact.
+                // A contact needs no second curve.
                 Some((_, _, least)) if least <= near => -1.0,
                 Some((_, _, least)) => least + clear,
                 None => f64::INFINITY,
@@ -95,9 +94,9 @@ impl ContactSpace {
         })
     }
 
-    /// The free region that holds a configuration, an index into [`free_regions`](Self::free_regions): two free
-    /// configurations can be joined by a motion if and only if theirs is the same. `None` where the parts touch or overlap,
-    /// outside the window, and if the configuration is not finite.
+    /// The free region that contains a configuration, as an index into [`free_regions`](Self::free_regions): two free configurations can be
+    /// joined by a motion if and only if they are in one region. `None` where the parts touch or overlap, outside the window, and if the
+    /// configuration is not finite.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
@@ -166,7 +165,7 @@ impl ContactSpace {
         Some((class, region))
     }
 
-    /// Whether of some positions twice the distance of contact away some overlap and some do not.
+    /// Whether, of some positions at twice the contact distance, some overlap and some do not.
     fn touches(&self, c: Configuration) -> bool {
         const DIRECTIONS: u32 = 8;
         let distance = 2.0 * self.contact_distance();

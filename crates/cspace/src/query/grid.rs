@@ -29,24 +29,24 @@ pub(super) struct Grid {
     /// First orientation, radians.
     lo: f64,
     pub(super) slots: usize,
-    /// Slots per radian.
+    /// Intervals per radian.
     slot_density: f64,
-    /// Cells in a row, and in a column; a multiple of [`TILE`].
+    /// Number of cells in a row, and in a column; a multiple of [`TILE`].
     pub(super) side: usize,
     /// Half the side of the square (length).
     reach: f64,
     /// Side of a cell (length).
     pub(super) cell: f64,
     cell_density: f64,
-    /// Cells are entered if a patch comes within this of them (length).
+    /// Distance from a patch within which cells list it (length).
     pub(super) margin: f64,
 }
 
 impl Grid {
-    /// A grid for a slab; `reach` is how far from the origin there may be contact.
+    /// A grid for one period; `reach` is the distance from the origin within which there may be contact.
     ///
-    /// In a slice, curves of length A pass about 2 A / h cells of side h and of as many radians, as a radian moves
-    /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number. Each orbit of patches passes the slab once.
+    /// In a slice, curves of length A pass about 2 A / h cells of side h; a radian moves them by about one unit of length, so intervals of
+    /// orientation are h radians long. So there are M mixed cells if h = √(2 ∫ A dθ / M). Each orbit of patches passes the period once.
     pub(super) fn new(space: &ContactSpace, slab: &Slab, reach: f64) -> Self {
         let (lo, span) = (slab.lo, slab.hi - slab.lo);
         let area: f64 = (slab.representatives(space))
@@ -77,13 +77,13 @@ impl Grid {
         }
     }
 
-    /// The slot of an orientation so far from the beginning of the slab.
+    /// The interval of an orientation, which is given relative to the beginning of the period.
     #[inline]
     pub(super) fn slot(&self, from_lo: f64) -> usize {
         ((from_lo * self.slot_density) as usize).min(self.slots - 1)
     }
 
-    /// The slots that have orientations between two.
+    /// The intervals that overlap the orientations from `lo` to `hi`.
     pub(super) fn slots_between(&self, lo: f64, hi: f64) -> Range<usize> {
         let at = |t: f64| (t - self.lo) * self.slot_density;
         let first = at(lo).floor().max(0.0) as usize;
@@ -95,31 +95,31 @@ impl Grid {
         }
     }
 
-    /// The orientations of a slot.
+    /// The orientations of an interval.
     pub(super) fn orientations(&self, slot: usize) -> (f64, f64) {
         let at = |i: usize| self.lo + i as f64 / self.slot_density;
         (at(slot), at(slot + 1))
     }
 
-    /// The orientations of a slot, and a little more.
+    /// The orientations of an interval, extended by the margin.
     pub(super) fn wider(&self, slot: usize) -> (f64, f64) {
         let (lo, hi) = self.orientations(slot);
         (lo - MARGIN, hi + MARGIN)
     }
 
-    /// The middle of a slot: so far from the beginning of the slab, radians.
+    /// The middle of an interval, relative to the beginning of the period, radians.
     #[inline]
     pub(super) fn middle(&self, slot: usize) -> f64 {
         (slot as f64 + 0.5) / self.slot_density
     }
 
-    /// A coordinate in cells from the edge of the square.
+    /// A coordinate in units of cells, from the edge of the square.
     #[inline]
     pub(super) fn in_cells(&self, coordinate: f64) -> f64 {
         (coordinate + self.reach) * self.cell_density
     }
 
-    /// The place of a line between cells, as a coordinate.
+    /// Coordinate of a line between cells.
     #[inline]
     pub(super) fn line(&self, index: usize) -> f64 {
         index as f64 * self.cell - self.reach

@@ -1,4 +1,4 @@
-//! Deciding whether a position is free by a walk from cell to cell.
+//! Classification of a position by following a ray from cell to cell.
 
 use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
@@ -51,7 +51,7 @@ pub(super) fn from_cell<'a>(
             Direction::Down => p.y - grid.line(row),
         };
         let mut first: Option<(f64, bool)> = None;
-        // The nearest contact from the other side.
+        // Distance of the nearest contact met from the other side than the first contact.
         let mut other = f64::INFINITY;
         for &i in patches {
             let patch = &space.data.patches[i as usize];
@@ -93,7 +93,7 @@ pub(super) fn from_cell<'a>(
             Direction::Down => row == 0,
         };
         if at_edge {
-            // There is nothing but free space beyond.
+            // All is free beyond the square.
             return Some(true);
         }
         match direction {

@@ -1,4 +1,4 @@
-//! Whether data that were read can be those of a contact space.
+//! Checks that data read from a file can be those of a contact space.
 
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::FeatureName;
@@ -11,11 +11,11 @@ use super::fit::{Check, check_ends, check_frame, check_link, ensure};
 use super::options::Window;
 use super::patch::{Boundary, Patch};
 
-/// Why data data are no contact space.
+/// Reasons for which data read from a file are rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DataError {
-    /// Not a contact space at all.
+    /// The data are not a contact space.
     #[error("the format is {found:?}, not {wanted:?}")]
     Format {
         /// Format name found in the data.
@@ -23,7 +23,7 @@ pub enum DataError {
         /// Format name expected.
         wanted: &'static str,
     },
-    /// Written by another version.
+    /// The data were written by another version.
     #[error(
         "the format's version is {found}, this program reads version {SAVED_VERSION}; compute the space again"
     )]
@@ -69,10 +69,10 @@ pub(crate) fn check_head(
     Ok(())
 }
 
-/// Lengths of the pair's frame, in which the parts have size 1, are far below this.
+/// Bound on lengths in the pair's frame, in which the parts have size 1.
 const LARGEST_LENGTH: f64 = 1e6;
 
-/// Orientations may be off the window by this much, in radians, and unit vectors off their length.
+/// Tolerance of orientations at the ends of the window, in radians, and of the length of unit vectors.
 const SLACK: f64 = 1e-6;
 
 /// Checks that the data have this format, refer only to existing entries, and fit the parts.
@@ -183,7 +183,7 @@ fn check_whole(data: &SpaceData) -> Result<(), (&'static str, &'static str)> {
     Ok(())
 }
 
-/// Where things may begin: the window, but a full turn counts from −π, wherever it was begun.
+/// Interval in which orientations of events may lie: the window; for a full turn always −π to π, wherever the turn was cut.
 fn orientations(window: Window) -> (f64, f64) {
     use core::f64::consts::PI;
     if window.full_turn {
@@ -223,7 +223,7 @@ fn check_patch(data: &SpaceData, p: &Patch) -> Check {
     Ok(())
 }
 
-/// Orientations from `lo` to `hi`, at most a turn apart.
+/// Whether `lo` and `hi` are an interval of orientations of at most a turn.
 fn is_interval(lo: f64, hi: f64) -> bool {
     lo.is_finite() && hi.is_finite() && lo <= hi && hi - lo <= core::f64::consts::TAU + SLACK
 }
@@ -236,7 +236,7 @@ fn is_inner(x: f64) -> bool {
     x.abs() <= LARGEST_LENGTH
 }
 
-/// Radii may be larger: an arc is taken for its chord beyond.
+/// Whether a number can be a radius. Radii may exceed the bound on lengths: arcs with a still larger radius are replaced by their chords.
 fn is_radius(x: f64) -> bool {
     x.abs() <= LARGEST_LENGTH * LARGEST_LENGTH
 }

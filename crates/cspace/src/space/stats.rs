@@ -22,7 +22,7 @@ pub struct Statistics {
     pub overlap_tests: u64,
     /// Shells whose bounds and tests disagreed and were decided cell by cell; 0 in sound computations.
     pub conflicts: u64,
-    /// How often which certainty was reached.
+    /// Counts of decisions, by the certainty reached.
     #[cfg_attr(feature = "serde", serde(default))]
     pub decisions: Decisions,
     /// Seconds taken, by stage.
