@@ -6,15 +6,15 @@ use crate::query::MotionError;
 use super::ids::PatchId;
 use super::relation::{Coordinates, PairClass};
 
-/// Where a motion first touches.
+/// First contact along a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairContact {
     /// Time of contact, in the unit of time of the rates.
     pub time: f64,
-    /// The configuration then.
+    /// Configuration at that time.
     pub at: Coordinates,
-    /// The patch it touches: one of them, where it touches several.
+    /// Patch that is touched; one of them, if several are.
     pub patch: PatchId,
 }
 
@@ -22,11 +22,11 @@ pub struct PairContact {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairNearest {
-    /// The patch it is on.
+    /// Patch of the contact.
     pub patch: PatchId,
     /// The configuration in contact.
     pub at: Coordinates,
-    /// How far the moving part moves to it: a length, or radians of a part that turns on its axis.
+    /// Displacement of the moving part to the contact: a length, or radians for a part that turns on its axis.
     pub distance: f64,
 }
 
@@ -72,7 +72,7 @@ pub struct Neighbours {
     pub above: Vec<PatchId>,
 }
 
-/// Why a question has no answer.
+/// Reasons for which a question has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QueryError {
@@ -92,9 +92,9 @@ pub enum QueryError {
     /// There is no such patch.
     #[error("there is no patch {patch}; the last is {last}")]
     NoPatch {
-        /// The number given.
+        /// Number that was given.
         patch: PatchId,
-        /// The largest there is.
+        /// Largest number of a patch.
         last: PatchId,
     },
     /// The parts of a lower pair are always in contact.
@@ -113,7 +113,7 @@ pub enum QueryError {
         "the length per radian of a metric must be positive and finite, and so must be its square"
     )]
     Metric,
-    /// The parts overlap there.
+    /// The parts overlap at the configuration.
     #[error("the parts overlap at the configuration")]
     Blocked,
     /// A motion cannot be followed.

@@ -72,7 +72,7 @@ impl LowerPair {
     /// The pair from plain data.
     ///
     /// # Errors
-    /// If the format or its version is another, a part is none, or a number is not finite or out of order.
+    /// If the format or its version differs, a part is invalid, or a number is not finite or out of order.
     pub fn from_data(data: LowerData) -> Result<Self, DataError> {
         check_head(&data.format, FORMAT, data.version)?;
         let whole = |what, why| Err(DataError::Whole { what, why });

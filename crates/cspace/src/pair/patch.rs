@@ -11,19 +11,18 @@ use super::ids::{FeatureId, PatchId, RegionId};
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
-/// A contact patch of a pair's space, with what it can be asked.
+/// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]
 pub struct PairPatch<'a> {
     space: &'a PairSpace,
     id: PatchId,
 }
 
-/// The contact of two features: their outlines as they are drawn, and how their parts move.
+/// The contact of two features: their outlines as drawn, and the motion of their parts.
 ///
-/// Its function f is in the user's coordinates and in the model's unit of length: the distance of the features' lines and
-/// circles along their common normal, 0 in contact and positive where they are apart. The patch of a space lies where f is 0 to
-/// the space's [resolution](PairSpace::resolution): parts are grown a little before a space is computed, and f is that of
-/// the drawing.
+/// Its function f is in the user's coordinates and in the model's unit of length: the distance of the features' lines and circles along
+/// their common normal, 0 in contact and positive where they are apart. On the space's patch f is 0 up to the space's
+/// [resolution](PairSpace::resolution): parts are grown a little before a space is computed, while f belongs to the parts as drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FeatureContact {
     /// The feature of the fixed part.
@@ -34,17 +33,17 @@ pub struct FeatureContact {
     motion: Motion,
 }
 
-/// The vertices an outline comes from.
+/// The vertices that define a feature's outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Drawn {
     name: FeatureName,
     /// The vertex at the end of its edge.
     next: u32,
-    /// Whether travel with material on the left is against the drawing.
+    /// Whether travel with material on the left is against the order of the drawing.
     reversed: bool,
 }
 
-/// How the moving part is placed by the coordinates.
+/// Motion that the coordinates describe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Motion {
     Planar,
@@ -82,7 +81,7 @@ impl<'a> PairPatch<'a> {
         Self { space, id }
     }
 
-    /// Its number.
+    /// Number of the patch.
     pub fn id(&self) -> PatchId {
         self.id
     }
@@ -140,8 +139,8 @@ impl<'a> PairPatch<'a> {
         }
     }
 
-    /// The configurations at which it begins and ends in the direction of travel, with free space on its right, at an
-    /// orientation; and their derivatives by the orientation (length per radian).
+    /// The configurations at which the patch begins and ends in the direction of travel, with free space on its right, at an orientation;
+    /// and their derivatives by the orientation (length per radian).
     ///
     /// The derivatives are not finite where the patch shrinks to a point.
     ///
@@ -162,7 +161,7 @@ impl<'a> PairPatch<'a> {
         }))
     }
 
-    /// The neighbours along the boundary of free space, in time that grows with their number alone.
+    /// The neighbours along the boundary of free space, found in time proportional to their number.
     pub fn neighbours(&self) -> Neighbours {
         self.space.neighbours_of(self.id)
     }
@@ -214,7 +213,7 @@ impl PairSpace {
 }
 
 impl FeatureContact {
-    /// Where the moving part is in the fixed part's frame, from numbers of any kind: of the coordinates, and of the axes.
+    /// Placement of the moving part in the fixed part's frame, for coordinates and axes in numbers of any kind.
     fn placement<T: Real>(
         &self,
         at: Coordinates,
@@ -296,7 +295,7 @@ impl FeatureContact {
         })
     }
 
-    /// Where the features touch, or would along their common normal, in the fixed part's frame.
+    /// The points where the features touch, or would touch along their common normal, in the fixed part's frame.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
@@ -306,13 +305,13 @@ impl FeatureContact {
 
     /// The derivatives of the contact function by the numbers of the drawing: vertices, bulges and axes.
     ///
-    /// They are the sensitivities of tolerance analysis: a vertex that is off by δ moves the contact by −∂f/∂(vertex)·δ
-    /// along its normal.
+    /// They are the sensitivities of tolerance analysis: a displacement δ of a vertex moves the contact by −∂f/∂(vertex)·δ along its
+    /// normal.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
     pub fn by_drawing(&self, at: Coordinates) -> Result<ByDrawing, QueryError> {
-        /// Numbers of a feature, and of all.
+        /// Number of parameters of a feature, and of all features and axes.
         const FEATURE: usize = 5;
         const ALL: usize = 2 * FEATURE + 4;
         type D = Dual<ALL>;
@@ -335,7 +334,7 @@ impl FeatureContact {
     }
 }
 
-/// Derivatives by the numbers of a feature's outline as those by the vertices of the part.
+/// Converts derivatives by the numbers of a feature's outline to derivatives by the vertices of the part.
 fn by_vertices(drawn: Drawn, slope: [f64; 5]) -> Vec<ByVertex> {
     let Drawn {
         name,
