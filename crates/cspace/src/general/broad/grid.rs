@@ -42,10 +42,10 @@ impl Grid {
     }
 }
 
-/// A square of squares; what is beyond counts to those at its edges.
+/// A square grid of squares; places beyond it belong to the squares at its edges.
 #[derive(Debug, Clone, Copy)]
 struct Squares {
-    /// Least coordinate (length).
+    /// Smallest coordinate (length).
     lo: f64,
     /// Squares per unit of length.
     scale: f64,
