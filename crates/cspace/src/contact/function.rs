@@ -51,7 +51,7 @@ pub enum ContactFunction {
 }
 
 impl ContactFunction {
-    /// Whether its curves at one orientation are circles, not lines.
+    /// Whether its curves at one orientation are circles rather than lines.
     #[inline]
     pub fn is_circular(&self) -> bool {
         matches!(self, Self::Circle { .. } | Self::FlatCircle { .. })
@@ -112,7 +112,7 @@ impl ContactFunction {
         seen
     }
 
-    /// Its curve at an orientation: all of the line or circle.
+    /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
         let (real, through) = (T::constant, self.through().lift().at(turn));
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// On its cycle the function vanishes, and beside it, along the normal, it is the distance.
+    /// The function vanishes on its cycle, and beside it, along the normal, it equals the distance.
     #[test]
     fn cycles_are_where_functions_vanish() {
         let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));

@@ -1,4 +1,4 @@
-//! Contacts that are one circle or tangent at every orientation.
+//! Contacts whose carriers coincide or are tangent at every orientation.
 
 use crate::feature::tolerance::{SAME_CARRIER, TANGENCY_STEP};
 use crate::geometry::{Rotation, Vector};
@@ -7,9 +7,9 @@ use super::cycle::Cycle;
 use super::sheet::Sheet;
 
 impl Sheet {
-    /// Whether two sheets have one circle or tangent ones as carriers at every orientation: arcs on one circle, equal sums of radii
-    /// about the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others
-    /// that follow each other smoothly. Their curves do not cross, whatever rounding makes of it.
+    /// Whether two sheets have one circle or tangent ones as carriers at every orientation: arcs on one circle, equal sums of radii about
+    /// the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others that
+    /// follow each other smoothly. Their curves do not cross, whatever the rounding.
     ///
     /// The function that vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three
     /// orientations far from each other, it is 0 everywhere. Two lines are not tangent.
@@ -17,7 +17,7 @@ impl Sheet {
         if self.is_line() && other.is_line() {
             return false;
         }
-        // What turns about a far centre is known to less.
+        // A point that turns about a far centre has a larger error.
         let pace = |s: &Self| {
             if s.is_flat() {
                 s.locus.through.turning().length()
@@ -44,7 +44,7 @@ impl Sheet {
         true
     }
 
-    /// Three orientations far from each other: of flat arcs among those at which both exist.
+    /// Three orientations far from each other; for flat arcs among those at which both exist.
     fn three_turns(&self, other: &Self) -> [Rotation; 3] {
         if self.is_flat() || other.is_flat() {
             let mid = 0.5 * (self.lo.max(other.lo) + self.hi.min(other.hi));
@@ -55,8 +55,8 @@ impl Sheet {
         [Rotation::IDENTITY, third(sin), third(-sin)]
     }
 
-    /// Whether two flat arcs are one circle at every orientation at which both exist: the same three places are on both at the
-    /// first, the middle and the last.
+    /// Whether two flat arcs are one circle at every orientation at which both exist: three places are on both at the first, the middle and
+    /// the last.
     fn same_flat_arc(&self, other: &Self) -> bool {
         if !(self.is_flat_arc() && other.is_flat_arc()) {
             return false;
@@ -126,10 +126,10 @@ pub(super) mod tests {
         Some([height - circle.size, height + circle.size])
     }
 
-    /// Contacts that are tangent at every orientation, as centres and radii tell, are found to be; and no others.
+    /// Contacts that are tangent at every orientation, according to centres and radii, are detected; and no others.
     #[test]
     fn what_always_touches_is_told() {
-        // Two large arcs and a line that go on into each other smoothly.
+        // Two large arcs and a line that follow each other smoothly.
         let (a, b) = (0.004_f64, 0.003_f64);
         let (mut at, mut heading) = (Point::new(-1.0, -1.0), 0.0);
         let mut outline = Vec::new();
@@ -161,7 +161,7 @@ pub(super) mod tests {
         assert!(always > 100 && flat > 10, "{always} {flat}");
     }
 
-    /// A line, and a circle about a point that goes around a circle: tangent at two orientations and no more.
+    /// A line, and a circle about a point that moves on a circle: tangent at two orientations only.
     #[test]
     fn touching_at_two_orientations_is_not_touching_always() {
         for at in [0.0, 1.52, 1.62, 0.5 * TAU / 3.0] {
