@@ -1,7 +1,7 @@
-//! Work divided among threads, unless there is but one or too little to divide.
+//! Work divided among threads, unless there is only one or the work is too small.
 //!
-//! A call into a thread pool from outside wakes a thread and waits for it, which takes longer than some stages of a small
-//! pair. With one thread, and without the feature `rayon`, all is done by the caller.
+//! A call into a thread pool from outside wakes a thread and waits for it, which takes longer than some stages of a small pair. With one
+//! thread, and without the feature `rayon`, the caller does all the work.
 
 use core::cmp::Ordering;
 
@@ -25,7 +25,7 @@ fn is_alone() -> bool {
 
 #[cfg(feature = "rayon")]
 std::thread_local! {
-    /// Whether this thread does one of many pieces of work, which it divides no further.
+    /// Whether this thread does one of many pieces of work, which it must not divide further.
     static UNDIVIDED: core::cell::Cell<bool> = const { core::cell::Cell::new(false) };
 }
 
@@ -37,7 +37,7 @@ pub(crate) fn each<T: Sync, R: Send>(
 ) -> Vec<R> {
     #[cfg(feature = "rayon")]
     if items.len() > 1 && !is_alone() {
-        /// Puts back what the thread was told, also if the work panics.
+        /// Restores the thread's previous setting, also if the work panics.
         struct Before(bool);
         impl Drop for Before {
             fn drop(&mut self) {
@@ -55,7 +55,7 @@ pub(crate) fn each<T: Sync, R: Send>(
         .collect()
 }
 
-/// Runs work of several stages within the pool, so that its doors are not passed again at every stage.
+/// Runs work of several stages within the pool, so that it is entered only once.
 pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     #[cfg(feature = "rayon")]
     if !is_alone() {
@@ -125,7 +125,7 @@ pub(crate) fn join<A: Send, B: Send>(
     (first(), second())
 }
 
-/// Sorts; what is equal stays in its order.
+/// Stable sort.
 pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
     #[cfg(feature = "rayon")]
     if !is_alone() {
@@ -134,7 +134,7 @@ pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Orderi
     items.sort_by(order);
 }
 
-/// Sorts by an order in which equal is the same: what is equal may come in any order.
+/// Unstable sort: equal items may come in any order.
 pub(crate) fn sort_unstable_by<T: Send>(
     items: &mut [T],
     order: impl Fn(&T, &T) -> Ordering + Sync,

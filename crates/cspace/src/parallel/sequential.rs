@@ -1,4 +1,4 @@
-//! The iterators of `rayon` that are used here, by their names, on the caller's thread.
+//! Sequential replacements, under their names, of the iterators of `rayon` used here; they run on the caller's thread.
 
 use core::slice::Iter;
 

@@ -1,4 +1,4 @@
-//! All that makes a mechanism move, beside its parts.
+//! Dynamic data of a mechanism, in addition to its parts.
 
 use crate::geometry::{Point, Vector};
 
@@ -29,7 +29,7 @@ use super::motion::{Drive, PartPosition, PartVelocity};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Dynamics {
-    /// The acceleration of everything that falls, in the assembly's frame, unit/s².
+    /// The acceleration of gravity, in the assembly's frame, unit/s².
     pub gravity: Vector,
     /// The coefficient of friction of pairs that have none of their own: 0 or more.
     pub friction: f64,
@@ -47,7 +47,7 @@ pub struct Dynamics {
     pub springs: Vec<Spring>,
 }
 
-/// The mass of a part, and how it moves at the start.
+/// The mass of a part, and its motion at the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
@@ -77,7 +77,7 @@ pub struct PairSurface {
 }
 
 impl Dynamics {
-    /// Whether there is nothing: the mechanism is one of shapes alone.
+    /// Whether there are no dynamic data.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
     }

@@ -44,24 +44,24 @@ pub enum DynamicsFault {
     Negative(f64),
     /// A coefficient of restitution is not between 0 and 1.
     NotUpToOne(f64),
-    /// The inertia of a part without mass.
+    /// An inertia is given for a part without mass.
     NoMass,
-    /// An index is no part's.
+    /// No part has this index.
     NoSuchPart {
         /// The index.
         part: usize,
-        /// How many parts there are.
+        /// Number of parts.
         parts: usize,
     },
-    /// The part stands still.
+    /// The part cannot move.
     StandsStill,
     /// The part moves freely, so it cannot be driven along an axis.
     MovesFreely,
-    /// Three numbers for a part on an axis.
+    /// Three numbers are given for a part on an axis.
     OnAnAxis,
-    /// One number for a part that moves freely.
+    /// One number is given for a part that moves freely.
     InThePlane,
-    /// A position along an axis is outside of the range of the part's motion.
+    /// A position along an axis is outside the range of the part's motion.
     OutOfRange {
         /// The position.
         value: f64,
@@ -75,32 +75,32 @@ pub enum DynamicsFault {
         /// The earlier drive.
         first: usize,
     },
-    /// The start or the rate of a part that a drive already says.
+    /// The start or the rate is given for a part whose drive already gives it.
     Driven {
         /// The drive.
         drive: usize,
     },
-    /// A table of fewer than two points.
+    /// A table has fewer than two points.
     ShortTable {
-        /// How many it has.
+        /// Number of points.
         points: usize,
     },
-    /// A time of a table is not after the one before.
+    /// A time of a table is not after the previous one.
     TimeOrder {
         /// The later point.
         point: usize,
         /// Its time.
         time: f64,
-        /// The time before.
+        /// The previous time.
         before: f64,
     },
-    /// Two parts have a friction or restitution of their own and are no pair of the mechanism.
+    /// Two parts have a friction or restitution of their own but are not a pair of the mechanism.
     NoPair,
-    /// Two parts have a friction or restitution of their own twice.
+    /// Two parts have two entries for their own friction or restitution.
     PairTwice,
-    /// A spring between a part and itself.
+    /// A spring connects a part to itself.
     OnePart,
-    /// A spring without stiffness and damping.
+    /// A spring has neither stiffness nor damping.
     Idle,
 }
 

@@ -1,8 +1,8 @@
-//! Where parts start, how fast, and which are driven.
+//! Initial positions and velocities of parts, and prescribed motions.
 
 use crate::geometry::{Configuration, Vector};
 
-/// Where a part is at the start.
+/// Position of a part at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -35,17 +35,17 @@ pub enum PartVelocity {
 pub struct Drive {
     /// The index of the part, which turns or slides.
     pub part: usize,
-    /// How it moves along its axis.
+    /// Motion of the part along its axis.
     pub motion: DriveMotion,
 }
 
-/// How a driven part moves along its axis; its coordinate u is in radians or the model's unit of length.
+/// Motion of a driven part along its axis; its coordinate u is in radians or the model's unit of length.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum DriveMotion {
-    /// From where the part starts, at a constant rate: rad/s or unit/s.
+    /// Motion at a constant rate from the part's start: rad/s or unit/s.
     Rate(f64),
-    /// Along a cubic spline through all points (t, u); t in seconds, increasing.
+    /// Motion along a cubic spline through all points (t, u); t in seconds, increasing.
     Table(Vec<(f64, f64)>),
 }
