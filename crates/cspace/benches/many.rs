@@ -1,4 +1,4 @@
-//! Spaces of many small pairs on one thread: how many a minute, and where the time goes.
+//! Spaces of many small pairs on one thread: rate per minute, and times of the stages.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -43,7 +43,7 @@ fn pairs(vertices: usize, arcs: f64) -> Vec<(Part, Part)> {
         .collect()
 }
 
-/// Pairs a minute, each divided among all threads, and as a batch.
+/// Rate per minute: each pair divided among all threads, and as a batch.
 fn batch(name: &str, vertices: usize, arcs: f64) {
     let parts = pairs(vertices, arcs);
     let pairs: Vec<_> = (parts.iter())

@@ -100,14 +100,14 @@ struct Fill<'a> {
 }
 
 impl Fill<'_> {
-    /// The clearance, if the parts are free of each other for certain.
+    /// The clearance, if the parts are certainly free of each other.
     fn clearance(&self, (u, v): (f64, f64)) -> Option<f64> {
         let verdict = self.oracle.judge(self.space.configuration(u, v));
         let certain = verdict.margin > CERTAIN * self.oracle.size();
         (certain && !verdict.overlap).then_some(verdict.margin)
     }
 
-    /// Whether the way from a to b is free for certain; `moved` is how far any point moves on it at most.
+    /// Whether the motion from a to b is certainly free; `moved` is a bound of the displacement of any point.
     fn joined(
         &self,
         a: ((f64, f64), f64),
@@ -256,8 +256,8 @@ fn free_regions_agree_with_a_flood_fill() {
     assert!(joined > 50, "{joined}");
 }
 
-/// Two gears in mesh can be put together in as many ways that no motion joins as their numbers of teeth have for greatest
-/// common divisor: turning one of them on by a tooth leads to another way, and meshing on brings some of these together.
+/// The number of ways in which two gears can mesh, without a motion from one to another, is the greatest common divisor of their numbers of
+/// teeth: turning one of them by a tooth leads to another way, and turning both in mesh identifies some of these.
 #[test]
 fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
     for (n, m, ways) in [(10, 9, 1), (14, 12, 2), (9, 6, 3), (8, 8, 8), (6, 12, 6)] {
@@ -270,8 +270,8 @@ fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
     }
 }
 
-/// A region's sample is a configuration of it as any other: within the region's ranges and those of the motions, in the
-/// region by all queries, and free by the oracle.
+/// A region's sample is a configuration of the region: within the ranges of the region and of the motions, in the region according to all
+/// queries, and free according to the oracle.
 #[test]
 fn samples_lie_in_their_regions() {
     let (mut samples, mut unrolled) = (0, 0);

@@ -1,4 +1,4 @@
-//! Answers are written and read back as they were.
+//! Answers that are written and read again are equal.
 
 use core::fmt::Debug;
 
