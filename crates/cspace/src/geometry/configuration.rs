@@ -59,7 +59,6 @@ impl Configuration {
     /// where this configuration is (p, θ) and the other (p′, θ′).
     ///
     /// The orientation is the sum and is not reduced modulo a turn: a part that has turned twice differs from one that has not turned.
-    /// not turned.
     ///
     /// ```
     /// use cspace::{Configuration, Point};

@@ -115,7 +115,6 @@ impl<T: Real> TrigPolynomial<T> {
     /// may be missed; between two such roots the value is of the order of |f″| h².
     ///
     /// Where the sign of the value is unknown on a whole interval, `vague` is called with it instead.
-    /// Where the value cannot be told from zero on a whole interval, `vague` is called with it instead.
     pub(crate) fn brackets(
         &self,
         lo: T,

@@ -7,7 +7,6 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// `f64` is a value alone, [`Dual`](crate::Dual) a value with first derivatives by N quantities, [`SecondOrder`](crate::SecondOrder) a
 /// value with its gradient and Hessian. Within the library, numbers of 106 bits and enclosures also implement it; others take the same few
 /// lines.
-/// enclosures are of this kind; others are implemented in the same few lines.
 ///
 /// ```
 /// use cspace::{Dual, Real};

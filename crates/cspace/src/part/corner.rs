@@ -87,7 +87,7 @@ fn second_crossing(a: &Edge, b: &Edge) -> Option<Vector> {
     let (k, j) = (a.curvature(), b.curvature());
     let m = n * j - l * k;
     let square = m.length_squared();
-    // Two lines, or one circle as far as the resolution tells: rounding would say anything of where it meets itself.
+    // Two lines, or one circle within the resolution: the computed place would be determined by rounding.
     let same = RESOLUTION * (k.abs() + j.abs());
     if square <= same * same {
         return None;

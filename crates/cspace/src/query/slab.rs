@@ -147,7 +147,7 @@ impl Slab {
     }
 }
 
-/// Whether patches come in orbits, in each of which every patch is the image of the one before.
+/// Whether patches come in orbits in which every patch is the image of the one before.
 fn repeats(patches: &[Patch], steps: &Steps) -> bool {
     let motion = steps.motion(1);
     let period = steps.period(1);

@@ -76,7 +76,7 @@ fn branches_have_free_space_on_their_right() {
 }
 
 /// A disc with a bore that turns on its own pivot, and a roller in line with it: every contact is at a joint of two arcs,
-/// so that each curve is there twice. It is told of which region, in the bore, left or right, all of them are.
+/// so that each curve exists twice. All of them bound the region on their free side: in the bore, left or right.
 #[test]
 fn curves_that_coincide_bound_the_region_on_their_free_side() {
     let circle = |x: f64, r: f64| vec![Vertex::new(x + r, 0.0, 1.0), Vertex::new(x - r, 0.0, 1.0)];

@@ -331,7 +331,7 @@ fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
 /// See [`CellExtents::good`].
 const GOOD: f64 = 1e-12;
 
-/// Rounding of an orientation and its rotation in doubles, radians.
+/// Rounding of an orientation and its rotation in f64, radians.
 const TURN_ERROR: f64 = 4.0 * f64::EPSILON;
 
 /// Rounding of a place that was found in double-double (length).

@@ -22,7 +22,6 @@ fn disc(center: (f64, f64), radius: f64, gap: f64) -> Vec<Vertex> {
 /// A block with a room bounded by an arc of 300° and its chord, and in the room a column near the arc. The column cuts the contact arc, and
 /// the longer pieces face each other across the room: the free space beside them must be found within the room, however small it is
 /// compared with the block.
-/// small it is beside the block.
 #[test]
 fn rooms_of_one_arc_are_free() {
     for size in [0.3, 0.05, 2e-4] {

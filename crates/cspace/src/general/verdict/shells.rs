@@ -170,7 +170,6 @@ impl ShellFinder<'_> {
     /// Cells that follow each other are on the boundary of free space together or not at all, so in each ring of cells those whose bounds
     /// leave them open are tested separately: rings are few. Blocked cells among those that continue or follow them do not count against
     /// them, because with many curves through one point that may be a false link: a pocket that has no other evidence would be lost.
-    /// of which nothing else tells would be lost.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
         let mut rings = UnionFind::new(cells.len());
         for s in &shells.side {

@@ -17,7 +17,6 @@ fn crowned(side: f64, bulge: f64) -> Part {
 
 /// The straight sides of the hole are parallel: where the pocket closes, their contacts cross for 1e-17 rad at most, and the crossing
 /// passes both arcs.
-/// passes both arcs.
 #[test]
 fn what_has_play_in_a_crowned_hole_is_free() {
     let mut wrong = Vec::new();
