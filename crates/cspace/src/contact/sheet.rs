@@ -190,8 +190,8 @@ impl Sheet {
         self.is_flat_arc() || !self.locus.start.swing.is_none() || !self.locus.end.swing.is_none()
     }
 
-    /// Largest distance of a flat arc from its chord: half the height of the largest circle over the size of the pair, or the largest
-    /// effect of the turning of an arc. 0 for a line.
+    /// Upper bound of the distance of a flat arc from its chord: the height of its circle over a chord of [`LONGEST`], at most
+    /// [`WIDEST_SAGITTA`]. 0 for other curves.
     pub(crate) fn height(&self) -> f64 {
         if self.is_flat_arc() {
             let whole = 0.125 * LONGEST * LONGEST / self.locus.radius.abs();

@@ -122,7 +122,7 @@ impl Bearing {
         }
     }
 
-    /// Whether the length of the cycle's arm is below `near` at any x.
+    /// Whether the length of the cycle's arm is below `near` at every x.
     pub(super) fn is_nothing(&self, near: f64) -> bool {
         self.arm.length() < near && (self.offset * self.weight).length() < near
     }

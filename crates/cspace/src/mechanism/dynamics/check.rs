@@ -62,7 +62,7 @@ impl Dynamics {
     }
 }
 
-/// The part whose index an entry of [`Dynamics::parts`] has.
+/// The part that an index in [`Dynamics::parts`] refers to.
 fn entry(parts: &[PartEntry], part: usize) -> Result<&PartEntry, DynamicsError> {
     parts.get(part).ok_or(DynamicsError {
         item: DynamicsItem::Part(part),
