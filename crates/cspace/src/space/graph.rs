@@ -69,11 +69,11 @@ impl ContactSpace {
 
     /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
     ///
-    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
-    /// a [doubtful orientation](Self::doubtful_orientations) says so.
+    /// At a critical orientation the result is the slice just above it. Slices at orientations outside the window are empty. A slice at a
+    /// [doubtful orientation](Self::doubtful_orientations) is marked as doubtful.
     ///
-    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first also sorts all patches by
-    /// orientation, and the space keeps that, about ten bytes a patch.
+    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first call also sorts all patches by orientation;
+    /// the space keeps this index, about ten bytes a patch.
     pub fn slice(&self, theta: f64) -> Slice {
         let alive = (self.alive).get_or_init(|| Alive::new(self.data.window, &self.data.patches));
         match alive.at(theta) {
