@@ -49,8 +49,8 @@ impl Sheet {
     /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
     /// rounding of the two centres; and the distance.
     ///
-    /// Two arcs of a part at a distance of 1e-9 sizes touch an arc of the other part on circles as near as that. Their crossing follows
-    /// from the direction from one centre to the other, which is computed from the difference of two spirals, without cancellation.
+    /// Two arcs of a part as small as 1e-9 sizes touch an arc of the other part on circles as near as that. Their crossing follows from the
+    /// direction from one centre to the other, which is computed from the difference of two spirals, without cancellation.
     pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
         if !(self.is_circle() && other.is_circle()) {
             return None;

@@ -72,7 +72,8 @@ impl<'a> Lifts<'a> {
             .map_or(0, |c| (c.base.saturating_add(c.count)) as usize)
     }
 
-    /// The shifts, in periods, with which an interval has more than the narrowest band in the window: first and number.
+    /// The shifts, in periods, with which an interval has more than the narrowest band, or than half of the window if that is less, in the
+    /// window: first and number.
     fn within(&self, lo: f64, hi: f64) -> (i64, u32) {
         let least = NARROWEST_BAND.min(0.5 * (self.window.hi - self.window.lo));
         if !self.repeats {
