@@ -206,8 +206,8 @@ impl Edge {
         if b == 0.0 {
             return beside;
         }
-        // A point of the circle is on an arc of less than half a turn if it is beside the chord, on the chord's side of the centre, which is
-        // (1 − b²) / (4 b) chords from the chord. A longer arc is the rest of the circle.
+        // A point of the circle is on an arc of less than half a turn if it is beside the chord, on the chord's side of the centre, which
+        // is (1 − b²) / (4 b) chords from the chord. A longer arc is the rest of the circle.
         let center = (1.0 - b) * (1.0 + b) / (4.0 * b) * c.length_squared();
         if b < 1.0 {
             beside && height >= -center
