@@ -1,7 +1,6 @@
-//! Times of fixed-axes pairs: the best and the middle one of several runs, with the counts that explain them. Then
-//! lower pairs.
+//! Times of fixed-axes pairs: minimum and median of several runs, with the counts that explain them. Then lower pairs.
 //!
-//! Words given on the command line choose the pairs whose names hold one of them.
+//! Arguments on the command line select the pairs whose names contain one of them.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 

@@ -1,5 +1,4 @@
-//! Configurations classified in a second on one core, what it takes to be prepared for that, slices read off spaces, and first
-//! contacts.
+//! Rates of classification on one core, the cost of preparing it, slices of spaces, and first contacts.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -15,7 +14,7 @@ use rand_chacha::ChaCha8Rng;
 fn main() {
     for (n, m) in [(10, 9), (26, 24)] {
         let (fixed, moving) = (gear(n, 1.0), gear(m, 1.0));
-        // Where the tips' circles touch.
+        // Radius at which the tips' circles touch.
         let reach = 0.5 * (n + m) as f64 + 2.0;
         for symmetry in [Symmetry::Detect, Symmetry::Ignore] {
             let options = Options {
@@ -101,7 +100,7 @@ fn report(space: &ContactSpace, reach: f64) {
     );
 }
 
-/// The best of five.
+/// Rate per second, the best of five runs.
 fn per_second(all: &[Configuration], f: impl Fn(Configuration) -> bool) -> f64 {
     let once = || {
         let begin = Instant::now();
@@ -112,7 +111,7 @@ fn per_second(all: &[Configuration], f: impl Fn(Configuration) -> bool) -> f64 {
     (0..5).map(|_| once()).fold(0.0, f64::max)
 }
 
-/// Motions across the contact zone of gears, from free starts: the time of each.
+/// Time of each motion across the contact zone of gears, from free starts.
 fn motions(space: &ContactSpace, reach: f64) {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
     let mut starts = Vec::new();

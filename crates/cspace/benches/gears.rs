@@ -1,4 +1,4 @@
-//! Times of slices and contact spaces, beside the 10 ms and the 86 ms that a slice of such gears took by exact arithmetic.
+//! Times of slices and contact spaces, compared with 10 ms and 86 ms for a slice of such gears in exact arithmetic.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -30,7 +30,7 @@ fn milliseconds(f: impl FnOnce()) -> f64 {
     1e3 * begin.elapsed().as_secs_f64()
 }
 
-/// Milliseconds that something takes at an orientation, the mean of many.
+/// Mean time of a function of the orientation, milliseconds.
 fn average(f: impl Fn(f64)) -> f64 {
     const TIMES: u32 = 50;
     let all = milliseconds(|| (0..TIMES).for_each(|k| f(0.1 + 0.37 * f64::from(k))));
@@ -52,7 +52,7 @@ fn report(name: &str, fixed: &Part, moving: &Part, other: Option<f64>) {
         };
         timed::compute(fixed, moving, &options).unwrap()
     };
-    // The general method does not know that teeth repeat.
+    // The general method does not use the repetition of the teeth.
     let space = compute(Symmetry::Ignore);
     let slab = compute(Symmetry::Detect);
     let s = space.statistics();

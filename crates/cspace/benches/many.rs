@@ -1,4 +1,4 @@
-//! Spaces of many small pairs on one thread: how many a minute, and where the time goes.
+//! Spaces of many small pairs on one thread: rate per minute, and times of the stages.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -25,7 +25,8 @@ fn main() {
     }
 }
 
-/// What both parts are: sides, and the share of them that are arcs. Five sides with their corners are ten features.
+/// Kinds of parts measured (both parts of a pair are of the same kind): name, number of sides, and share of sides that are arcs. Five sides
+/// with their corners are ten features.
 const KINDS: [(&str, usize, f64); 4] = [
     ("polygons of 5 sides", 5, 0.0),
     ("outlines of 5 edges, 4 of 10 arcs", 5, 0.4),
@@ -42,7 +43,7 @@ fn pairs(vertices: usize, arcs: f64) -> Vec<(Part, Part)> {
         .collect()
 }
 
-/// Pairs a minute, each divided among all threads, and as a batch.
+/// Rate per minute: each pair divided among all threads, and as a batch.
 fn batch(name: &str, vertices: usize, arcs: f64) {
     let parts = pairs(vertices, arcs);
     let pairs: Vec<_> = (parts.iter())

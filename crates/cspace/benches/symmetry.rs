@@ -1,4 +1,4 @@
-//! How many times faster a symmetric pair is computed than by the general method, beside the number of its slabs.
+//! Speed-up of a symmetric pair compared with the general method, and the number of its periods.
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
@@ -27,7 +27,7 @@ fn main() {
     );
 }
 
-/// Seconds of the fastest of some computations, at most about three seconds in all; and the space.
+/// Time in seconds of the fastest of some computations, at most about three seconds in all; and the space.
 fn fastest(fixed: &Part, moving: &Part, symmetry: Symmetry) -> (f64, ContactSpace) {
     let options = Options {
         symmetry,

@@ -1,7 +1,7 @@
-//! A tree of boxes: which of many things come near a place, without a look at each of them.
+//! A tree of boxes that finds which of many things come near a place, without examining all of them.
 //!
-//! Things are halved by the middles of their boxes, along the longest side of what holds those middles, until few are left.
-//! The tree takes memory in proportion to the number of things, whatever their sizes.
+//! Things are halved by the middles of their boxes, along the longest side of the box of those middles, until few are left. The tree takes
+//! memory in proportion to the number of things, whatever their sizes.
 
 use core::cmp::Reverse;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
@@ -10,16 +10,16 @@ use std::sync::OnceLock;
 
 use crate::part::Bounds;
 
-/// So many things are looked at one by one faster than they are divided.
+/// Number of things up to which they are examined one by one, which is faster than dividing them.
 const FEW: usize = 8;
 
 /// A box of the plane, or one over an interval of orientations.
 pub(crate) trait Volume: Copy {
-    /// The box that holds nothing.
+    /// The empty box.
     const EMPTY: Self;
-    /// The smallest box that holds this one and another.
+    /// The smallest box that contains this one and another.
     fn with(self, other: Self) -> Self;
-    /// Its middle; what is missing to three coordinates is 0.
+    /// The middle of the box; missing coordinates are 0.
     fn middle(&self) -> [f64; 3];
 }
 
@@ -62,7 +62,7 @@ impl Volume for Swath {
     }
 
     fn middle(&self) -> [f64; 3] {
-        /// A radian counts as so many lengths: one orientation is asked for, and positions near and far.
+        /// Lengths that a radian counts in the division: queries have one orientation, and positions near and far.
         const RADIAN: f64 = 16.0;
         let p = self.bounds.center();
         [p.x, p.y, 0.5 * RADIAN * (self.lo + self.hi)]
@@ -72,13 +72,13 @@ impl Volume for Swath {
 /// Things with boxes, by their numbers.
 #[derive(Debug)]
 pub(crate) struct Boxes<B = Bounds> {
-    /// In the order of a walk that comes to a node before what it holds.
+    /// Nodes in depth-first order: each before its children.
     nodes: Vec<Node<B>>,
-    /// The things with their boxes; those of a leaf stand together.
+    /// The things with their boxes; those of a leaf are consecutive.
     things: Vec<(u32, B)>,
 }
 
-/// A tree that is made when it has been asked for so often that it is worth while.
+/// A tree that is built after so many queries that this pays off.
 #[derive(Debug, Default)]
 pub(crate) struct Places {
     asked: AtomicU32,
@@ -86,12 +86,12 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    /// The tree, if it was made.
+    /// The tree, if it has been built.
     pub(crate) fn made(&self) -> Option<&Boxes<Swath>> {
         self.boxes.get()
     }
 
-    /// The tree, unless this is one of the first questions.
+    /// The tree, unless this is one of the first queries.
     pub(crate) fn after(
         &self,
         first: u32,
@@ -105,29 +105,30 @@ impl Places {
 #[derive(Debug)]
 struct Node<B> {
     bounds: B,
-    /// The things of a leaf: so many from the first. Other nodes have none of their own.
+    /// The things of a leaf: first index and number. Other nodes have none.
     first: usize,
     count: usize,
-    /// Where a walk goes on that leaves out what the node holds.
+    /// Index of the next node in a traversal that skips this node's children.
     after: usize,
 }
 
 impl<B: Volume> Boxes<B> {
-    /// Of boxes that are numbered from 0.
+    /// Tree of the given boxes, numbered from 0 in their order.
     pub(crate) fn new(bounds: impl Iterator<Item = B>) -> Self {
         Self::numbered((0..).zip(bounds).collect())
     }
 
-    /// Of boxes that have numbers; several may have the same.
+    /// Tree of numbered boxes; several boxes may have the same number.
     pub(crate) fn numbered(mut things: Vec<(u32, B)>) -> Self {
         let mut nodes = Vec::new();
         divide(&mut things, 0, &mut nodes);
         Self { nodes, things }
     }
 
-    /// Whether `hit` is true of a thing whose box `reaches`. Stops at the first; the order is always the same.
+    /// Whether `hit` holds for any thing whose box satisfies `reaches`. Stops at the first such thing; the order of visits is
+    /// deterministic.
     ///
-    /// A box must reach if one inside it does.
+    /// `reaches` must hold for a box if it holds for any box inside it.
     pub(crate) fn any(
         &self,
         reaches: impl Fn(&B) -> bool,
@@ -148,17 +149,17 @@ impl<B: Volume> Boxes<B> {
         false
     }
 
-    /// Visits the things whose boxes are not farther than a limit, which each visit may lower by what it returns: nodes of
-    /// the tree in order of their distance, and of a leaf every thing within the limit.
+    /// Visits the things whose boxes are not farther than a limit, which each visit may lower by its result: nodes of the tree in order of
+    /// their distance, and every thing of a leaf within the limit.
     ///
-    /// Distances are not negative, and those of boxes no less than of a box that holds them; `None` leaves a box out.
+    /// Distances are not negative, and those of boxes are no less than those of a box that contains them; `None` excludes a box.
     pub(crate) fn visit_near(
         &self,
         distance: impl Fn(&B) -> Option<f64>,
         mut limit: f64,
         mut visit: impl FnMut(u32) -> f64,
     ) {
-        // Numbers that are not negative are in the order of their bits.
+        // Non-negative numbers have the order of their bits.
         let mut waiting = BinaryHeap::new();
         let wait = |waiting: &mut BinaryHeap<_>, at: usize| {
             if let Some(d) = self.nodes.get(at).and_then(|n| distance(&n.bounds)) {
@@ -176,7 +177,7 @@ impl<B: Volume> Boxes<B> {
                     limit = visit(*i);
                 }
             }
-            // A node that is no leaf holds two: the one that follows, and the one after that.
+            // An inner node has two children: the next node, and the one after that node's subtree.
             if node.after > at + 1 {
                 wait(&mut waiting, at + 1);
                 wait(&mut waiting, self.nodes[at + 1].after);
@@ -185,7 +186,7 @@ impl<B: Volume> Boxes<B> {
     }
 }
 
-/// Adds the tree of some things, of which the first stands at `first` among all.
+/// Adds the tree of some things, whose first has the index `first`.
 fn divide<B: Volume>(things: &mut [(u32, B)], first: usize, nodes: &mut Vec<Node<B>>) {
     let mut bounds = B::EMPTY;
     let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
@@ -228,7 +229,7 @@ mod tests {
     use super::*;
     use crate::geometry::Point;
 
-    /// The tree finds what a look at every box finds, for any number of boxes.
+    /// The tree finds the same as an examination of every box, for any number of boxes.
     #[test]
     fn finds_what_a_look_at_each_finds() {
         let mut rng = ChaCha8Rng::seed_from_u64(11);
@@ -266,7 +267,7 @@ mod tests {
         }
     }
 
-    /// The nearest, and all within a limit, by boxes over intervals, as a look at each has them.
+    /// The nearest thing, and all within a limit, for boxes over intervals, compared with an examination of all.
     #[test]
     fn visits_what_is_near() {
         let mut rng = ChaCha8Rng::seed_from_u64(12);

@@ -1,4 +1,4 @@
-//! Doors to the arithmetic for fuzz targets. No part of the library's interface: it may change with every version.
+//! Access to the arithmetic for fuzz targets. Not part of the library's interface: it may change with every version.
 
 use crate::contact::{Locus, SheetKind, Spiral, conditions};
 use crate::geometry::Vector;
@@ -23,14 +23,14 @@ fn roots(trig: &Trig, mid: f64, half: f64) -> Vec<Root> {
     all
 }
 
-/// What the events of two contact curves depend on: all in the pair's frame, where both parts are in the unit disc.
+/// Data that the events of two contact curves depend on, in the pair's frame, where both parts are in the unit disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Carrier {
-    /// The circle of that radius about a spiral.
+    /// A circle of a given radius about a spiral.
     Circle(Spiral, f64),
-    /// The line through the sheet's start with a normal that stays.
+    /// A line through the sheet's start with a constant normal.
     Line(Vector),
-    /// The line through the sheet's start with a normal that turns.
+    /// A line through the sheet's start with a turning normal.
     TurningLine(Vector),
 }
 
@@ -39,13 +39,13 @@ pub enum Carrier {
 pub struct Curve {
     /// The line or circle.
     pub carrier: Carrier,
-    /// Where it starts.
+    /// Start of the curve.
     pub start: Spiral,
-    /// Where it ends.
+    /// End of the curve.
     pub end: Spiral,
 }
 
-/// All orientations at which the crossings of two contact curves can come or go.
+/// All orientations at which crossings of two contact curves can appear or disappear.
 pub fn events(f: &Curve, g: &Curve, mid: f64, half: f64) -> Vec<Root> {
     let mut all = Vec::new();
     let take = |_, condition: Trig| all.extend(roots(&condition, mid, half));
@@ -69,8 +69,8 @@ fn locus(curve: &Curve) -> Locus {
     }
 }
 
-/// Intervals with the roots of a trigonometric polynomial of degree four at most, given as a function of cosine and sine
-/// that also tells the size of its terms; then those in which it cannot be told from zero.
+/// Intervals with the roots of a trigonometric polynomial of degree four at most, given as a function of cosine and sine that also returns
+/// the size of its terms; then those in which its sign is unknown.
 pub fn polynomial_roots(
     f: impl Fn(f64, f64) -> (f64, f64),
     lo: f64,
@@ -88,7 +88,7 @@ pub fn polynomial_roots(
     [found, vague]
 }
 
-/// What is done to enclosures.
+/// Operations on enclosures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     /// a + b
@@ -141,7 +141,7 @@ pub fn enclose_interval(lo: f64, hi: f64) -> Enclosure {
     parts(Ball::between(lo, hi))
 }
 
-/// The sign of all members of a ball, 0 if they have not one.
+/// The sign of all members of a ball; 0 if they do not have one sign.
 pub fn sign(a: Enclosure) -> i8 {
     ball(a).sign()
 }

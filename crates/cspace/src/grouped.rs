@@ -1,4 +1,4 @@
-//! Numbers sorted into groups, in one list.
+//! Numbers sorted into groups, stored in one list.
 
 /// Items of consecutive groups: those of group g are `items[first[g]..first[g + 1]]`, in the order in which they were given.
 #[derive(Debug, Clone, Default)]
@@ -8,7 +8,7 @@ pub(crate) struct Grouped {
 }
 
 impl Grouped {
-    /// Sorts pairs of a group and an item. The pairs are gone through twice.
+    /// Sorts pairs of a group and an item. The iterator is traversed twice.
     pub(crate) fn new(groups: usize, pairs: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
         let first = starts(groups, pairs.clone().map(|p| p.0));
         let mut at = first.clone();
@@ -21,7 +21,7 @@ impl Grouped {
         Self { first, items }
     }
 
-    /// The items of a group; none if there is no such group.
+    /// The items of a group; empty if there is no such group.
     #[inline]
     pub(crate) fn of(&self, group: u32) -> &[u32] {
         let g = group as usize;
@@ -32,7 +32,7 @@ impl Grouped {
     }
 }
 
-/// Where each group begins if all are in one list, sorted by group; and at last where they end.
+/// Beginning of each group in a list sorted by group, and at last the end of the list.
 pub(crate) fn starts(groups: usize, members: impl Iterator<Item = u32>) -> Vec<u32> {
     let mut first = vec![0u32; groups + 1];
     for group in members {

@@ -1,10 +1,10 @@
 //! Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 //!
-//! Two parts touch, slide, jam and clear each other. Where the *moving* part is relative to the *fixed* part is a
-//! *configuration* (x, y, θ): a point q of the moving part is at (x, y) + `R_θ` q, angles in radians. The configurations in
-//! which the parts overlap are *blocked*, those in which they are apart are *free*, and between them lies a surface of
-//! *contact patches*: on each patch one feature of one part touches one feature of the other. This crate computes that surface
-//! in closed form, without polygons for arcs and without steps in θ, and answers questions from it.
+//! Two parts touch, slide, jam and clear each other. The placement of the *moving* part relative to the *fixed* part is a *configuration*
+//! (x, y, θ): a point q of the moving part is at (x, y) + `R_θ` q, angles in radians. The configurations in which the parts overlap are
+//! *blocked*, those in which they are apart are *free*, and between them lies a surface of *contact patches*: on each patch one feature of
+//! one part touches one feature of the other. This crate computes that surface in closed form, without polygons for arcs and without steps
+//! in θ, and answers queries from it.
 //!
 //! # From parts to a space
 //!
@@ -61,12 +61,12 @@
 //! | the patches, what is next to what, the free regions | [`PairSpace::patches`], [`links`](PairSpace::links), [`regions`](PairSpace::regions), [`bands`](PairSpace::bands) |
 //! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
 //! | all contacts at one orientation | [`Slice`] |
-//! | where a part can be placed beside others or in a frame, exact fits among it | [`NoFit`] |
+//! | where a part can be placed beside others or in a frame, including exact fits | [`NoFit`] |
 //! | millions of configurations | [`Classifier`] |
 //!
 //! # Pairs of all classes
 //!
-//! How the parts can move relative to each other decides the method, and what a configuration is:
+//! The relative motion of the parts determines the method, and the form of a configuration:
 //!
 //! | [`Relation`] | class | a configuration is |
 //! |---|---|---|
@@ -74,22 +74,22 @@
 //! | `Axes` | fixed axes: each part turns, slides or stands still | (u, v), the two motions |
 //! | `Joint` | lower: a joint connects the parts | (x, y, θ), on the joint |
 //!
-//! A [`Mechanism`] has parts, axes, joints and pairs, and says of every pair how it is related.
+//! A [`Mechanism`] has parts, axes, joints and pairs, and determines the relation of every pair.
 //!
 //! # How far it can be trusted
 //!
-//! *Exact* means exact in form and correct to a resolution, 7·10⁻¹² of the size of the pair; [`PairSpace::resolution`] gives
-//! it, and [`PairSpace::least_clearance`] the clearance below which there is none. Where the structure of a space is in doubt,
-//! [`ContactSpace::doubtful_orientations`] says so.
+//! *Exact* means exact in form and correct to a resolution, 7·10⁻¹² of the size of the pair, given by [`PairSpace::resolution`]. A
+//! clearance below [`PairSpace::least_clearance`] counts as none. Orientations at which the structure of a space is in doubt are reported
+//! by [`ContactSpace::doubtful_orientations`].
 //!
 //! # Cargo features
 //!
 //! Both are on unless `default-features = false` is given.
 //!
-//! - `serde`: what is public and plain data can be written and read by `serde`, such as a [`Part`], a [`Mechanism`] or the
-//!   [`SpaceData`](space::SpaceData) of a computed space.
-//! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it one thread, the
-//!   caller's, does all of it. Results are the same with any number of threads.
+//! - `serde`: public plain data, such as a [`Part`], a [`Mechanism`] or the [`SpaceData`](space::SpaceData) of a computed space, can be
+//!   written and read by `serde`.
+//! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it the caller's thread does all of it.
+//!   Results do not depend on the number of threads.
 
 // It reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]

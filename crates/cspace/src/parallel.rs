@@ -1,14 +1,14 @@
-//! Work divided among threads, unless there is but one or too little to divide.
+//! Work divided among threads, unless there is only one or the work is too small.
 //!
-//! A call into a thread pool from outside wakes a thread and waits for it, which takes longer than some stages of a small
-//! pair. With one thread, and without the feature `rayon`, all is done by the caller.
+//! A call into a thread pool from outside wakes a thread and waits for it, which takes longer than some stages of a small pair. With one
+//! thread, and without the feature `rayon`, the caller does all the work.
 
 use core::cmp::Ordering;
 
 /// Iterators whose items may go to several threads.
 #[cfg(feature = "rayon")]
 pub(crate) use rayon::prelude;
-/// The same by their names, on the caller's thread.
+/// Sequential replacements under the same names; they run on the caller's thread.
 #[cfg(not(feature = "rayon"))]
 pub(crate) use sequential as prelude;
 
@@ -25,18 +25,19 @@ fn is_alone() -> bool {
 
 #[cfg(feature = "rayon")]
 std::thread_local! {
-    /// Whether this thread does one of many pieces of work, which it divides no further.
+    /// Whether this thread does one of many pieces of work, which it must not divide further.
     static UNDIVIDED: core::cell::Cell<bool> = const { core::cell::Cell::new(false) };
 }
 
-/// What `work` makes of every item and its number, in their order: items go to several threads, and each is done by one alone.
+/// Results of `work` for every item and its number, in order. Items are distributed to several threads; each item is processed by one
+/// thread.
 pub(crate) fn each<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(usize, &T) -> R + Sync + Send,
 ) -> Vec<R> {
     #[cfg(feature = "rayon")]
     if items.len() > 1 && !is_alone() {
-        /// Puts back what the thread was told, also if the work panics.
+        /// Restores the thread's previous setting, also if the work panics.
         struct Before(bool);
         impl Drop for Before {
             fn drop(&mut self) {
@@ -54,7 +55,7 @@ pub(crate) fn each<T: Sync, R: Send>(
         .collect()
 }
 
-/// Runs work of several stages within the pool, so that its doors are not passed again at every stage.
+/// Runs work of several stages within the pool, so that it is entered only once.
 pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     #[cfg(feature = "rayon")]
     if !is_alone() {
@@ -63,7 +64,7 @@ pub(crate) fn within<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     work()
 }
 
-/// What `work` makes of every item, in their order: the items are divided among threads, none of which is given fewer than `least`.
+/// Results of `work` for every item, in order. The items are divided among threads; each thread gets at least `least` items.
 ///
 /// ```
 /// let squares = cspace::parallel::map(&[1, 2, 3], 1, |x| x * x);
@@ -83,7 +84,7 @@ pub fn map<T: Sync, R: Send>(
     items.iter().map(work).collect()
 }
 
-/// What `work` makes of every so many items in a row, given the number of the first of them; in their order.
+/// Results of `work` for every chunk of `size` consecutive items, in order; `work` also gets the number of the chunk's first item.
 pub(crate) fn chunks<T: Sync, R: Send>(
     items: &[T],
     size: usize,
@@ -97,7 +98,7 @@ pub(crate) fn chunks<T: Sync, R: Send>(
     items.chunks(size).enumerate().map(work).collect()
 }
 
-/// What `work` makes of the numbers below `count`, in their order, written where it stays; no thread is given fewer than `least`.
+/// Results of `work` for the numbers below `count`, in order, written directly into the output. Each thread gets at least `least` numbers.
 #[cfg_attr(not(feature = "rayon"), allow(unused_variables))]
 pub(crate) fn numbered<R: Send>(
     count: usize,
@@ -112,7 +113,7 @@ pub(crate) fn numbered<R: Send>(
     (0..count).map(work).collect()
 }
 
-/// What both make.
+/// Results of both functions, which may run on two threads.
 pub(crate) fn join<A: Send, B: Send>(
     first: impl FnOnce() -> A + Send,
     second: impl FnOnce() -> B + Send,
@@ -124,7 +125,7 @@ pub(crate) fn join<A: Send, B: Send>(
     (first(), second())
 }
 
-/// Sorts; what is equal stays in its order.
+/// Stable sort.
 pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
     #[cfg(feature = "rayon")]
     if !is_alone() {
@@ -133,7 +134,7 @@ pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Orderi
     items.sort_by(order);
 }
 
-/// Sorts by an order in which equal is the same: what is equal may come in any order.
+/// Unstable sort: equal items may come in any order.
 pub(crate) fn sort_unstable_by<T: Send>(
     items: &mut [T],
     order: impl Fn(&T, &T) -> Ordering + Sync,
@@ -150,7 +151,7 @@ pub(crate) fn sort_unstable_by<T: Send>(
 mod tests {
     use super::*;
 
-    /// What comes out is in order and the same with any number of threads.
+    /// Results are in order, and equal for any number of threads.
     #[test]
     fn threads_do_not_matter() {
         let items: Vec<u64> = (0..5000).map(|i| i * 7919 % 5003).collect();

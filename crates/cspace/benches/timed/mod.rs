@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use cspace::{ComputeError, ContactSpace, Options, Part, Progress, Stage};
 
-/// A clock, by which a space's statistics say what each stage took.
+/// A clock, from which the stage times of a space's statistics are computed.
 struct Clock(Instant);
 
 impl Progress for Clock {

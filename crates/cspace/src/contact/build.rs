@@ -1,4 +1,4 @@
-//! How sheets are made: one of each pair of features that can touch, cut where its ends go over to other joints.
+//! Construction of sheets: one for each pair of features that can touch, cut where its ends move to other joints.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,7 +12,7 @@ use super::sheet::{EndAngle, EndAt, Seam, Sheet};
 use super::spiral::{Spiral, Swing};
 use super::symmetry::{Period, Span};
 
-/// Every sheet of a pair in a window of orientations; if there are more than `most`, some of them, and no more is spent.
+/// All sheets of a pair in a window of orientations. Stops after about `most` sheets; the result is then incomplete.
 pub(super) fn sheets(
     fixed: &Outline,
     moving: &Outline,
@@ -56,7 +56,7 @@ struct Builder<'a> {
     sheets: Vec<Sheet>,
 }
 
-/// Where a curve ends.
+/// End of a curve.
 struct SheetEnd {
     spiral: Spiral,
     name: u32,
@@ -64,7 +64,7 @@ struct SheetEnd {
     at: EndAt,
 }
 
-/// A bound of an interval of orientations, with what lies beyond.
+/// A bound of an interval of orientations, and the seam there.
 #[derive(Clone, Copy)]
 struct Bound {
     theta: Dd,
@@ -92,10 +92,9 @@ impl Builder<'_> {
         }
     }
 
-    /// The orientation at which the normal of a joint of the fixed part opposes that of one of the moving part, nearest to
-    /// `near`.
+    /// The orientation nearest to `near` at which the normal of a joint of the fixed part opposes that of a joint of the moving part.
     ///
-    /// Reduced to the window first, so that the same pair of normals always gives the same number.
+    /// The angle is reduced to the window first, so that one pair of normals always gives the same number.
     fn alignment(&self, fixed_joint: u32, moving_joint: u32, near: f64) -> Dd {
         let t = self.fixed.exact_joints[fixed_joint as usize].angle
             - self.moving.exact_joints[moving_joint as usize].angle
@@ -168,8 +167,7 @@ impl Builder<'_> {
         self.add_line((ia, ib), &locus, &ends, bounds);
     }
 
-    /// Adds the sheet of a line: its least and its greatest orientation, the joints whose normals oppose each other there, and
-    /// what it meets.
+    /// Adds the sheet of a line: its smallest and its largest orientation, the joints whose normals oppose each other there, and the seams.
     fn add_line(
         &mut self,
         features: (u32, u32),
@@ -191,7 +189,7 @@ impl Builder<'_> {
         let radius = exact.to_f64();
         let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
         let concave = a.radius() < 0.0 && b.radius() < 0.0;
-        // An arc does not touch in a fillet that is smaller, nor one vertex another but beside what ends there.
+        // An arc does not touch within a smaller fillet; a vertex touches a vertex only at the ends of adjacent contacts.
         let touch = if convex { radius > 0.0 } else { radius < 0.0 };
         if concave || !touch {
             return;
@@ -200,7 +198,7 @@ impl Builder<'_> {
         let (b_lo, b_hi) = b.joints_by_angle();
         let (kind, through, normal) = carrier(a, b);
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
-        // Below the first, normals start with those of the fixed feature; below the second they end with the moving one's.
+        // Below the first, normals start with those of the fixed feature; below the second, they end with those of the moving one.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
         self.instances(theta_lo, theta_hi, |this, shift, k| {
             let switch_low = this.alignment(a_lo, b_lo, low_switch + shift);
@@ -250,7 +248,7 @@ impl Builder<'_> {
         });
     }
 
-    /// Calls `add` with every shift by whole turns that brings the interval into the window.
+    /// Calls `add` with every shift by whole turns that moves the interval into the window.
     fn instances(&mut self, lo: f64, hi: f64, mut add: impl FnMut(&mut Self, f64, i32)) {
         let first = ((self.span.lo - hi) / TAU).floor() as i32;
         let last = ((self.span.hi - lo) / TAU).ceil() as i32;
@@ -262,7 +260,8 @@ impl Builder<'_> {
         }
     }
 
-    /// Cuts a sheet to the window and keeps it if anything is left. `piece` is the turn in which it is, and which of its features'.
+    /// Cuts a sheet to the window and keeps it if anything is left. `piece` identifies the sheet among those of its features: the turn, and
+    /// its number.
     fn push(
         &mut self,
         (fixed, moving): (u32, u32),
@@ -299,8 +298,8 @@ impl Builder<'_> {
         }
     }
 
-    /// The name of the seam through which a sheet that passes the upper end of the slab goes on at the lower end: that of
-    /// the features that are there, and of the turn in which they are.
+    /// The seam through which a sheet that passes the upper end of the period continues at the lower end: that of the features that are
+    /// there, and of their turn.
     fn seam_below(&self, fixed: u32, moving: u32, k: i32, piece: u8) -> Seam {
         let (a, b) = (
             self.period.fixed_back.features[fixed as usize],
@@ -353,7 +352,7 @@ impl Builder<'_> {
         near: f64,
     ) -> SheetEnd {
         let spiral = self.fixed_joint_spiral(joint, b);
-        // Only circles about a centre ask for it.
+        // Only circles given by a centre need the angle.
         let v = (spiral.u - a.center()) * radius.signum();
         let offset = unwrap_near(v.angle(), near);
         SheetEnd {
@@ -410,7 +409,7 @@ fn first_orientation(a: &Feature, b: &Feature) -> f64 {
     a.lo - b.hi - PI
 }
 
-/// r (n + R m) as what it is: n and R m cancel at the orientation at which the normals oppose each other.
+/// The displacement r (n + R m) as a swing: n and R m cancel at the orientation at which the normals oppose each other.
 fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     Swing {
         arm: n * radius,
@@ -418,8 +417,8 @@ fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     }
 }
 
-/// What the circle of two round features is written by: the spiral of its centre; or if one is far away, that of a point of the circle
-/// near the parts, and the normal there, which is on the arc it belongs to.
+/// Data that define the circle of two round features: the spiral of its centre; or, if a centre is far away, the spiral of a point of the
+/// circle near the parts, and the normal there, in the frame of the arc it belongs to.
 fn carrier(a: &Feature, b: &Feature) -> (SheetKind, Spiral, Vector) {
     let spiral = |fixed: Point, moving: Point| Spiral::new(fixed, -moving.to_vector());
     match (a.near, b.near) {

@@ -1,8 +1,8 @@
-//! The orientations at which the crossings of two contact curves can come and go.
+//! Conditions for the orientations at which crossings of two contact curves appear and disappear.
 //!
-//! Two contact curves change their number of crossings only when an end of one passes over the carrier of the other,
-//! or when they become tangent. Put a spiral u + R w into the equation of a line or of a circle, or a centre into a
-//! condition of tangency: each is α cos θ + β sin θ + γ = 0, with R w = w cos θ + left(w) sin θ.
+//! The number of crossings of two contact curves changes only where an end of one passes over the carrier of the other, or where they
+//! become tangent. With a spiral u + R w put into the equation of a line or of a circle, or a centre into a condition of tangency, each
+//! condition is α cos θ + β sin θ + γ = 0, where R w = w cos θ + left(w) sin θ.
 
 use crate::geometry::Vector;
 use crate::number::{Distances, Real, Trig};
@@ -10,10 +10,10 @@ use crate::number::{Distances, Real, Trig};
 use super::locus::Locus;
 use super::spiral::Spiral;
 
-/// Calls `take` with every condition of two loci that is `asked` for, and its number, by which it is asked for.
+/// Calls `take` with each condition of two loci for whose number `asked` is true, and that number.
 ///
-/// Of flat arcs the centres are far away: that is for double-double. `corners` tells whether the first ends, and starts, where
-/// the other starts, and ends.
+/// The centres of flat arcs are far away: such conditions need double-double. `corners` states whether the first curve ends where the other
+/// starts, and starts where the other ends.
 pub(crate) fn conditions<T: Real>(
     f: &Locus<T>,
     g: &Locus<T>,
@@ -31,7 +31,7 @@ pub(crate) fn conditions<T: Real>(
     for (shared, end, over) in [
         (start_shared, &f.start, g),
         (end_shared, &f.end, g),
-        // The end of f that is shared is the start of g, and the other way round.
+        // The shared end of f is the start of g, and the shared start of f the end of g.
         (end_shared, &g.start, f),
         (start_shared, &g.end, f),
     ] {
@@ -95,7 +95,7 @@ fn apart<T: Real>(p: &Spiral<T>, q: &Spiral<T>, distance: T) -> Trig<T> {
     }
 }
 
-/// The sum of a vector's coordinates, for the rounding of what is computed from it.
+/// Sum of the absolute values of a vector's coordinates, for the rounding of numbers computed from it.
 fn size<T: Real>(v: Vector<T>) -> f64 {
     v.x.value().abs() + v.y.value().abs()
 }

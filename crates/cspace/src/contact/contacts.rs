@@ -1,4 +1,4 @@
-//! All sheets of a pair of parts, and which of them share ends.
+//! All sheets of a pair of parts, and the ends that they share.
 
 use crate::feature::Outline;
 use crate::feature::tolerance::NARROWEST_BAND;
@@ -8,28 +8,28 @@ use super::end_names::EndNames;
 use super::sheet::{Seam, Sheet};
 use super::symmetry::{Period, Span};
 
-/// The sheets, and who shares their ends.
+/// The sheets, indexed by their ends.
 #[derive(Debug)]
 pub(crate) struct Contacts {
     pub(crate) sheets: Vec<Sheet>,
     pub(crate) span: Span,
-    /// Names from here on belong to two vertices.
+    /// Smallest name of an end that belongs to two vertices.
     pub(crate) first_vertex_name: u32,
-    /// For every end name, sheets that end there and sheets that start there; sorted by name.
+    /// For every end name, the sheets that end there and the sheets that start there; sorted by name.
     ends: Vec<(u32, u32)>,
     starts: Vec<(u32, u32)>,
-    /// How features are permuted from slab to slab.
+    /// Permutation of the features from period to period.
     pub(crate) period: Period,
     names: EndNames,
 }
 
 impl Contacts {
-    /// The name of the same end one slab lower.
+    /// The name of the corresponding end one period lower.
     pub(crate) fn name_below(&self, name: u32) -> u32 {
         self.names.name_below(name, &self.period)
     }
 
-    /// The feature pair that does one slab lower what this one does.
+    /// The corresponding feature pair one period lower.
     pub(crate) fn pair_below(&self, fixed: u32, moving: u32) -> (u32, u32) {
         (
             self.period.fixed_back.features[fixed as usize],
@@ -49,9 +49,9 @@ impl Contacts {
 
     /// Whether a circle lies between the curves of two lines wherever both exist, tangent to both.
     ///
-    /// It turns by less than half a turn, so that the lines cross beyond its ends, by ρ tan(φ/2): the curves do not cross.
-    /// That distance vanishes to first order where the circle begins, and the height of an end over the other line to
-    /// second order, so that computing would tell little.
+    /// It turns by less than half a turn, so that the lines cross at a distance ρ tan(φ/2) beyond its ends: the curves do not cross. That
+    /// distance vanishes to first order where the circle begins, and the height of an end over the other line to second order, so that a
+    /// computation would decide little.
     fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
         let lines = f.is_line() && g.is_line() && f.locus.kind != g.locus.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
@@ -67,12 +67,12 @@ impl Contacts {
         lines && (bridge(f, g) || bridge(g, f))
     }
 
-    /// Whether the curves of two sheets are to be looked at for crossings: they are not tangent or one by their making.
+    /// Whether two sheets must be searched for crossings: they are not known to be tangent, or one, by construction.
     pub(crate) fn may_cross(&self, f: &Sheet, g: &Sheet) -> bool {
         !f.shared_ends(g, self.first_vertex_name).tangent && !self.bridged(f, g)
     }
 
-    /// Finds every sheet of the pair in the window; if there are more than `most`, some of them, and no more is spent.
+    /// Finds the sheets of the pair in the window. Stops after about `most` sheets; the result is then incomplete.
     pub(crate) fn new(
         fixed: &Outline,
         moving: &Outline,
@@ -85,7 +85,7 @@ impl Contacts {
         Self::of(sheets, span, period, names)
     }
 
-    /// What there is in a part of the window, given numbers of sheets among which are all that exist there.
+    /// Contacts within a part of the window; `sheets` must include all sheets that exist there.
     pub(crate) fn within(&self, span: Span, sheets: &[u32]) -> Self {
         let window = || Seam::Window;
         let sheets = (sheets.iter().map(|&i| &self.sheets[i as usize]))

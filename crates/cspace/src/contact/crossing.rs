@@ -1,4 +1,4 @@
-//! Where two contact curves of one slice cross.
+//! Crossings of two contact curves of one slice.
 
 use crate::feature::tolerance::{SAME_CARRIER, WIDEST_ARC};
 use crate::geometry::Point;
@@ -7,9 +7,9 @@ use crate::number::{Dd, Ordered};
 use super::curve::Curve;
 use super::cycle::Cycle;
 
-/// Numbers in which curves are crossed.
+/// Numbers in which crossings are computed.
 pub(crate) trait Crossed: Ordered {
-    /// Lines are parallel if the sine of the angle between them is smaller.
+    /// Sine of the angle between two lines below which they are parallel.
     const PARALLEL: f64;
 }
 
@@ -25,15 +25,15 @@ impl Crossed for Dd {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Crossing<T = f64> {
     pub(crate) point: Point<T>,
-    /// Whether travel along f enters the blocked side of g there (then g leaves that of f).
+    /// Whether travel along f enters the blocked side of g there (then g leaves the blocked side of f).
     pub(crate) enters: bool,
 }
 
-/// The crossing with the given name ([`Cycle::enters`](super::cycle::Cycle::enters)), wherever it lies on the lines or circles; of
-/// large circles only near the parts. Lines at an angle below [`Crossed::PARALLEL`] do not cross, whatever rounding makes of them.
+/// The crossing with the given name ([`Cycle::enters`](super::cycle::Cycle::enters)), anywhere on the lines or circles; for large circles
+/// only near the parts. Lines at an angle below [`Crossed::PARALLEL`] do not cross, whatever their rounding.
 pub(crate) fn crossing<T: Crossed>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Option<Crossing<T>> {
     let (mut c, d) = (f.cycle, &g.cycle);
-    // From the end of a line that is nearer to the other, so that a crossing near an end is accurate.
+    // The line is written from the end nearer to the other curve, so that a crossing near an end is accurate.
     if c.is_line() && d.level(f.end).abs() <= d.level(f.start).abs() {
         c.through = f.end;
     }
@@ -47,8 +47,8 @@ pub(crate) fn crossing<T: Crossed>(f: &Curve<T>, g: &Curve<T>, root: u8) -> Opti
         .then_some(Crossing { point, enters })
 }
 
-/// For each root whether two curves cross there between their ends, and if so whether the first enters. Where the first ends, and
-/// starts, they may share a corner: that is no crossing.
+/// For each root, whether two curves cross there between their ends, and if so whether the first enters. `corners` states whether the
+/// curves share a corner where the first ends, and where it starts: this does not count as a crossing.
 pub(crate) fn crossings<T: Crossed>(
     f: &Curve<T>,
     g: &Curve<T>,

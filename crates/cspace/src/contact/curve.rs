@@ -13,14 +13,14 @@ pub(crate) struct Curve<T = f64> {
     pub(crate) start: Point<T>,
     pub(crate) end: Point<T>,
     pub(crate) cycle: Cycle<T>,
-    /// The place of its middle: of a circle by its centre the direction to about there, of length about one.
+    /// The place of its middle: for a circle given by its centre, the approximate direction to the middle, of length about one.
     pub(crate) middle: Vector<T>,
     /// Half its length.
     pub(crate) half: f64,
 }
 
 impl<T: Ordered> Curve<T> {
-    /// From its ends, and the angles of the contact normal there, which only a circle by its centre asks for (radians).
+    /// A curve from its ends, and the angles of the contact normal there, which are needed only for a circle given by its centre (radians).
     pub(crate) fn new(cycle: Cycle<T>, [start, end]: [Point<T>; 2], [from, to]: [f64; 2]) -> Self {
         let (middle, half) = if cycle.is_centred() {
             let direction = Vector::from_angle(0.5 * (from + to)) * cycle.weight.value();
@@ -51,7 +51,7 @@ impl<T: Ordered> Curve<T> {
         place.x - self.middle.x
     }
 
-    /// Length of travel from about the middle to a point of the curve.
+    /// Length of travel from about the middle of the curve to a point of it.
     #[inline]
     pub(crate) fn position(&self, p: Point<T>) -> T {
         self.length_to(self.cycle.place(p))
@@ -68,7 +68,7 @@ impl<T: Ordered> Curve<T> {
         self.cycle.at(place)
     }
 
-    /// A number that grows with the length of travel to a place: see [`Cycle::rank`].
+    /// A number that increases with the length of travel to a place: see [`Cycle::rank`].
     #[inline]
     pub(crate) fn rank(&self, place: Vector<T>) -> T {
         self.cycle.rank(place, self.middle)
@@ -79,10 +79,10 @@ impl<T: Ordered> Curve<T> {
         self.ends_by(|place| self.length_to(place))
     }
 
-    /// The ends by a number that grows with the length of travel, and is its negative as far before the middle.
+    /// Values of `number` at the ends; it must increase with the length of travel, and be odd about the middle.
     fn ends_by(&self, number: impl Fn(Vector<T>) -> T) -> (T, T) {
         let [start, end] = [self.start, self.end].map(|p| number(self.cycle.place(p)));
-        // All of a circle ends where it starts, half a turn from the middle.
+        // A whole circle ends where it starts, half a turn from the middle.
         if !self.cycle.is_centred() || start <= end {
             (start, end)
         } else if start.abs() > end.abs() {
@@ -92,19 +92,19 @@ impl<T: Ordered> Curve<T> {
         }
     }
 
-    /// Whether a place of its cycle is between its ends.
+    /// Whether a place of its cycle lies between its ends.
     pub(crate) fn holds(&self, place: Vector<T>) -> bool {
         let (rank, (lo, hi)) = (self.rank(place), self.ends_by(|v| self.rank(v)));
         lo < rank && rank < hi
     }
 
-    /// Whether a point beside it is on its free side; `None` of a point beyond its ends.
+    /// Whether a point beside the curve is on its free side; `None` for a point beyond its ends.
     pub(crate) fn is_free(&self, p: Point<T>) -> Option<bool> {
         self.holds(self.cycle.place(p))
             .then(|| self.cycle.level(p).value() >= 0.0)
     }
 
-    /// How far outward along a direction from a point its line or circle lies, near that point and at right angles to it.
+    /// Signed distance, outward along a direction from a point, at which its line or circle lies, to first order near that point.
     pub(crate) fn height(&self, p: Point<T>, outward: Vector<T>) -> T {
         -self.cycle.distance(p) / self.cycle.normal_at(p).dot(outward)
     }
@@ -117,7 +117,7 @@ impl<T: Ordered> Curve<T> {
 }
 
 impl Curve<Dd> {
-    /// The same in doubles.
+    /// The curve rounded to f64.
     pub(crate) fn rounded(&self) -> Curve {
         Curve {
             start: self.start.map(Dd::to_f64),
@@ -130,7 +130,7 @@ impl Curve<Dd> {
 }
 
 impl Curve {
-    /// Turned, then moved by `p`.
+    /// The curve turned, then moved by `p`.
     pub(crate) fn moved(&self, p: Vector, turn: Rotation) -> Self {
         let middle = if self.cycle.is_centred() {
             turn * self.middle
@@ -148,10 +148,10 @@ impl Curve {
 
     /// The smallest distance t in (0, `limit`) at which the ray p + t d meets the curve; d is a unit vector.
     ///
-    /// A ray through the joint of two curves meets both of them.
+    /// A ray through the joint of two curves meets both.
     pub(crate) fn hit(&self, p: Point, d: Vector, limit: f64) -> Option<f64> {
         let near = self.half + JOINT;
-        // Far around a large circle places are no lengths.
+        // Far around a large circle, places are not lengths.
         let beside = |q: Point| {
             let cycle = &self.cycle;
             !cycle.is_centred() && (cycle.place(q).x * cycle.weight).abs() >= WIDEST_ARC

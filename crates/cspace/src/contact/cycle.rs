@@ -1,7 +1,7 @@
 //! Oriented circles: the one form of lines, arcs and contact curves, in any arithmetic.
 //!
-//! A cycle (Lie's name) has a point P that it goes through, the unit normal n there towards its free side, a weight λ and a size
-//! ρ. Its level at a place p, with d = p − P, is
+//! A cycle (Lie's name) has a point P, the unit normal n there towards its free side, a weight λ and a size ρ. Its level at a place p, with
+//! d = p − P, is
 //!
 //! ```text
 //! F(p) = n·d + λ (d² − c) / 2,   ∇F = n + λ d,   |∇F|² = ρ² + 2 λ F,
@@ -15,8 +15,9 @@
 //! | large circle of signed radius r | on it, near the parts | normal there | 1/r | 1 | 0 | n·d + d²/2r |
 //! | circle of signed radius r (equations 2 and 3) | centre | 0 | sign r | \|r\| | r² | ±(d² − r²)/2 |
 //!
-//! A large circle is written by a point near the parts, so that no number in it is large and a place on it is as exact as that point,
-//! however far away the centre. A circle whose centre is among the parts is written by that, for it may be as small as a point.
+//! A large circle is written by a point near the parts, so that no number in it is large and a place on it is as accurate as that point,
+//! however far away the centre is. A circle whose centre is among the parts is written by its centre, because it may be as small as a
+//! point.
 //!
 //! Travel is to the left of the normal, with blocked space on the left.
 
@@ -29,19 +30,19 @@ use crate::number::{Dd, Real};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Cycle<T = f64> {
     pub(crate) through: Point<T>,
-    /// Zero of a cycle written by its centre.
+    /// Unit normal at the point; zero for a cycle written by its centre.
     pub(crate) normal: Vector<T>,
     pub(crate) weight: T,
     pub(crate) size: T,
 }
 
 impl<T: Real> Cycle<T> {
-    /// A line, by a point and the normal.
+    /// A line, given by a point and the normal.
     pub(crate) fn line(through: Point<T>, normal: Vector<T>) -> Self {
         Self::flat(through, normal, T::constant(0.0))
     }
 
-    /// A circle by its centre and signed radius.
+    /// A circle, given by its centre and signed radius.
     pub(crate) fn round(center: Point<T>, radius: T) -> Self {
         let zero = T::constant(0.0);
         Self {
@@ -52,7 +53,7 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// A circle or line by a point, the normal there and the curvature 1/r.
+    /// A circle or line, given by a point, the normal there and the curvature 1/r.
     pub(crate) fn flat(through: Point<T>, normal: Vector<T>, curvature: T) -> Self {
         Self {
             through,
@@ -67,13 +68,13 @@ impl<T: Real> Cycle<T> {
         self.weight.value() == 0.0
     }
 
-    /// Whether it is written by its centre.
+    /// Whether the cycle is written by its centre.
     #[inline]
     pub(crate) fn is_centred(&self) -> bool {
         self.normal.x.value() == 0.0 && self.normal.y.value() == 0.0
     }
 
-    /// Whether it is a circle written by a place on it.
+    /// Whether the cycle is a circle written by a point on it.
     #[inline]
     pub(crate) fn is_large(&self) -> bool {
         !(self.is_line() || self.is_centred())
@@ -85,7 +86,7 @@ impl<T: Real> Cycle<T> {
         self.size * self.weight
     }
 
-    /// 1/r, 0 of a line.
+    /// Curvature 1/r; 0 for a line.
     pub(crate) fn curvature(&self) -> T {
         self.weight / self.size
     }
@@ -104,7 +105,7 @@ impl<T: Real> Cycle<T> {
         self.normal.dot(d) + bend * d.length_squared()
     }
 
-    /// The gradient of the level: the normal times the size, of a place on it.
+    /// The gradient of the level: at a place on the cycle, the normal times the size.
     #[inline]
     pub(crate) fn slope(&self, p: Point<T>) -> Vector<T> {
         if self.is_line() {
@@ -127,7 +128,7 @@ impl<T: Real> Cycle<T> {
         self.off(steepness.sqrt(), level)
     }
 
-    /// The same of a place at which the length of the gradient and the level are known.
+    /// The signed distance of a place at which the length of the gradient and the level are known.
     #[inline]
     pub(crate) fn off(&self, gradient: T, level: T) -> T {
         if self.is_centred() {
@@ -146,7 +147,7 @@ impl<T: Real> Cycle<T> {
         slope
     }
 
-    /// The point of a circle at which it has a unit normal.
+    /// The point of a circle with a given unit normal.
     pub(crate) fn place_of_normal(&self, normal: Vector<T>) -> Point<T> {
         if self.is_centred() {
             return self.through + normal * self.radius();
@@ -154,7 +155,7 @@ impl<T: Real> Cycle<T> {
         self.through + (normal - self.normal) * (T::constant(1.0) / self.weight)
     }
 
-    /// The same line or circle with its free side exchanged for the blocked one.
+    /// The cycle with its free side and its blocked side exchanged.
     pub(crate) fn reversed(&self) -> Self {
         Self {
             normal: -self.normal,
@@ -163,7 +164,7 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// Turned, and then moved.
+    /// The cycle turned, and then moved.
     pub(crate) fn moved(&self, turn: Rotation<T>, by: Vector<T>) -> Self {
         Self {
             through: turn * self.through + by,
@@ -174,7 +175,7 @@ impl<T: Real> Cycle<T> {
 }
 
 impl Cycle<Dd> {
-    /// The same in doubles.
+    /// The cycle rounded to f64.
     pub(crate) fn rounded(&self) -> Cycle {
         Cycle {
             through: self.through.map(Dd::to_f64),
@@ -185,8 +186,8 @@ impl Cycle<Dd> {
     }
 }
 
-/// Places on a cycle. Of one written by its centre they are vectors (x, y) from there; of any other (u, 0) with
-/// u = 2/κ tan(φ/2), φ being the angle about the centre from P: u grows with travel and is the length itself on a line.
+/// Places on a cycle. For a cycle written by its centre they are vectors (x, y) from there; for any other (u, 0) with u = 2/κ tan(φ/2),
+/// where φ is the angle about the centre from P: u increases with travel, and on a line it is the length itself.
 impl<T: Real> Cycle<T> {
     /// The point at a place.
     #[inline]
@@ -202,7 +203,7 @@ impl<T: Real> Cycle<T> {
         self.through + self.normal.left() * along - self.normal * (along * half)
     }
 
-    /// The place of a point of it.
+    /// The place of a point of the cycle.
     #[inline]
     pub(crate) fn place(&self, p: Point<T>) -> Vector<T> {
         let d = p - self.through;
@@ -217,8 +218,8 @@ impl<T: Real> Cycle<T> {
         Vector::new(u, T::constant(0.0))
     }
 
-    /// A number that grows with the place: of a circle by its centre y / (|x| + |y|) along and across the direction to the middle of
-    /// a curve on it, continued beyond the quarter turns.
+    /// A number that increases with the place: for a circle given by its centre y / (|x| + |y|), with x along and y across the direction to
+    /// the middle of a curve on it, continued beyond quarter turns.
     #[inline]
     pub(crate) fn rank(&self, place: Vector<T>, middle: Vector<T>) -> T {
         if !self.is_centred() {
@@ -235,8 +236,8 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// The crossing with the given name: its place, and whether travel enters the blocked side of the other there. `None` where they
-    /// do not cross; two lines at more than `parallel` (the sine of the angle) do.
+    /// The crossing with the given name: its place, and whether travel enters the blocked side of the other cycle there. `None` if they do
+    /// not cross; two lines cross if the sine of their angle is above `parallel`.
     pub(crate) fn crossing(
         &self,
         other: &Self,
@@ -250,18 +251,18 @@ impl<T: Real> Cycle<T> {
         })
     }
 
-    /// Where travel crosses another cycle, entering its blocked side or leaving it. Where the crossing is just lost, the nearest
-    /// place to one. Two parallel lines cross nowhere: the place is infinite or no number.
+    /// The place where travel crosses another cycle, entering its blocked side or leaving it. Where the crossing has just disappeared, the
+    /// nearest place to one. Two parallel lines do not cross: the place is infinite or NaN.
     ///
-    /// The other's level on this cycle, from P on, is ((k − κ a·n)/2 + c κ²/4) u² + a·t u + c over 1 + κ²u²/4, with
-    /// its gradient a, weight k and level c at P; its derivative by u is negative where its blocked side is entered.
+    /// The other's level on this cycle, from P on, is ((k − κ a·n)/2 + c κ²/4) u² + a·t u + c over 1 + κ²u²/4, with its gradient a, weight
+    /// k and level c at P; its derivative by u is negative where its blocked side is entered.
     #[inline]
     pub(crate) fn crossed_by(&self, other: &Self, enters: bool) -> Vector<T> {
         if self.is_centred() {
             return self.way_vector_of_crossing(other, enters);
         }
         if other.is_centred() {
-            // Where this one enters the blocked side of the other, the other leaves that of this one.
+            // Where this cycle enters the blocked side of the other, the other leaves that of this one.
             return self.place(other.through + other.way_vector_of_crossing(self, !enters));
         }
         let real = T::constant;
@@ -272,7 +273,7 @@ impl<T: Real> Cycle<T> {
         }
         let root = (slope * slope - real(4.0) * square * c).sqrt();
         let steep = if enters { -root } else { root };
-        // Of two forms that are equal the one in which nothing cancels.
+        // Of two equivalent forms, the one without cancellation.
         let u = if enters == (slope.value() < 0.0) {
             real(-2.0) * c / (slope + steep)
         } else {
@@ -291,7 +292,7 @@ impl<T: Real> Cycle<T> {
         (square, a.dot(n.left()))
     }
 
-    /// From the centre of this cycle to where it crosses another.
+    /// The vector from the centre of this cycle to its crossing with another.
     ///
     /// The vector v has the length ρ, and a·v = h = −(c + k ρ²/2) with the other's gradient a and level c at the centre. With δ,
     /// the distance of the centre from the other, and its size K, ρ² a² − h² = (ρ − δ)(ρ + δ)(K + |a| − k ρ)(K + |a| + k ρ)/4:
@@ -333,7 +334,7 @@ impl<T: Real> Cycle<T> {
         (a, c, product)
     }
 
-    /// Whether two cycles cross: at a positive angle, and of two lines at more than `parallel` (its sine).
+    /// Whether two cycles cross: at a positive angle; for two lines, with a sine of the angle above `parallel`.
     pub(crate) fn meets(&self, other: &Self, parallel: f64) -> bool {
         if self.is_centred() {
             return self.heron(other).2.value() > 0.0;
@@ -349,7 +350,7 @@ impl<T: Real> Cycle<T> {
         (slope * slope - T::constant(4.0) * square * c).value() > 0.0
     }
 
-    /// The centre of a circle; not of a line.
+    /// The centre of a circle; not finite for a line.
     fn center(&self) -> Point<T> {
         if self.is_centred() {
             return self.through;
@@ -357,7 +358,7 @@ impl<T: Real> Cycle<T> {
         self.through - self.normal * (T::constant(1.0) / self.weight)
     }
 
-    /// Whether both are one line or circle, travelled in either direction, to within `same` (length, and sine of an angle).
+    /// Whether both are one line or circle, traversed in either direction, within `same` (length, and sine of an angle).
     pub(crate) fn is_one_with(&self, other: &Self, same: f64) -> bool {
         let is_none = |x: T| x.value().abs() < same;
         match (self.is_line(), other.is_line()) {
@@ -391,7 +392,7 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// Where the crossing with the given name is on this cycle; `swapped` if this one is the second of the two in that name.
+    /// The place on this cycle of the crossing with the given name; `swapped` if this cycle is the second of the two in that name.
     #[inline]
     pub(crate) fn root(&self, other: &Self, root: u8, swapped: bool) -> Vector<T> {
         let enters = if swapped {
@@ -403,7 +404,7 @@ impl<T: Real> Cycle<T> {
     }
 }
 
-/// Two cycles that touch from outside, their normals opposite: features of two parts.
+/// Two cycles that touch from outside, with opposite normals: carriers of features of two parts.
 ///
 /// With the levels m₁ and m₂ of a place and the gradients there, of which the opposites a₁ and a₂ are the *arms* of the place,
 ///
@@ -411,11 +412,11 @@ impl<T: Real> Cycle<T> {
 /// G = λ₁ m₂ + λ₂ m₁ − a₁·a₂ − ρ₁ ρ₂
 /// ```
 ///
-/// is the same from wherever both are seen. It vanishes where the cycles touch and is positive where they are apart: λ₁ λ₂ / 2
-/// times what the square of the distance of the centres is more than that of the sum of the radii. With K = λ₁ ρ₂ + λ₂ ρ₁, the sum
-/// of the radii times λ₁ λ₂, and V = λ₁ a₂ − λ₂ a₁, from centre to centre times λ₁ λ₂, V² = K² + 2 λ₁ λ₂ G, and the distance along
-/// the common normal is 2 G / (K + |V|). Cycles that can touch from outside have K > 0; where they do, V is K times the normal of the
-/// first. Others, as an arc in a smaller fillet, have K < 0: they are tangent where |V| = −K.
+/// does not depend on the place. It vanishes where the cycles touch and is positive where they are apart: it is λ₁ λ₂ / 2 times the excess
+/// of the square of the distance of the centres over that of the sum of the radii. With K = λ₁ ρ₂ + λ₂ ρ₁, the sum of the radii times λ₁
+/// λ₂, and V = λ₁ a₂ − λ₂ a₁, the vector from centre to centre times λ₁ λ₂, V² = K² + 2 λ₁ λ₂ G, and the distance along the common normal
+/// is 2 G / (K + |V|). Cycles that can touch from outside have K > 0; where they do, V is K times the normal of the first. Others, as an
+/// arc in a smaller fillet, have K < 0: they are tangent where |V| = −K.
 impl<T: Real> Cycle<T> {
     /// a: minus the gradient at a place, λ times the vector to the centre if there is one.
     #[inline]
@@ -450,7 +451,7 @@ impl<T: Real> Cycle<T> {
             + still
     }
 
-    /// G without a₁·a₂, seen from a place: what stays when one of both turns about it.
+    /// G without a₁·a₂, as seen from a place: the part that stays constant when one of both turns about it.
     pub(crate) fn still_about(&self, other: &Self, place: Point<T>) -> T {
         let raised = |c: &Self| c.level(place) - c.own_level();
         other.weight * raised(self) + self.weight * raised(other) + self.still(other)
@@ -459,7 +460,7 @@ impl<T: Real> Cycle<T> {
     /// The terms of G that depend neither on d nor on the normals.
     fn still(&self, other: &Self) -> T {
         if self.is_centred() && other.is_centred() {
-            // Radii that all but cancel leave no rounding.
+            // Radii that almost cancel leave no rounding.
             let total = self.total(other);
             return T::constant(-0.5) * self.weight * other.weight * total * total;
         }
@@ -476,7 +477,7 @@ impl<T: Real> Cycle<T> {
         }
     }
 
-    /// How far the cycles are apart along their common normal: 2 G / (K ± |V|), with the sign of K.
+    /// Distance of the cycles along their common normal: 2 G / (K ± |V|), with the sign of K.
     pub(crate) fn gap(&self, other: &Self) -> T {
         let (total, weights) = (self.total(other), self.weight * other.weight);
         let signed = |length: T| if total.value() < 0.0 { -length } else { length };
@@ -488,7 +489,7 @@ impl<T: Real> Cycle<T> {
         two * apart / (total + signed(length))
     }
 
-    /// The normal of this cycle along which they are apart: V / |V|, with the sign of K.
+    /// The normal of this cycle along which the distance is measured: V / |V|, with the sign of K.
     pub(crate) fn common_normal(&self, other: &Self) -> Vector<T> {
         let between = self.between(other);
         let sign = if self.total(other).value() < 0.0 {
@@ -499,13 +500,13 @@ impl<T: Real> Cycle<T> {
         between * (T::constant(sign) / between.length())
     }
 
-    /// K − u·V for a unit vector u, times which K + u·V is K² − (u·V)².
+    /// K − u·V for a unit vector u; its product with K + u·V is K² − (u·V)².
     pub(crate) fn beside(&self, other: &Self, u: Vector<T>) -> T {
         self.weight * other.support(self.through, -u) + other.weight * self.support(self.through, u)
     }
 
-    /// ρ + u·a for a unit vector u: λ times how far the tangent with the normal −u is from a place. Nothing cancels if u is almost
-    /// the normal of a large circle.
+    /// ρ + u·a for a unit vector u: λ times the distance of the tangent with the normal −u from a place. There is no cancellation if u is
+    /// almost the normal of a large circle.
     pub(crate) fn support(&self, from: Point<T>, u: Vector<T>) -> T {
         let own = if self.is_centred() {
             self.size
@@ -519,8 +520,8 @@ impl<T: Real> Cycle<T> {
 /// Rounding error of a place, in the pair's frame; to be divided by the sine of the angle of crossing.
 pub(crate) const PLACE_ERROR: f64 = 1e-14;
 
-/// The same for a circle by its centre, in units of its radius: coordinates of the centre, sums of them and the distance from there
-/// are rounded.
+/// Rounding error of a place on a circle given by its centre, in units of the radius: coordinates of the centre, sums of them and the
+/// distance from there are rounded.
 const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
 
 impl Cycle {
@@ -535,7 +536,7 @@ impl Cycle {
         }
     }
 
-    /// The same in numbers of another kind.
+    /// The cycle in numbers of another kind.
     pub(crate) fn lift<T: Real>(&self) -> Cycle<T> {
         Cycle {
             through: self.through.map(T::constant),
@@ -545,13 +546,13 @@ impl Cycle {
         }
     }
 
-    /// How far rounding may have moved the place at which another cycle crosses this one.
+    /// Bound of the rounding error of the place at which another cycle crosses this one.
     ///
-    /// The sharper the crossing, the better it is known. Towards a tangency of curves that bend apart, the error grows like
-    /// the square root of the rounding at most; where two cycles become one, it has no bound.
+    /// The larger the angle of crossing, the smaller the error. Towards a tangency of curves that bend apart, the error grows at most like
+    /// the square root of the rounding; where two cycles become one, it has no bound.
     pub(crate) fn place_error(&self, other: &Self, place: Vector) -> f64 {
         let p = self.at(place);
-        // The place may be off the circle if there is no crossing, or none that rounding leaves.
+        // The place may be off the circle if there is no crossing, or none is left by rounding.
         let off = if self.is_centred() {
             (place.length() - self.size).abs()
         } else {
@@ -560,7 +561,7 @@ impl Cycle {
         let slope = self.slope(p);
         let normal = slope * (1.0 / slope.length());
         let beside = other.normal_at(p);
-        // Seen from one side of the common tangent.
+        // Curvature relative to the other cycle, on its side of the common tangent.
         let bend = self.curvature() - other.curvature() * normal.dot(beside).signum();
         let sine = normal.cross(beside).abs();
         let rounding = PLACE_ERROR.max(CENTER_ERROR * self.size.max(other.size));
@@ -569,14 +570,14 @@ impl Cycle {
     }
 
     /// tan(φ/4) of the angle φ about the centre from one place to another of a cycle that is not written by its centre, positive
-    /// counter-clockwise; 0 if they have passed each other.
+    /// counter-clockwise; 0 if the places have passed each other.
     pub(crate) fn bulge(&self, from: Vector, to: Vector) -> f64 {
         let (half, from, to) = (0.5 * self.weight, from.x, to.x.max(from.x));
         let angle = 2.0 * ((half * (to - from)) / (1.0 + half * half * from * to)).atan();
         (0.25 * angle).tan()
     }
 
-    /// The distances at which the ray p + t d meets it, in any order, d being a unit vector: |∇F|² = ρ² + 2 λ F, so that the square
+    /// The distances at which the ray p + t d meets the cycle, in any order, d being a unit vector: |∇F|² = ρ² + 2 λ F, so that the square
     /// under the root is (∇F·d)² − 2 λ F = ρ² − (∇F × d)².
     pub(crate) fn met(&self, p: Point, d: Vector) -> [f64; 2] {
         let (a, level) = (self.slope(p), self.level(p));

@@ -1,7 +1,7 @@
-//! The contact function of two features as they are drawn, in the user's coordinates and in any numbers.
+//! The contact function of two features as drawn, in the user's coordinates and in numbers of any kind.
 //!
-//! Every feature is a piece of an oriented circle (`cycle.rs`): a vertex is a convex arc of radius 0. An edge is given by its ends and
-//! its bulge b: from its middle point q with the outward normal n,
+//! Every feature is a piece of an oriented circle (`cycle.rs`): a vertex is a convex arc of radius 0. An edge is given by its ends and its
+//! bulge b: from its middle point q with the outward normal n,
 //!
 //! ```text
 //!          n
@@ -12,7 +12,7 @@
 //!     (material)
 //! ```
 //!
-//! The contact function is the gap of the two cycles, equations (1) to (3) of Sacks 1999 in one.
+//! The contact function is the gap of the two cycles: equations (1) to (3) of Sacks 1999 in one.
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
@@ -20,43 +20,42 @@ use crate::number::Real;
 use super::cycle::Cycle;
 use super::placement::Placement;
 
-/// Arcs with a larger |bulge| are written by their centre: it is near them.
+/// Bulge above which arcs are written by their centre, which is then near them.
 const NEAR_CENTER: f64 = 0.125;
 
-/// The outline of a feature as it is drawn, in its part's frame, with material on the left.
+/// The outline of a feature as drawn, in its part's frame, with material on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FeatureShape<T> {
     /// A line or an arc.
     Edge {
-        /// Where it starts.
+        /// Start of the edge.
         start: [T; 2],
-        /// Where it ends.
+        /// End of the edge.
         end: [T; 2],
         /// tan(sweep / 4), positive counter-clockwise, which is convex; 0 for a line.
         bulge: T,
     },
     /// A convex vertex.
     Vertex {
-        /// Where it is.
+        /// Position of the vertex.
         at: [T; 2],
     },
 }
 
-/// Where two features touch, or would if they were brought together along their normal, in the fixed part's frame.
+/// Points where two features touch, or would touch if they were moved together along their normal, in the fixed part's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touching {
-    /// The point of the fixed part's feature, or of the line or circle that it is a piece of.
+    /// Point of the fixed part's feature, or of its line or circle.
     pub on_fixed: Point,
-    /// The point of the moving part's feature. Both are one in contact.
+    /// Point of the moving part's feature. In contact the two points coincide.
     pub on_moving: Point,
-    /// The outward unit normal of the fixed part there: the moving part's is its opposite.
+    /// Outward unit normal of the fixed part there, opposite to that of the moving part.
     pub normal: Vector,
 }
 
 /// The value of a contact function with its first and second derivatives by the configuration.
 ///
-/// Of a planar configuration the derivatives are by x, y and θ. Of two parts on fixed axes they are by u and v, and what
-/// would be third is 0.
+/// For a planar configuration the derivatives are by x, y and θ. For two parts on fixed axes they are by u and v, and the third is 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactValue {
     /// The value (the model's unit of length).
@@ -68,8 +67,8 @@ pub struct ContactValue {
 }
 
 impl<T: Real> FeatureShape<T> {
-    /// The same with each of its numbers made another kind of number; they are counted from 0 as start, end and bulge, or as
-    /// the vertex.
+    /// The shape with each of its numbers converted by `f`, which also gets the number's index: start, end and bulge, or the vertex,
+    /// counted from 0.
     pub fn map<U>(&self, mut f: impl FnMut(usize, T) -> U) -> FeatureShape<U> {
         match *self {
             Self::Edge { start, end, bulge } => FeatureShape::Edge {
@@ -83,7 +82,7 @@ impl<T: Real> FeatureShape<T> {
         }
     }
 
-    /// The line or circle that it is a piece of. A line may have a curvature of which only the derivatives are not 0.
+    /// The line or circle of the feature. A line may have a curvature of which only the derivatives are not 0.
     fn cycle(&self) -> Cycle<T> {
         let real = T::constant;
         match *self {
@@ -109,7 +108,7 @@ impl<T: Real> FeatureShape<T> {
     }
 }
 
-/// The flatter of two features, and the other in its frame: what is hardly bent is not turned.
+/// The flatter of two features, and the other in its frame: the one that is hardly curved is not turned.
 struct Facing<T> {
     base: Cycle<T>,
     other: Cycle<T>,
@@ -124,7 +123,7 @@ impl<T: Real> Facing<T> {
         fixed_from_moving: &Placement<T>,
     ) -> Self {
         let (first, second) = (fixed.cycle(), moving.cycle());
-        // An enclosure of the curvature of a vertex were one of all reals, with 0 in the middle.
+        // For a vertex, an enclosure of the curvature would contain all reals, with 0 in the middle.
         let curvature = |c: &Cycle<T>| (c.weight.value() / c.size.value()).abs();
         let moves = curvature(&second) < curvature(&first);
         let (base, other, placed) = if moves {
@@ -145,12 +144,12 @@ impl<T: Real> Facing<T> {
     }
 }
 
-/// The contact function of two features: how far they are apart along their common normal, in the unit of length in which
-/// they are drawn; 0 in contact, negative where they overlap.
+/// The contact function of two features: their distance along their common normal, in the unit of length in which they are drawn; 0 in
+/// contact, negative where they overlap.
 ///
-/// It is the distance of the whole lines and circles, with the side on which material lies: beyond the ends of a feature
-/// another one touches. `fixed_from_moving` places the moving part in the fixed part's frame. With numbers that carry
-/// derivatives it gives these too, by the configuration, by the vertices and by the bulges.
+/// It is the distance of the whole lines and circles, with the side on which material lies: beyond the ends of a feature another one
+/// touches. `fixed_from_moving` places the moving part in the fixed part's frame. Numbers that carry derivatives give the derivatives too:
+/// by the configuration, by the vertices and by the bulges.
 ///
 /// ```
 /// use cspace::{contact_function, Dual, FeatureShape, Placement, Real};
@@ -171,21 +170,21 @@ pub fn contact_function<T: Real>(
     base.gap(&other)
 }
 
-/// Where two features touch, or would along their common normal, in numbers of any kind: in the fixed part's frame.
+/// Points where two features touch, or would touch along their common normal, in numbers of any kind: in the fixed part's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TouchingPlace<T> {
-    /// The contact function: how far the features are apart along their common normal.
+    /// The contact function: the distance of the features along their common normal.
     pub gap: T,
-    /// The point of the fixed part's feature, or of the line or circle that it is a piece of.
+    /// Point of the fixed part's feature, or of its line or circle.
     pub on_fixed: [T; 2],
-    /// The point of the moving part's feature. Both are one in contact.
+    /// Point of the moving part's feature. In contact the two points coincide.
     pub on_moving: [T; 2],
     /// The outward unit normal of the fixed part there.
     pub normal: [T; 2],
 }
 
-/// Where two features touch, with the contact function, in numbers of any kind: with those that carry derivatives the points and the
-/// normal come with theirs.
+/// Points where two features touch, and the contact function, in numbers of any kind: with numbers that carry derivatives, the points and
+/// the normal carry theirs.
 ///
 /// ```
 /// use cspace::{touching_place, Dual, FeatureShape, Placement, Real};
@@ -226,7 +225,7 @@ pub fn touching_place<T: Real>(
     }
 }
 
-/// Where two features touch, or would along their common normal.
+/// Points where two features touch, or would touch along their common normal.
 pub fn touching(
     fixed: &FeatureShape<f64>,
     moving: &FeatureShape<f64>,

@@ -4,7 +4,7 @@ use crate::feature::Outline;
 
 use super::symmetry::Period;
 
-/// The numbering of ends: by how many features and joints the parts have.
+/// Numbering of ends, from the numbers of features and joints of the parts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EndNames {
     fixed_features: u32,
@@ -41,7 +41,7 @@ impl EndNames {
         self.first_vertex() + fixed * self.moving_features + moving
     }
 
-    /// The name of the same end one slab lower.
+    /// The name of the corresponding end one period lower.
     pub(super) fn name_below(&self, name: u32, period: &Period) -> u32 {
         let (fixed, moving) = (&period.fixed_back, &period.moving_back);
         let split = |n: u32, by: u32| ((n / by) as usize, (n % by) as usize);

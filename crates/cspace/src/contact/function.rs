@@ -35,8 +35,8 @@ pub enum ContactFunction {
         /// Sum of the signed radii (convex positive): negative for a convex arc inside a concave one.
         radius: f64,
     },
-    /// The same of an arc so large that all digits would be lost between its centre and the parts: a circle of the
-    /// curvature κ = 1/r through c(θ) with the normal n there, 2 f / (1 + √(1 + 2 κ f)) with f = n·d + κ d²/2, d = p − c(θ).
+    /// As `Circle`, for an arc so large that all digits would be lost between its centre and the parts: a circle of the curvature κ = 1/r
+    /// through c(θ) with the normal n there, 2 f / (1 + √(1 + 2 κ f)) with f = n·d + κ d²/2, d = p − c(θ).
     FlatCircle {
         /// A position near the parts on the circle.
         through: Spiral,
@@ -51,7 +51,7 @@ pub enum ContactFunction {
 }
 
 impl ContactFunction {
-    /// Whether its curves at one orientation are circles, not lines.
+    /// Whether its curves at one orientation are circles rather than lines.
     #[inline]
     pub fn is_circular(&self) -> bool {
         matches!(self, Self::Circle { .. } | Self::FlatCircle { .. })
@@ -64,8 +64,8 @@ impl ContactFunction {
 
     /// The gradient by position and orientation: (∂/∂p, ∂/∂θ).
     ///
-    /// Of the level n·d + λ d²/2 with d = p − c(θ): the turning part R w of a spiral moves by left(R w) per radian, and so does a
-    /// normal that turns.
+    /// It follows from the level n·d + λ d²/2 with d = p − c(θ): the turning part R w of a spiral moves by left(R w) per radian, and so
+    /// does a normal that turns.
     pub fn gradient(&self, p: Point, theta: f64) -> (Vector, f64) {
         let turn = Rotation::by(theta);
         let cycle = self.cycle(turn);
@@ -100,7 +100,7 @@ impl ContactFunction {
         }
     }
 
-    /// The same for positions as seen from a point that moves.
+    /// The function for positions relative to a moving point.
     pub(crate) fn about(&self, place: &Spiral) -> Self {
         let mut seen = *self;
         match &mut seen {
@@ -112,7 +112,7 @@ impl ContactFunction {
         seen
     }
 
-    /// Its curve at an orientation: all of the line or circle.
+    /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
         let (real, through) = (T::constant, self.through().lift().at(turn));
@@ -191,7 +191,7 @@ mod tests {
         }
     }
 
-    /// On its cycle the function vanishes, and beside it, along the normal, it is the distance.
+    /// The function vanishes on its cycle, and beside it, along the normal, it equals the distance.
     #[test]
     fn cycles_are_where_functions_vanish() {
         let s = Spiral::new(Point::new(0.3, -0.2), Vector::new(0.5, 0.1));

@@ -7,7 +7,7 @@ use super::cycle::Cycle;
 use super::function::ContactFunction;
 use super::spiral::Spiral;
 
-/// Which features touch.
+/// Kinds of features that touch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SheetKind {
     /// A line of the fixed part and an arc or vertex of the moving part: the normal is constant.
@@ -16,9 +16,9 @@ pub(crate) enum SheetKind {
     RoundLine,
     /// Arcs or vertices of both.
     RoundRound,
-    /// The same, the fixed arc being so large that the curve is a flat arc; its normal is constant.
+    /// As `RoundRound`, where the fixed arc is so large that the curve is a flat arc; its normal is constant.
     FixedFlatArc,
-    /// The same, the moving arc alone being so large; its normal turns with θ.
+    /// As `RoundRound`, where only the moving arc is so large; the normal turns with θ.
     MovingFlatArc,
 }
 
@@ -26,9 +26,9 @@ pub(crate) enum SheetKind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Locus<T = f64> {
     pub(crate) kind: SheetKind,
-    /// The centre of a circle; of a line the start of its curve, of a flat arc a position near the parts on it.
+    /// The centre of a circle; for a line the start of its curve, for a flat arc a position on it near the parts.
     pub(crate) through: Spiral<T>,
-    /// Unit normal of the fixed line, or minus that of the moving line, in its frame. Of a flat arc, where it goes through its point.
+    /// Unit normal of the fixed line, or minus that of the moving line, in its frame. For a flat arc, the normal at `through`.
     pub(crate) normal: Vector<T>,
     /// Sum of the signed radii.
     pub(crate) radius: T,
@@ -37,7 +37,7 @@ pub(crate) struct Locus<T = f64> {
 }
 
 impl<T: Real> Locus<T> {
-    /// All of the line or circle at an orientation.
+    /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle(&self, turn: Rotation<T>) -> Cycle<T> {
         let through = self.through.at(turn);
@@ -53,7 +53,7 @@ impl<T: Real> Locus<T> {
         }
     }
 
-    /// Where the curve starts and ends at an orientation.
+    /// Start and end of the curve at an orientation.
     #[inline(always)]
     pub(crate) fn ends(&self, turn: Rotation<T>) -> [Point<T>; 2] {
         [self.start, self.end].map(|p| p.at(turn))
@@ -65,7 +65,7 @@ impl<T: Real> Locus<T> {
         matches!(self.kind, SheetKind::RoundLine | SheetKind::MovingFlatArc)
     }
 
-    /// The normal at an orientation. Not of a circle.
+    /// The normal at an orientation; not defined for a circle.
     #[inline]
     pub(crate) fn normal_at(&self, turn: Rotation<T>) -> Vector<T> {
         if self.turns() {
@@ -75,7 +75,7 @@ impl<T: Real> Locus<T> {
         }
     }
 
-    /// The spiral of the centre, unless it is a line. Of a flat arc it is far away.
+    /// The spiral of the centre; `None` for a line. For a flat arc it is far away.
     pub(crate) fn center(&self) -> Option<Spiral<T>> {
         let Spiral { u, w, swing } = self.through;
         let arm = self.normal * self.radius;
@@ -95,7 +95,7 @@ impl<T: Real> Locus<T> {
         }
     }
 
-    /// A spiral from the point of a line, in the frame of its normal: the part that stays, and the part that turns.
+    /// A spiral relative to the point of a line, in the frame of its normal: the constant part, and the turning part.
     ///
     /// R n · (u + R w) = n·w + (R n)·u.
     pub(crate) fn seen(&self, spiral: &Spiral<T>) -> (Vector<T>, Vector<T>) {
@@ -105,7 +105,7 @@ impl<T: Real> Locus<T> {
 }
 
 impl Locus {
-    /// In a frame that does not turn and has a moving point for its origin.
+    /// The locus in a frame that does not turn and whose origin is a moving point.
     pub(crate) fn about(&self, origin: &Spiral) -> Self {
         Self {
             through: self.through.about(origin),
@@ -115,7 +115,7 @@ impl Locus {
         }
     }
 
-    /// Its contact function.
+    /// The contact function.
     pub(crate) fn function(&self) -> ContactFunction {
         let Self {
             through,

@@ -2,7 +2,7 @@
 //!
 //! # One orientation
 //!
-//! The positions at which two features touch are a curve, part of a line or circle, its cycle:
+//! The positions at which two features touch form a curve, a piece of a line or circle, its cycle:
 //!
 //! ```text
 //!                 n ↑                    free space
@@ -12,9 +12,9 @@
 //!                   │                    blocked space
 //! ```
 //!
-//! The normal n is outward from the fixed part and points to the free side; travel is to the left of it, so that blocked
-//! space is on the left of travel. A circle is travelled counter-clockwise if its radius is positive: that is the sum of the
-//! signed radii of the two features, those of concave arcs being negative. `function.rs` has the equations.
+//! The normal n is outward from the fixed part and points to the free side; travel is to the left of it, so that blocked space is on the
+//! left of travel. A circle is traversed counter-clockwise if its radius is positive: the radius is the sum of the signed radii of the two
+//! features, those of concave arcs being negative. `function.rs` has the equations.
 //!
 //! # All orientations
 //!
@@ -28,16 +28,16 @@
 //!      │    end ●────────● start    bottom
 //! ```
 //!
-//! `build.rs` makes all sheets of a pair, `shared.rs` and `tangent.rs` tell what two of them have in common by their making.
-//! Other crossings of two curves come and go only at roots of α cos θ + β sin θ + γ (`condition.rs`). If parts are symmetric,
-//! only the sheets of one period are made (`symmetry.rs`).
+//! `build.rs` makes all sheets of a pair; `shared.rs` and `tangent.rs` find what two sheets share by construction. Other crossings of two
+//! curves appear and disappear only at roots of α cos θ + β sin θ + γ (`condition.rs`). If parts are symmetric, only the sheets of one
+//! period are made (`symmetry.rs`).
 //!
 //! # Levels of precision
 //!
-//! All lines and circles are cycles (`cycle.rs`). A sheet has its locus (`locus.rs`) in doubles, and in double-double where doubles
-//! leave open which of two things is the case; curves, crossings and conditions are written once for both. The parts have been
-//! changed so that nothing coincides in double-double (see the features). A cycle whose centre is far from the parts is written by a
-//! point near them, so that nothing in it is large.
+//! All lines and circles are cycles (`cycle.rs`). A sheet has its locus (`locus.rs`) in f64, and in double-double for decisions that f64
+//! leaves open; curves, crossings and conditions are written once for both. The parts have been changed so that nothing coincides in
+//! double-double (see the features). A cycle whose centre is far from the parts is written by a point near them, so that no number in it is
+//! large.
 
 mod build;
 mod condition;

@@ -20,9 +20,10 @@ impl<T: Real> Orientation<T> {
 }
 
 impl Orientation<Dd> {
-    /// The orientation at another angle: from this one if that is so near that sine and cosine of the difference are a few terms.
+    /// The orientation at another angle: computed from this one if it is so near that a few terms of sine and cosine of the difference are
+    /// enough.
     pub(crate) fn turned_to(&self, theta: Dd) -> Self {
-        /// The fourth power of what is nearer than this, by 24, is nothing beside one (radians).
+        /// Difference (radians) whose fourth power, divided by 24, is negligible beside one.
         const NEAR: f64 = 1e-8;
         let by = theta - self.theta;
         let d = by.to_f64();
@@ -45,7 +46,7 @@ impl Orientation<Dd> {
 mod tests {
     use super::*;
 
-    /// A turn from another nearby is that by its angle.
+    /// A turn from a nearby orientation equals that by the angle.
     #[test]
     fn turns_to_what_is_near() {
         let base = Orientation::by(Dd::from(0.7) + 1e-19);

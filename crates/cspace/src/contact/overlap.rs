@@ -1,4 +1,4 @@
-//! Whether two parts overlap at one configuration: boundaries intersected, containment tested.
+//! Overlap test of two parts at one configuration: boundaries intersected, containment tested.
 
 use crate::boxes::Boxes;
 use crate::feature::Outline;
@@ -10,7 +10,7 @@ use super::crossing::crossing;
 use super::curve::Curve;
 use super::cycle::Cycle;
 
-/// One part, ready to be tested: its boundary as curves, and two points at every loop.
+/// A part prepared for overlap tests: its boundary as curves, and two points at every loop.
 #[derive(Debug)]
 pub(crate) struct Body {
     curves: Vec<Curve>,
@@ -23,7 +23,7 @@ pub(crate) struct Body {
 }
 
 impl Body {
-    /// Of a pair whose moving part is smaller than drawn by `room` (length).
+    /// Body of a part of a pair whose moving part is smaller than drawn by `room` (length).
     pub(crate) fn new(
         outline: &Outline,
         part: &Part,
@@ -41,8 +41,8 @@ impl Body {
             })
             .collect();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself; where there is room,
-        // inside of what is left by it.
+        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself; where the moving part
+        // is shrunk by `room`, inside by that amount.
         let samples = (part.loops().iter())
             .filter_map(|l| l.edges().next())
             .flat_map(|e| {
@@ -77,7 +77,7 @@ impl Body {
 }
 
 fn cross(f: &Curve, g: &Curve) -> bool {
-    /// A crossing where two edges follow each other is on one of them at least (length).
+    /// A crossing at the joint of two consecutive edges lies on at least one of them within this (length).
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
     let is_on = |curve: &Curve, p: Point| curve.position(p).abs() <= curve.half + ROUNDING;
     (0..2).any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
@@ -85,8 +85,7 @@ fn cross(f: &Curve, g: &Curve) -> bool {
 
 /// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one.
 ///
-/// Certain when the boundaries do not merely graze each other; the caller picks configurations that are away from
-/// contact.
+/// The result is certain if the boundaries do not merely graze each other; the caller picks configurations away from contact.
 pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool {
     let turn = Rotation::by(theta);
     let shift = p.to_vector();
@@ -133,8 +132,8 @@ mod tests {
         bodies.overlap(Configuration::new(x, 0.0, theta))
     }
 
-    /// Where boundaries coincide and nothing crosses, parts of one shape cover each other, a plug fills its hole, and what
-    /// is a little smaller is in it.
+    /// Where boundaries coincide without crossing: parts of one shape cover each other, a plug fills its hole, and a slightly smaller part
+    /// is inside.
     #[test]
     fn coincident_boundaries() {
         let ring = [square(2.0), square(1.0)];
@@ -151,7 +150,7 @@ mod tests {
         }
     }
 
-    /// The crossing is where a side of the moving part ends and its arc begins, to the last bit.
+    /// The crossing is exactly where a side of the moving part ends and its arc begins.
     #[test]
     fn a_crossing_at_a_joint() {
         let plate = [square(2.0)];
@@ -161,7 +160,7 @@ mod tests {
             Vertex::line(0.5, 0.25),
             Vertex::new(-0.5, 0.25, 1.0),
         ];
-        // What the plate is grown by, in the model's unit.
+        // Growth of the plate, in the model's unit.
         let grown = 4.0 * GROWTH;
         for x in [2.5 + grown, -2.5 - grown] {
             assert!(overlap(&plate, core::slice::from_ref(&pill), x, 0.0), "{x}");

@@ -1,4 +1,4 @@
-//! Everything about a pair of parts that does not depend on the orientation.
+//! All data of a pair of parts that do not depend on the orientation.
 
 use std::sync::{Arc, OnceLock};
 
@@ -20,38 +20,38 @@ use super::orientation::Orientation;
 use super::overlap::{Body, overlap};
 use super::symmetry::{Period, Span, Steps};
 
-/// A pair in its own frame: outlines, sheets of contact, and the bodies for tests of overlap.
+/// A pair in its own frame: outlines, sheets, and the bodies for overlap tests.
 #[derive(Debug)]
 pub(crate) struct Geometry {
     pub(crate) frame: PairFrame,
     pub(crate) fixed: Arc<Outline>,
     pub(crate) moving: Arc<Outline>,
     pub(crate) contacts: Contacts,
-    /// A large disc inside each part, centre and radius, if one is found.
+    /// A large disc inside each part, centre and radius; `None` if none is found.
     pub(crate) fixed_disc: Option<(Point, f64)>,
     pub(crate) moving_disc: Option<(Point, f64)>,
-    /// Folds of the parts about the origin, as far as they were made exactly symmetric.
+    /// Folds of the parts about the origin, if they were made exactly symmetric.
     pub(crate) fixed_fold: u32,
     pub(crate) moving_fold: u32,
-    /// By how much the sides of the fixed and of the moving part are grown, at most (length).
+    /// Largest growth of the sides of the fixed and of the moving part (length).
     pub(crate) growths: (f64, f64),
-    /// By how much the moving part is smaller than drawn (length).
+    /// Length by which the moving part is smaller than drawn.
     pub(crate) room: f64,
     fixed_body: Arc<Body>,
     moving_body: Arc<Body>,
-    /// The loci of sheets in double-double, each made when it is first asked for.
+    /// Loci of sheets in double-double, each computed when first needed.
     exact: Vec<OnceLock<Box<Locus<Dd>>>>,
 }
 
-/// Loci in double-double of which none is made.
+/// Empty cells for the loci in double-double.
 fn unmade(contacts: &Contacts) -> Vec<OnceLock<Box<Locus<Dd>>>> {
     contacts.sheets.iter().map(|_| OnceLock::new()).collect()
 }
 
-/// Numbers to which orientations of events are known, and in which is decided what doubles leave open: double-double.
+/// Numbers for orientations of events, and for decisions that f64 leaves open: double-double.
 pub(crate) type Exact = Dd;
 
-/// The numbers in which the loci of a pair are known: doubles and [`Exact`] ones.
+/// Numbers in which the loci of a pair are available: f64 and [`Exact`].
 pub(crate) trait Precision: Crossed {
     /// The locus of a sheet.
     fn locus(geometry: &Geometry, sheet: u32) -> &Locus<Self>;
@@ -72,24 +72,24 @@ impl Precision for Dd {
     }
 }
 
-/// How the outlines of a pair are changed, so that nothing about it is left to chance.
+/// Change of the outlines of a pair that decides how exact fits count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Fit {
-    /// Both parts are grown: what fits exactly overlaps.
+    /// Both parts are grown: an exact fit is an overlap.
     Overlaps,
-    /// The moving part is smaller by [`ROOM`]: what fits exactly has play.
+    /// The moving part is shrunk by [`ROOM`]: an exact fit has play.
     HasPlay,
 }
 
-/// A part as it is to be computed.
+/// A part as it is computed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Placed<'a> {
     pub(crate) part: &'a Part,
     /// The point that becomes the origin of the pair's frame, in the part's frame.
     pub(crate) center: Point,
-    /// The same point in the frame of the part as the user drew it.
+    /// The point that becomes the origin of the pair's frame, in the frame of the part as the user drew it.
     pub(crate) drawn_center: Point,
-    /// Where one step of its symmetry takes its loops, if it is drawn in order of travel and about its centre.
+    /// Images of its loops under one step of its symmetry, if it is drawn in order of travel and about its centre.
     pub(crate) images: Option<&'a [LoopImage]>,
     /// The fold of that symmetry, or 1.
     pub(crate) fold: u32,
@@ -110,7 +110,7 @@ impl<'a> Placed<'a> {
 }
 
 impl Geometry {
-    /// Prepares a pair. `window` of `None` is the full turn. Of more than `most` sheets not all are made.
+    /// Prepares a pair. `window` of `None` is the full turn. If there are more than `most` sheets, not all are made.
     pub(crate) fn new(
         fixed: &Part,
         moving: &Part,
@@ -120,7 +120,7 @@ impl Geometry {
         Self::of_fit(fixed, moving, Fit::Overlaps, window, most)
     }
 
-    /// As above, with a meaning for what fits exactly.
+    /// Prepares a pair as [`new`](Self::new), with a choice of how exact fits count.
     pub(crate) fn of_fit(
         fixed: &Part,
         moving: &Part,
@@ -141,7 +141,7 @@ impl Geometry {
         outlines.sheets(span, period, most)
     }
 
-    /// Prepares one slab of a symmetric pair. `None` if features do not correspond under the symmetry.
+    /// Prepares one period of a symmetric pair. `None` if features do not correspond under the symmetry.
     pub(crate) fn slab(
         fixed: Placed<'_>,
         moving: Placed<'_>,
@@ -164,7 +164,7 @@ impl Geometry {
         Some(outlines.sheets(span, period, most))
     }
 
-    /// All of the line or circle of a sheet at an orientation.
+    /// The whole line or circle of a sheet at an orientation.
     pub(crate) fn cycle<T: Precision>(&self, sheet: u32, turn: Rotation<T>) -> Cycle<T> {
         T::locus(self, sheet).cycle(turn)
     }
@@ -174,11 +174,11 @@ impl Geometry {
         self.contacts.sheets[sheet as usize].curve_on(T::locus(self, sheet), at)
     }
 
-    /// The same in doubles, with the rotation in doubles.
+    /// The curve of a sheet in f64, with the rotation in f64.
     ///
-    /// Ends that turn about a far centre are lost in the rounding of their orientations in doubles, which is as much longer as that is
-    /// farther: where a flat arc is involved, the curve is found in double-double and rounded, so that places that are told from its
-    /// middle are where they are.
+    /// Ends that turn about a far centre are lost in the rounding of their orientations to f64, by an error proportional to the distance of
+    /// the centre: where a flat arc is involved, the curve is computed in double-double and rounded, so that places measured from its
+    /// middle are right.
     pub(crate) fn rounded_curve(&self, sheet: u32, theta: Dd, turn: Rotation) -> Curve {
         let of = &self.contacts.sheets[sheet as usize];
         if of.is_flat() {
@@ -187,7 +187,7 @@ impl Geometry {
         of.curve(theta.to_f64(), turn)
     }
 
-    /// The same pair from one orientation to another, given numbers of sheets among which are all that exist there.
+    /// The pair restricted to an interval of orientations; `sheets` must include all sheets that exist there.
     pub(crate) fn within(&self, (lo, hi): (f64, f64), sheets: &[u32]) -> Self {
         let full = false;
         let contacts = self.contacts.within(Span { lo, hi, full }, sheets);
@@ -210,23 +210,23 @@ impl Geometry {
         self.moving_body.part()
     }
 
-    /// The point of the fixed part, as it is computed, that is the origin.
+    /// The point of the fixed part, as computed, that is the origin.
     pub(crate) fn fixed_center(&self) -> Point {
         self.fixed_body.center()
     }
 
-    /// The point of the moving part, as it is computed, that is the origin.
+    /// The point of the moving part, as computed, that is the origin.
     pub(crate) fn moving_center(&self) -> Point {
         self.moving_body.center()
     }
 
-    /// Whether the parts overlap with the moving one at `p` in the pair's frame.
+    /// Whether the parts overlap with the moving part at `p` in the pair's frame.
     pub(crate) fn overlaps(&self, p: Point, theta: f64) -> bool {
         overlap(&self.fixed_body, &self.moving_body, p, theta)
     }
 }
 
-/// The parts of a pair as they are tested for overlap, and nothing else.
+/// The parts of a pair prepared for overlap tests only.
 #[derive(Debug)]
 pub(crate) struct Bodies {
     frame: PairFrame,
@@ -269,7 +269,7 @@ struct Outlines {
     moving_body: Body,
 }
 
-/// By how much the sides of two parts are grown, at most, in the pair's frame.
+/// Largest growth of the sides of two parts, in the pair's frame.
 pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
     Outlines::new(
         Placed::as_drawn(fixed),

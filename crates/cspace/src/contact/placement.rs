@@ -1,9 +1,9 @@
-//! Where one part is, seen from another, in any numbers.
+//! Placement of one part relative to another, in numbers of any kind.
 
 use crate::geometry::Configuration;
 use crate::number::Real;
 
-/// A rotation and a displacement: q goes to (x, y) + R q.
+/// A rotation and a displacement: q is mapped to (x, y) + R q.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement<T> {
     /// The displacement (x, y).
@@ -21,7 +21,7 @@ impl<T: Real> Placement<T> {
         Self { position, cos, sin }
     }
 
-    /// Nothing moved.
+    /// The identity.
     pub fn identity() -> Self {
         let zero = T::constant(0.0);
         Self {
@@ -31,7 +31,7 @@ impl<T: Real> Placement<T> {
         }
     }
 
-    /// A turn about a point, by an angle in radians: q goes to c + R (q − c).
+    /// A turn about a point, by an angle in radians: q is mapped to c + R (q − c).
     pub fn turn(center: [T; 2], angle: T) -> Self {
         let turned = Self::new([T::constant(0.0); 2], angle);
         let c = turned.vector(center);
@@ -51,18 +51,18 @@ impl<T: Real> Placement<T> {
         }
     }
 
-    /// Where a point goes.
+    /// Image of a point.
     pub fn point(&self, q: [T; 2]) -> [T; 2] {
         let v = self.vector(q);
         [self.position[0] + v[0], self.position[1] + v[1]]
     }
 
-    /// Where a vector goes: it is turned only.
+    /// Image of a vector, which is only turned.
     pub fn vector(&self, [x, y]: [T; 2]) -> [T; 2] {
         [self.cos * x - self.sin * y, self.sin * x + self.cos * y]
     }
 
-    /// The placement the other way: `b_from_a` of `a_from_b`.
+    /// The inverse placement: `b_from_a` of `a_from_b`.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let back = Self {
@@ -77,7 +77,7 @@ impl<T: Real> Placement<T> {
         }
     }
 
-    /// `a_from_c` of `a_from_b` and `b_from_c`.
+    /// The composition: `a_from_c` of `a_from_b` and `b_from_c`.
     #[must_use]
     pub fn compose(&self, b_from_c: &Self) -> Self {
         Self {

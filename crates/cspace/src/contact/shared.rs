@@ -1,16 +1,16 @@
-//! What two sheets have in common by their making, so that nothing needs to be computed: ends, circles, directions.
+//! Ends, circles and directions that two sheets share by construction, and that are therefore known to be equal without computing.
 
 use crate::feature::tolerance::{CLOSE_CENTERS, SAME_CARRIER};
 
 use super::sheet::Sheet;
 use super::spiral::Spiral;
 
-/// The ends that two sheets have in common.
+/// Ends that two sheets share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SharedEnds {
-    /// The carriers are one, or tangent at every orientation: the curves do not cross.
+    /// Whether the carriers are one, or tangent at every orientation: then the curves do not cross.
     pub(crate) tangent: bool,
-    /// Whether they cross where the first ends, and where it starts, but only there.
+    /// Whether the curves cross where the first ends, and where it starts, but only there.
     pub(crate) corners: [bool; 2],
 }
 
@@ -23,8 +23,8 @@ impl Sheet {
 
     /// The ends that two sheets share.
     ///
-    /// Where normals agree (every shared end but that of two vertices) the curves are tangent there and have no other
-    /// crossing. Where two vertices touch, they cross at the shared end, which is no crossing of interiors.
+    /// Where normals agree (at every shared end except that of two vertices) the curves are tangent there and have no other crossing. Where
+    /// two vertices touch, they cross at the shared end, which is not a crossing of interiors.
     pub(crate) fn shared_ends(&self, other: &Self, first_vertex_name: u32) -> SharedEnds {
         let mut shared = SharedEnds {
             tangent: self.always_tangent(other)
@@ -37,7 +37,7 @@ impl Sheet {
         shared
     }
 
-    /// Whether its own end, and its start, is an end of two vertices that it shares with another sheet.
+    /// Whether this sheet's end, and its start, is an end of two vertices that it shares with another sheet.
     pub(crate) fn shared_corners(&self, other: &Self, first_vertex_name: u32) -> [bool; 2] {
         let corner = |name: u32, other: u32| name == other && name >= first_vertex_name;
         [
@@ -47,10 +47,10 @@ impl Sheet {
     }
 
     /// The centre of its circle, if that of another sheet is so near to it that places where the circles cross would be lost in the
-    /// rounding of the two centres; and how near.
+    /// rounding of the two centres; and the distance.
     ///
-    /// Two arcs of a part of 1e-9 sizes touch an arc of the other on circles as near as that. Where they cross follows from the
-    /// direction from one centre to the other, and that by the difference of two spirals, in which nothing cancels.
+    /// Two arcs of a part as small as 1e-9 sizes touch an arc of the other part on circles as near as that. Their crossing follows from the
+    /// direction from one centre to the other, which is computed from the difference of two spirals, without cancellation.
     pub(crate) fn close_to(&self, other: &Self) -> Option<(Spiral, f64)> {
         if !(self.is_circle() && other.is_circle()) {
             return None;

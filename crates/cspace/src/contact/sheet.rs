@@ -1,4 +1,4 @@
-//! The surface on which two features touch, before it is cut where other features are in the way.
+//! The surface on which two features touch, before it is cut where other features interfere.
 
 use crate::feature::Outline;
 use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
@@ -21,7 +21,7 @@ pub(crate) struct EndAngle {
 }
 
 impl EndAngle {
-    /// Where there is no circle.
+    /// Placeholder for curves that are not circles.
     pub(super) const NONE: Self = Self {
         offset: 0.0,
         turns: false,
@@ -37,20 +37,20 @@ impl EndAngle {
     }
 }
 
-/// What a sheet meets where its orientations end.
+/// Event at which a sheet's interval of orientations begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Seam {
-    /// The curve shrinks to a point there.
+    /// The curve shrinks to a point.
     Point,
-    /// Two lines are parallel there: fixed line, moving line.
+    /// Two lines are parallel: fixed line, moving line.
     Lines(u32, u32),
     /// A fixed line is tangent at a joint between two moving features, neither of them a line.
     LineJoint(u32, u32),
-    /// The same with the roles exchanged.
+    /// A joint between two fixed features, neither of them a line, at which a moving line is tangent.
     JointLine(u32, u32),
-    /// The end moves from one joint to another; the sheet goes on: fixed, moving feature, turn, which.
+    /// The end moves from one joint to another; the sheet continues: fixed feature, moving feature, turn, number.
     Same(u32, u32, i32, u8),
-    /// The sheet goes on at the other end of the full turn: fixed, moving feature, turn, which.
+    /// The sheet continues at the other end of the full turn: fixed feature, moving feature, turn, number.
     Wrap(u32, u32, i32, u8),
     /// The window ends.
     Window,
@@ -70,7 +70,7 @@ pub(crate) struct Sheet {
     pub(crate) moving: u32,
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// The same in double-double.
+    /// Ends of the interval in double-double.
     pub(crate) from: Dd,
     pub(crate) to: Dd,
     pub(crate) start_at: EndAt,
@@ -79,18 +79,18 @@ pub(crate) struct Sheet {
     /// Identity of the end: equal for the two sheets that share it.
     pub(crate) start_name: u32,
     pub(crate) end_name: u32,
-    /// Only for circles.
+    /// Angles of the normal at the ends; only for circles.
     pub(crate) start_angle: EndAngle,
     pub(crate) end_angle: EndAngle,
     pub(crate) bottom: Seam,
     pub(crate) top: Seam,
 }
 
-/// Sheets that last no longer than this are there by rounding only (radians).
+/// Duration up to which a sheet is an artefact of rounding (radians).
 const SHORTEST: f64 = 1e-26;
 
 impl Sheet {
-    /// What of it is within a window, and what it meets at the ends of that; `None` if nothing.
+    /// The part of the sheet within a window, with the seams where the window cuts it; `None` if nothing is left.
     pub(super) fn cut(
         mut self,
         span: Span,
@@ -107,9 +107,9 @@ impl Sheet {
         ((self.to - self.from).to_f64() > SHORTEST).then_some(self)
     }
 
-    /// Its locus by the outlines in double-double.
+    /// The locus computed from the outlines in double-double.
     ///
-    /// A flat arc goes through the point at which it has the normal that it is written by in doubles.
+    /// A flat arc is written by the point at which it has the normal used in f64.
     pub(crate) fn exact(&self, fixed: &Outline, moving: &Outline) -> Locus<Dd> {
         let (a, b) = (
             &fixed.exact_features[self.fixed as usize],
@@ -157,13 +157,13 @@ impl Sheet {
         }
     }
 
-    /// Whether its curves are circles about a centre.
+    /// Whether its curves are circles given by a centre.
     #[inline]
     pub(crate) fn is_circle(&self) -> bool {
         self.locus.kind == SheetKind::RoundRound
     }
 
-    /// Whether its curves are circles so small that doubles do not tell places on them.
+    /// Whether its curves are circles so small that f64 does not resolve places on them.
     #[inline]
     pub(crate) fn is_small(&self) -> bool {
         self.is_circle() && self.locus.radius.abs() < SMALL_CIRCLE
@@ -190,8 +190,8 @@ impl Sheet {
         self.is_flat_arc() || !self.locus.start.swing.is_none() || !self.locus.end.swing.is_none()
     }
 
-    /// How far a flat arc may be off its chord: half the height of the largest circle over all of the pair, or what an arc may
-    /// turn that is part of it. 0 for a line.
+    /// Upper bound of the distance of a flat arc from its chord: the height of its circle over a chord of [`LONGEST`], at most
+    /// [`WIDEST_SAGITTA`]. 0 for other curves.
     pub(crate) fn height(&self) -> f64 {
         if self.is_flat_arc() {
             let whole = 0.125 * LONGEST * LONGEST / self.locus.radius.abs();
@@ -213,7 +213,7 @@ impl Sheet {
         Curve::new(locus.cycle(at.turn), locus.ends(at.turn), angles)
     }
 
-    /// All of the line or circle on which its curve lies at an orientation.
+    /// The whole line or circle of its curve at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
         self.function().cycle(turn)

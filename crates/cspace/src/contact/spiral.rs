@@ -5,16 +5,16 @@ use crate::number::Real;
 
 /// A point that moves with orientation, in numbers of any kind: p(θ) = u + `R_θ` w + (1 − `R_{θ−t}`) a.
 ///
-/// So move the ends of all contact curves (one normal there is that of a joint, fixed or turning with the moving
-/// part), and the centres of the circular ones. The last term is there for arcs of large radius only: see [`Swing`].
+/// The ends of all contact curves are of this form (one normal there is that of a joint, fixed or turning with the moving part), and so are
+/// the centres of circular curves. The last term occurs only for arcs of large radius: see [`Swing`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spiral<T = f64> {
-    /// The part that stays.
+    /// Constant part.
     pub u: Point<T>,
-    /// The part that turns.
+    /// Turning part.
     pub w: Vector<T>,
-    /// How the end of a long arm swings.
+    /// Swing of the end of a long arm.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Swing::is_none")
@@ -22,34 +22,33 @@ pub struct Spiral<T = f64> {
     pub swing: Swing,
 }
 
-/// How the end of an arm moves that turns about its other end: (1 − `R_{θ−t}`) a, nothing at the orientation t.
+/// Displacement of the end of an arm that turns about its other end: (1 − `R_{θ−t}`) a, zero at the orientation t.
 ///
-/// Where an arc of radius r touches, the contact is at r (n + R m) from a point of the arc, with opposing normals n and m
-/// of the parts. The two terms cancel. Of an arc much larger than the parts all digits would be lost; so the difference is
-/// written down as one.
+/// Where an arc of radius r touches, the contact is at r (n + R m) from a point of the arc, with opposing normals n and m of the parts. The
+/// two terms cancel. For an arc much larger than the parts all digits would be lost; so the difference is stored as one term.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Swing {
-    /// The arm a; zero for none.
+    /// The arm a; zero if there is no swing.
     pub arm: Vector,
     /// The orientation t, radians.
     pub rest: f64,
 }
 
 impl Swing {
-    /// No arm.
+    /// No swing.
     pub const NONE: Self = Self {
         arm: Vector::ZERO,
         rest: 0.0,
     };
 
-    /// Whether there is no arm.
+    /// Whether there is no swing.
     #[inline]
     pub fn is_none(&self) -> bool {
         self.arm.x == 0.0 && self.arm.y == 0.0
     }
 
-    /// With φ = θ − t, (1 − cos φ) a − sin φ left(a); 1 − cos φ from the sine, so that it is as exact as that is.
+    /// Value, with φ = θ − t, of (1 − cos φ) a − sin φ left(a); 1 − cos φ is computed from the sine, so that it is as accurate as that.
     #[cold]
     #[inline(never)]
     fn moved<T: Real>(&self, turn: Rotation<T>) -> Vector<T> {
@@ -69,7 +68,7 @@ impl Swing {
 }
 
 impl<T: Real> Spiral<T> {
-    /// u + `R_θ` w.
+    /// The spiral u + `R_θ` w.
     #[inline]
     pub const fn new(u: Point<T>, w: Vector<T>) -> Self {
         Self {
@@ -79,7 +78,7 @@ impl<T: Real> Spiral<T> {
         }
     }
 
-    /// Where it is at an orientation.
+    /// Position at an orientation.
     #[inline(always)]
     pub(crate) fn at(&self, turn: Rotation<T>) -> Point<T> {
         let p = self.u + turn * self.w;
@@ -92,7 +91,7 @@ impl<T: Real> Spiral<T> {
 }
 
 impl Spiral {
-    /// The same in numbers of another kind.
+    /// The spiral in numbers of another kind.
     #[inline(always)]
     pub(crate) fn lift<T: Real>(&self) -> Spiral<T> {
         Spiral {
@@ -102,7 +101,7 @@ impl Spiral {
         }
     }
 
-    /// The way to it from another, which does not swing.
+    /// The spiral relative to another one, which must not swing.
     pub(crate) fn about(&self, other: &Self) -> Self {
         Self {
             u: self.u - other.u.to_vector(),
@@ -111,7 +110,7 @@ impl Spiral {
         }
     }
 
-    /// All of it that turns: it moves by left(R v) per radian.
+    /// The whole turning part v: the point moves by left(R v) per radian.
     #[inline]
     pub(crate) fn turning(&self) -> Vector {
         if self.swing.is_none() {
@@ -125,7 +124,7 @@ impl Spiral {
 mod tests {
     use super::*;
 
-    /// An arm and its swing are a spiral as any other.
+    /// A spiral with a swing equals the spiral of its two terms.
     #[test]
     fn a_swing_is_a_difference() {
         let arm = Vector::new(3.0, -2.0);

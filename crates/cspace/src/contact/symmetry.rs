@@ -1,12 +1,12 @@
-//! Symmetries of the configuration space that symmetric parts give a pair.
+//! Symmetries of the configuration space of a pair that come from symmetric parts.
 //!
-//! Let the fixed part be mapped to itself by turning it by α about its centre, the moving part by turning it by β about
-//! its own. In the pair's frame, in which both centres are the origins, the parts overlap at (p, θ) if and only if they
-//! overlap at (`R_α` p, θ + α), and if and only if they overlap at (p, θ + β). With folds k and m, the smallest turn of θ
-//! that can be had so is T = 2π / lcm(k, m), by taking α = 2πa/k and β = 2πb/m with a/k + b/m = 1/lcm(k, m) up to whole
-//! turns. This motion (p, θ) → (`R_α` p, θ + T) maps the space to itself, and a contact of features f and g to one of the
-//! features to which `R_α` takes f and `R_−β` takes g. All orientations are so many copies of a slab T wide (figure 4 of
-//! Sacks 1999, where the moving part is the symmetric one and α = 0), and sheets are made in the span of one only.
+//! Let the fixed part be mapped to itself by turning it by α about its centre, the moving part by turning it by β about its own. In the
+//! pair's frame, in which both centres are the origins, the parts overlap at (p, θ) if and only if they overlap at (`R_α` p, θ + α), and if
+//! and only if they overlap at (p, θ + β). With folds k and m, the smallest turn of θ obtained in this way is T = 2π / lcm(k, m), by taking
+//! α = 2πa/k and β = 2πb/m with a/k + b/m = 1/lcm(k, m) up to whole turns. This motion (p, θ) → (`R_α` p, θ + T) maps the space to itself,
+//! and a contact of features f and g to one of the features to which `R_α` takes f and `R_−β` takes g. All orientations consist of copies
+//! of one period (slab) of width T (figure 4 of Sacks 1999, where the moving part is the symmetric one and α = 0), and sheets are made in
+//! the span of one period only.
 
 use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
@@ -21,7 +21,7 @@ use super::curve::Curve;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
 
-/// Where one step of a part's symmetry takes its features and joints.
+/// Images of a part's features and joints under one step of its symmetry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Permutation {
     pub(crate) features: Vec<u32>,
@@ -29,7 +29,7 @@ pub(crate) struct Permutation {
 }
 
 impl Permutation {
-    /// Nothing moves.
+    /// The identity.
     pub(crate) fn identity(outline: &Outline) -> Self {
         Self {
             features: (0..outline.features.len() as u32).collect(),
@@ -37,7 +37,7 @@ impl Permutation {
         }
     }
 
-    /// From the images of loops that are drawn in order of travel. `None` if features do not correspond.
+    /// The permutation from the images of loops that are drawn in order of travel. `None` if features do not correspond.
     pub(crate) fn of_loops(
         outline: &Outline,
         loops: &[LoopImage],
@@ -91,21 +91,21 @@ impl Permutation {
     }
 }
 
-/// How a pair's space repeats: see the module.
+/// Periodicity of a pair's space: see the module.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Steps {
-    /// Slabs in a turn: lcm(k, m).
+    /// Number of periods in a turn: lcm(k, m).
     pub(crate) slabs: u32,
     /// Folds k and m.
     pub(crate) fixed_fold: u32,
     pub(crate) moving_fold: u32,
-    /// Steps a and b of either part for one slab.
+    /// Steps a and b of the two parts for one period.
     pub(crate) fixed: u32,
     pub(crate) moving: u32,
 }
 
 impl Steps {
-    /// No symmetry: the slab is the turn.
+    /// No symmetry: the period is the turn.
     pub(crate) const NONE: Self = Self {
         slabs: 1,
         fixed_fold: 1,
@@ -114,11 +114,11 @@ impl Steps {
         moving: 0,
     };
 
-    /// For a fixed part of fold k and a moving part of fold m. `None` if there are more slabs than can be numbered.
+    /// Periodicity for a fixed part of fold k and a moving part of fold m. `None` if there are more periods than can be numbered.
     pub(crate) fn new(k: u32, m: u32) -> Option<Self> {
         let slabs = u32::try_from(u64::from(k) / u64::from(gcd(k, m)) * u64::from(m)).ok()?;
         let (per_fixed, per_moving) = (u64::from(slabs / k), u64::from(slabs / m));
-        // a · lcm/k + b · lcm/m = 1 modulo lcm; the two factors have no common divisor. The smallest a will do.
+        // a · lcm/k + b · lcm/m = 1 modulo lcm; the two factors have no common divisor. The smallest a is used.
         let n = u64::from(slabs);
         let fixed = (0..u64::from(k))
             .find(|a| ((1 + n - a * per_fixed % n) % n).is_multiple_of(per_moving))?;
@@ -132,17 +132,17 @@ impl Steps {
         })
     }
 
-    /// Radians from a slab to another some number of slabs further.
+    /// Angle in radians of a number of periods.
     pub(crate) fn period(&self, slabs: i64) -> f64 {
         TAU * (slabs as f64 / f64::from(self.slabs))
     }
 
-    /// The angle by which positions turn, modulo a turn: α times some number of slabs.
+    /// The angle by which positions turn, modulo a turn: α times the number of periods.
     pub(crate) fn angle(&self, slabs: i64) -> f64 {
         part_of_turn(self.fixed, self.fixed_fold, slabs)
     }
 
-    /// The motion of the space onto itself by a number of slabs.
+    /// The motion of the space onto itself by a number of periods.
     pub(crate) fn motion(&self, slabs: i64) -> SlabMotion {
         SlabMotion {
             fixed: Rotation::by(self.angle(slabs)),
@@ -151,7 +151,7 @@ impl Steps {
     }
 }
 
-/// 2π · steps · slabs / fold, modulo a turn and exact but for one rounding.
+/// 2π · steps · slabs / fold, modulo a turn, with a single rounding.
 fn part_of_turn(steps: u32, fold: u32, slabs: i64) -> f64 {
     let fold = i128::from(fold);
     let part = (i128::from(steps) * i128::from(slabs)).rem_euclid(fold);
@@ -162,8 +162,7 @@ fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// The motion of the space onto itself by a number of slabs: `R_α` of what belongs to the fixed part, `R_−β` of what turns
-/// with θ.
+/// The motion of the space onto itself by a number of periods: `R_α` for vectors of the fixed part, `R_−β` for those that turn with θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SlabMotion {
     pub(crate) fixed: Rotation,
@@ -171,7 +170,7 @@ pub(crate) struct SlabMotion {
 }
 
 impl SlabMotion {
-    /// A position of the pair's frame.
+    /// Image of a position of the pair's frame.
     pub(crate) fn point(&self, p: Point) -> Point {
         self.fixed * p
     }
@@ -184,7 +183,7 @@ impl SlabMotion {
         }
     }
 
-    /// As positions turn by α, the orientation by α + β.
+    /// Positions turn by α, the orientation by α + β.
     fn swing(&self, s: Swing) -> Swing {
         if s.is_none() {
             return s;
@@ -197,7 +196,7 @@ impl SlabMotion {
         }
     }
 
-    /// f(`R_−α` p, θ − T), once more in closed form.
+    /// The function f(`R_−α` p, θ − T), again in closed form.
     pub(crate) fn function(&self, f: ContactFunction) -> ContactFunction {
         match f {
             ContactFunction::FixedLine { normal, through } => ContactFunction::FixedLine {
@@ -226,29 +225,29 @@ impl SlabMotion {
         }
     }
 
-    /// A curve at one orientation.
+    /// Image of a curve at one orientation.
     pub(crate) fn curve(&self, c: &Curve) -> Curve {
         c.moved(Vector::ZERO, self.fixed)
     }
 }
 
-/// How the space repeats: from slab to slab, features and joints of both parts are permuted.
+/// Periodicity of the space: from period to period, features and joints of both parts are permuted.
 #[derive(Debug, Clone)]
 pub(crate) struct Period {
     pub(crate) steps: Steps,
-    /// One slab up.
+    /// Permutations by one period up.
     pub(crate) fixed: Permutation,
     pub(crate) moving: Permutation,
-    /// One slab down.
+    /// Permutations by one period down.
     pub(crate) fixed_back: Permutation,
     pub(crate) moving_back: Permutation,
 }
 
-/// A part's loops under one step of its symmetry: images, and numbers of vertices; `None` without symmetry.
+/// Images of a part's loops under one step of its symmetry, and numbers of vertices; `None` without symmetry.
 pub(super) type LoopImages<'a> = Option<(&'a [LoopImage], &'a [u32])>;
 
 impl Period {
-    /// The slab is the turn: nothing moves.
+    /// The period is the turn: the permutations are identities.
     pub(crate) fn none(fixed: &Outline, moving: &Outline) -> Self {
         let (fixed, moving) = (Permutation::identity(fixed), Permutation::identity(moving));
         Self {
@@ -260,7 +259,7 @@ impl Period {
         }
     }
 
-    /// `None` if the features of a part do not correspond under its symmetry.
+    /// The periodicity of a pair; `None` if the features of a part do not correspond under its symmetry.
     pub(super) fn new(
         steps: Steps,
         fixed: (&Outline, LoopImages<'_>),
@@ -281,7 +280,7 @@ impl Period {
             steps,
             fixed: power(&f, fixed.0, a, steps.fixed_fold),
             fixed_back: power(&f, fixed.0, minus_a, steps.fixed_fold),
-            // A feature of the moving part is taken by R_−β.
+            // A feature of the moving part is mapped by R_−β.
             moving: power(&m, moving.0, minus_b, steps.moving_fold),
             moving_back: power(&m, moving.0, b, steps.moving_fold),
         })
@@ -293,12 +292,12 @@ impl Period {
 pub(crate) struct Span {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it is a full turn, or one slab of it, and what is at one end goes on at the other.
+    /// Whether it is a full turn, or one period of it, so that sheets that end at one end continue at the other.
     pub(crate) full: bool,
 }
 
 impl Span {
-    /// Where it begins and ends, in double-double.
+    /// Beginning of the window, in double-double.
     pub(crate) fn from(&self) -> Dd {
         Dd::from(self.lo)
     }
@@ -307,9 +306,9 @@ impl Span {
         Dd::from(self.hi)
     }
 
-    /// The first of so many equal slabs of the full turn, not cut at an orientation where two normals oppose each other.
+    /// The first of `slabs` equal periods of the full turn, not cut at an orientation where two normals oppose each other.
     pub(crate) fn slab(fixed: &Outline, moving: &Outline, slabs: u32) -> Self {
-        // Irrational steps: some cut is clear unless the normals are dense on that scale.
+        // Irrational steps: one of the cuts is clear unless the normals are dense on that scale.
         let cuts = (0..64).map(|i| -PI + 0.01234 + 0.000_761_3 * f64::from(i));
         let clear = |cut: f64| {
             fixed.joints.iter().all(|a| {

@@ -1,4 +1,4 @@
-//! Contacts that are one circle or tangent at every orientation.
+//! Contacts whose carriers coincide or are tangent at every orientation.
 
 use crate::feature::tolerance::{SAME_CARRIER, TANGENCY_STEP};
 use crate::geometry::{Rotation, Vector};
@@ -7,17 +7,17 @@ use super::cycle::Cycle;
 use super::sheet::Sheet;
 
 impl Sheet {
-    /// Whether two sheets have one circle or tangent ones as carriers at every orientation: arcs on one circle, equal sums of radii
-    /// about the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others
-    /// that follow each other smoothly. Their curves do not cross, whatever rounding makes of it.
+    /// Whether two sheets have one circle or tangent ones as carriers at every orientation: arcs on one circle, equal sums of radii about
+    /// the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others that
+    /// follow each other smoothly. Their curves do not cross, whatever the rounding.
     ///
-    /// What vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three orientations far from
-    /// each other, it is so at all. Two lines are not tangent.
+    /// The function that vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three
+    /// orientations far from each other, it is 0 everywhere. Two lines are not tangent.
     pub(super) fn always_tangent(&self, other: &Self) -> bool {
         if self.is_line() && other.is_line() {
             return false;
         }
-        // What turns about a far centre is known to less.
+        // A point that turns about a far centre has a larger error.
         let pace = |s: &Self| {
             if s.is_flat() {
                 s.locus.through.turning().length()
@@ -44,7 +44,7 @@ impl Sheet {
         true
     }
 
-    /// Three orientations far from each other: of flat arcs among those at which both exist.
+    /// Three orientations far from each other; for flat arcs among those at which both exist.
     fn three_turns(&self, other: &Self) -> [Rotation; 3] {
         if self.is_flat() || other.is_flat() {
             let mid = 0.5 * (self.lo.max(other.lo) + self.hi.min(other.hi));
@@ -55,8 +55,8 @@ impl Sheet {
         [Rotation::IDENTITY, third(sin), third(-sin)]
     }
 
-    /// Whether two flat arcs are one circle at every orientation at which both exist: the same three places are on both at the
-    /// first, the middle and the last.
+    /// Whether two flat arcs are one circle at every orientation at which both exist: three places are on both at the first, the middle and
+    /// the last.
     fn same_flat_arc(&self, other: &Self) -> bool {
         if !(self.is_flat_arc() && other.is_flat_arc()) {
             return false;
@@ -96,8 +96,7 @@ pub(super) mod tests {
         Part::new(name, vec![outline]).unwrap()
     }
 
-    /// The same contact with circles about their centres, and ends as two vectors: right as long as the radii are no larger
-    /// than here.
+    /// The contact written with circles about their centres, and ends as two vectors: correct as long as the radii are no larger than here.
     pub(in crate::contact) fn plain(sheet: &Sheet) -> Sheet {
         let spiral = |s: &Spiral| Spiral::new(s.u + s.swing.arm, s.turning());
         let mut plain = *sheet;
@@ -110,7 +109,8 @@ pub(super) mod tests {
         plain
     }
 
-    /// What vanishes at an orientation where the carriers are tangent, on one side or on the other, by centres and radii.
+    /// Two functions, by centres and radii, one of which vanishes at an orientation where the carriers are tangent: on one side, or on the
+    /// other.
     fn off(f: &Sheet, g: &Sheet, theta: f64) -> Option<[f64; 2]> {
         let [c, d] = [f, g].map(|s| plain(s).cycle(Rotation::by(theta)));
         let (line, circle): (Cycle, Cycle) = match (c.is_line(), d.is_line()) {
@@ -126,10 +126,10 @@ pub(super) mod tests {
         Some([height - circle.size, height + circle.size])
     }
 
-    /// Contacts that are tangent at every orientation, as centres and radii tell, are found to be; and no others.
+    /// Contacts that are tangent at every orientation, according to centres and radii, are detected; and no others.
     #[test]
     fn what_always_touches_is_told() {
-        // Two large arcs and a line that go on into each other smoothly.
+        // Two large arcs and a line that follow each other smoothly.
         let (a, b) = (0.004_f64, 0.003_f64);
         let (mut at, mut heading) = (Point::new(-1.0, -1.0), 0.0);
         let mut outline = Vec::new();
@@ -161,7 +161,7 @@ pub(super) mod tests {
         assert!(always > 100 && flat > 10, "{always} {flat}");
     }
 
-    /// A line, and a circle about a point that goes around a circle: tangent at two orientations and no more.
+    /// A line, and a circle about a point that moves on a circle: tangent at two orientations only.
     #[test]
     fn touching_at_two_orientations_is_not_touching_always() {
         for at in [0.0, 1.52, 1.62, 0.5 * TAU / 3.0] {

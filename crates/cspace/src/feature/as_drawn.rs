@@ -1,10 +1,10 @@
-//! What a feature of a part that was drawn anew, to be symmetric, is called in the part as it is given.
+//! Names of the features of a part that was redrawn as symmetric, in the part as given.
 
 use crate::part::Symmetrized;
 
 use super::FeatureName;
 
-/// What a feature of a part drawn anew is called in the part as drawn.
+/// The name, in the part as drawn, of a feature of the redrawn part.
 pub(crate) fn as_drawn(symmetrized: &Option<Symmetrized>, name: FeatureName) -> FeatureName {
     let place = |s: &Symmetrized| {
         let l = s.drawn.get(name.loop_index as usize)?;

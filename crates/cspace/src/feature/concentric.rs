@@ -1,17 +1,16 @@
-//! Pairs of concentric arcs of each part, such that one arc of the first pair touches one of the second along the same circle
-//! as the other two touch, at every orientation: the sums of their signed radii are equal. A ring in a groove that leaves as
-//! much room inside as outside has them.
+//! Finds pairs of concentric arcs of each part with equal sums of radii: one arc of the first pair touches one of the second along the same
+//! circle as the other two touch, at every orientation. Example: a ring in a groove with equal clearance inside and outside.
 //!
-//! Where both contacts exist their curves lie on each other, and if one ends before the other, what continues it may go on
-//! behind the other without ever crossing it. Growing parts evenly changes both sums alike.
+//! Where both contacts exist their curves lie on each other, and if one ends before the other, its continuation may go on behind the other
+//! without ever crossing it. Growing parts evenly changes both sums equally.
 
 use super::tolerance::SAME_CARRIER;
 use super::types::{Feature, Outline};
 
-/// More equal sums than this are not listed.
+/// Maximum number of equal sums that are listed.
 const MOST: usize = 1 << 20;
 
-/// Two round features of a part about one centre, by their index; the signed radius of the first is less.
+/// Two round features of a part about one centre, by their index; the first has the smaller signed radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Concentric {
     lesser: u32,
@@ -23,14 +22,14 @@ struct Concentric {
 /// Feature `fixed.0` touches `moving.0` along the same circle as `fixed.1` touches `moving.1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct EqualSum {
-    /// The lesser radius first.
+    /// Features of the fixed part, the smaller radius first.
     pub(super) fixed: (u32, u32),
-    /// The greater radius first.
+    /// Features of the moving part, the larger radius first.
     pub(super) moving: (u32, u32),
 }
 
-/// All equal sums of arcs, of which a loop has one only about each centre with each radius, whatever their normals: where one
-/// contact ends another may begin. `None` if there are too many to list.
+/// All equal sums of arcs, for loops with at most one arc per centre and radius; normals are not compared, since a contact may continue on
+/// the next arc. `None` if there are too many to list.
 pub(super) fn equal_sums(fixed: &Outline, moving: &Outline) -> Option<Vec<EqualSum>> {
     let all = |outline: &Outline| {
         let mut round = round(outline);
@@ -68,13 +67,13 @@ fn equal(of_fixed: Vec<Concentric>, mut of_moving: Vec<Concentric>) -> Option<Ve
     Some(found)
 }
 
-/// How far along a direction the centre of a round feature is: centres that are one are next to each other along any, and
-/// along this one few others are.
+/// Coordinate of the centre of a round feature along a direction: equal centres are next to each other along any direction, and along this
+/// one few others are.
 fn place(f: &Feature) -> f64 {
     0.8 * f.center().x + 0.6 * f.center().y
 }
 
-/// The round features, by where their centres are.
+/// The round features, sorted by that coordinate.
 fn round(outline: &Outline) -> Vec<(u32, &Feature)> {
     let mut round: Vec<(u32, &Feature)> = (0..)
         .zip(&outline.features)

@@ -1,4 +1,4 @@
-//! From a part's loops to features and joints.
+//! Extracts features and joints from a part's loops.
 
 use core::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
 use crate::part::{Edge, Part};
 
-/// One end of an edge after growth: its joint and, for an arc, how far its sweep was lengthened.
+/// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
 #[derive(Clone, Copy)]
 struct End {
     joint: u32,
@@ -27,7 +27,7 @@ impl Outline {
         Self::grown_by(part, center, scale, |_| growth, None)
     }
 
-    /// The same, each loop grown by a length of its own, after the part was made generic.
+    /// Features of a part with each loop grown by its own length, after the part was made generic.
     pub(crate) fn grown_by(
         part: &Part,
         center: Point,
@@ -59,7 +59,7 @@ impl Outline {
         outline
     }
 
-    /// By how much a part's sharpest corner sticks out for each unit that its sides are grown by.
+    /// Displacement of a part's sharpest corner per unit of growth of its sides.
     pub(crate) fn longest_mitre(part: &Part, center: Point, scale: f64) -> f64 {
         let mut longest = 1.0_f64;
         for boundary in part.loops() {
@@ -118,17 +118,17 @@ impl Outline {
                         joint: second,
                         extra_sweep: 0.0,
                     };
-                    // The vertex is the one `after` leaves as given, or `before` if travelled backwards.
+                    // The vertex at which `after` starts as given, or `before` if the loop is traversed backwards.
                     let index = if reversed { before } else { after }.edge.index as u32;
                     vertices.push((first, second, turn, index));
                 }
                 Corner::Concave { turn } => {
                     self.feature_count += 1;
-                    // Where edges move into the material they part, and meet again further on.
+                    // Edges that are moved into the material separate, and meet again further on.
                     let parted = (-growth).max(0.0) * (0.5 * turn.abs()).tan();
                     let further =
                         OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0) + parted;
-                    // Not beyond the middle of the other edge, under which it runs.
+                    // Not beyond the middle of the other edge, below which the extension runs.
                     let under = |other: &FramedEdge| further.min(0.5 * other.edge.length());
                     ends[i] = self.carry_on(before, grown(n1), n1, growth, under(after));
                     starts[j] = self.carry_on(after, grown(n2), n2, growth, -under(before));
@@ -179,7 +179,7 @@ impl Outline {
         };
         self.exact_features.push(exact);
         let (shape, kind, lo, hi) = if piece.arc.is_none() {
-            // The joints of a line carry its normal, unless two lines meet smoothly; then the first one's rules.
+            // The joints of a line have its normal, unless two lines meet smoothly; then the normal of the first one is used.
             let normal = start_joint.normal;
             let angle = start_joint.angle;
             (Shape::Line { normal }, FeatureKind::Line, angle, angle)
@@ -194,7 +194,7 @@ impl Outline {
             if piece.sweep > 0.0 {
                 (shape, FeatureKind::ConvexArc, from, to)
             } else {
-                // Travelled with decreasing normal: the canonical angle is the start's, the upper one.
+                // Traversed with decreasing normal: the canonical angle is the start's, the upper one.
                 (shape, FeatureKind::ConcaveArc, to, from)
             }
         };
@@ -232,7 +232,7 @@ impl Outline {
         (self.joints.len() - 1) as u32
     }
 
-    /// The end of an edge in a concave corner, `point` of it as grown, carried on by `further` (backwards when negative).
+    /// The end of an edge in a concave corner, with `point` on the grown edge, extended by `further` (backwards when negative).
     fn carry_on(
         &mut self,
         piece: &FramedEdge,
@@ -248,7 +248,7 @@ impl Outline {
             },
             Some((center, radius)) => {
                 let radius = radius + growth;
-                // Travel turns the normal by length / signed radius; never by more than what closes the circle.
+                // The extension turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
                 let by = (further / radius.to_f64()).clamp(-room, room);
                 let turned = Rotation::by(Dd::from(by)) * normal;
@@ -261,8 +261,8 @@ impl Outline {
     }
 }
 
-/// The edges of a loop moved a little, so that it is generic and its smooth joints are exactly so; `None` if that would take
-/// more than a little.
+/// The edges of a loop moved slightly, so that it is generic and its smooth joints are exactly smooth; `None` if that requires larger
+/// displacements.
 fn generic(pieces: &[FramedEdge], wishes: &[[f64; 3]]) -> Option<Vec<FramedEdge>> {
     let n = pieces.len();
     let smooth: Vec<bool> = (0..n)

@@ -17,7 +17,7 @@ pub struct PairFrame {
     pub fixed_center: Point,
     /// Centre of the moving part, in its own frame.
     pub moving_center: Point,
-    /// A power of two.
+    /// Scale from the model's unit to the frame: a power of two.
     pub scale: f64,
 }
 
@@ -32,7 +32,7 @@ impl PairFrame {
         }
     }
 
-    /// The centre of a part without symmetry: that of its box, or of one a little larger.
+    /// The centre of a part without symmetry: that of its box, or of a slightly larger one.
     pub(crate) fn center(part: &Part) -> Point {
         let (mut lo, mut hi) = (
             Point::new(f64::INFINITY, f64::INFINITY),
@@ -56,8 +56,8 @@ impl PairFrame {
         }
     }
 
-    /// How far from the origin of this frame the moving part can be in contact with the fixed part: no farther than
-    /// their radii together, and what they are grown by.
+    /// Largest distance from the origin of this frame at which the moving part can be in contact with the fixed part: the sum of their
+    /// radii, plus growth.
     pub(crate) fn reach(&self, fixed: &Part, moving: &Part) -> f64 {
         let grown = 4.0 * MITRE * GROWTH;
         let radii =
@@ -65,10 +65,10 @@ impl PairFrame {
         radii * self.scale + grown
     }
 
-    /// How far off its place a contact of these parts may be, because they are grown, in this frame: the sharper their
-    /// corners the more. Nothing where that is within half of [`CONTACT`].
+    /// Largest displacement of a contact of these parts that comes from growth, in this frame: it increases with the sharpness of their
+    /// corners. 0 where it is within half of [`CONTACT`].
     ///
-    /// Each part comes with how much its sides are grown, at most.
+    /// Each part comes with the largest growth of its sides.
     pub(crate) fn grown(&self, fixed: (&Part, f64), moving: (&Part, f64)) -> f64 {
         let mitre = |part, center| Outline::longest_mitre(part, center, self.scale);
         let grown = fixed.1 * mitre(fixed.0, self.fixed_center)
@@ -76,33 +76,33 @@ impl PairFrame {
         if grown > 0.5 * CONTACT { grown } else { 0.0 }
     }
 
-    /// More than the rounding error of positions within reach, in this frame: parts may be drawn far from their origins.
+    /// Bound of the rounding error of positions within reach, in this frame: parts may be drawn far from their origins.
     pub(crate) fn rounding(&self) -> f64 {
         let drawn = |center: Point| center.to_vector().length() * self.scale;
         32.0 * f64::EPSILON * (drawn(self.fixed_center) + drawn(self.moving_center) + 2.0)
     }
 
-    /// From a configuration's position to this frame.
+    /// Converts a configuration's position to this frame.
     pub(crate) fn inner_from_outer(&self, c: Configuration) -> Point {
         let turned = Rotation::by(c.theta) * self.moving_center.to_vector();
         let v = (c.position() - self.fixed_center) + turned;
         Point::ORIGIN + v * self.scale
     }
 
-    /// From this frame to a configuration's position.
+    /// Converts a position of this frame to a configuration.
     pub(crate) fn outer_from_inner(&self, p: Point, theta: f64) -> Configuration {
         let turned = Rotation::by(theta) * self.moving_center.to_vector();
         let q = self.fixed_center + (p.to_vector() * (1.0 / self.scale) - turned);
         Configuration::new(q.x, q.y, theta)
     }
 
-    /// From a length of this frame to the model's unit.
+    /// Converts a length of this frame to the model's unit.
     pub(crate) fn outer_length(&self, length: f64) -> f64 {
         length / self.scale
     }
 }
 
-/// The largest distance of the boundary from a point, at most.
+/// Upper bound of the distance of the boundary from a point.
 fn radius_about(part: &Part, center: Point) -> f64 {
     part.edges()
         .map(|e| {
@@ -120,7 +120,7 @@ fn sagitta(edge: &Edge) -> f64 {
 fn extent(edge: Edge) -> impl Iterator<Item = Point> {
     let chord = edge.end - edge.start;
     let up = chord.right() * (0.5 * edge.bulge);
-    // An arc beyond a half circle is wider than its chord by its radius less half the chord, on either side.
+    // An arc beyond a half circle is wider than its chord, by its radius minus half the chord on either side.
     let wide = if edge.bulge.abs() > 1.0 {
         let excess = edge.radius() / chord.length() - 0.5;
         chord * excess

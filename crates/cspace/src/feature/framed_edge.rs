@@ -6,18 +6,18 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::part::Edge;
 
-/// An edge in the pair's frame, on its way to becoming a feature.
+/// An edge in the pair's frame, from which a feature is made.
 pub(super) struct FramedEdge {
     pub(super) edge: Edge,
     pub(super) start: Point<Dd>,
     pub(super) end: Point<Dd>,
-    /// `None` for a line.
+    /// Centre and radius; `None` for a line.
     pub(super) arc: Option<(Point<Dd>, Dd)>,
-    /// Of a large arc.
+    /// Reference point of a large arc.
     pub(super) near: Option<Near>,
     pub(super) start_direction: Vector<Dd>,
     pub(super) end_direction: Vector<Dd>,
-    /// The directions in which the edge as it is drawn begins and ends, before it is taken for its chord or moved.
+    /// The directions in which the edge as drawn begins and ends, before it is replaced by its chord or moved.
     pub(super) drawn: [Vector; 2],
     pub(super) sweep: f64,
 }
@@ -44,7 +44,7 @@ impl FramedEdge {
         Self::of(edge, drawn, (start, end), Dd::from(edge.bulge))
     }
 
-    /// From its ends and its bulge in double-double; of the edge itself rough lengths are taken.
+    /// The edge with the given ends and bulge in double-double; `edge` gives approximate lengths.
     pub(super) fn of(
         edge: Edge,
         drawn: [Vector; 2],
@@ -88,7 +88,7 @@ impl FramedEdge {
         }
     }
 
-    /// The normal with which this edge ends at a grown corner.
+    /// The normal of this edge at a grown corner.
     pub(super) fn normal_at(&self, apex: Point<Dd>, normal: Vector<Dd>, growth: f64) -> Vector<Dd> {
         match self.arc {
             Some((center, radius)) if growth != 0.0 => {
@@ -99,7 +99,7 @@ impl FramedEdge {
         }
     }
 
-    /// How far a point is off the edge's line or circle as grown, outward, to first order; and the outward normal there.
+    /// Signed distance of a point from the edge's line or circle as grown, outward, to first order; and the outward normal there.
     pub(super) fn off(
         &self,
         p: Point<Dd>,

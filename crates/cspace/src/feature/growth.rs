@@ -1,25 +1,25 @@
-//! By how much each loop of a part is grown.
+//! Growth of each loop of a part.
 //!
-//! All loops of a part are grown alike, unless arcs of two of them touch the other part along one circle at every orientation
-//! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more
-//! than the one below. Arcs of one loop are grown alike.
+//! All loops of a part are grown by the same length, unless arcs of two of them touch the other part along one circle at every orientation
+//! (see `concentric.rs`): growing them evenly does not change that. Those loops are put on levels, each grown by a little more than the
+//! level below. Arcs of one loop are grown alike.
 
 use super::concentric::{EqualSum, equal_sums};
 use super::tolerance::{GROWTH, LEVEL, MOVING_GROWTH, ONE_LENGTH};
 use super::types::Outline;
 
-/// By how much each loop of a part is grown (length): evenly, but for loops with equal sums.
+/// Length by which each loop of a part is grown: the same for all, except for loops with equal sums.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Growths {
     least: f64,
-    /// From one level to the next.
+    /// Difference between one level and the next.
     step: f64,
-    /// Of each loop.
+    /// Level of each loop.
     levels: Vec<u8>,
 }
 
 impl Growths {
-    /// Of parts of one loop each, which need no levels.
+    /// Growths of the fixed and the moving part if they have one loop each, which need no levels.
     pub(crate) fn alike() -> (Self, Self) {
         let least = |least| Self {
             least,
@@ -29,15 +29,15 @@ impl Growths {
         (least(GROWTH), least(MOVING_GROWTH))
     }
 
-    /// For the fixed and for the moving part, as they are grown evenly.
+    /// Growths of the fixed and of the moving part, given their outlines as grown evenly.
     ///
-    /// All levels of the fixed part together are less than one of the moving part, so that they do not cancel out.
+    /// All levels of the fixed part together are less than one of the moving part, so that they do not cancel.
     pub(crate) fn new(fixed: &Outline, moving: &Outline) -> (Self, Self) {
         let sums = equal_sums(fixed, moving).unwrap_or_default();
         let alike = (Alike::new(fixed), Alike::new(moving));
         let of_fixed = |s: &EqualSum| alike.0.of_features(fixed, s.fixed);
         let of_moving = |s: &EqualSum| alike.1.of_features(moving, s.moving);
-        // What the fixed part does not tell apart is left to the moving one.
+        // Equal sums that levels of the fixed part do not separate are left to the moving part.
         let left = sums.iter().filter(|s| {
             let (a, b) = of_fixed(s);
             a == b
@@ -56,7 +56,7 @@ impl Growths {
         )
     }
 
-    /// Every loop grown by less.
+    /// The growths with every loop grown by less.
     pub(crate) fn less(self, by: f64) -> Self {
         Self {
             least: self.least - by,
@@ -64,13 +64,13 @@ impl Growths {
         }
     }
 
-    /// By how much a loop is grown.
+    /// Growth of a loop.
     pub(crate) fn of(&self, loop_index: u32) -> f64 {
         let level = self.levels.get(loop_index as usize).copied();
         self.least + self.step * f64::from(level.unwrap_or(0))
     }
 
-    /// By how much the loop is grown that is grown most.
+    /// Largest growth of a loop.
     pub(crate) fn greatest(&self) -> f64 {
         let level = self.levels.iter().copied().max();
         self.least + self.step * f64::from(level.unwrap_or(0))
@@ -80,9 +80,9 @@ impl Growths {
 const FIXED_LEVELS: u8 = 4;
 const MOVING_LEVELS: u8 = 3;
 
-/// Loops of one length: copies of each other by a symmetry are among them, and are to be grown alike.
+/// Classes of loops of equal length: copies of each other by a symmetry are among these, and must be grown alike.
 struct Alike {
-    /// For each loop, counted in order of length.
+    /// Class of each loop, numbered in order of length.
     class: Vec<usize>,
     count: usize,
 }
@@ -120,7 +120,7 @@ impl Alike {
         (class(f), class(g))
     }
 
-    /// Levels of the loops, different for such as are listed together as far as there are so many.
+    /// Levels of the loops, different for loops that are listed together, as far as there are enough levels.
     fn levels(&self, together: impl Iterator<Item = (usize, usize)>, levels: u8) -> Vec<u8> {
         let mut together: Vec<(usize, usize)> = together
             .filter(|(a, b)| a != b)

@@ -6,23 +6,23 @@ use super::material::{Material, distance, in_frame};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Edge, Part};
 
-/// Points tried along each side of the bounding box.
+/// Number of points tried along each side of the bounding box.
 const GRID: usize = 12;
-/// Of parts with more edges no disc is sought: a tenth of a second.
+/// Number of edges above which no disc is searched: a search takes a tenth of a second.
 const MOST_SEARCHED: usize = 1 << 17;
-/// Rounds of halving the step around the best point.
+/// Number of rounds in which the step around the best point is halved.
 const ROUNDS: usize = 8;
 
-/// A large disc inside the material, in the pair's frame: centre and radius; none is found in parts that are thin.
+/// A large disc inside the material, in the pair's frame: centre and radius; `None` for thin parts.
 ///
-/// Where the discs of two parts meet, the parts overlap for certain, and nothing there needs to be looked at.
+/// Where the discs of two parts meet, the parts certainly overlap, and no contact needs to be examined.
 pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(Point, f64)> {
     let edges = in_frame(part, center, scale);
     if edges.len() > MOST_SEARCHED {
         return None;
     }
-    // How deep inside a point is, if that is more than some depth; most points are near to some edge, and to that of the
-    // point before.
+    // Depth of a point inside the material, if it exceeds `than`; most points are near some edge, often the one nearest to the previous
+    // point.
     let mut near = 0;
     let mut deeper = |p: Point, than: f64| {
         let mut least = f64::INFINITY;
@@ -44,7 +44,7 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
             *best = (p, d);
         }
     };
-    // The centre of a wheel cannot be bettered by much: skip the search when it fills a good part of the box.
+    // The centre of a wheel cannot be improved much: the search is skipped if the disc fills a good part of the box.
     let step = 0.5 * (hi - lo).length() / GRID as f64;
     if best.1 < 0.5 * (hi.x - lo.x).min(hi.y - lo.y) * 0.6 {
         for i in 0..=GRID {
@@ -63,28 +63,28 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
             step *= 0.6;
         }
     }
-    // Rounding is far below this allowance.
+    // The allowance is far above rounding.
     let radius = best.1 - 1e-9;
     (radius > 0.0).then_some((best.0, radius))
 }
 
-/// How many discs are worth their price.
+/// Number of discs that pay off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Plenty {
-    /// Some that hold most of the material: for pairs with few contacts.
+    /// A few that cover most of the material: for pairs with few contacts.
     Few,
-    /// Small ones too, in the corners of parts with few edges: for pairs with so many contacts that each left out saves more.
+    /// Also small ones in the corners of parts with few edges: for pairs with so many contacts that excluding each saves more.
     Many,
 }
 
-/// More discs than this cost more than they save.
+/// Number of discs above which they cost more than they save.
 const MOST: usize = 64;
-/// Parts with more edges are left with the one disc.
+/// Number of edges above which a part has only one disc.
 const MOST_EDGES: usize = 400;
 
 impl Plenty {
-    /// Shares of the way along an edge at which a disc touches it. Near the ends of the edges of parts that have few,
-    /// discs go as far into corners as they are small.
+    /// Fractions along an edge at which a disc touches it. For parts with few edges, some are near the ends of the edges, where discs reach
+    /// far into corners.
     fn shares(self, edges: usize) -> &'static [f64] {
         const SHARES: [f64; 7] = [0.5, 0.2, 0.8, 0.05, 0.95, 0.0125, 0.9875];
         let each = match self {
@@ -95,11 +95,10 @@ impl Plenty {
     }
 }
 
-/// Discs inside the material, the largest first: each touches the boundary, at the middle of an edge at least, without
-/// those that lie mostly within another.
+/// Discs inside the material, the largest first: each touches the boundary, at least at the middle of an edge. Discs that lie mostly within
+/// another are left out.
 ///
-/// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are looked at, and their
-/// discs turned.
+/// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are examined, and their discs turned.
 pub(crate) fn inscribed_discs(
     part: &Part,
     center: Point,
@@ -108,7 +107,7 @@ pub(crate) fn inscribed_discs(
     fold: u32,
     plenty: Plenty,
 ) -> Vec<(Point, f64)> {
-    /// Halvings of the radius's interval.
+    /// Number of halvings of the interval of the radius.
     const STEPS: usize = 14;
     let mut discs: Vec<(Point, f64)> = largest.into_iter().collect();
     if part.edges().count() > MOST_EDGES {
@@ -125,7 +124,7 @@ pub(crate) fn inscribed_discs(
         let (mut lo, mut hi) = (0.0, 2.0);
         for _ in 0..STEPS {
             let r = 0.5 * (lo + hi);
-            // A disc of this radius that touches at p, give or take.
+            // Approximately a disc of this radius that touches at p.
             if material.is_clear(p + inward * r, 0.99 * r) {
                 lo = r;
             } else {

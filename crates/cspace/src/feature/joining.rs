@@ -1,5 +1,4 @@
-//! How consecutive edges of a loop meet: smoothly, or in a convex or concave corner; and where the corner is once both have
-//! grown.
+//! Joints between consecutive edges of a loop: smooth, or a convex or concave corner; and the place of the corner after growth.
 
 use core::f64::consts::PI;
 
@@ -8,9 +7,9 @@ use super::tolerance::{MITRE, MOVED_PART, SAME_CARRIER, SMOOTH, STRAIGHT};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 
-/// How two consecutive edges meet.
+/// Kind of joint between two consecutive edges.
 pub(super) enum Corner {
-    /// Tangent, by the drawing or by what rounding can tell; then it may be beside the vertex where they are.
+    /// Tangent, by the drawing or up to rounding; the point of tangency may be `beside` the vertex.
     Smooth {
         beside: bool,
     },
@@ -22,14 +21,14 @@ pub(super) enum Corner {
     },
 }
 
-/// By how much travel turns to the left from one edge to the next.
+/// Angle by which travel turns to the left from one edge to the next.
 fn turn(before: &FramedEdge, after: &FramedEdge) -> f64 {
     let (d1, d2) = (before.end_direction, after.start_direction);
     d1.cross(d2).to_f64().atan2(d1.dot(d2).to_f64())
 }
 
-/// Lines that follow each other smoothly are put on one line, from where the first starts to where the last ends: contacts of
-/// each are then contacts of one line, as far as double-double tells, however short the edges are.
+/// Puts lines that follow each other smoothly on one line, from the start of the first to the end of the last: their contacts are then
+/// contacts of one line in double-double, however short the edges are.
 pub(super) fn straightened(edges: &mut [FramedEdge]) {
     let n = edges.len();
     let goes_on: Vec<bool> = (0..n)
@@ -66,15 +65,15 @@ pub(super) fn straightened(edges: &mut [FramedEdge]) {
     }
 }
 
-/// How two consecutive edges meet.
+/// Kind of joint between two consecutive edges.
 pub(super) fn corner(before: &FramedEdge, after: &FramedEdge) -> Corner {
     let turn = turn(before, after);
     let beside = run_alike(before, after, turn);
     if beside || turn.abs() < smooth(before, after) {
         return Corner::Smooth { beside };
     }
-    // Where travel all but turns back, material is between the edges or beside them. What they are moved by, and an arc that is
-    // taken for its chord, may tell it wrongly; the drawing tells it surely, for a part has no finer angle than its resolution.
+    // Where travel almost turns back, the material is between the edges or beside them. The perturbation, and an arc replaced by its chord,
+    // may invert the sign; the drawing gives it correctly, because the angles of a part are not smaller than its resolution.
     let [back, on] = [before.drawn[1], after.drawn[0]];
     let turn = if turn.abs() > PI - SMOOTH {
         turn.abs().copysign(back.cross(on))
@@ -88,8 +87,8 @@ pub(super) fn corner(before: &FramedEdge, after: &FramedEdge) -> Corner {
     }
 }
 
-/// Below which angle two edges are joined smoothly: what that changes is of the second order, times the radius; of two lines
-/// it is of the first, times their length.
+/// Angle below which two edges are joined smoothly: the resulting error is of second order, times the radius; for two lines it is of first
+/// order, times their length.
 fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
     if before.arc.is_none() && after.arc.is_none() {
         return 2.0 * STRAIGHT;
@@ -101,10 +100,11 @@ fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
     SMOOTH / radius(before).max(radius(after)).sqrt()
 }
 
-/// Whether nothing is lost by taking two carriers that meet at a small angle to meet smoothly where they run alike.
+/// Whether two carriers that meet at a small angle may be replaced by a smooth joint at the place where they are parallel.
 ///
-/// Curvatures that differ by κ run alike δ/κ beside a corner that turns by δ, where they are δ²/2κ off each other, and cross
-/// again twice as far away. Less than [`SAME_CARRIER`] is no corner: rounding would not tell one crossing from the other.
+/// With curvatures that differ by κ, they are parallel at δ/κ from a corner that turns by δ, where their distance is δ²/2κ, and cross again
+/// twice as far away. If that distance is below [`SAME_CARRIER`] there is no corner: rounding would not separate one crossing from the
+/// other.
 fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
     let bend = (after.curvature() - before.curvature()).abs();
     let along = turn.abs() / bend;
@@ -112,9 +112,9 @@ fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
     0.5 * turn.abs() * along <= SAME_CARRIER && along <= MOVED_PART * shortest
 }
 
-/// Where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
+/// The place where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.
 ///
-/// Where a drawing was rounded that is `beside` the vertex, and it is the place at which contact curves of both edges end.
+/// In a rounded drawing this place is `beside` the vertex; contact curves of both edges end there.
 pub(super) fn tangency(
     before: &FramedEdge,
     after: &FramedEdge,
@@ -139,14 +139,14 @@ pub(super) fn tangency(
             if !beside {
                 return (vertex, d2.right());
             }
-            // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres tells the same,
-            // but nothing where both arcs are of one circle.
+            // Normals that differ by a turn δ at the vertex agree δ / (κ₁ − κ₂) further on. The line of centres gives the same, but is
+            // undefined where both arcs are of one circle.
             let further = turn(before, after) / (before.curvature() - after.curvature());
             let further = Rotation::by(Dd::from(before.curvature() * further));
             let normal = further * d1.right();
             match (before.near, after.near) {
                 (None, _) => (c + normal * r, normal),
-                // The smaller one knows the place best; of large ones the normal hardly turns.
+                // The smaller arc determines the place best; for large ones the normal hardly turns.
                 (_, None) => (d + normal * s, normal),
                 _ => (vertex, d2.right()),
             }
@@ -154,8 +154,8 @@ pub(super) fn tangency(
     }
 }
 
-/// The corner of two edges that are both moved outward by `growth`: of lines, V + g (n₁ + n₂) / (1 + n₁·n₂); of arcs what
-/// Newton's rule makes of that.
+/// The corner of two edges that are both moved outward by `growth`: for lines, V + g (n₁ + n₂) / (1 + n₁·n₂); for arcs this is improved by
+/// Newton's method.
 pub(super) fn mitre(
     before: &FramedEdge,
     after: &FramedEdge,
@@ -176,7 +176,7 @@ pub(super) fn mitre(
     if before.arc.is_none() && after.arc.is_none() {
         return apex;
     }
-    /// The first place is right to second order; each step squares what is left.
+    /// Number of steps: the first place is right to second order; each step squares the error.
     const STEPS: usize = 2;
     for _ in 0..STEPS {
         let (h, m) = before.off(apex, n1, point, growth);
@@ -184,7 +184,7 @@ pub(super) fn mitre(
         let det = m.cross(n);
         let step = n.left() * h + m.right() * k;
         let step = step * (Dd::ONE / det);
-        // The edges may go on into each other all but smoothly.
+        // The edges may continue each other almost smoothly.
         let far = step.length().to_f64();
         if far.is_nan() || far >= growth.abs() {
             break;

@@ -1,4 +1,4 @@
-//! A part's material in the pair's frame: how far a place is from its boundary, and whether it is inside.
+//! A part's material in the pair's frame: distance of a place from its boundary, and containment.
 
 use core::cell::Cell;
 
@@ -7,7 +7,7 @@ use crate::boxes::Boxes;
 use crate::geometry::Point;
 use crate::part::{Bounds, Edge, Inside, Part};
 
-/// A part's material about a centre and scaled, ready for many questions about places.
+/// A part's material about a centre and scaled, prepared for many queries.
 #[derive(Debug)]
 pub(crate) struct Material {
     pub(super) edges: Vec<Edge>,
@@ -18,7 +18,7 @@ pub(crate) struct Material {
 }
 
 impl Material {
-    /// As it is drawn: not grown.
+    /// Material of the part as drawn, without growth.
     pub(crate) fn new(part: &Part, center: Point, scale: f64) -> Self {
         let edges = in_frame(part, center, scale);
         Self {
@@ -36,15 +36,15 @@ impl Material {
         self.inside.contains(outer)
     }
 
-    /// Whether all of the boundary is at least so far from a place.
+    /// Whether the distance of the boundary from a place is at least `by`.
     pub(super) fn is_clear(&self, p: Point, by: f64) -> bool {
         let near = |b: &Bounds| !b.is_apart(Bounds::of(p, p), by);
         !(self.boxes).any(near, |i| distance(&self.edges[i as usize], p) < by)
     }
 
-    /// A place of the boundary and its distance, if that is less than `within`; none is nearer than that times `share`.
+    /// A place of the boundary and its distance, if that is less than `within`; no place is nearer than `share` times that distance.
     ///
-    /// With a share below 1 the middle of a wheel does not ask for all of its rim.
+    /// With a share below 1, a query in the middle of a wheel does not examine all of its rim.
     pub(crate) fn closest(&self, p: Point, within: f64, share: f64) -> Option<(Point, f64)> {
         let least = Cell::new(within);
         let mut found = None;
@@ -63,7 +63,7 @@ impl Material {
         found
     }
 
-    /// A box that holds the boundary.
+    /// A box that contains the boundary.
     pub(crate) fn bounds(&self) -> Bounds {
         (self.edges.iter()).fold(Bounds::EMPTY, |all, e| all.union(e.bounds()))
     }
@@ -102,7 +102,7 @@ fn closest(edge: &Edge, p: Point) -> Point {
         }
         return edge.start + chord * (s / len2);
     }
-    // About a centre far away the place would be lost in rounding.
+    // About a centre far away, the place would be lost in rounding.
     if edge.bulge.abs() < FLAT_BULGE {
         return edge.foot(p).unwrap_or(end);
     }

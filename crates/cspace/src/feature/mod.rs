@@ -1,9 +1,9 @@
 //! Features of a part: the lines, arcs and convex vertices that can touch, and the joints between them.
 //!
-//! Two parts of a pair are brought to a common frame first (`frame.rs`): each about its own centre, both scaled by one power of
-//! two so that they fit the unit disc. All tolerances (`tolerance.rs`) are therefore lengths relative to the pair's size.
+//! Two parts of a pair are first moved to a common frame (`frame.rs`): each about its own centre, both scaled by one power of two so that
+//! they fit the unit disc. All tolerances (`tolerance.rs`) are therefore lengths relative to the pair's size.
 //!
-//! A part then goes through three steps, of which each changes it by less than what is resolved:
+//! A part then goes through three steps, each of which changes it by less than the resolution:
 //!
 //! ```text
 //!   as drawn ──→ generic ──→ smooth ──→ grown      ┌───────────● apex: a vertex, with normals n₁ to n₂
@@ -14,12 +14,12 @@
 //!                                                  │ │   │ ─┼─    a concave corner: edges are carried on
 //! ```
 //!
-//! 1. Every vertex is moved by an amount of its own (`perturbation.rs`), so that no two features coincide by design.
-//! 2. Where edges are meant to meet smoothly they are made to, to the last digit of double-double (`generic/`).
-//! 3. Every edge moves outward by g (`extract.rs`): fits without clearance overlap then for certain, and what is near-coincident
-//!    is decided. A convex corner becomes an apex (`joining.rs`); nothing touches a concave one, and its edges are carried on
-//!    into the material, so that contact curves cross there instead of sharing an end. Loops whose radii would still make two
-//!    contacts one are grown by different amounts (`concentric.rs`, `growth.rs`).
+//! 1. Every vertex is moved by its own amount (`perturbation.rs`), so that no two features coincide by design.
+//! 2. Edges that are meant to meet smoothly are made smooth, to the last digit of double-double (`generic/`).
+//! 3. Every edge moves outward by g (`extract.rs`): fits without clearance then certainly overlap, and near-coincidences are decided. A
+//!    convex corner becomes an apex (`joining.rs`); nothing touches a concave one, and its edges are extended into the material, so that
+//!    contact curves cross there instead of sharing an end. Loops whose radii would still make two contacts coincide are grown by different
+//!    amounts (`concentric.rs`, `growth.rs`).
 
 mod as_drawn;
 mod concentric;

@@ -1,29 +1,29 @@
-//! By how much every vertex of a part is moved so that the part is generic.
+//! Perturbation of the vertices of a part that makes it generic.
 //!
-//! A drawing has sides in one line, equal arcs, corners on a circle: coincidences that no arithmetic tells from near ones. Each
-//! vertex is moved by an amount of its own, far below the resolution and far above the rounding of double-double, so that
-//! nothing coincides any more; copies by symmetry are moved alike.
+//! A drawing has sides in one line, equal arcs, corners on a circle: coincidences that no arithmetic can distinguish from near ones. Each
+//! vertex is moved by its own amount, far below the resolution and far above the rounding of double-double, so that nothing coincides any
+//! more; copies by symmetry are moved alike.
 
 use core::f64::consts::TAU;
 
 use crate::geometry::{Rotation, Vector};
 use crate::part::{LoopImage, Part};
 
-/// What a part's vertices are to be moved by.
+/// Parameters of the displacements of a part's vertices.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Perturbation<'a> {
-    /// The largest move along either axis, and of the middle of an arc (length in the pair's frame).
+    /// Largest displacement along either axis, and of the middle of an arc (length in the pair's frame).
     pub(crate) size: f64,
-    /// Tells the parts of a pair apart.
+    /// Seed, different for the two parts of a pair.
     pub(crate) seed: u64,
-    /// Where one step of the part's symmetry takes its loops, if it is drawn about its centre.
+    /// Images of its loops under one step of the part's symmetry, if it is drawn about its centre.
     pub(crate) images: Option<&'a [LoopImage]>,
     /// The fold of that symmetry.
     pub(crate) fold: u32,
 }
 
 impl Perturbation<'_> {
-    /// For every loop, for every edge in order of travel, the move of its start along both axes and of its middle outward.
+    /// Requested displacements: for every loop, for every edge in order of travel, of its start along both axes and of its middle outward.
     pub(crate) fn wishes(&self, part: &Part) -> Vec<Vec<[f64; 3]>> {
         let mut wishes: Vec<Vec<Option<[f64; 3]>>> = (part.loops().iter())
             .map(|l| vec![None; l.vertices().len()])
@@ -34,7 +34,7 @@ impl Perturbation<'_> {
             for i in 0..wishes[l].len() {
                 let [x, y, across] = [0; 3].map(|_| self.size * random.next());
                 let (mut at, mut way) = ((l, i), Vector::new(x, y));
-                // Around the orbit of the vertex, until it is closed.
+                // Goes around the orbit of the vertex, until it is closed.
                 while let Some(wish) = wishes[at.0].get_mut(at.1).filter(|w| w.is_none()) {
                     *wish = Some([way.x, way.y, across]);
                     let Some(image) = self.images.and_then(|images| images.get(at.0)) else {
@@ -53,11 +53,11 @@ impl Perturbation<'_> {
     }
 }
 
-/// Numbers that look random, the same ones every time: `SplitMix64` of Steele, Lea and Flood (2014).
+/// Deterministic pseudo-random numbers: `SplitMix64` of Steele, Lea and Flood (2014).
 struct Random(u64);
 
 impl Random {
-    /// The next one, from −1 to 1 and not near zero.
+    /// The next number, between −1 and 1 and not near zero.
     fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

@@ -3,7 +3,7 @@
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 
-/// What a feature is.
+/// Kind of a feature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -18,15 +18,15 @@ pub enum FeatureKind {
     Vertex,
 }
 
-/// A feature of a part, by its place in the part as given.
+/// A feature of a part, identified by its place in the part as given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureName {
-    /// What it is.
+    /// Kind of the feature.
     pub kind: FeatureKind,
     /// The loop, counted from 0 in the order given.
     pub loop_index: u32,
-    /// For a vertex its index in the loop as given, for a line or arc the index of the vertex it leaves.
+    /// For a vertex its index in the loop as given, for a line or arc the index of the vertex at which it starts.
     pub index: u32,
 }
 
@@ -41,7 +41,7 @@ impl core::fmt::Display for FeatureKind {
     }
 }
 
-/// As `line 3 of loop 0`.
+/// Text such as `line 3 of loop 0`.
 impl core::fmt::Display for FeatureName {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(
@@ -57,18 +57,18 @@ impl core::fmt::Display for FeatureName {
 pub(crate) enum Shape {
     /// A line with its outward unit normal.
     Line { normal: Vector },
-    /// An arc about a centre: signed radius > 0 convex, < 0 concave, 0 a vertex.
+    /// An arc about a centre: signed radius > 0 if convex, < 0 if concave, 0 for a vertex.
     Round { center: Point, radius: f64 },
 }
 
-/// A point of a large arc, half way between its ends, and the outward normal there. It stands for the arc where the centre is too far away.
+/// A point of a large arc, half way between its ends, and the outward normal there. It represents the arc where the centre is too far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Near {
     pub(crate) point: Point,
     pub(crate) normal: Vector,
 }
 
-/// Where two features meet: one point and one outward normal, shared by both.
+/// Joint of two features: one point and one outward normal, shared by both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Joint {
     pub(crate) point: Point,
@@ -85,11 +85,11 @@ pub(crate) struct ExactJoint {
     pub(crate) angle: Dd,
 }
 
-/// A round feature in double-double; of a line nothing: its joints tell it.
+/// A round feature in double-double; placeholder values for a line, which its joints determine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ExactRound {
     pub(crate) center: Point<Dd>,
-    /// As in [`Shape`].
+    /// Signed radius, as in [`Shape`].
     pub(crate) radius: Dd,
 }
 
@@ -97,7 +97,7 @@ pub(crate) struct ExactRound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Feature {
     pub(crate) shape: Shape,
-    /// Only for arcs larger than `LARGEST_CIRCLE`.
+    /// Reference point; only for arcs larger than `LARGEST_CIRCLE`.
     pub(crate) near: Option<Near>,
     /// Outward normals: angles from `lo` to `hi`, unwrapped; equal for a line.
     pub(crate) lo: f64,
@@ -108,12 +108,12 @@ pub(crate) struct Feature {
     pub(crate) name: FeatureName,
 }
 
-/// A part as the kernel sees it.
+/// A part as the kernel uses it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Outline {
     pub(crate) features: Vec<Feature>,
     pub(crate) joints: Vec<Joint>,
-    /// Features and joints in double-double, of which the above are the nearest doubles.
+    /// Features and joints in double-double; those above are the nearest f64 numbers.
     pub(crate) exact_features: Vec<ExactRound>,
     pub(crate) exact_joints: Vec<ExactJoint>,
     /// Number of lines, arcs and vertices that are not smooth joints.
@@ -137,7 +137,7 @@ impl Feature {
         }
     }
 
-    /// The joint at the lower end of the normals, and at the upper.
+    /// The joints at the lower and at the upper end of the normals.
     pub(crate) fn joints_by_angle(&self) -> (u32, u32) {
         if self.name.kind == FeatureKind::ConcaveArc {
             (self.end, self.start)
@@ -160,7 +160,7 @@ impl Outline {
         &self.joints[feature.start as usize]
     }
 
-    /// For every joint the vertex it belongs to, if any.
+    /// For every joint, the vertex to which it belongs, if any.
     pub(crate) fn vertex_of_joint(&self) -> Vec<Option<u32>> {
         let mut owner = vec![None; self.joints.len()];
         for (i, f) in self
@@ -175,7 +175,7 @@ impl Outline {
         owner
     }
 
-    /// For every joint a line that starts or ends there, if any.
+    /// For every joint, a line that starts or ends there, if any.
     pub(crate) fn line_of_joint(&self) -> Vec<Option<u32>> {
         let mut line = vec![None; self.joints.len()];
         for (i, f) in self

@@ -1,4 +1,4 @@
-//! Pieces cut by each other to cells, and cells that follow each other.
+//! Cuts pieces by each other to cells, and connects cells that follow each other.
 
 use core::f64::consts::TAU;
 
@@ -11,53 +11,53 @@ use super::motion::{Extent, brought_between};
 use super::piece::{Key, Name, Pair, Piece};
 use super::tolerance::MOST_MEETINGS;
 
-/// What is at an end of a cell.
+/// Node or crossing at an end of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Stop {
-    /// The end of its piece.
+    /// End of the piece.
     Node(Key),
     /// A crossing, by its index.
     Crossing(u32),
 }
 
-/// A piece between two crossings, or an end: on the boundary of free space as a whole, or not.
+/// A part of a piece between two crossings or ends: as a whole, it is on the boundary of free space or not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Cell {
     pub(super) piece: u32,
-    /// From and to: x of a graph, y of a vertical piece (in the piece's own turn).
+    /// Range of its parameter: x of a graph, y of a vertical piece (in the piece's own turn).
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) start: Stop,
     pub(super) end: Stop,
-    /// Known to lie in blocked space, from what it crosses.
+    /// Whether its crossings show that it lies in blocked space.
     pub(super) blocked: bool,
 }
 
-/// Two pieces cross.
+/// A crossing of two pieces.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
     pieces: [u32; 2],
-    /// Where, in the parameter of each: x of a graph, y of a vertical piece.
+    /// Place of the crossing in the parameter of each: x of a graph, y of a vertical piece.
     at: [f64; 2],
     /// Whether each piece is outside the other's blocked side before the crossing (otherwise after it).
     outer_before: [bool; 2],
 }
 
-/// The cells, and which of them hang together.
+/// The cells, and the chains that they form.
 #[derive(Debug)]
 pub(super) struct Arrangement {
     pub(super) cells: Vec<Cell>,
-    /// Pairs of cells of which the second follows the first, each with whether it is left at its end, entered at its start.
+    /// Pairs of cells, the second of which follows the first; each with a flag: whether it is left at its end, entered at its start.
     pub(super) joints: Vec<[(u32, bool); 2]>,
-    /// For every cell the smallest of those that hang together with it.
+    /// For every cell, the smallest cell of its chain.
     pub(super) chain: Vec<u32>,
     pub(super) crossings: usize,
 }
 
 impl Arrangement {
-    /// `None` if more pieces may cross than there is room for.
+    /// Builds the arrangement; `None` if more pieces may cross than the limit.
     pub(super) fn new(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Self> {
         let crossings = all_crossings(pairs, pieces, y)?;
         let mut on_piece: Vec<(u32, f64, u32, bool)> = Vec::with_capacity(2 * crossings.len());
@@ -68,7 +68,7 @@ impl Arrangement {
         }
         on_piece.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
         let mut cells: Vec<Cell> = Vec::with_capacity(pieces.len() + on_piece.len());
-        // (crossing, cell, at its end)
+        // (crossing, cell, whether at its end)
         let mut outer: Vec<(u32, u32, bool)> = Vec::with_capacity(on_piece.len());
         let mut ends: Vec<(Key, u32, bool)> = Vec::with_capacity(2 * pieces.len());
         let mut next = 0;
@@ -90,7 +90,7 @@ impl Arrangement {
             ends.push((piece.start.key, first, false));
             while let Some(&(_, at, crossing, before)) = on_piece.get(next).filter(|o| o.0 == i) {
                 next += 1;
-                // Rounding may have it just beyond an end.
+                // Rounding may have put it just beyond an end.
                 let at = brought_between(at, from, to);
                 open.to = at;
                 open.end = Stop::Crossing(crossing);
@@ -139,11 +139,11 @@ impl Arrangement {
     }
 }
 
-/// By how many turns two pieces on a circle may have to be shifted to meet: both begin in the first turn, and a monotone
-/// piece rises by less than two turns, since its roots and what they are measured from go around once at most each.
+/// Maximum number of turns by which one of two pieces on a circle must be shifted to meet the other: both begin in the first turn, and a
+/// monotone piece rises by less than two turns, since its roots and the angles from which they are measured go around at most once each.
 const MOST_SHIFTS: i32 = 2;
 
-/// Rounding of boxes (radians), with room: a quick look before the comparison.
+/// Margin for the rounding of boxes (radians): they are compared first.
 const ROOM: f64 = 1e-9;
 
 fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Vec<Crossing>> {
@@ -154,7 +154,7 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Vec<Cro
     });
     let boxes: Vec<(f64, f64)> = pieces.iter().map(Piece::y_range).collect();
     let mut candidates: Vec<(u32, u32, i32)> = Vec::new();
-    // Where a piece ends and its box, side by side: most of the work is to go through this list.
+    // Upper end of each piece and its box, side by side: most of the work is a scan of this list.
     let mut active: Vec<(f64, f64, f64, u32)> = Vec::new();
     for i in order {
         let p = &pieces[i as usize];
@@ -167,8 +167,8 @@ fn all_crossings(pairs: &[Pair], pieces: &[Piece], y: &Extent) -> Option<Vec<Cro
                 }
                 continue;
             }
-            // The lower ends are in the first turn, so no other shifts than these need to be looked at.
-            // One test for all shifts: how far q's box is ahead of p's on the circle, and how far p's of q's.
+            // The lower ends are in the first turn, so no other shifts need to be examined. One test for all shifts: the distance of q's
+            // box ahead of p's on the circle, and of p's ahead of q's.
             let (p_size, q_size) = (p_hi - p_lo, q_hi - q_lo);
             let apart = q_lo - p_lo;
             let apart = if apart < 0.0 { apart + TAU } else { apart };
@@ -224,7 +224,7 @@ fn cross(
     }
 }
 
-/// A vertical piece and a graph, the graph shifted by so many turns.
+/// Crosses a vertical piece and a graph, the graph shifted by a number of turns.
 fn cross_vertical(
     pairs: &[Pair],
     pieces: &[Piece],
@@ -243,7 +243,7 @@ fn cross_vertical(
     let node = [&g.start, &g.end].into_iter().find(|e| e.x == x);
     let above = |end: &super::piece::End| {
         let d = (end.base - h.value) + TAU * f64::from(end.turns - h.turns - shift);
-        // As for two graphs: a node is above a curve that leads through it, and nodes go by name.
+        // As for two graphs: a node is above a curve that passes through it, and nodes are ordered by name.
         d > 0.0 || d == 0.0 && node.is_none_or(|n| end.key > n.key)
     };
     if node.is_some_and(|n| n.key == v.start.key || n.key == v.end.key) {

@@ -1,4 +1,4 @@
-//! A cycle that one part carries, seen from a point that stays: its arm, and the direction of this without jumps by whole turns.
+//! A cycle carried by one part, as seen from a fixed point: its arm, and the direction of the arm without jumps by whole turns.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -7,27 +7,27 @@ use super::motion::Motion;
 use crate::contact::Cycle;
 use crate::geometry::{Point, Rotation, Vector};
 
-/// A carried cycle. Directions are those of its arm, or of the opposite one.
+/// A carried cycle. Directions are those of its arm, or of the opposite vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bearing {
-    /// Whether the part turns, not slides.
+    /// Whether the part turns, rather than slides.
     turns: bool,
     /// The vector from the point to the part's pivot, or the direction of sliding.
     offset: Vector,
     weight: f64,
-    /// Seen from the pivot, or at x = 0.
+    /// The arm as seen from the pivot, or at x = 0.
     arm: Vector,
     moment: f64,
-    /// 1, or −1 for directions of the opposite arm.
+    /// 1, or −1 if directions are those of the opposite vector.
     pub(super) side: f64,
-    /// The direction whose angle `angle` is, less than a quarter turn from the one that is asked for.
+    /// A direction and its angle; it is less than a quarter turn from the direction that is measured.
     about: Vector,
     angle: f64,
-    /// Whether `about` turns with the part: then it is that of the arm seen from the pivot.
+    /// Whether `about` turns with the part: then it is the direction of the arm as seen from the pivot.
     turning: bool,
 }
 
-/// A carried cycle at some x.
+/// A carried cycle at a given x.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Seen {
     pub(super) arm: Vector,
@@ -50,7 +50,7 @@ impl Bearing {
         };
         let between = offset * (cycle.weight * side);
         let (about, turning) = match motion {
-            // λ w + R a: the longer of the two never lies a quarter turn or more from their sum.
+            // λ w + R a: the longer of the two is always less than a quarter turn from their sum.
             Motion::Turn { .. } if arm.length_squared() < between.length_squared() => {
                 (between, false)
             }
@@ -60,7 +60,8 @@ impl Bearing {
                 let beyond = left.dot(arm * side) < 0.0;
                 (if beyond { -left } else { left }, false)
             }
-            // What slides and has its centre far away turns by little: to a quarter turn it is as far as to the centre.
+            // The direction of the arm of a sliding cycle whose centre is far away turns little: it turns by a quarter turn only at the
+            // distance of the centre.
             Motion::Slide { .. } | Motion::Still => (arm * side, false),
         };
         Self {
@@ -101,7 +102,7 @@ impl Bearing {
         }
     }
 
-    /// The moment by x less a constant, with the sign of the side.
+    /// The moment as a function of x, minus a constant, with the sign of the side.
     pub(super) fn moment_less(&self, constant: f64) -> Equation {
         let (arm, c) = (self.arm * self.side, self.side * (self.moment - constant));
         if self.turns {
@@ -121,18 +122,18 @@ impl Bearing {
         }
     }
 
-    /// Whether the cycle's arm is less than `near` at any x.
+    /// Whether the length of the cycle's arm is below `near` at every x.
     pub(super) fn is_nothing(&self, near: f64) -> bool {
         self.arm.length() < near && (self.offset * self.weight).length() < near
     }
 }
 
 impl Seen {
-    /// The angle of the arm, or of the opposite one, plus the angle of (c, s) where `sign` is 1, less it where it is −1; s is not
+    /// The angle of the arm, or of the opposite vector, plus the angle of (c, s) if `sign` is 1, minus it if `sign` is −1; s is not
     /// negative.
     ///
-    /// The first is less than a quarter turn from the direction it is measured by, the second at most half a turn: so the
-    /// angle of their product, which is computed, is their sum but for a turn that its quadrant decides.
+    /// The first angle is less than a quarter turn from the reference direction, the second is at most half a turn: so the angle of their
+    /// product, which is computed, is their sum up to a turn that its quadrant decides.
     #[inline]
     pub(super) fn turned(&self, (c, s): (f64, f64), sign: f64) -> f64 {
         let arm = self.arm * self.side;

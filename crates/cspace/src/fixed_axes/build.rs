@@ -1,7 +1,7 @@
 //! All pieces of contact curves, not yet cut by each other.
 //!
-//! Of every orbit of features of the swept part one is looked at, over its full turn; what it touches in the k-th copy of
-//! the window its k-th image touches in the window itself (`repeats`).
+//! From every orbit of features of the swept part, one feature is examined over its full turn; its contacts in the k-th copy of the window
+//! are those of its k-th image in the window itself (`repeats`).
 
 use super::condition::Condition;
 use super::motion::clusters;
@@ -18,22 +18,22 @@ use core::f64::consts::TAU;
 /// A place on a curve where a section may end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SectionEnd {
-    /// Where it is on the curve of the feature that stands for its orbit.
+    /// Place on the curve of the representative of the feature's orbit.
     pub(super) x: f64,
-    /// Where its node is in the window, and in which copy of it x is: rounding may put it beyond a turning.
+    /// Place of its node in the window, and the copy of the window that contains x: rounding may put it beyond a turning.
     pub(super) at: f64,
     pub(super) copy: u32,
     pub(super) y: f64,
     pub(super) name: Name,
     pub(super) root: u8,
-    /// Whether one of the features gives way to its neighbour here, so that the curve ends.
+    /// Whether one of the features ends here, so that the curve ends.
     pub(super) ends: bool,
-    /// Which seam it is, and at the end of a turn the next one.
+    /// Number of the seam, and at the end of a turn that of the next one.
     pub(super) x_turn: i32,
 }
 
 impl SectionEnd {
-    /// Where one of the features gives way, on a curve that is there at x.
+    /// An end at a node where one of the features ends, on a curve that exists at x.
     pub(super) fn at_node(node: &Node, x: f64, (at, copy): (f64, u32)) -> Self {
         Self {
             root: node.root,
@@ -42,7 +42,7 @@ impl SectionEnd {
         }
     }
 
-    /// Where both features go on.
+    /// An end at which both features continue.
     pub(super) fn between(x: f64, (at, copy): (f64, u32), y: f64, name: Name) -> Self {
         Self {
             x,
@@ -56,7 +56,7 @@ impl SectionEnd {
         }
     }
 
-    /// Its key where it belongs to a pair, so many turns of x on.
+    /// Key of the end for a pair, `turn` turns of x further.
     pub(super) fn key(&self, pair: u32, turn: i32) -> Key {
         Key {
             name: match self.name {
@@ -74,7 +74,7 @@ impl SectionEnd {
 pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
     let first = reaches(&scene.first.outline.features, scene, true);
     let second = reaches(&scene.second.outline.features, scene, false);
-    // One share for each feature of the first part that stands for its orbit, put together in order.
+    // One share of the work for each representative of the features of the first part, put together in order.
     let standing: Vec<u32> = (0..first.len() as u32)
         .filter(|&i| scene.repeats.feature(i).steps == 0)
         .collect();
@@ -114,7 +114,7 @@ pub(super) struct Builder<'a> {
     pub(super) pieces: Vec<Piece>,
     pub(super) nodes: Vec<Node>,
     pub(super) breaks: Vec<f64>,
-    /// Of the pair that is looked at, its images by copies of the window, and whether pieces came of them.
+    /// For the current pair, its images by copies of the window, and whether pieces resulted.
     instances: Vec<Option<(u32, bool)>>,
 }
 
@@ -141,8 +141,8 @@ impl Builder<'_> {
         self.nodes = nodes;
     }
 
-    /// The image of a pair that touches in the window where it touches in a copy of the window, and how many pieces there
-    /// are before any are added to it.
+    /// The image of a pair that touches in the window where the pair touches in a copy of the window, and the number of pieces before any
+    /// are added to it.
     pub(super) fn instance(&mut self, rep: &Pair, copy: u32) -> (usize, u32) {
         let before = self.pieces.len();
         if let Some((known, _)) = self.instances[copy as usize] {
@@ -156,7 +156,7 @@ impl Builder<'_> {
         (before, pair)
     }
 
-    /// Drops the last image again if no piece came of it, now or before.
+    /// Drops the last image again if it has no pieces, neither new nor old ones.
     pub(super) fn keep_instance(&mut self, before: usize, copy: u32) {
         let slot = &mut self.instances[copy as usize];
         let Some((pair, used)) = slot else {
@@ -170,11 +170,11 @@ impl Builder<'_> {
     }
 }
 
-// Pieces put in order where rounding leaves slivers.
+// Repair of slivers that rounding leaves.
 
-/// Takes out pieces too short to have a place, and makes their two ends one.
+/// Removes pieces too short to have a place, and unites their two ends.
 ///
-/// They are what rounding leaves between a turning and a node that is exactly there: a follower's joint where its arc
+/// Rounding leaves them between a turning and a node at the same place: for example where a follower's joint is at the place where its arc
 /// touches a line at the largest distance from the pivot.
 pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
     let short = |p: &Piece| {
@@ -209,7 +209,7 @@ pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
     same.clear();
     for end in pieces.iter_mut().flat_map(|p| [&mut p.start, &mut p.end]) {
         let Some(k) = index(end.key) else { continue };
-        // The first of a set stands for it: nodes come before turnings.
+        // The first end of a set represents it: nodes come before turnings.
         if let Some(place) = places[sets.find(k as u32) as usize] {
             end.turns += ((end.base - place.base) / TAU).round() as i32;
             (end.key, end.x, end.base) = (place.key, place.x, place.base);
@@ -217,8 +217,7 @@ pub(super) fn contract(pairs: &[Pair], pieces: &mut Vec<Piece>) {
     }
 }
 
-/// Gives all ends that rounding alone keeps from the x of a vertical piece that x, so that they agree on what is left of
-/// it.
+/// Moves all ends that differ from the x of a vertical piece only by rounding to that x, so that they agree on their order.
 pub(super) fn snap(pairs: &[Pair], pieces: &mut [Piece]) {
     let verticals = pieces.iter().filter(|p| p.vertical);
     let xs = verticals.flat_map(|p| [p.start.x, p.end.x]).collect();

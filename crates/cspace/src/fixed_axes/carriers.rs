@@ -1,10 +1,10 @@
-//! Contact conditions as saved spaces have them: one form for each kind of features.
+//! Contact conditions as stored in saved spaces: one form for each kind of features.
 
 use super::condition::Condition;
 use crate::contact::Cycle;
 use crate::geometry::{Point, Vector};
 
-/// What must vanish where two features touch, at zero coordinates.
+/// Contact condition of two features: the equation that holds where they touch, at zero coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Carriers {
@@ -28,7 +28,7 @@ pub(super) enum Carriers {
         second: Point,
         radius: f64,
     },
-    /// Any two features of which one is an arc whose centre is far away.
+    /// Any two features, at least one of them an arc whose centre is far away.
     Cycles { first: Cycle, second: Cycle },
 }
 

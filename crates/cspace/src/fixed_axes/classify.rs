@@ -1,4 +1,4 @@
-//! Is a configuration free, and what touches there?
+//! Classification of a configuration, and the contacts there.
 
 use super::condition::Condition;
 use super::motion::brought_between;
@@ -7,15 +7,14 @@ use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::query::Classification;
 
-/// A configuration farther than this from a curve whose function vanishes there, but for the resolution, is looked at itself
-/// (radians or length of the frame): the square root of the rounding, which a place beside a tangency may be off.
+/// Distance from a curve above which a configuration at which its function vanishes, up to the resolution, is tested itself (radians or
+/// length of the frame): the square root of rounding, which is the possible error of a place beside a tangency.
 const ASTRAY: f64 = 1e-7;
 
 impl FixedAxesSpace {
-    /// Classifies a configuration: contact if a contact function of the boundary there is within the
-    /// [`resolution`](Self::resolution), otherwise by the free gaps at u, or by intersecting the placed parts if the space
-    /// has [conflicts](super::AxesStatistics::conflicts). `None` outside the ranges of motion, which of a
-    /// part that does not move is 0 alone, or if the configuration is not finite.
+    /// Classifies a configuration: contact if a contact function of the boundary there is within the [`resolution`](Self::resolution),
+    /// otherwise by the free gaps at u, or by intersecting the placed parts if the space has [conflicts](super::AxesStatistics::conflicts).
+    /// `None` outside the ranges of motion (for a part that does not move, only 0 is inside), or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
         let (x, y) = self.setting.placed(u, v)?;
         if self.is_touching(x, y) {
@@ -33,8 +32,8 @@ impl FixedAxesSpace {
         })
     }
 
-    /// The patches that touch at (u, v) within `tolerance` (model length), with their contact functions there; the nearest
-    /// first. Empty outside the ranges of motion.
+    /// The patches that touch at (u, v) within `tolerance` (model length), with the values of their contact functions; the nearest first.
+    /// Empty outside the ranges of motion.
     pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
         let Some((x, y)) = self.setting.placed(u, v) else {
             return Vec::new();
@@ -44,8 +43,8 @@ impl FixedAxesSpace {
         self.contacts_among(self.by_x.between(x - near, x + near), (x, y), reach)
     }
 
-    /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no
-    /// such patch.
+    /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no such
+    /// patch.
     pub fn is_on(&self, patch: u32, u: f64, v: f64, tolerance: f64) -> bool {
         let (Some((x, y)), Some(patch)) = (
             self.setting.placed(u, v),
@@ -60,7 +59,7 @@ impl FixedAxesSpace {
         })
     }
 
-    /// The patches of some branches that touch.
+    /// The patches in contact among those of some branches.
     fn contacts_among(
         &self,
         branches: impl IntoIterator<Item = u32>,
@@ -86,40 +85,40 @@ impl FixedAxesSpace {
         let distance = self.setting.inner_contact_distance();
         self.by_x.any(x - distance, x + distance, |branch| {
             let cell = self.data.branches[branch as usize].cell;
-            // A corner that is all but on a pivot is as near to a side everywhere, deep in blocked space too.
+            // A corner that is almost on a pivot has nearly the same distance from a side everywhere, also deep in blocked space.
             self.touch(cell, x, y, distance, distance).is_some()
                 && (self.above_curve(cell, x, y).abs() <= ASTRAY
                     || !self.setting.bodies.overlap(x, y))
         })
     }
 
-    /// Whether a configuration is in a cell's box, or no farther from it than `reach`.
+    /// Whether a configuration is in a cell's box extended by `reach`.
     pub(super) fn in_box(&self, cell: u32, x: f64, y: f64, reach: f64) -> bool {
         let (x_range, y_range) = self.graphs().cell_box(cell);
         self.setting.x.brought(x, x_range, reach).is_some()
             && self.setting.y.brought(y, y_range, reach).is_some()
     }
 
-    /// The contact function of a cell at a configuration that touches there: the function vanishes, give or take `within`,
-    /// and no farther than `reach` from the cell's curve.
+    /// The contact function of a cell, if it touches at a configuration: the function vanishes up to `within`, and the cell's curve is no
+    /// farther than `reach`.
     fn touch(&self, cell: u32, x: f64, y: f64, reach: f64, within: f64) -> Option<f64> {
         let value = self.graphs().condition(cell).value(x, y);
         let near = value.abs() <= within && self.in_box(cell, x, y, reach);
         (near && self.on_own_root(cell, x, y, within)).then_some(value)
     }
 
-    /// Whether a configuration at which the contact function of a cell vanishes, give or take `within`, is on its curve.
+    /// Whether a configuration at which the contact function of a cell vanishes, up to `within`, is on the cell's curve.
     ///
-    /// At one x the function is a parabola or a cosine of y and has a second root, which may be in the cell's box as well,
-    /// deep in blocked space. Between the two it is extreme in the middle.
+    /// At one x the function is a parabola or a cosine of y and has a second root, which may be in the cell's box as well, deep in blocked
+    /// space. Between the two it has an extremum in the middle.
     pub(super) fn on_own_root(&self, cell: u32, x: f64, y: f64, within: f64) -> bool {
-        // The shorter way: between the roots that is the side on which the function varies less.
+        // On the shorter arc between the roots the function varies less.
         let middle = y - 0.5 * self.above_curve(cell, x, y);
         let condition = self.graphs().condition(cell);
         condition.value(x, middle).abs() <= within.max(condition.value(x, y).abs())
     }
 
-    /// How far a configuration is above a cell's curve along y, the shorter way around; 0 of one that is vertical.
+    /// Signed distance of a configuration above a cell's curve along y, the shorter way around; 0 for a vertical cell.
     fn above_curve(&self, cell: u32, x: f64, y: f64) -> f64 {
         let graphs = self.graphs();
         let (c, p) = graphs.cell(cell);
@@ -132,7 +131,7 @@ impl FixedAxesSpace {
     }
 }
 
-// Contact curves as a user asks them: points, derivatives and contact functions.
+// Contact curves for users: points, derivatives and contact functions.
 
 impl FixedAxesSpace {
     /// The contact curves that bound free space.
@@ -140,17 +139,16 @@ impl FixedAxesSpace {
         &self.data.patches
     }
 
-    /// Their branches.
+    /// The branches of the contact curves.
     pub fn branches(&self) -> &[AxesBranch] {
         &self.data.branches
     }
 
-    /// The point of a branch at a value of its independent coordinate ([`AxesBranch::form`]), in closed form, and the
-    /// derivative of the dependent coordinate by it. Brought to the branch's interval if beyond. `None` if there is no such
-    /// branch.
+    /// The point of a branch at a value of its independent coordinate ([`AxesBranch::form`]), in closed form, and the derivative of the
+    /// dependent coordinate by it. A value outside the branch's interval is moved to its end. `None` if there is no such branch.
     ///
-    /// For line against arc and for two arcs, of a part that turns, a cos t + b sin t = c is solved, otherwise a linear or
-    /// quadratic equation. The derivative is −(∂f/∂u) / (∂f/∂v) or its inverse; not finite where the curve turns around.
+    /// For line against arc and for two arcs, on a part that turns, a cos t + b sin t = c is solved, otherwise a linear or quadratic
+    /// equation. The derivative is −(∂f/∂u) / (∂f/∂v) or its inverse; not finite where the curve turns around.
     pub fn branch_at(&self, branch: usize, t: f64) -> Option<((f64, f64), f64)> {
         let b = self.data.branches.get(branch)?;
         let graphs = self.graphs();
@@ -207,7 +205,7 @@ mod tests {
     use crate::geometry::{Point, Vector};
     use crate::part::{Part, Vertex};
 
-    /// Pairs of which x and y run over a turn, between limits, and without limits.
+    /// Pairs for which x and y run over a turn, between limits, and without limits.
     fn spaces() -> Vec<FixedAxesSpace> {
         let star = |x: f64, teeth: u32| {
             let at = |k: u32| {
@@ -234,14 +232,14 @@ mod tests {
         ]
     }
 
-    /// Asked of all branches, the answers are the same to the last bit.
+    /// The answers equal those from all branches, to the last bit.
     #[test]
     fn slots_hold_all_that_is_near() {
         let (mut touching, mut nearest) = (0, 0);
         for space in spaces() {
             let all = || 0..space.data.branches.len() as u32;
             let (x, y) = (space.setting.x, space.setting.y);
-            // Some at the ends of the extents, some between, in no simple ratio to anything.
+            // Some at the ends of the extents, some between, in irrational ratios.
             let shares = (1..60).map(|k| (f64::from(k) * 0.754_877_666).fract());
             let shares = shares.chain([0.0, 1e-13, 1e-10, 1.0 - 1e-10, 1.0]);
             for (i, share) in shares.enumerate() {

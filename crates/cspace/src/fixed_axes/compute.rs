@@ -1,4 +1,4 @@
-//! The configuration space computed: set up, cut to cells, judged, swept, copied, and gathered to patches.
+//! Computation of the space: setup, cells, verdicts, sweep, copies, and patches.
 
 use crate::part::Part;
 
@@ -25,8 +25,7 @@ impl FixedAxesSpace {
     /// Both parts are drawn in the assembly's frame at zero motion.
     ///
     /// # Errors
-    /// If an axis has no direction, an empty range, numbers that are not finite, or a pivot far away; if the parts have too
-    /// many edges.
+    /// If an axis has no direction, an empty range, numbers that are not finite, or a pivot far away; or if the parts have too many edges.
     pub fn compute(
         fixed: &Part,
         fixed_axis: Axis,
@@ -36,7 +35,7 @@ impl FixedAxesSpace {
         Self::swept((fixed, fixed_axis), (moving, moving_axis), None)
     }
 
-    /// The same, swept along the coordinate of a part, if one is asked for.
+    /// Computes the space, swept along the coordinate of a given part, if any.
     pub(super) fn swept(
         (fixed, fixed_axis): (&Part, Axis),
         (moving, moving_axis): (&Part, Axis),
@@ -61,12 +60,12 @@ impl FixedAxesSpace {
                 return Ok(other);
             }
         }
-        // With conflicts left, parts are best intersected where they are drawn.
+        // If all attempts have conflicts, the parts are best intersected as drawn.
         Ok(drawn)
     }
 }
 
-/// The space of the parts displaced from where they are drawn, with every fault counted as a conflict.
+/// The space of the parts displaced from where they are drawn; every fault is counted as a conflict.
 fn displaced(
     (fixed, moving): (&Part, &Part),
     axes: (Axis, Axis),
@@ -101,8 +100,8 @@ fn displaced(
         gaps: &gaps,
         x: scene.x,
     };
-    // A pair of features has an entry for each copy of the window in which it touches, and a circle that was divided
-    // to make a part symmetric has several features of one name.
+    // A pair of features has an entry for each copy of the window in which it touches, and a circle that was divided to make a part
+    // symmetric has several features of one name.
     let (firsts, seconds) = &setting.names;
     let same = |p: &Pair, q: &Pair| {
         firsts[p.first as usize] == firsts[q.first as usize]
@@ -138,7 +137,7 @@ fn displaced(
             .map(|p| (p.first, p.second, Carriers::of(&p.condition)))
             .collect(),
         pieces,
-        // No others are kept.
+        // Only free cells are kept.
         free: vec![true; cells.len()],
         cells,
         bands,
@@ -150,16 +149,16 @@ fn displaced(
     Ok(space)
 }
 
-/// The window, computed: what bounds free space in it.
+/// The computed window: the partition of free space in it.
 struct Window {
     partition: Partition,
     statistics: AxesStatistics,
-    /// Configurations beside cells, clear of all curves, at which the parts overlap.
+    /// Configurations beside cells, away from all curves, at which the parts overlap.
     overlaps: Vec<(f64, f64)>,
 }
 
 impl Window {
-    /// `None` if more curves may cross than there is room for.
+    /// Computes the window; `None` if more curves may cross than the limit.
     fn new(scene: &Scene, bodies: &Bodies) -> Option<Self> {
         let x = scene.repeats.window(&scene.x);
         let (pairs, pieces) = build(scene);
@@ -183,7 +182,7 @@ impl Window {
         };
         let (mut swept, mut tally) = sweep(&verdicts.free);
         if tally.contradictions > 0 {
-            // A chain hangs together that should not, or a crossing is missed: what is tested gap by gap tells.
+            // A chain connects cells that should not be connected, or a crossing is missing: the tests of the gaps show it.
             verdicts.free = judge.one_by_one(&arrangement.cells);
             verdicts.tests += tally.tests + arrangement.cells.len();
             verdicts.conflicts += tally.conflicts;

@@ -1,4 +1,4 @@
-//! When two features touch: the contact function of their cycles, and y where it vanishes at a given x.
+//! Contact condition of two features: the contact function of their cycles, and y where it vanishes at a given x.
 
 use super::bearing::{Bearing, Seen};
 use super::motion::{Motion, Motions};
@@ -9,21 +9,21 @@ use crate::number::Real;
 
 /// A condition prepared to be solved for y.
 ///
-/// Root 0 is where the contact function grows with y (free space above), root 1 where it falls.
+/// At root 0 the contact function increases with y (free space above), at root 1 it decreases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Condition {
-    /// At zero coordinates.
+    /// The cycles at zero coordinates.
     pub(super) first: Cycle,
     pub(super) second: Cycle,
     pub(super) motions: Motions,
-    /// Of the first, from the second part's pivot.
+    /// Bearing of the first cycle as seen from the second part's pivot.
     pub(super) bearing: Bearing,
-    /// Of the second, from its part's pivot: the angle by which its arm is to be turned back, how long the arm is, and how far
-    /// the pivot is outside.
+    /// Position of the second cycle as seen from its part's pivot: the angle by which its arm is to be turned back, the length of the arm,
+    /// and the distance of the pivot outside.
     angle: f64,
     arm: f64,
     pub(super) outside: f64,
-    /// 1, or −1 if y is measured from the opposite arm of one of both.
+    /// 1, or −1 if y is measured from the opposite arm of one of the two cycles.
     side: f64,
 }
 
@@ -33,8 +33,8 @@ impl Condition {
             Motion::Turn { center } => center,
             _ => Point::ORIGIN,
         };
-        // Which turn a root is in is part of saved spaces: they count from the normal of a line, not from its arm, and from the
-        // centre of a concave arc, unless a centre is far away.
+        // The turn of a root is part of saved spaces: it is counted from the normal of a line, not from its arm, and from the centre of a
+        // concave arc, unless a centre is far away.
         let far = first.is_large() || second.is_large();
         let side = |c: &Cycle| if far || c.weight > 0.0 { 1.0 } else { -1.0 };
         let sides = (side(&first), side(&second));
@@ -51,12 +51,12 @@ impl Condition {
         }
     }
 
-    /// The same condition, to be solved for x.
+    /// The condition prepared to be solved for x.
     pub(super) fn swapped(&self) -> Self {
         Self::new(self.second, self.first, self.motions.swapped())
     }
 
-    /// Both cycles when their parts have moved.
+    /// Both cycles after the motions x and y.
     pub(super) fn moved<T: Real>(&self, x: T, y: T) -> (Cycle<T>, Cycle<T>) {
         let Motions { first, second } = self.motions;
         (first.moved(x, &self.first), second.moved(y, &self.second))
@@ -77,7 +77,7 @@ impl Condition {
         (by_x / rate, by_y / rate)
     }
 
-    /// The derivatives of G by x and y, of both cycles when their parts have moved.
+    /// The derivatives of G by x and y, given both cycles after their motions.
     pub(super) fn slopes<T: Real>(&self, a: &Cycle<T>, b: &Cycle<T>) -> (T, T) {
         let slope = |p: &Cycle<T>, q: &Cycle<T>, motion: Motion| match motion {
             Motion::Still => T::constant(0.0),
@@ -125,7 +125,7 @@ impl Condition {
         }
     }
 
-    /// The root at x: continuous in x where it exists; where rounding has just lost it, the double root.
+    /// The root at x: continuous in x where it exists; where rounding has just removed it, the double root.
     ///
     /// With the arms a of the first and R b of the second, which turns, G is C − a·R b. It vanishes where the angle from one arm
     /// to the other has the cosine C / (|a| |b|).
@@ -133,7 +133,7 @@ impl Condition {
         self.solved(x, if root == 0 { 1.0 } else { -1.0 })
     }
 
-    /// The double root at a turning, without the square root of rounding that is between both.
+    /// The double root at a turning, without the square root of rounding that separates both roots.
     pub(super) fn double_y(&self, x: f64) -> f64 {
         self.solved(x, 0.0)
     }
@@ -148,7 +148,7 @@ impl Condition {
                 self.angle + seen.turned((level, root_of(sum * difference)), sign * self.side)
             }
             Motion::Slide { direction } => {
-                // G is λ₁ λ₂ y²/2 + (e·V) y + what it is at 0, with V² = (e·V)² + (e × V)².
+                // G is λ₁ λ₂ y²/2 + (e·V) y + its value at 0, with V² = (e·V)² + (e × V)².
                 let a = self.motions.first.moved(x, &self.first);
                 let square = a.weight * self.second.weight;
                 let slope = direction.dot(a.between(&self.second));
@@ -159,7 +159,7 @@ impl Condition {
                 let side = direction.left();
                 let room = |u| a.beside(&self.second, u);
                 let rate = sign * root_of(room(side) * room(-side));
-                // Of two forms that are equal the one in which nothing cancels.
+                // Of two equivalent forms, the one without cancellation.
                 if slope * rate > 0.0 {
                     -2.0 * still / (slope + rate)
                 } else {
@@ -169,10 +169,10 @@ impl Condition {
         }
     }
 
-    /// |a| |b| + C and |a| |b| − C, for arms a and b and G = C − a·R b.
+    /// The values |a| |b| + C and |a| |b| − C, for arms a and b and G = C − a·R b.
     ///
-    /// With the distances e and f of the pivot from both they are (e + f) (2 K + λ₁ λ₂ (e + f)) / 2 and
-    /// (2 ρ₁ + λ₁ (e − f)) (2 ρ₂ + λ₂ (f − e)) / 2: of circles the four factors are those of Heron's formula.
+    /// With the distances e and f of the pivot from both cycles they are (e + f) (2 K + λ₁ λ₂ (e + f)) / 2 and (2 ρ₁ + λ₁ (e − f)) (2 ρ₂ +
+    /// λ₂ (f − e)) / 2: for circles the four factors are those of Heron's formula.
     fn product(&self, seen: &Seen) -> (f64, f64) {
         let (a, b) = (&self.first, &self.second);
         let outside = a.off(seen.arm.length(), seen.moment);
@@ -193,7 +193,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Vector, wrap};
 
-    /// A circle by a point of it, which may be anywhere on it.
+    /// A circle written by a point on it, at any angle.
     fn bow(center: Point, radius: f64, at: f64) -> Cycle {
         let normal = Vector::from_angle(at);
         Cycle::flat(center + normal * radius, normal, 1.0 / radius)
@@ -217,7 +217,7 @@ mod tests {
         ]
     }
 
-    /// Pairs of all kinds that can touch, with small circles and large ones.
+    /// Pairs of all kinds that can touch, with small and large circles.
     fn pairs() -> Vec<(Cycle, Cycle)> {
         let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));
         let line = Cycle::flat(p, Vector::from_angle(0.4), 0.0);
@@ -236,7 +236,7 @@ mod tests {
         ]
     }
 
-    /// The contact function by centres and radii. Of a line the centre is far away.
+    /// The contact function by centres and radii. The centre of a line is far away.
     fn by_centres(condition: &Condition, x: f64, y: f64) -> f64 {
         let (a, b) = condition.moved(x, y);
         let (line, other) = if a.weight == 0.0 { (a, b) } else { (b, a) };
@@ -258,7 +258,7 @@ mod tests {
                     Condition::new(first, second, motions),
                     Condition::new(first, second, motions.swapped()).swapped(),
                 ] {
-                    // Rounding at the distance of a centre, and of the differences of that.
+                    // Rounding at the distance of a centre, and of differences of such distances.
                     let size = |c: &Cycle| {
                         if c.weight == 0.0 {
                             1.0
@@ -344,7 +344,7 @@ mod tests {
         }
     }
 
-    /// A circle by its centre and by a point of it touches at the same places.
+    /// A circle written by its centre, or by a point on it, touches at the same places.
     #[test]
     fn circles_may_be_given_by_points_or_centres() {
         let (p, q) = (Point::new(0.3, -0.8), Point::new(0.9, 0.4));

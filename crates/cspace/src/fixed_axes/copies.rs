@@ -1,4 +1,4 @@
-//! From the window to the full turn of a part that repeats itself (figure 4 of Sacks 1999, for two degrees of freedom).
+//! Copies from the window to the full turn of a part that repeats itself (figure 4 of Sacks 1999, for two degrees of freedom).
 
 use super::arrange::{Cell, Stop};
 use super::build;
@@ -8,7 +8,7 @@ use super::sweep::{Band, Gap, Link, Swept};
 use core::f64::consts::TAU;
 
 impl Partition {
-    /// All copies of the window, one after the other.
+    /// The partition with all copies of the window, one after the other.
     pub(super) fn unrolled(self, scene: &Scene) -> Self {
         let fold = scene.repeats.fold;
         if fold == 1 {
@@ -48,7 +48,7 @@ impl Partition {
         all
     }
 
-    /// y in the middle of a graph, as its pair's root has it.
+    /// y in the middle of a graph, according to its pair's root.
     fn middle(&self, piece: &Piece) -> f64 {
         if piece.vertical {
             return 0.0;
@@ -58,7 +58,7 @@ impl Partition {
         condition.y(x, piece.root)
     }
 
-    /// A joint of the copy: at a seam the cell that ends there is followed by one of the next copy.
+    /// A joint of the copy: at a seam the cell that ends there is followed by a cell of the next copy.
     fn joint(
         &self,
         joint: [(u32, bool); 2],
@@ -98,7 +98,7 @@ impl Copy<'_> {
         build::pair(self.scene, first, pair.second).unwrap_or(Pair { first, ..*pair })
     }
 
-    /// The piece; of a graph with y in its middle as the pair in the window has it.
+    /// The image of a piece; `y` is the middle of a graph according to the pair in the window.
     fn piece(&self, piece: &Piece, y: f64, pairs: &[Pair]) -> Piece {
         let end = |e: &End| End {
             key: self.key(e.key),
@@ -176,9 +176,9 @@ impl Swept {
     }
 }
 
-// What the sweep leaves: the cells that bound free space, and the gaps between them.
+// Result of the sweep: the cells that bound free space, and the gaps between them.
 
-/// The partition of the window, or of all.
+/// The partition of the window, or of the full extent.
 #[derive(Debug, Default)]
 pub(super) struct Partition {
     pub(super) pairs: Vec<Pair>,
@@ -190,8 +190,8 @@ pub(super) struct Partition {
 }
 
 impl Partition {
-    /// The partition without the cells that do not bound free space, and without the pieces and pairs of no other cells:
-    /// nothing asks for them.
+    /// The partition without the cells that do not bound free space, and without the pieces and pairs that have no other cells: they are
+    /// not needed.
     pub(super) fn kept(mut self, free: &[bool]) -> Self {
         let mut pieces = vec![false; self.pieces.len()];
         let mut pairs = vec![false; self.pairs.len()];
@@ -229,7 +229,7 @@ impl Partition {
     }
 }
 
-/// The numbers of those that are kept, counted anew.
+/// New consecutive numbers of the elements that are kept.
 fn numbers(kept: &[bool]) -> Vec<u32> {
     let mut next = 0;
     kept.iter()

@@ -1,10 +1,10 @@
-//! Where two pieces cross.
+//! Crossings of two pieces.
 //!
-//! Whether the number of crossings is odd is decided by the order of the two at the ends of their common interval, and
-//! nothing else. An end is a node, and a node has one place for all pieces that meet there; so a third curve is on the
-//! same side of it for all of them, and it crosses a chain of pieces as often as its ends demand, whatever rounding
-//! does. Two monotone pieces that run in opposite directions cross once at most. For others the resultant of the two
-//! conditions, a trigonometric polynomial of degree four at most, isolates all crossings.
+//! Whether the number of crossings is odd is decided only by the order of the two pieces at the ends of their common interval. An end is a
+//! node, and a node has one place for all pieces that meet there; so a third curve is on the same side of it for all of them, and it
+//! crosses a chain of pieces as often as the chain's ends demand, whatever the rounding. Two monotone pieces that run in opposite
+//! directions cross at most once. For others the resultant of the two conditions, a trigonometric polynomial of degree four at most,
+//! isolates all crossings.
 
 use super::condition::Condition;
 use super::equation::Equation;
@@ -16,16 +16,16 @@ use crate::geometry::{Rotation, Vector};
 use crate::number::TrigPolynomial;
 use core::f64::consts::TAU;
 
-/// More rounds than narrowing a bracket ever takes: a guard against numbers that are not.
+/// Upper bound of the rounds of narrowing a bracket: a guard against NaN.
 const MOST_ROUNDS: u32 = 200;
-/// A bracket about a crossing is not narrowed further, as a share of 1 + |x|: a few last bits.
+/// Width of a bracket about a crossing below which it is not narrowed, as a share of 1 + |x|: a few last bits.
 const NARROWEST_BRACKET: f64 = 4.0 * f64::EPSILON;
-/// How often boxes about two pieces are halved before the resultant is asked.
+/// Number of times that boxes about two pieces are halved before the resultant is used.
 const HALVINGS: u32 = 5;
 
-/// How two pieces, the second shifted by so many turns, lie to each other at x: the sign of y₁ − y₂, never 0.
+/// Order of two pieces at x, the second shifted by a number of turns: the sign of y₁ − y₂, never 0.
 ///
-/// None where they share a node.
+/// `None` where they share a node.
 fn order(pairs: &[Pair], p: &Piece, q: &Piece, shift: i32, x: f64) -> Option<i8> {
     let heights = (p.height(pairs, x), q.height(pairs, x));
     order_of(p, q, shift, x, heights)
@@ -36,7 +36,7 @@ fn order_of(p: &Piece, q: &Piece, shift: i32, x: f64, heights: (Height, Height))
     if difference != 0.0 {
         return Some(if difference > 0.0 { 1 } else { -1 });
     }
-    // A node is held to be above a curve that rounding leads through it.
+    // A node counts as above a curve that passes through it up to rounding.
     let node = |r: &Piece| {
         [&r.start, &r.end]
             .into_iter()
@@ -66,7 +66,7 @@ pub(super) fn crossings(
     let lo = p.start.x.max(q.start.x);
     let hi = p.end.x.min(q.end.x);
     let motions = &pairs[p.pair as usize].condition.motions;
-    // About one pivot all depends on y − x alone: curves are parallel, or the same.
+    // If both parts have one pivot, only y − x matters: curves are parallel, or equal.
     if lo >= hi || motions.share_a_pivot() {
         return;
     }
@@ -136,7 +136,7 @@ pub(super) fn crossings(
     }
 }
 
-/// Whether boxes tell that a monotone graph stays above another, both running the same way.
+/// Whether boxes show that a monotone graph stays above another, both running in one direction.
 fn separate(
     at: &impl Fn(f64) -> (f64, f64),
     lo: f64,
@@ -163,11 +163,11 @@ fn separate(
         && separate(at, middle, hi, at_middle, at_hi, rising, halvings - 1)
 }
 
-/// The x at which the order changes, given the order at the left end and another at the right one.
+/// The x at which the order changes, given the order at the left end and a different one at the right end.
 ///
-/// Inverse quadratic interpolation where the last three values promise that it converges, otherwise bisection
-/// (T. R. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, 1997). Curves often end near a crossing with a
-/// vertical tangent, where false position creeps. An end where the two are equal counts as the order says.
+/// The method is inverse quadratic interpolation where the last three values indicate that it converges, otherwise bisection (T. R.
+/// Chandrupatla, *A new hybrid quadratic/bisection algorithm*, 1997). Curves often end near a crossing with a vertical tangent, where false
+/// position is slow. An end where the two are equal counts according to the order.
 fn bisect(
     pairs: &[Pair],
     p: &Piece,
@@ -179,7 +179,7 @@ fn bisect(
     let side = f64::from(before);
     let value = |x: f64| side * difference(pairs, p, q, shift, x);
     let least = f64::EPSILON * f64::EPSILON;
-    // The newest end of the bracket, the other one, and the one before.
+    // The newest end of the bracket, the other one, and the previous one.
     let (mut x1, mut f1) = (hi, value(hi).min(-least));
     let (mut x2, mut f2) = (lo, value(lo).max(least));
     let mut share = 0.5;
@@ -216,10 +216,10 @@ fn bisect(
     0.5 * (x1 + x2)
 }
 
-// The resultant of two conditions: a polynomial that vanishes where one y meets both.
+// The resultant of two conditions: a polynomial that vanishes where one y satisfies both.
 
-/// Intervals of x are not halved below this when crossings are isolated (radians or length); two crossings nearer than
-/// that, between which the pieces are a hundred times nearer than rounding, may go unnoticed as a pair.
+/// Width of x below which intervals are not halved when crossings are isolated (radians or length); two crossings nearer than that, between
+/// which the pieces are a hundred times nearer than rounding, may be missed as a pair.
 const NARROWEST: f64 = 1e-8;
 
 /// Whether two conditions are levels of one function of (x, y), so that their curves never cross.
@@ -234,7 +234,7 @@ pub(super) fn parallel(f: &Condition, g: &Condition) -> bool {
     same(&f.first, &g.first) && same(&f.second, &g.second)
 }
 
-/// Calls `mark` with intervals that hold all x at which the conditions are met by one y.
+/// Calls `mark` with intervals that contain all x at which one y satisfies both conditions.
 pub(super) fn isolate(
     f: &Condition,
     g: &Condition,
@@ -280,7 +280,7 @@ pub(super) fn isolate(
     }
 }
 
-/// Zero where one y meets both equations, and the size of the terms it was summed from.
+/// A value that is zero where one y satisfies both equations, and the size of its terms.
 fn resultant(f: Equation, g: Equation) -> (f64, f64) {
     let size = |a: f64, b: f64| a.abs() + b.abs();
     match (f, g) {

@@ -1,4 +1,4 @@
-//! A fixed-axes space as plain data, and whether these hang together.
+//! A fixed-axes space as plain data, and a check of their consistency.
 
 use crate::feature::FeatureName;
 use crate::part::Part;
@@ -19,11 +19,10 @@ pub const SAVED_AXES_VERSION: u32 = 1;
 
 pub(super) const FORMAT: &str = "fixed-axes-space";
 
-/// A [`FixedAxesSpace`](super::FixedAxesSpace) as plain data, to be written in any format `serde` knows and read again: what
-/// the space holds itself.
+/// A [`FixedAxesSpace`](super::FixedAxesSpace) as plain data, which can be written in any format of `serde` and read again.
 ///
-/// Everything from `map` to the names of features, and the carriers of the pairs, follows from the parts and their axes. It is
-/// written for other readers, and is not read back.
+/// Everything from `map` to the names of features, and the carriers of the pairs, follows from the parts and their axes. These are written
+/// for other readers, and ignored on reading.
 ///
 /// ```
 /// use cspace::{Axis, FixedAxesSpace, Part, Point, Vector, Vertex};
@@ -43,9 +42,9 @@ pub struct AxesData {
     pub format: String,
     /// The version of the format.
     pub version: u32,
-    /// The part called fixed, whose motion is u.
+    /// The part called fixed; its motion is u.
     pub fixed: Part,
-    /// The moving part, whose motion is v.
+    /// The moving part; its motion is v.
     pub moving: Part,
     /// The fixed part's axis.
     pub fixed_axis: Axis,
@@ -53,7 +52,7 @@ pub struct AxesData {
     pub moving_axis: Axis,
     /// The contact curves.
     pub patches: Vec<AxesPatch>,
-    /// Their branches.
+    /// The branches of the contact curves.
     pub branches: Vec<AxesBranch>,
     /// Connected components of free space.
     pub free_regions: Vec<AxesRegion>,
@@ -95,26 +94,26 @@ pub struct AxesStatistics {
     pub crossings: usize,
     /// Tests of overlap. A part that is symmetric about its pivot is tested in one period only.
     pub tests: usize,
-    /// Places at which tests and structure told different things, or the structure contradicts itself, that no attempt was
-    /// without; 0 unless something lies closer than the resolution. If there are any, configurations are classified by
-    /// intersecting the placed parts, and regions and patches are not to be relied upon.
+    /// Conflicts that remained in every attempt: places at which tests and structure contradict each other, or the structure contradicts
+    /// itself; 0 unless features lie closer than the resolution. If there are any, configurations are classified by intersecting the placed
+    /// parts, and regions and patches are unreliable.
     pub conflicts: usize,
 }
 
-/// Why saved data are not a fixed-axes space.
+/// Reasons for which saved data are rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AxesDataError {
-    /// Not such a space at all.
+    /// The data are not a fixed-axes space.
     #[error("the format is {found:?}, not {FORMAT:?}")]
     Format {
-        /// What it says.
+        /// Format name found in the data.
         found: String,
     },
-    /// An axis is none.
+    /// An axis is invalid.
     #[error(transparent)]
     Axes(#[from] AxesError),
-    /// Written by another version.
+    /// The data were written by another version.
     #[error(
         "the format's version is {found}, this program reads version {SAVED_AXES_VERSION}; compute the space again"
     )]
@@ -122,21 +121,21 @@ pub enum AxesDataError {
         /// The version found.
         found: u32,
     },
-    /// The data refer to what is not there, or numbers are out of order.
+    /// The data refer to entries that do not exist, or numbers are out of order.
     #[error(
         "the saved space is damaged: its {what} refer to what is not there, or are out of order; compute the space again"
     )]
     Damaged {
-        /// What is wrong.
+        /// Reason for the rejection.
         what: &'static str,
     },
 }
 
-/// Motions are lengths of the pair's frame, in which the parts have size 1, or radians: they are far below this.
+/// Bound on motions: they are lengths of the pair's frame, in which the parts have size 1, or radians.
 const FARTHEST: f64 = 1e12;
 
 impl AxesData {
-    /// Whether everything that is referred to is there.
+    /// Checks the format, the version and all references.
     pub(super) fn check(&self) -> Result<(), AxesDataError> {
         if self.format != FORMAT {
             return Err(AxesDataError::Format {

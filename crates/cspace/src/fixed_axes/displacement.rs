@@ -1,31 +1,31 @@
-//! Ties broken: both parts displaced a little from where they are drawn.
+//! Breaks ties by moving both parts by less than the resolution, and retrying.
 //!
-//! Where more happens at one place than rounding can put in order (a corner that passes over a pivot, sides along which
-//! two slides go at once), the partition contradicts itself. It is made again then with the parts moved by less than
-//! anybody measures, in directions that no drawing has. How far that is belongs to the resolution.
+//! Where more events coincide at one place than rounding can order (a corner that passes over a pivot, sides along which two slides go at
+//! once), the partition contradicts itself. It is then recomputed with the parts moved by a length below any measurement, in directions
+//! that no drawing has. That length is included in the resolution.
 
 use super::motion::Motion;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Part, Vertex};
 use core::f64::consts::TAU;
 
-/// How the parts are displaced, as the number of the attempt. The first does not displace them.
+/// Displacement of the parts, as the number of the attempt. The first attempt does not displace them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Displacement(u8);
 
-/// The golden section: no two directions or lengths are in a simple ratio.
+/// The golden ratio: no two directions or lengths are in a simple ratio.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl Displacement {
-    /// How far the parts are moved at each attempt, in the pair's frame: first not at all, then by more than what is taken
-    /// for one place, and further where that does not do.
+    /// Displacement of the parts in each attempt, in the pair's frame: first none, then more than the tolerance for one place, then larger
+    /// ones.
     const LENGTHS: [f64; 6] = [0.0, 1e-10, 1e-9, 1e-9, 1e-8, 1e-8];
 
-    /// The parts where they are drawn.
+    /// No displacement.
     pub(super) const NONE: Self = Self(0);
 
-    /// All others, in the order in which they are tried.
+    /// All other displacements, in the order in which they are tried.
     pub(super) fn others() -> impl Iterator<Item = Self> {
         (1..Self::LENGTHS.len() as u8).map(Self)
     }
@@ -38,14 +38,14 @@ impl Displacement {
         Self::LENGTHS[usize::from(self.0) % Self::LENGTHS.len()]
     }
 
-    /// By which the outlines of the first and of the second part are moved.
+    /// Displacement of the outlines of the first and of the second part.
     pub(super) fn shifts(self) -> (Vector, Vector) {
         let along = |turns: f64| Vector::from_angle(TAU * GOLDEN * turns) * self.length();
         let attempt = f64::from(self.0);
         (along(attempt) * GOLDEN, along(attempt + 0.3))
     }
 
-    /// The motion, of which a direction is tilted: of the second part the other way.
+    /// The motion with its direction tilted; for the second part in the opposite sense.
     pub(super) fn tilted(self, motion: Motion, second: bool) -> Motion {
         match motion {
             Motion::Slide { direction } if !self.is_none() => {
@@ -58,9 +58,9 @@ impl Displacement {
         }
     }
 
-    /// The second part turned about a point by as much: sides that are parallel at every position are so no more.
+    /// The second part turned about a point by as much: sides that were parallel at every position no longer are.
     ///
-    /// `None` if it stays as it is, or if nothing but the last bits made it a part.
+    /// `None` if it is not turned, or if the turned loops are not a part, which rounding can bring about.
     pub(super) fn turned(self, part: &Part, about: Point) -> Option<Part> {
         if self.is_none() {
             return None;
@@ -75,7 +75,7 @@ impl Displacement {
         Part::new(part.name(), loops.collect()).ok()
     }
 
-    /// The farthest that a place of one part is from where it should be in the other's frame, with slides of some length.
+    /// Largest displacement of a place of one part in the other's frame, for slides up to a given length.
     pub(super) fn deviation(self, slide: f64) -> f64 {
         (2.0 + GOLDEN) * self.length() * (1.0 + slide)
     }

@@ -12,7 +12,7 @@ pub(super) enum Equation {
 }
 
 impl Equation {
-    /// Does not depend on the coordinate.
+    /// A function that does not depend on the coordinate.
     pub(super) fn constant(c: f64) -> Self {
         Self::Quadratic { a: 0.0, b: 0.0, c }
     }
@@ -50,7 +50,7 @@ impl Equation {
         }
     }
 
-    /// The roots of a trigonometric equation of which α² + β² − γ² is known; a double one once.
+    /// Calls `found` with the roots of a trigonometric equation whose α² + β² − γ² is known; a double root is reported once.
     pub(super) fn roots_of(self, square: f64, found: &mut impl FnMut(f64)) {
         let Self::Trig { alpha, beta, gamma } = self else {
             return;

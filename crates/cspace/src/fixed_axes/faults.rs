@@ -1,19 +1,18 @@
-//! How often a partition contradicts itself.
+//! Counts contradictions in a partition.
 
 use super::motion::{Extent, Motion};
 use super::space::FixedAxesSpace;
 
-/// Ends of curves that follow each other are one place within this (radians, or length of the frame): beside a tangency a
-/// place is known to the square root of the rounding.
+/// Distance within which ends of curves that follow each other are one place (radians, or length of the frame): beside a tangency a place
+/// is known to the square root of the rounding.
 const ONE_PLACE: f64 = 1e-6;
-/// An end so near to a limit is at it (radians, or length of the frame).
+/// Distance within which an end is at a limit (radians, or length of the frame).
 const AT_LIMIT: f64 = 1e-9;
 
 impl FixedAxesSpace {
-    /// How often the partition contradicts itself: in the tests made for it, which are the conflicts of its statistics, in curves
-    /// that lead nowhere or to another region, in regions whose sample is blocked or that are narrower than the resolution, in gaps
-    /// that hold one of the configurations at which the parts were found to overlap, in configurations that are not what the gaps
-    /// say.
+    /// Number of contradictions of the partition: conflicts of its statistics, curves that lead nowhere or to another region, regions whose
+    /// sample is blocked or that are narrower than the resolution, gaps that contain a configuration at which the parts were found to
+    /// overlap, and configurations whose class differs from that of the gaps.
     pub(super) fn faults(&self, overlaps: &[(f64, f64)]) -> usize {
         let curves = (0..self.data.patches.len()).map(|i| self.faults_of(i));
         let none = |(x, y): (f64, f64)| self.setting.bodies.overlap(x, y) || self.is_touching(x, y);
@@ -26,10 +25,10 @@ impl FixedAxesSpace {
             + self.untrue()
     }
 
-    /// How many of some configurations are not what the gaps tell. Where contact curves are lost, nothing else contradicts what is
-    /// told of both their sides; and where there are none, a single test has told of the whole plane.
+    /// Number of sample configurations whose class differs from that of the gaps. Where contact curves are missing, nothing else
+    /// contradicts the class of both their sides; and where there are none, a single test has decided the whole plane.
     fn untrue(&self) -> usize {
-        // Spread evenly, in no simple ratio to anything.
+        // Evenly distributed, in irrational ratios.
         const TRIED: u32 = 64;
         const SPREAD: (f64, f64) = (0.754_877_666_246_692_8, 0.569_840_290_998_053_3);
         let at = |e: &Extent, share: f64| e.lo + share.fract() * (e.hi - e.lo);
@@ -91,7 +90,7 @@ mod tests {
     use crate::geometry::Vector;
     use crate::part::{Part, Vertex};
 
-    /// A square that slides up and down, and one beside it that slides to it.
+    /// A square that slides up and down, and a square beside it that slides towards it.
     fn squares(size: f64) -> FixedAxesSpace {
         let square = |x: f64| {
             let corners = [(x, 0.0), (x + size, 0.0), (x + size, size), (x, size)];
@@ -112,7 +111,7 @@ mod tests {
         }
     }
 
-    /// An overlap in a free gap, curves of other parts, and curves that are gone.
+    /// Faults are counted: an overlap in a free gap, curves of other parts, and missing curves.
     #[test]
     fn faults_are_seen() {
         let mut space = squares(1.0);

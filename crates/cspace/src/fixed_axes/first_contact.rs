@@ -11,52 +11,52 @@ use crate::number::{Ball, Dual, Real, halved};
 use crate::query::{Classification, MotionError};
 use core::f64::consts::TAU;
 
-/// Branches are looked up along ways that are shorter than this share of the extent.
+/// Length of a motion, as a share of the extent, below which branches are looked up along it.
 const SHORT: f64 = 0.125;
 
-/// A contact function that has sunk to this share of a depth is taken for as deep: the rest is little of what counts as contact.
+/// Share of a depth at which a contact function counts as that deep: the rest is small compared with the contact distance.
 const AT_DEPTH: f64 = 0.8;
 
 /// Rounding of a condition (length of the pair's frame).
 const FLAT: f64 = 4.0 * f64::EPSILON;
 
-/// An enclosure over times, with its derivative by time.
+/// An enclosure over an interval of time, with its derivative by time.
 type Jet = Dual<1, Ball>;
 
-/// Where a motion on fixed axes first touches.
+/// First contact along a motion on fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesContact {
-    /// When, in the unit of time of the rates.
+    /// Time of contact, in the unit of time of the rates.
     pub time: f64,
-    /// The configuration (u, v) then.
+    /// The configuration (u, v) at that time.
     pub at: (f64, f64),
-    /// The patch it touches: one of them, where it touches several.
+    /// Patch that is touched; one of them, if several are.
     pub patch: u32,
 }
 
-/// What becomes of a motion on fixed axes.
+/// Outcome of a motion on fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum AxesMotionOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a contact curve.
     Contact(AxesContact),
-    /// It is free until it leaves the range of a part's motion, at this time.
+    /// The motion is free until it leaves the range of a part's motion, at this time.
     Leaves {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
 
 impl FixedAxesSpace {
-    /// The first contact when the parts move from `from` at constant rates (du/dt, dv/dt) for times from 0 to `duration`.
+    /// The first contact when the parts move from `from` at constant rates (du/dt, dv/dt) at times from 0 to `duration`.
     ///
-    /// Along the motion the contact condition of each curve is a smooth function of time (for two arcs the square of the
-    /// centres' distance). A bound on its second derivative tells for any interval of time that it holds no root, or one
-    /// at most; other intervals are halved. A root counts if the parts come closer there and the configuration is on the
-    /// curve. Nothing is found by sampling. Motions that touch without going deeper go on. A motion that asks a part to move that does not leaves its range at once.
+    /// Along the motion the contact condition of each curve is a smooth function of time (for two arcs the square of the centres'
+    /// distance). A bound on its second derivative shows, for an interval of time, that it holds no root, or at most one; other intervals
+    /// are halved. A root counts if the parts come closer there and the configuration is on the curve. Nothing is found by sampling.
+    /// Motions that touch without going deeper go on. A motion that requires a fixed part to move leaves its range at once.
     ///
     /// The time this takes grows with the number of turns until the contact.
     ///
@@ -88,9 +88,9 @@ impl FixedAxesSpace {
         self.first_below(from, rates, duration, 0.0)
     }
 
-    /// The same, but contact is where the contact function sinks to −`depth` (model length): so that a motion along contact, which
-    /// rounding and curvature bring a little below it and above, goes on. A depth of less than the
-    /// [`contact_distance`](Self::contact_distance) leaves it in contact.
+    /// The first contact, where contact is defined as the contact function falling to −`depth` (model length): so that a motion along
+    /// contact, which rounding and curvature bring a little below it and above, goes on. If the depth is less than the
+    /// [`contact_distance`](Self::contact_distance), such a motion stays in contact.
     ///
     /// # Errors
     /// As [`first_contact`](Self::first_contact), and if the depth is negative or not finite.
@@ -151,10 +151,10 @@ impl FixedAxesSpace {
         })
     }
 
-    /// Every contact that the motion comes through, for times from 0 to `duration`, also where the parts overlap: when, which
-    /// patch, and whether the motion goes into blocked space there; in order of time.
+    /// All contacts that the motion crosses at times from 0 to `duration`, also where the parts overlap: time, patch, and whether the
+    /// motion enters blocked space there; in order of time.
     ///
-    /// Roots are found as those of [`first_contact`](Self::first_contact); a motion that only touches comes through nothing.
+    /// Roots are found as by [`first_contact`](Self::first_contact); a motion that only touches crosses nothing.
     ///
     /// # Errors
     /// If numbers are not finite, the motion begins outside the ranges, or a part turns farther than
@@ -176,7 +176,7 @@ impl FixedAxesSpace {
         if self.time_known(&way) < end {
             return Err(MotionError::TurnsTooFar);
         }
-        // What rises on the way falls on the way back.
+        // Crossings out of blocked space are those into it on the reversed motion.
         let back = Way {
             x: way.x + way.dx * end,
             y: way.y + way.dy * end,
@@ -199,9 +199,9 @@ impl FixedAxesSpace {
         Ok(found)
     }
 
-    /// All branches that a way may come to until a time, and others, each once and in order.
+    /// All branches that a motion may reach until a time, and some others, each once and in order.
     fn along(&self, way: &Way, end: f64, look: &mut dyn FnMut(&AxesBranch)) {
-        // A short way is among few branches.
+        // A short motion is near few branches.
         let (x, to) = (way.x, way.x + way.dx * end);
         if (to - x).abs() < SHORT * (self.setting.x.hi - self.setting.x.lo) {
             for i in self.by_x.between(x.min(to), x.max(to)) {
@@ -216,7 +216,7 @@ impl FixedAxesSpace {
     fn way(&self, from: (f64, f64), rates: (f64, f64)) -> Way {
         let (x, y) = self.setting.map.inner(from.0, from.1);
         let (dx, dy) = self.setting.map.inner(rates.0, rates.1);
-        // As configurations are placed.
+        // As for configurations.
         match self.setting.on_one_line() {
             Some(share) => Way {
                 x: 0.0,
@@ -228,7 +228,7 @@ impl FixedAxesSpace {
         }
     }
 
-    /// When an angle of a part that turns without limits is no longer known.
+    /// Time from which an angle of a part that turns without limits is no longer known.
     fn time_known(&self, way: &Way) -> f64 {
         let of = |extent: &Extent, angle: f64, rate: f64| match extent.is_circle() {
             true => time_of_known_angle(angle, rate),
@@ -237,7 +237,7 @@ impl FixedAxesSpace {
         of(&self.setting.x, way.x, way.dx).min(of(&self.setting.y, way.y, way.dy))
     }
 
-    /// When the motion leaves the ranges, if it does.
+    /// Time at which the motion leaves the ranges, if it does.
     fn time_in_ranges(&self, way: &Way) -> Option<f64> {
         let of = |extent: &Extent, motion: Motion, t: f64, rate: f64| {
             if motion == Motion::Still && rate != 0.0 {
@@ -258,7 +258,7 @@ impl FixedAxesSpace {
         [a, b].into_iter().flatten().reduce(f64::min)
     }
 
-    /// The first time at which the motion goes through a cell into blocked space, up to `until`.
+    /// The first time up to `until` at which the motion passes through a cell into blocked space.
     fn meets(
         &self,
         way: &Way,
@@ -272,7 +272,7 @@ impl FixedAxesSpace {
         let distance = self.setting.inner_contact_distance();
         if starts_touching && self.touches_at(way, cell, 0.0) {
             let (value, slope) = along.distance(0.0);
-            // At the depth already, or as good as.
+            // At the depth already, or nearly.
             let is_deep = depth == 0.0 || value <= -AT_DEPTH * depth;
             if value.abs() <= distance && slope < 0.0 && is_deep {
                 return Some(0.0);
@@ -285,7 +285,7 @@ impl FixedAxesSpace {
         found
     }
 
-    /// Calls `take` with every time at which the motion goes through a cell into blocked space, until it returns true.
+    /// Calls `take` with every time at which the motion passes through a cell into blocked space, until it returns true.
     fn falls_through(
         &self,
         way: &Way,
@@ -295,7 +295,7 @@ impl FixedAxesSpace {
         mut take: impl FnMut(f64) -> bool,
     ) {
         let along = Along::new(self.graphs().condition(cell), way, depth);
-        // Only while the way is in the cell's box.
+        // Only while the motion is in the cell's box.
         let (x_range, y_range) = self.graphs().cell_box(cell);
         let both = (
             Visits::new((way.x, way.dx), x_range, self.setting.x.is_circle(), until),
@@ -323,7 +323,7 @@ impl FixedAxesSpace {
     }
 }
 
-/// Whether a motion is one.
+/// Checks that the numbers of a motion are valid.
 fn check(from: (f64, f64), rates: (f64, f64), duration: f64) -> Result<(), MotionError> {
     let numbers = [from.0, from.1, rates.0, rates.1, duration];
     let finite = numbers.iter().all(|n| (n * n).is_finite());
@@ -336,7 +336,7 @@ fn check(from: (f64, f64), rates: (f64, f64), duration: f64) -> Result<(), Motio
 
 // Contact conditions along a motion of constant rates.
 
-/// A straight way in the (x, y) plane.
+/// A motion of constant rates in the (x, y) plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Way {
     pub(super) x: f64,
@@ -345,20 +345,20 @@ pub(super) struct Way {
     pub(super) dy: f64,
 }
 
-/// A condition along a way.
+/// A condition along a motion.
 pub(super) struct Along<'a> {
     pub(super) condition: &'a Condition,
     pub(super) way: &'a Way,
-    /// What G is there where the contact function is as deep as it is sought, with the other sign.
+    /// Value of −G where the contact function is −depth.
     above: f64,
-    /// What G varies by without doing more than touch: rounding, or little of the depth.
+    /// Variation of G that still counts as touching: rounding, or a small part of the depth.
     flat: f64,
 }
 
 impl<'a> Along<'a> {
     /// A condition at a depth (length of the pair's frame).
     pub(super) fn new(condition: &'a Condition, way: &'a Way, depth: f64) -> Self {
-        // G is K d + λ₁ λ₂ d²/2 for the distance d, of which the second term is nothing at a depth that is less than a contact.
+        // G is K d + λ₁ λ₂ d²/2 for the distance d; the second term is negligible at a depth below the contact distance.
         let above = if depth > 0.0 {
             let (a, b) = condition.moved(way.x, way.y);
             a.total(&b).abs() * depth
@@ -385,9 +385,9 @@ impl<'a> Along<'a> {
 
     /// G, its derivative, and a bound on its second derivative over times from `lo` to `hi`.
     ///
-    /// Of the terms of G that move each by itself, in the way w from one cycle to the other and in both normals n: with its
-    /// velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a
-    /// rate ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R how far the point is from the pivot; one that slides has no acceleration.
+    /// The bound comes from the terms of G that move each by itself, in the vector w from one cycle to the other and in both normals n:
+    /// with its velocity w′ and its acceleration w″, (w²)″ / 2 = w′² + w·w″ and (n·w)″ = n″·w + 2 n′·w′ + n·w″. A part that turns at a rate
+    /// ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R the distance of the point from the pivot; one that slides has no acceleration.
     fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
         let mid = 0.5 * (lo + hi);
         let Way { x, y, dx, dy } = *self.way;
@@ -398,7 +398,7 @@ impl<'a> Along<'a> {
         let (spin, turn) = (rate(first, dx), rate(second, dy));
         let half = 0.5 * (hi - lo);
         let (a, b) = self.condition.moved(x, y);
-        // Bounds on the speed and acceleration of what both are given by, and on how far apart they are.
+        // Bounds on the speed and acceleration of the points and normals of both cycles, and on their distance.
         let rates = (
             first.velocity(a.through).length() * dx.abs(),
             second.velocity(b.through).length() * dy.abs(),
@@ -417,8 +417,8 @@ impl<'a> Along<'a> {
         (a.apart(&b) + self.above, slope, bend)
     }
 
-    /// A bound on the second derivative of G over times from `lo` to `hi`, by the derivative of its slope, enclosed: near to the true
-    /// one on short intervals, and so of a motion that keeps to a contact far less than that of [`smooth`](Self::smooth).
+    /// A bound on the second derivative of G over times from `lo` to `hi`, from an enclosure of the derivative of its slope: close to the
+    /// true value on short intervals, and so for a motion along a contact much smaller than that of [`smooth`](Self::smooth).
     fn bends(&self, lo: f64, hi: f64) -> f64 {
         let t = Jet::variable(Ball::between(lo, hi), 0);
         let along = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
@@ -430,11 +430,9 @@ impl<'a> Along<'a> {
         bend.mid.abs() + bend.radius
     }
 
-    /// Calls `take` with every time at which the condition falls through zero, in order, until it returns true. Returns
-    /// whether it did.
+    /// Calls `take` with every time at which the condition decreases through zero, in order, until it returns true. Returns whether it did.
     pub(super) fn falls(&self, lo: f64, hi: f64, take: &mut impl FnMut(f64) -> bool) -> bool {
-        /// Intervals are not halved below this share of their ends: two roots within one are a touch that goes no deeper
-        /// than rounding.
+        /// Relative length below which intervals are not halved: two roots within one are a touch no deeper than rounding.
         const NARROWEST: f64 = 1e-11;
         let half = 0.5 * (hi - lo);
         let (value, slope, mut bend) = self.smooth(lo, hi);
@@ -459,21 +457,21 @@ impl<'a> Along<'a> {
     }
 }
 
-// When a coordinate that grows at a constant rate is within a range.
+// Intervals of time in which a coordinate with a constant rate is within a range.
 
 /// Intervals of time, all of one length, a period apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Visits {
-    /// When the first begins that ends at 0 or later.
+    /// Beginning of the first interval that ends at 0 or later.
     first: f64,
     length: f64,
-    /// Infinite if there is one only.
+    /// Infinite if there is only one interval.
     period: f64,
 }
 
 impl Visits {
-    /// When t + rate · time is in the range, or no farther than rounding from it, at times from 0 to `until`. `None` if
-    /// never. On a circle values a turn apart are the same.
+    /// Intervals in which t + rate · time is in the range, extended by rounding, at times from 0 to `until`. `None` if there are none. On a
+    /// circle values a turn apart are equal.
     pub(super) fn new(
         (t, rate): (f64, f64),
         (lo, hi): (f64, f64),
@@ -490,7 +488,7 @@ impl Visits {
         if circle && hi - lo >= TAU {
             return Some(always);
         }
-        // How far t is above the lower end, less whole turns.
+        // Distance of t above the lower end, modulo whole turns.
         let above = if circle {
             (t - lo).rem_euclid(TAU)
         } else {
@@ -500,7 +498,7 @@ impl Visits {
         if rate == 0.0 {
             return (0.0..=width).contains(&above).then_some(always);
         }
-        // What it takes to come to the end at which it comes in: it is there already, or comes to it, perhaps a turn on.
+        // Distance to the end at which it enters: it is inside already, or reaches that end, perhaps a turn further.
         let way = if rate > 0.0 { -above } else { above - width };
         let passed = way + width < 0.0;
         let way = match (circle, passed) {
@@ -530,7 +528,7 @@ impl Visits {
             if lo <= hi && take(lo, hi) {
                 return;
             }
-            // The one that ends first goes on.
+            // Advances the one that ends first.
             let before = (mine, theirs);
             if my_end <= their_end {
                 mine += self.period;
@@ -549,7 +547,7 @@ impl Visits {
 mod visits_tests {
     use super::*;
 
-    /// Against the definition, at many times.
+    /// Compared with the definition, at many times.
     #[test]
     fn visits_are_when_the_coordinate_is_in_the_range() {
         let ranges = [(-1.0, 0.5), (2.0, 2.0), (-3.0, 3.2), (5.0, 6.5), (0.0, 6.4)];

@@ -1,4 +1,4 @@
-//! Free space in the plane of the motions: its regions, and its picture.
+//! Free space in the plane of the motions: its regions, and its gaps for drawing.
 
 use super::motion::Extent;
 use super::region::AxesRegion;
@@ -13,9 +13,8 @@ impl FixedAxesSpace {
         regions.map(|r| AxesRegion::new(r, &self.setting)).collect()
     }
 
-    /// The free region that holds a configuration, an index into [`regions`](Self::regions): two free configurations can
-    /// be joined by a motion if and only if theirs is the same. `None` where the parts touch or overlap, and outside the
-    /// ranges of motion.
+    /// The free region that contains a configuration, as an index into [`regions`](Self::regions): two free configurations can be joined by
+    /// a motion if and only if they are in one region. `None` where the parts touch or overlap, and outside the ranges of motion.
     ///
     /// ```
     /// use cspace::{Axis, FixedAxesSpace, Part, Vector, Vertex};
@@ -35,22 +34,22 @@ impl FixedAxesSpace {
         if self.is_touching(x, y) {
             return None;
         }
-        // Beyond the window nothing touches: a way leads straight to its border.
+        // Beyond the window nothing touches: a straight motion leads to its border.
         let into = |t: f64, extent: &Extent| t.clamp(extent.lo, extent.hi);
         let (x, y) = (into(x, &self.setting.x), into(y, &self.setting.y));
         self.gaps().region(x, y)
     }
 
-    /// Least and greatest u and v of a picture: the ranges of motion, a turn, or as far as parts that slide can touch. For a
-    /// part that does not move it is a strip about 0 of no meaning, so that there is something to see.
+    /// Smallest and largest u and v for drawing: the ranges of motion, a turn, or the range in which sliding parts can touch. For a part
+    /// that does not move it is an arbitrary strip about 0, so that there is something to see.
     pub fn extent(&self) -> [(f64, f64); 2] {
         let Setting { map, x, y, .. } = &self.setting;
         let (lo, hi) = (map.outer(x.lo, y.lo), map.outer(x.hi, y.hi));
         [(lo.0, hi.0), (lo.1, hi.1)]
     }
 
-    /// Free space cut at the critical values of one coordinate: between two of them it consists of gaps between contact curves.
-    /// They come in order of that coordinate. On a circle a gap may reach beyond the extent by less than a turn.
+    /// Free space cut at the critical values of one coordinate: between two of them it consists of gaps between contact curves. The gaps
+    /// come in order of that coordinate. On a circle a gap may extend beyond the extent by less than a turn.
     ///
     /// ```
     /// use cspace::{Axis, FixedAxesSpace, Part, Vector};
@@ -95,8 +94,8 @@ impl FreeGap<'_> {
         self.gap.region
     }
 
-    /// The two configurations (u, v) at its ends at a fraction of its interval, 0 to 1: they differ in one coordinate, and
-    /// between them all is free. Along the coordinate of a part that does not move they stand for the coordinate 0.
+    /// The two configurations (u, v) at its ends at a fraction of its interval, 0 to 1: they differ in one coordinate, and between them all
+    /// is free. For a part that does not move, its coordinate there represents 0.
     pub fn ends(&self, fraction: f64) -> [(f64, f64); 2] {
         let x = self.band.lo + (self.band.hi - self.band.lo) * fraction;
         let (from, to) = self.space.graphs().interval(self.gap, x);

@@ -1,4 +1,4 @@
-//! Which cells bound free space: one honest test of overlap for each chain.
+//! Classifies each chain of cells as free or blocked by one exact overlap test at a representative point.
 
 use super::arrange::{Arrangement, Cell};
 use super::motion::Extent;
@@ -11,37 +11,37 @@ use super::tolerance::COINCIDENT;
 use crate::parallel::prelude::*;
 use core::f64::consts::TAU;
 
-/// How far the free side is looked at (radians or length).
+/// Largest distance searched on the free side (radians or length).
 const STEP: f64 = 1.0 / 256.0;
-/// A cell steeper than this is left sideways.
+/// Slope above which a cell is left sideways.
 const STEEP: f64 = 1e3;
-/// So many cells of a chain, the largest, are tested; if they disagree, all are.
+/// Number of cells of a chain, the largest ones, that are tested; if they disagree, all are.
 const TRIED: usize = 3;
-/// A place at least this far from the next curve is clear of all (radians or length): no rounding puts it into another gap.
+/// Distance from the next curve from which a place is away from all curves (radians or length): no rounding puts it into another gap.
 const CLEAR: f64 = 1e-8;
 
 pub(super) struct Judge<'a> {
     graphs: Graphs<'a>,
     bodies: &'a Bodies,
     x: Extent,
-    /// Pieces by x.
+    /// Pieces, indexed by x.
     by_x: Ranges,
 }
 
-/// The verdict on every cell.
+/// The class of every cell.
 pub(super) struct Verdicts {
     pub(super) free: Vec<bool>,
     pub(super) tests: usize,
     pub(super) conflicts: usize,
-    /// Configurations beside cells, clear of all curves, at which the parts overlap.
+    /// Configurations beside cells, away from all curves, at which the parts overlap.
     pub(super) overlaps: Vec<(f64, f64)>,
 }
 
-/// The verdict on a chain.
+/// The class of a chain.
 struct Judged {
     free: Vec<u32>,
     tests: usize,
-    /// Whether tests disagreed with each other, or with what is known of the chain.
+    /// Whether tests contradicted each other, or the chain's bounds.
     conflict: bool,
     overlaps: Vec<(f64, f64)>,
 }
@@ -84,7 +84,7 @@ impl<'a> Judge<'a> {
         verdicts
     }
 
-    /// Whether every cell bounds free space, by a test beside it alone, whatever it crosses and follows.
+    /// Whether every cell bounds free space, by a test beside it alone, independent of its crossings and neighbours.
     pub(super) fn one_by_one(&self, cells: &[Cell]) -> Vec<bool> {
         cells.par_iter().map(|c| self.tests_free(c)).collect()
     }
@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
             conflict: false,
             overlaps: Vec::new(),
         };
-        // The largest cells: a place far enough from other curves is beside one of them, if anywhere.
+        // The largest cells: a place far enough from other curves is most likely beside one of them.
         let mut verdicts: Vec<bool> = Vec::new();
         for o in &open[..open.len().min(TRIED)] {
             if let Some((x, y, reach)) = self.beside(&cells[o.1 as usize]) {
@@ -128,7 +128,7 @@ impl<'a> Judge<'a> {
             judged.free = members.to_vec();
             return judged;
         }
-        // All should be free or blocked, and blocked where one is: rounding has gone astray, or something is closer than the resolution.
+        // All cells should be free or blocked, and blocked if one is: rounding is too large, or features are closer than the resolution.
         judged.conflict = true;
         judged.tests += open.len();
         let free = open.iter().map(|o| o.1);
@@ -138,7 +138,7 @@ impl<'a> Judge<'a> {
         judged
     }
 
-    /// How far a cell reaches.
+    /// Extent of a cell.
     fn size(&self, c: &Cell) -> f64 {
         let p = &self.graphs.pieces[c.piece as usize];
         if p.vertical {
@@ -149,7 +149,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// A configuration beside the middle of a cell, half way to the next curve on its free side, and how far that is.
+    /// A configuration beside the middle of a cell, half way to the next curve on its free side, and its distance.
     fn beside(&self, c: &Cell) -> Option<(f64, f64, f64)> {
         let p = &self.graphs.pieces[c.piece as usize];
         let middle = 0.5 * (c.from + c.to);
@@ -181,7 +181,7 @@ impl<'a> Judge<'a> {
                     d
                 }
             };
-            // Nothing of it is within reach if both ends of its box are beyond, the nearer one first.
+            // A piece is not within reach if both ends of its box are beyond, the nearer one first.
             let (lo, hi) = q.y_range();
             let (near, far) = if free_up { (lo, hi) } else { (hi, lo) };
             let to_near = ahead(near);
@@ -191,7 +191,7 @@ impl<'a> Judge<'a> {
                 continue;
             }
             let d = ahead(q.y(self.graphs.pairs, middle));
-            // What lies on top of this piece and faces the same way is no end of the free side.
+            // A curve that coincides with this piece and faces the same way does not end the free side.
             if d > 0.0 && !(d < COINCIDENT && q.root == p.root) {
                 reach = reach.min(d);
             }
@@ -209,7 +209,7 @@ impl<'a> Judge<'a> {
     /// Left or right to the next curve at this y.
     fn beside_steep(&self, c: &Cell, x: f64, y: f64, right: bool) -> Option<(f64, f64, f64)> {
         let sign = if right { 1.0 } else { -1.0 };
-        // Not beyond the end of what is computed.
+        // Not beyond the end of the window.
         let end = if right { self.x.hi - x } else { x - self.x.lo };
         let mut reach = STEP.min(end);
         let (a, b) = (x.min(x + sign * STEP), x.max(x + sign * STEP));
@@ -243,8 +243,8 @@ impl<'a> Judge<'a> {
         (reach > COINCIDENT).then_some((x + 0.5 * sign * reach, y, reach))
     }
 
-    /// How far ahead of x, at most `reach`, a piece comes to a level. It is asked for the middle of what is free, so a
-    /// thousandth of the distance does.
+    /// Distance from x, at most `reach`, at which a piece comes to a level. It is used for the middle of the free interval, so an accuracy
+    /// of a thousandth is enough.
     fn ahead_at_level(&self, q: &Piece, level: f64, x: f64, sign: f64, reach: f64) -> Option<f64> {
         if q.vertical {
             let d = sign * (q.start.x - x);

@@ -1,15 +1,15 @@
-//! Configurations at which a cycle of one part lies on an equal one of the other: centres that coincide.
+//! Configurations at which a cycle of one part coincides with an equal one of the other part: their centres coincide.
 //!
-//! A joint X with the normal n touches a circle of radius r, their normals opposite, where the circle's centre is at X + r n: at
-//! the centre of an equal circle that has X on it and the normal −n there.
+//! A joint X with the normal n touches a circle of radius r, with opposite normals, where the circle's centre is at X + r n: at the centre
+//! of an equal circle that contains X and has the normal −n there.
 
 use super::motion::Motion;
 use super::tolerance::INDEPENDENT;
 use crate::contact::Cycle;
 use crate::geometry::{Point, Rotation, Vector};
 
-/// Coordinates (s, t) of both parts at which two cycles of one weight and size coincide: two at most, and of parts that both
-/// turn those only that are plausible for the second part's orientation seen from the first, t − s.
+/// Coordinates (s, t) of both parts at which two cycles of equal weight and size coincide: at most two. For parts that both turn, only
+/// those that are plausible for the second part's orientation relative to the first, t − s.
 pub(super) fn meetings(
     (first, p): (Motion, &Cycle),
     (second, q): (Motion, &Cycle),
@@ -24,9 +24,9 @@ pub(super) fn meetings(
                 e + f,
                 p.weight * (p.off(e, p.level(c)) - q.off(f, q.level(d))),
             );
-            // Heron: 16 times the square of the area of the triangle of both pivots and the centre.
+            // Heron's formula: 16 times the square of the area of the triangle of both pivots and the centre.
             let square = (apart - less) * (apart + less) * (sum - apart) * (sum + apart);
-            // A point that is the pivot stays where it is: the other is there at every orientation or at none.
+            // A point at the pivot does not move: the other cycle is there at every orientation or at none.
             if square < 0.0 || c.distance(d).min(e).min(f) < INDEPENDENT {
                 return;
             }
@@ -54,7 +54,7 @@ pub(super) fn meetings(
             slid(q, center, p, direction, |root, t, s| found(root, s, t));
         }
         (Motion::Slide { direction: d }, Motion::Slide { direction: e }) => {
-            // λ (s d − t e) leads from the arm of the one to the other's.
+            // λ (s d − t e) is the vector from the arm of one cycle to that of the other.
             let area = d.cross(e);
             if area.abs() >= INDEPENDENT {
                 let v = (q.through - p.through) + (p.normal - q.normal) * (1.0 / p.weight);
@@ -65,7 +65,7 @@ pub(super) fn meetings(
     }
 }
 
-/// The turn from one vector to another as long, of which the length has this square.
+/// The turn from one vector to another of equal length, whose square is given.
 fn turn(from: Vector, to: Vector, square: f64) -> Rotation {
     Rotation {
         cos: from.dot(to) / square,
@@ -83,11 +83,11 @@ fn slid(
 ) {
     let (v, w) = (turning.arm(center), sliding.arm(center));
     let (e, f, along, side) = (v.length(), w.length(), d.dot(w), d.left());
-    // A point that is the pivot stays where it is.
+    // A point at the pivot does not move.
     if e < INDEPENDENT {
         return;
     }
-    // |v| − ρ, of which |v| ∓ d × w is made without cancelling.
+    // |v| − ρ, from which |v| ∓ d × w is computed without cancellation.
     let more = turning.weight * turning.off(e, turning.level(center));
     let square = (more + sliding.support(center, -side)) * (more + sliding.support(center, side));
     if square < 0.0 {
@@ -95,7 +95,7 @@ fn slid(
     }
     let less = more - sliding.weight * sliding.off(f, sliding.level(center));
     for (root, half) in [(0, square.sqrt()), (1, -square.sqrt())] {
-        // half − along, of two forms the one in which nothing cancels.
+        // half − along: of two equivalent forms the one without cancellation.
         let distance = if (half < 0.0) == (along < 0.0) {
             less * (e + f) / (half + along)
         } else {
@@ -114,7 +114,7 @@ fn slid(
 mod tests {
     use super::*;
 
-    /// Wherever a circle is given by its centre or by two of its points, it is where it is found to be.
+    /// Results agree whether a circle is given by its centre or by one of two of its points.
     #[test]
     fn circles_coincide_where_they_meet() {
         let turn = |x: f64, y: f64| Motion::Turn {

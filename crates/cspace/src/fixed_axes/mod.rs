@@ -31,42 +31,39 @@
 //!
 //! The plane is swept along x, the coordinate of a part that turns if there is one (u or v); y is the other.
 //!
-//! 0. *Setting* (`setup`, `scene`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of
-//!    symmetry is swept over one period of its motion, the *window*; of every orbit of its features one is looked at.
-//! 1. *Nodes* (`nodes`, `meeting`): a contact curve ends where one of its features gives way to its neighbour. These
-//!    configurations have closed forms and names: a joint of one part and a feature of the other, two vertices, two lines.
-//!    Pairs that meet at a node compute it from the same numbers, to the same bit; no coordinates are compared to find who
-//!    meets.
-//! 2. *Pieces* (`condition`, `build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and
-//!    dy = 0, closed forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does
-//!    not matter (dwell). Which are contact is told away from their ends, by the features' extents.
-//! 3. *Crossings* (`cross`): of two monotone graphs, decided by their order at the ends of their common interval;
-//!    where that leaves it open, the resultant of both conditions isolates all roots, none is found by sampling.
-//! 4. *Cells* (`arrange`): pieces between crossings. Cells that follow each other around the outside hang together in a chain.
-//! 5. *Verdicts* (`judge`): a chain bounds free space as a whole or not at all; honest tests of overlap beside its largest
-//!    cells tell. A chain that is known to be blocked and yet tests free, or whose tests differ, is decided cell by cell and
-//!    counted as a conflict.
-//! 6. *Bands and regions* (`sweep`, `region`): between critical values of x the free gaps of y are bounded by an ordered
-//!    list of cells. Gaps join across critical values by overlap; turns are counted on the way, so a region knows what it
-//!    reaches around. Every gap wide enough to be certain of is tested for overlap; if a test contradicts the cells beside it,
-//!    all cells are decided one by one, and it counts as a conflict.
-//! 7. *Copies* (`copies`): what bounds free space in the window is copied to all periods, with the images of the
-//!    features.
+//! 0. *Setting* (`setup`, `scene`, `repeats`): frame, motions, outlines. A part that turns without limits about its own centre of symmetry
+//!    is swept over one period of its motion, the *window*; one feature of every orbit is examined.
+//! 1. *Nodes* (`nodes`, `meeting`): a contact curve ends where one of its features ends and its neighbour begins. These configurations have
+//!    closed forms and names: a joint of one part and a feature of the other, two vertices, two lines. Pairs that meet at a node compute it
+//!    from the same numbers, to the same bit; coordinates are not compared to find which pairs meet.
+//! 2. *Pieces* (`condition`, `build`, `sections`, `place`): the curve of a pair is cut at nodes, at turnings (dx = 0 and dy = 0, closed
+//!    forms), at ends of the window and at limits into monotone graphs y(x), and vertical segments where y does not matter (dwell). A piece
+//!    is a contact if its midpoint lies within the extents of both features.
+//! 3. *Crossings* (`cross`): crossings of two monotone graphs are decided by their order at the ends of their common interval; where that
+//!    is not enough, the resultant of both conditions isolates all roots. Nothing is found by sampling.
+//! 4. *Cells* (`arrange`): pieces between crossings. Cells that follow each other around the outside form a chain.
+//! 5. *Verdicts* (`judge`): a chain bounds free space as a whole or not at all; exact overlap tests beside its largest cells decide. A
+//!    chain that is known to be blocked but tests free, or whose tests differ, is decided cell by cell and counted as a conflict.
+//! 6. *Bands and regions* (`sweep`, `region`): between critical values of x the free gaps of y are bounded by an ordered list of cells.
+//!    Gaps are joined across critical values by overlap; turns are counted, so that it is known around which coordinates a region extends.
+//!    Every gap that is wide enough for a certain test is tested for overlap; if a test contradicts the cells beside it, all cells are
+//!    decided one by one, and this counts as a conflict.
+//! 7. *Copies* (`copies`): the boundary of free space in the window is copied to all periods, with the images of the features.
 //! 8. *Patches* (`patches`): free cells of one pair of features, in order of travel, with their neighbours.
 //!
-//! `compute` runs these steps. The result is data (`data`), and what follows from them at once (`space`); a saved space is read
-//! back by the same constructor. Where the partition contradicts itself, the steps are run again with the parts displaced by less than the
+//! `compute` runs these steps. The result is data (`data`), and quantities that follow from them (`space`); a saved space is read back by
+//! the same constructor. Where the partition contradicts itself, the steps are repeated with the parts displaced by less than the
 //! resolution (`displacement`).
 //!
-//! The sweep in the end does not need the chains to be right everywhere: a gap is free where the cells below and above it
-//! both say so. That is why it was preferred to faces made of loops, which a torus makes awkward anyway.
+//! The sweep does not need the chains to be right everywhere: a gap is free where both the cell below and the cell above it bound free
+//! space there. Therefore it was preferred to faces made of loops, which are awkward on a torus anyway.
 //!
 //! # Ties
 //!
-//! Both parts are grown as for general pairs (`feature/tolerance.rs`), so a pin exactly as wide as its slot leaves nothing.
-//! A third curve is on the same side of a node for all pieces that end there, so rounding never makes a curve cross half a
-//! chain. Pieces that coincide and face the same way count as one. Sections too short to have a place are contracted; ends that
-//! rounding keeps from a vertical piece are put on it; normals that oppose each other exactly are ordered by one rule.
+//! Both parts are grown as for general pairs (`feature/tolerance.rs`), so a pin exactly as wide as its slot has no free space. A third
+//! curve is on the same side of a node for all pieces that end there, so rounding never makes a curve cross half a chain. Pieces that
+//! coincide and face the same way count as one. Sections too short to have a place are contracted; ends that differ from a vertical piece
+//! only by rounding are moved onto it; normals that oppose each other exactly are ordered by one rule.
 
 mod arrange;
 mod axis;

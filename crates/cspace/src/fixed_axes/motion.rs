@@ -1,11 +1,11 @@
-//! How a part moves on its axis, in the frame of the pair.
+//! Motion of a part on its axis, in the frame of the pair.
 
 use crate::contact::Cycle;
 use crate::geometry::{Point, Rotation, Vector, wrap};
 use crate::number::Real;
 use core::f64::consts::{PI, TAU};
 
-/// A motion of one degree of freedom at most, with coordinate t.
+/// A motion of at most one degree of freedom, with coordinate t.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Motion {
@@ -18,7 +18,7 @@ pub(super) enum Motion {
 }
 
 impl Motion {
-    /// Where a point of the part is.
+    /// Position of a point of the part.
     #[inline]
     pub(super) fn point(&self, t: f64, p: Point) -> Point {
         match *self {
@@ -28,7 +28,7 @@ impl Motion {
         }
     }
 
-    /// Where a direction of the part points.
+    /// Image of a direction of the part.
     #[inline]
     pub(super) fn vector(&self, t: f64, v: Vector) -> Vector {
         match self {
@@ -37,7 +37,7 @@ impl Motion {
         }
     }
 
-    /// Where a cycle of the part is.
+    /// Image of a cycle of the part.
     #[inline]
     pub(super) fn moved<T: Real>(&self, t: T, cycle: &Cycle) -> Cycle<T> {
         let cycle = cycle.lift();
@@ -58,7 +58,7 @@ impl Motion {
         }
     }
 
-    /// By how much the part has turned, radians.
+    /// Angle by which the part has turned, radians.
     #[inline]
     pub(super) fn angle(&self, t: f64) -> f64 {
         if self.turns() { t } else { 0.0 }
@@ -79,7 +79,7 @@ impl Motion {
     }
 }
 
-/// Where a part is, or is seen: its point q at turn q + shift.
+/// Placement of a part, or its inverse: its point q is at turn q + shift.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placement {
     pub(super) turn: Rotation,
@@ -132,8 +132,8 @@ impl Motions {
         }
     }
 
-    /// Makes pivots one that are nearer to each other than `near`, and tells how far that takes any place of the second
-    /// part: its turns about both differ by (1 − R)(c − d).
+    /// Unites pivots that are nearer to each other than `near`. Returns the largest resulting displacement of a place of the second part:
+    /// its turns about both pivots differ by (1 − R)(c − d).
     ///
     /// A corner at both pivots would touch the other part's sides there, or not, wherever the parts are.
     pub(super) fn join_pivots(&mut self, near: f64) -> f64 {
@@ -144,8 +144,7 @@ impl Motions {
         2.0 * apart
     }
 
-    /// Makes slides parallel that are so but for less than `near`, and tells the angle by which the second's direction is
-    /// turned (radians).
+    /// Makes slides parallel if their angle is below `near`. Returns the angle by which the second's direction is turned (radians).
     pub(super) fn join_slides(&mut self, near: f64) -> f64 {
         let Some((d, e)) = self.slides().filter(|(d, e)| d.cross(*e).abs() < near) else {
             return 0.0;
@@ -160,20 +159,20 @@ impl Motions {
         self.slides().map(|(d, e)| d.cross(e).abs())
     }
 
-    /// The orientation of the second part seen from the first.
+    /// The orientation of the second part relative to the first.
     #[inline]
     pub(super) fn theta(&self, x: f64, y: f64) -> f64 {
         self.second.angle(y) - self.first.angle(x)
     }
 
-    /// Where the first part's frame sees the origin of the second's, and its orientation.
+    /// Position of the second part's origin in the first part's frame, and its orientation.
     pub(super) fn relative(&self, x: f64, y: f64) -> (Point, f64) {
         let world = self.second.point(y, Point::ORIGIN);
         (self.first.point(-x, world), self.theta(x, y))
     }
 }
 
-// Where the coordinates run.
+// Ranges of the coordinates.
 
 /// The values of one coordinate, in the frame of the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,22 +183,22 @@ pub(super) struct Extent {
     pub(super) kind: ExtentKind,
 }
 
-/// What is at the two ends of an extent.
+/// Kind of the two ends of an extent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum ExtentKind {
-    /// The same place: a full turn.
+    /// Both ends are one place: a full turn.
     Circle,
     /// Limits of a motion by an angle, which may be more than a turn.
     TurnLimits,
     /// Limits of a motion along a direction.
     SlideLimits,
-    /// Places beyond which nothing touches, or beyond which all repeats.
+    /// Places beyond which nothing touches, or beyond which the space repeats.
     Open,
 }
 
 impl Extent {
-    /// A full turn, cut at an angle at which nothing is likely to happen.
+    /// A full turn, cut at an angle at which an event is unlikely.
     pub(super) fn circle() -> Self {
         const CUT: f64 = -PI + 0.012_345_678_9;
         Self {
@@ -218,7 +217,7 @@ impl Extent {
         matches!(self.kind, ExtentKind::Circle | ExtentKind::TurnLimits)
     }
 
-    /// The value brought into the first turn, if values repeat.
+    /// The value reduced to the first turn, if values repeat.
     pub(super) fn reduced(&self, t: f64) -> f64 {
         if !self.repeats() {
             return t;
@@ -227,23 +226,23 @@ impl Extent {
         if r >= self.lo + TAU { self.lo } else { r }
     }
 
-    /// a − b, less whole turns if values repeat.
+    /// a − b, modulo whole turns if values repeat.
     pub(super) fn difference(&self, a: f64, b: f64) -> f64 {
         if self.repeats() { wrap(a - b) } else { a - b }
     }
 
-    /// a − b; where both ends are the same place, the shorter way around.
+    /// a − b; if both ends are the same place, the shorter way around.
     pub(super) fn apart(&self, a: f64, b: f64) -> f64 {
         if self.is_circle() { wrap(a - b) } else { a - b }
     }
 
-    /// The value brought into the circle; itself if the ends are not the same place.
+    /// The value reduced to the circle; unchanged if the ends are not the same place.
     pub(super) fn folded(&self, t: f64) -> f64 {
         if self.is_circle() { self.reduced(t) } else { t }
     }
 
-    /// A value brought by whole turns into a range, give or take some reach, if it is in it; by none if the ends of the extent
-    /// are not the same place.
+    /// A value moved by whole turns into a range extended by `reach`, if possible; without turns if the ends of the extent are not the same
+    /// place.
     pub(super) fn brought(&self, t: f64, (lo, hi): (f64, f64), reach: f64) -> Option<f64> {
         let t = if self.is_circle() {
             t + TAU * ((lo - reach - t) / TAU).ceil()
@@ -253,7 +252,7 @@ impl Extent {
         (lo - reach <= t && t <= hi + reach).then_some(t)
     }
 
-    /// From and to of the first turn; of all, if values do not repeat.
+    /// Bounds of the first turn; of the whole extent, if values do not repeat.
     pub(super) fn first_turn(&self) -> (f64, f64) {
         let to = if self.repeats() {
             self.lo + TAU
@@ -263,7 +262,7 @@ impl Extent {
         (self.lo, to)
     }
 
-    /// How many turns there are, the last perhaps not a whole one.
+    /// Number of turns, including a partial last one.
     pub(super) fn turns(&self) -> i32 {
         match self.kind {
             ExtentKind::TurnLimits => ((self.hi - self.lo) / TAU).floor() as i32 + 1,
@@ -272,12 +271,12 @@ impl Extent {
     }
 }
 
-/// A value brought between two others, which rounding may have exchanged.
+/// A value limited to an interval, whose ends rounding may have exchanged.
 pub(super) fn brought_between(t: f64, lo: f64, hi: f64) -> f64 {
     t.max(lo).min(hi)
 }
 
-/// Values that are nearer to the one before than `near`, together: the first and the last of each cluster.
+/// Groups values whose distance from the previous one is below `near`: the first and the last value of each cluster.
 pub(super) fn clusters(mut values: Vec<f64>, near: f64) -> Vec<(f64, f64)> {
     values.sort_by(f64::total_cmp);
     let mut clusters: Vec<(f64, f64)> = Vec::new();

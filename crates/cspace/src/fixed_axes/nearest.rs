@@ -1,4 +1,4 @@
-//! The nearest contact, one part being moved and the other held.
+//! The nearest contact when one part is moved and the other held.
 
 use super::motion::{Extent, Motion, brought_between};
 use super::place::crossing_of_level;
@@ -7,22 +7,22 @@ use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use core::f64::consts::TAU;
 
-/// The contact nearest to a configuration when one part alone is moved.
+/// The contact nearest to a configuration when only one part is moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestOnAxes {
-    /// The contact curve it is on.
+    /// Contact curve of the contact.
     pub patch: u32,
     /// The configuration (u, v) in contact.
     pub at: (f64, f64),
-    /// How far the part moves: radians of one that turns, length of one that slides.
+    /// Displacement of the part: radians if it turns, length if it slides.
     pub distance: f64,
 }
 
 impl FixedAxesSpace {
-    /// The contact nearest to (u, v), free or blocked, when the moving part alone is moved: u stays. If the moving part does
-    /// not move, the fixed part is moved and v stays. From a free configuration this is the play to the nearer side.
+    /// The contact nearest to (u, v), free or blocked, when only the moving part is moved and u is constant. If the moving part cannot
+    /// move, the fixed part is moved and v is constant. For a free configuration this is the play to the nearer side.
     ///
-    /// `None` outside the ranges of motion, or if nothing touches however the part is moved.
+    /// `None` outside the ranges of motion, or if the motion of the part leads to no contact.
     ///
     /// Along each branch the other coordinate is a monotone function in closed form, or is solved for by halving.
     ///
@@ -46,7 +46,7 @@ impl FixedAxesSpace {
         )
     }
 
-    /// The nearest of the branches that `near` finds at the value that is held.
+    /// The nearest contact among the branches that `near` finds at the value that is held.
     pub(super) fn nearest_among(
         &self,
         near: impl FnOnce(&Ranges, f64) -> Vec<u32>,
@@ -58,11 +58,11 @@ impl FixedAxesSpace {
         let first_still = setting.motions.first == Motion::Still;
         let second_still = setting.motions.second == Motion::Still;
         let swapped = setting.map.swapped;
-        // x is u, unless they are swapped.
+        // x is u, unless they are exchanged.
         let moves_v = !if swapped { first_still } else { second_still };
         let one_line = setting.on_one_line();
         let moves_y = moves_v != swapped;
-        // On one line only y less so many x counts: moving x moves that the other way.
+        // For slides along one line, only y minus a multiple of x counts: moving x changes that difference in the opposite sense.
         let rate = one_line.filter(|_| !moves_y).map_or(1.0, |share| -share);
         let along_y = moves_y || one_line.is_some();
         let (held, moved) = if along_y { (x, y) } else { (y, x) };
@@ -89,7 +89,7 @@ impl FixedAxesSpace {
         nearest
     }
 
-    /// The value of the moved coordinate, nearest to the given, at which a cell has the held one.
+    /// The value of the moved coordinate, nearest to the given one, at which a cell has the held value.
     fn beside(&self, cell: u32, held: f64, moved: f64, along_y: bool) -> Option<f64> {
         let graphs = self.graphs();
         let (x_range, y_range) = graphs.cell_box(cell);
@@ -101,7 +101,7 @@ impl FixedAxesSpace {
         let s = across.1.brought(held, across.0, NEAR)?;
         let s = brought_between(s, lo, hi);
         if hi - lo <= NEAR {
-            // It stays while the other coordinate moves: the nearest of all that it has.
+            // The cell is constant in the other coordinate: its nearest value is used.
             return Some(nearest_of(along.0, moved, along.1));
         }
         if along_y {
@@ -114,7 +114,7 @@ impl FixedAxesSpace {
     }
 }
 
-/// The value of a range that is nearest to the given.
+/// The value of a range that is nearest to the given one.
 fn nearest_of((lo, hi): (f64, f64), t: f64, extent: &Extent) -> f64 {
     if !extent.is_circle() {
         return brought_between(t, lo, hi);

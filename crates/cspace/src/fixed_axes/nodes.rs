@@ -1,8 +1,7 @@
-//! Where contact curves end because one feature gives way to its neighbour: configurations with names.
+//! Nodes: named configurations at which contact curves end because one feature ends and its neighbour begins.
 //!
-//! A node belongs to a joint of one part and a feature of the other (or to two vertices, or two lines), not to a pair
-//! of features. All pairs that meet there compute it from the same numbers, so it is the same to the last bit, and its
-//! name tells that it is one.
+//! A node belongs to a joint of one part and a feature of the other (or to two vertices, or two lines), not to a pair of features. All
+//! pairs that meet there compute it from the same numbers, so it is the same to the last bit, and its name identifies it.
 
 use super::equation::Equation;
 use super::meeting::meetings;
@@ -17,11 +16,10 @@ use crate::geometry::{Point, Rotation, Vector};
 use core::f64::consts::PI;
 
 impl Scene {
-    /// Calls `found` with every node on the curve of a pair of which one is round at least. The first feature stands for
-    /// its orbit.
+    /// Calls `found` with every node on the curve of a pair with at least one round feature. The first feature represents its orbit.
     ///
-    /// What belongs to another joint or line of the first part is computed from the one that stands for its orbit, and
-    /// moved: so all pairs that meet there have the same numbers, in whatever copy of the window they meet.
+    /// Nodes that belong to another joint or line of the first part are computed from the representative of its orbit, and moved: so all
+    /// pairs that meet there have the same numbers, in whatever copy of the window they meet.
     pub(super) fn nodes(&self, ia: u32, ib: u32, mut found: impl FnMut(Node)) {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         let fold = self.repeats.fold;
@@ -52,7 +50,8 @@ impl Scene {
         }
     }
 
-    /// Ends of a feature of the first part, or with `swap` of the second, touch a round one of the other: its centre is at X + ρ n.
+    /// Nodes at which an end of a feature of the first part, or with `swap` of the second, touches a round feature of the other: its centre
+    /// is at X + ρ n.
     fn joints(
         &self,
         swap: bool,
@@ -82,7 +81,7 @@ impl Scene {
                 let ends = [round.start, round.end].map(|k| swapped(swap, [joint, k]));
                 if let Some([j, k]) = ends.into_iter().find(|&[j, k]| self.tied(j, k, theta)) {
                     let Image { of, steps: on } = self.repeats.joint(j);
-                    // The orbit's joint is there when x is larger by the steps between them.
+                    // The joint of the orbit is there when x is larger by the steps between them.
                     let x = x + self.repeats.period() * f64::from(on);
                     found(Name::Joints(of, k), root, steps, x, y);
                 } else if self.has(!swap, round, joint, theta) {
@@ -96,7 +95,8 @@ impl Scene {
         }
     }
 
-    /// A round feature of the second part, or with `swap` of the first, ends where its normal is that of a line of the other.
+    /// Nodes at which a round feature of the second part, or with `swap` of the first, ends where its normal is that of a line of the
+    /// other.
     fn alignments(
         &self,
         swap: bool,
@@ -117,7 +117,7 @@ impl Scene {
                 } else {
                     Image::itself(beside)
                 };
-                // Travel goes on: where the feature starts the line ends.
+                // Travel continues: where the feature starts, the line ends.
                 let before = &other.outline.features[of as usize];
                 let joint = if at_start { before.end } else { before.start };
                 let [ia, ib] = swapped(swap, [i, of]);
@@ -146,7 +146,7 @@ impl Scene {
         }
     }
 
-    /// A joint of the first part as the image of the one that stands for its orbit; with `swap` one of the second, itself.
+    /// A joint of the first part as the image of the representative of its orbit; with `swap` a joint of the second part, which is its own.
     fn image(&self, swap: bool, joint: u32) -> Image {
         if swap {
             Image::itself(joint)
@@ -155,7 +155,7 @@ impl Scene {
         }
     }
 
-    /// Two lines touch along a stretch; it has two ends, each a joint of one part, at which `ends_at` is asked.
+    /// Nodes of two lines that touch along a stretch: its two ends, each a joint of one part, selected by `ends_at`.
     fn lines(
         &self,
         (ia, steps): (u32, u32),
@@ -169,7 +169,7 @@ impl Scene {
         let joint = (self.second.point(b.start), self.second.angle(b.start));
         let accepts = |seen: Placement| {
             let place = |joint| along.dot(seen.point(self.second.point(joint)) - start);
-            // Opposite normals: travel goes the other way on the second part.
+            // Opposite normals: the direction of travel is opposite on the second part.
             let (lo, hi) = (place(b.end), place(b.start));
             if lo.max(0.0) >= hi.min(length) {
                 return false;
@@ -192,7 +192,7 @@ impl Scene {
     }
 }
 
-/// Something of the first part and of the second, exchanged if that is wanted.
+/// A pair of elements of the first and of the second part, exchanged if `swap`.
 fn swapped<T>(swap: bool, [first, second]: [T; 2]) -> [T; 2] {
     if swap {
         [second, first]
@@ -201,8 +201,8 @@ fn swapped<T>(swap: bool, [first, second]: [T; 2]) -> [T; 2] {
     }
 }
 
-/// A round feature, and where it is when it touches a joint of the other part. Of circles whose centres are near these are
-/// enough.
+/// The cycle of a round feature, and that cycle placed so that it touches a joint of the other part. If the centre is near, both are
+/// points: the centres.
 fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, Cycle) {
     if f.near.is_some() {
         let arc = Cycle::of(&side.outline, f);
@@ -212,10 +212,10 @@ fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, C
     (Cycle::round(f.center(), 0.0), Cycle::round(at, 0.0))
 }
 
-// Configurations at which a joint of one part is on a line of the other, their normals opposite.
+// Configurations at which a joint of one part is on a line of the other, with opposite normals.
 
-/// Coordinates (of the line's part, of the joint's part) at which a joint is on a line and their normals oppose, if that is
-/// to be accepted as the line's part then sees the joint's.
+/// Coordinates (of the line's part, of the joint's part) at which a joint is on a line with opposite normals, if `accepts` admits the
+/// joint's position as seen from the line's part.
 fn aligned(
     motions: Motions,
     (normal, through, alpha): (Vector, Point, f64),

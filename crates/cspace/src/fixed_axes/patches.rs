@@ -1,4 +1,4 @@
-//! Chains of cells made patches: their branches, and the region that each bounds.
+//! Makes patches of chains of cells: their branches, and the region that each bounds.
 
 use super::arrange::{Cell, Stop};
 use super::motion::Extent;
@@ -8,7 +8,7 @@ use super::sweep::{Gaps, Graphs};
 use super::tolerance::NEAR;
 use crate::feature::FeatureName;
 
-/// What patches are made with.
+/// Data from which patches are made.
 pub(super) struct Patches<'a> {
     pub(super) setting: &'a Setting,
     pub(super) gaps: Gaps<'a>,
@@ -70,7 +70,7 @@ impl Patches<'_> {
         }
     }
 
-    /// For every chain the region it bounds: that of a gap beside one of its cells.
+    /// For every chain, the region it bounds: that of a gap beside one of its cells.
     fn regions_of_cells(&self, chains: &[Chain]) -> Vec<Option<u32>> {
         let mut of_cell: Vec<Option<u32>> = vec![None; self.gaps.graphs.cells.len()];
         for gap in self.gaps.gaps {
@@ -80,15 +80,15 @@ impl Patches<'_> {
         }
         let mut regions: Vec<Option<u32>> = (chains.iter())
             .map(|chain| {
-                // Vertical ones have it from the gap on their free side. Of two on one curve, as far as rounding tells, only one
-                // bounds a gap.
+                // Vertical cells get it from the gap on their free side. If two cells coincide up to rounding, only one of them bounds a
+                // gap.
                 let cells = || chain.cells.iter();
                 (cells().find_map(|&i| of_cell[i as usize]))
                     .or_else(|| cells().find_map(|&i| self.beside_vertical(i)))
                     .or_else(|| cells().find_map(|&i| self.beside_graph(i)))
             })
             .collect();
-        // Beside one that is too short or too steep there is nothing to be seen: what it follows bounds the same region.
+        // Beside a cell that is too short or too steep no gap is found: its neighbours in the chain bound the same region.
         for i in 0..chains.len() {
             let towards = |step: fn(&Chain) -> Option<u32>| {
                 core::iter::successors(Some(i), |&j| step(&chains[j]).map(|k| k as usize))
@@ -100,7 +100,7 @@ impl Patches<'_> {
         regions
     }
 
-    /// The region just beside a graph on its free side.
+    /// The region just beside a graph, on its free side.
     fn beside_graph(&self, cell: u32) -> Option<u32> {
         let graphs = self.gaps.graphs;
         let (c, p) = graphs.cell(cell);
@@ -113,7 +113,7 @@ impl Patches<'_> {
         self.gaps.region(self.gaps.x.folded(x), graphs.y.folded(y))
     }
 
-    /// The region just beside a vertical one on its free side.
+    /// The region just beside a vertical cell, on its free side.
     fn beside_vertical(&self, cell: u32) -> Option<u32> {
         let graphs = self.gaps.graphs;
         let (c, p) = graphs.cell(cell);
@@ -136,12 +136,12 @@ impl Patches<'_> {
     }
 }
 
-// Contact curves as patches of the one band a fixed-axes pair has.
+// Contact curves as patches; a pair on fixed axes has only one band.
 
-/// A contact curve: where one pair of features touches, on the boundary of free space.
+/// A contact curve: one pair of features touches along it, on the boundary of free space.
 ///
-/// It is travelled with blocked space on its left and free space on its right in the (u, v) plane. It has no upper or lower
-/// neighbours; where it ends without a neighbour, a motion is at its limit (section 3.2 of Sacks 1999).
+/// It is traversed with blocked space on its left and free space on its right in the (u, v) plane. It has no upper or lower neighbours;
+/// where it ends without a neighbour, a motion is at its limit (section 3.2 of Sacks 1999).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesPatch {
@@ -149,7 +149,7 @@ pub struct AxesPatch {
     pub fixed: FeatureName,
     /// The feature of the moving part.
     pub moving: FeatureName,
-    /// Its branches, indices into [`FixedAxesSpace::branches`](super::FixedAxesSpace::branches), in order of travel.
+    /// Its branches, as indices into [`FixedAxesSpace::branches`](super::FixedAxesSpace::branches), in order of travel.
     pub branches: core::ops::Range<u32>,
     /// The contact curve before it, on its left side.
     pub previous: Option<u32>,
@@ -159,7 +159,7 @@ pub struct AxesPatch {
     pub region: Option<u32>,
 }
 
-/// What is a function of what on a branch.
+/// Direction of the function on a branch: v of u, or u of v.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -174,13 +174,13 @@ pub enum BranchForm {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesBranch {
-    /// The contact curve it belongs to.
+    /// Contact curve of the branch.
     pub patch: u32,
-    /// What is a function of what.
+    /// Which coordinate is a function of the other.
     pub form: BranchForm,
     /// The configuration (u, v) at which travel along it begins; v and u are continuous along the branch.
     pub start: (f64, f64),
-    /// Where it ends.
+    /// The configuration at which it ends.
     pub end: (f64, f64),
     /// The cell of the arrangement.
     pub(super) cell: u32,
@@ -188,8 +188,8 @@ pub struct AxesBranch {
 
 // Free cells in order along the boundary of free space.
 
-/// Ends that no name joins, but no farther apart than this (radians or length), follow each other: three curves through one
-/// point, or lines that continue each other.
+/// Distance of ends without a common name below which they follow each other (radians or length): three curves through one point, or lines
+/// that continue each other.
 const SAME_PLACE: f64 = 1e-8;
 
 /// One contact curve: consecutive free cells of one pair of features, in order of travel.
@@ -201,9 +201,9 @@ pub(super) struct Chain {
     pub(super) next: Option<u32>,
 }
 
-/// Whether travel along a cell, blocked space on the left and free space on the right, goes up in its parameter.
+/// Whether travel along a cell, with blocked space on the left and free space on the right, increases its parameter.
 pub(super) fn goes_up(piece: &Piece) -> bool {
-    // Above is right of travel to the left; right is right of travel upwards.
+    // Above is right of leftward travel; right is right of upward travel.
     (piece.root == 0) == piece.vertical
 }
 
@@ -217,7 +217,7 @@ pub(super) fn end_of(cell: &Cell, piece: &Piece, pairs: &[Pair], at_end: bool) -
     }
 }
 
-/// Finds which cell follows which, all being free, and gathers those of the same features, as `same` tells, to curves.
+/// Finds the successor of each free cell, and joins cells of the same features, according to `same`, to curves.
 pub(super) fn chains(
     graphs: &Graphs<'_>,
     x: &Extent,
@@ -238,7 +238,7 @@ pub(super) fn chains(
         next[from as usize] = to;
         previous[to as usize] = from;
     }
-    // What is left over, by place.
+    // Remaining ends are matched by their places.
     let all = || 0..cells.len() as u32;
     let place = |i: u32, leaving: bool| {
         end_of(
@@ -292,7 +292,7 @@ pub(super) fn chains(
         let before = previous[i as usize];
         before == NONE || !continues(before, i)
     };
-    // Curves with a beginning, then those that close upon themselves.
+    // First curves with a beginning, then closed curves.
     for i in all().filter(|&i| first(i)).chain(all()) {
         if of_cell[i as usize] != NONE {
             continue;
@@ -319,7 +319,7 @@ pub(super) fn chains(
         let (Some(&from), Some(&to)) = (chain.cells.first(), chain.cells.last()) else {
             continue;
         };
-        // No neighbour is told by `None`, never by the mark of this function.
+        // A missing neighbour is `None` in the result, not the marker of this function.
         let of = |i: u32| {
             let chain = of_cell.get(i as usize).copied();
             chain.filter(|&c| c != NONE)

@@ -3,7 +3,7 @@
 use super::condition::Condition;
 use core::f64::consts::TAU;
 
-/// Two features that touch, and when.
+/// Two features that can touch, and their condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pair {
     pub(super) first: u32,
@@ -11,7 +11,7 @@ pub(super) struct Pair {
     pub(super) condition: Condition,
 }
 
-/// An end of a piece. Its y is `base` + 2π `turns`; the base is the node's and the same for all pieces that end there.
+/// An end of a piece. Its y is `base` + 2π `turns`; the base is the node's, equal for all pieces that end there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct End {
@@ -32,17 +32,17 @@ impl End {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Piece {
     pub(super) pair: u32,
-    /// Root 0 has free space above it, root 1 below. Of a vertical piece, 0 has it on the right, 1 on the left.
+    /// Root 0 has free space above it, root 1 below. For a vertical piece, 0 has it on the right, 1 on the left.
     pub(super) root: u8,
     pub(super) vertical: bool,
-    /// y is the condition's root and so many turns.
+    /// y is the condition's root plus this number of turns.
     pub(super) turns: i32,
     /// The left end, or the lower one.
     pub(super) start: End,
     pub(super) end: End,
 }
 
-/// A y as a sum that is exact in its second term: value + 2π turns.
+/// A value of y as a sum whose second term is exact: value + 2π turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Height {
     pub(super) value: f64,
@@ -54,14 +54,14 @@ impl Height {
         self.value + TAU * f64::from(self.turns)
     }
 
-    /// How far this is above another that is moved up by so many turns.
+    /// Distance of this above another that is moved up by `shift` turns.
     pub(super) fn above(self, other: Self, shift: i32) -> f64 {
         (self.value - other.value) + TAU * f64::from(self.turns - other.turns - shift)
     }
 }
 
 impl Piece {
-    /// The piece when its pair, by itself and in names, has another number.
+    /// The piece with another number of its pair, also in names.
     pub(super) fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
         self.pair = number(self.pair);
         for end in [&mut self.start, &mut self.end] {
@@ -70,7 +70,7 @@ impl Piece {
         self
     }
 
-    /// Makes a graph a vertical piece: it is so steep that rounding leaves it no width.
+    /// Converts a graph to a vertical piece: it is so steep that rounding leaves it no width.
     pub(super) fn stand_up(&mut self, pairs: &[Pair]) {
         let condition = &pairs[self.pair as usize].condition;
         let (by_x, _) = condition.gradient(self.start.x, self.start.y());
@@ -90,12 +90,12 @@ impl Piece {
         (a.min(b), a.max(b))
     }
 
-    /// y at x, of a piece that is not vertical.
+    /// y at x; not for a vertical piece.
     pub(super) fn y(&self, pairs: &[Pair], x: f64) -> f64 {
         self.height(pairs, x).y()
     }
 
-    /// y at x; at an end it is the node's, for all pieces that meet there.
+    /// y at x; at an end it is the node's, equal for all pieces that meet there.
     pub(super) fn height(&self, pairs: &[Pair], x: f64) -> Height {
         for end in [&self.start, &self.end] {
             if x == end.x {
@@ -112,9 +112,9 @@ impl Piece {
     }
 }
 
-// Names of nodes: ends of curves that have one name are one place.
+// Names of nodes: ends of curves with equal names are one place.
 
-/// What a node is, so that ends of curves find each other.
+/// Identity of a node, by which ends of curves are matched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Name {
@@ -132,17 +132,17 @@ pub(super) enum Name {
     JointLine(u32, u32),
     /// Two smooth joints between arcs touch, their normals opposite.
     Joints(u32, u32),
-    /// The two roots of a pair become one: pair, which of them.
+    /// The two roots of a pair merge: pair, number of the place.
     Turning(u32, u32),
-    /// A curve goes on with the same pair: at the cut of a circle, or where it is cut to be monotone.
+    /// A curve continues with the same pair: at the cut of a circle, or where it is cut to be monotone.
     Same(u32, u32),
-    /// A curve goes on in the next copy of the window.
+    /// A curve continues in the next copy of the window.
     Seam(u32, u32),
     /// A limit of a motion, or the window's end.
     Limit,
 }
 
-/// A name, which of several such configurations, and in which turn.
+/// A name, the number of the configuration among those of that name, and its turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Key {
@@ -153,7 +153,7 @@ pub(super) struct Key {
 }
 
 impl Key {
-    /// The key when pairs have other numbers.
+    /// The key with other numbers of pairs.
     pub(super) fn renumbered(mut self, number: impl Fn(u32) -> u32) -> Self {
         if let Name::Turning(pair, _) | Name::Same(pair, _) = &mut self.name {
             *pair = number(*pair);
@@ -162,14 +162,14 @@ impl Key {
     }
 }
 
-/// A node on the curve of a pair; coordinates in the first turn.
+/// A node on the curve of a pair, with coordinates in the first turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Node {
     pub(super) name: Name,
     pub(super) root: u8,
     pub(super) x: f64,
     pub(super) y: f64,
-    /// Where it is in the window, and in which copy of it x is.
+    /// Its place in the window, and the copy of the window that contains x.
     pub(super) in_window: f64,
     pub(super) copy: u32,
 }

@@ -1,4 +1,4 @@
-//! Pieces in every turn of y, cut to the limits of motion.
+//! Places pieces in every turn of y, cut to the limits of motion.
 
 use super::build::Builder;
 use super::condition::Condition;
@@ -13,7 +13,7 @@ use crate::number::halved;
 use core::f64::consts::TAU;
 
 impl Builder<'_> {
-    /// The piece in every turn of y, cut to the limits of both coordinates.
+    /// Adds the piece in every turn of y, cut to the limits of both coordinates.
     pub(super) fn in_each_turn(&mut self, piece: Piece) {
         let y = self.scene.y;
         let (lo, hi) = piece.y_range();
@@ -62,7 +62,7 @@ impl Builder<'_> {
                 return None;
             }
             if !piece.vertical {
-                // A monotone piece stays between its ends, however steep it is: rounding at a pole may lead far beyond.
+                // A monotone piece stays between its ends, however steep it is: rounding near a pole may give values far beyond.
                 let (lowest, highest) = piece.y_range();
                 let at = |x: f64| brought_between(piece.y(&self.pairs, x), lowest, highest);
                 let (from, to) = (at(x.lo), at(x.hi));
@@ -112,13 +112,13 @@ pub(super) fn crossing_of_level(
     0.5 * (lo + hi)
 }
 
-// Which sections of a curve are contact: where both features have the point and the normal.
+// Selects the sections of a curve that are contact: those where both features contain the point and the normal.
 
-/// A section is tested by where its middle lies between the ends of its features. Nearer to one than this (length, or
-/// radians) the test is not trusted: what lies on the other side of the node beside it tells.
+/// Distance of a section's middle from the ends of its features (length, or radians) below which the test is not used: then the section on
+/// the other side of the adjacent node decides.
 const UNCLEAR: f64 = 1e-11;
 
-/// How far inside both features' extents the contact at (x, y) is: negative outside.
+/// Distance of the contact at (x, y) inside the extents of both features: negative outside.
 pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
     let (a, b) = (
         scene.first_feature(pair.first),
@@ -147,10 +147,10 @@ pub(super) fn margin(scene: &Scene, pair: &Pair, x: f64, y: f64) -> f64 {
     of_first.min(of_second)
 }
 
-/// How far along the tangent of a line or large arc it is touched, from where it is told, n being K times its normal there.
-/// `None` of what is told by its centre. Never on the far side of a circle.
+/// Coordinate of the contact along the tangent of a line or large arc, from the point by which it is written; n is K times its normal
+/// there. `None` for a cycle written by its centre. Never on the far side of a circle.
 ///
-/// A circle has (n / K − n₁) / λ₁ from one point to the other. Along the tangent that is (λ₂ t·d − t·n₂) / K.
+/// On a circle the vector from one point to the other is (n / K − n₁) / λ₁. Its component along the tangent is (λ₂ t·d − t·n₂) / K.
 fn place(own: &Cycle, other: &Cycle, n: Vector) -> Option<f64> {
     if own.is_centred() {
         return None;
@@ -163,14 +163,14 @@ fn place(own: &Cycle, other: &Cycle, n: Vector) -> Option<f64> {
     Some(t.dot(way) / own.total(other))
 }
 
-/// How far inside the ends of a line or large arc a place along its tangent is.
+/// Distance of a place along the tangent of a line or large arc from its ends, positive inside.
 fn between_ends(side: &Side, f: &Feature, own: &Cycle, at: f64) -> f64 {
     let t = own.normal.left();
     let place = |joint: u32| t.dot(side.point(joint) - own.through);
     (at - place(f.start)).min(place(f.end) - at)
 }
 
-/// Which sections are contact: by their margins, and where those are unclear by the section beside.
+/// Decides which sections are contact: by their margins, and where those are unclear by the adjacent section.
 pub(super) fn decide(margins: &[f64], ends: impl Fn(usize) -> bool) -> Vec<bool> {
     let n = margins.len();
     let mut verdicts: Vec<Option<bool>> = margins
@@ -187,8 +187,8 @@ pub(super) fn decide(margins: &[f64], ends: impl Fn(usize) -> bool) -> Vec<bool>
             verdicts[i] = verdicts[i + 1].map(|after| after != ends(i + 1));
         }
     }
-    // A curve without nodes that runs along a joint of both parts for good (discs that slide along their line of centres)
-    // belongs to the features on either side of it; one is enough, more do no harm.
+    // A curve without nodes that runs permanently along a joint of both parts (discs that slide along their line of centres) belongs to the
+    // features on either side of it; one of them is enough, more do no harm.
     verdicts
         .iter()
         .zip(margins)

@@ -1,9 +1,9 @@
-//! The configuration of a contact curve that is nearest to a given one, where turning by a radian counts as a length.
+//! The configuration of a contact curve that is nearest to a given one, in a metric in which turning by a radian counts as a length.
 //!
-//! Along a branch x and y are monotone functions of each other, so a part of it between two places is in the box of these. The
-//! square of the distance from (x₀, y₀) has half the gradient d = (wₓ² (x − x₀), w_y² (y − y₀)), and along the curve f = 0 it
-//! grows or falls as S = d × ∇f tells: over a box in which S has no zero, none but the ends of the part count. What is
-//! left is halved (`number/least.rs`).
+//! Along a branch x and y are monotone functions of each other, so its part between two places is in the box of these. The square of the
+//! distance from (x₀, y₀) has half the gradient d = (wₓ² (x − x₀), w_y² (y − y₀)), and along the curve f = 0 it increases or decreases
+//! according to the sign of S = d × ∇f: over a box in which S has no zero, only the ends of the part count. Remaining parts are halved
+//! (`number/least.rs`).
 
 use crate::geometry::images;
 use crate::number::{Ball, Bounded, Real, least};
@@ -13,15 +13,15 @@ use super::piece::Piece;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 
-/// A place (x, y), and its distance from what is projected (length of the pair's frame).
+/// A place (x, y), and its distance from the given configuration (length of the pair's frame).
 type Found = ((f64, f64), f64);
 
 impl FixedAxesSpace {
-    /// The configuration of a patch that is nearest to (u, v), and its distance in the model's unit of length, turning by a
-    /// radian being as far as `length_per_radian`. Coordinates of parts that turn without limits are taken modulo a turn:
-    /// the answer's are those images that are nearest to the ones given.
+    /// The configuration of a patch that is nearest to (u, v), and its distance in the model's unit of length, where turning by a radian
+    /// counts as `length_per_radian`. Coordinates of parts that turn without limits are taken modulo a turn: the result has the images
+    /// nearest to the given ones.
     ///
-    /// `None` if there is no such patch, a part that does not move is not at 0, or it is not nearer than `known`.
+    /// `None` if there is no such patch, a part that does not move is not at 0, or the patch is not nearer than `known`.
     pub(crate) fn project(
         &self,
         (u, v): (f64, f64),
@@ -63,7 +63,7 @@ impl FixedAxesSpace {
         (best.1 < known).then(|| (self.setting.outer(a, b), best.1 / scale))
     }
 
-    /// The nearest place of a cell, if it is nearer than what is known.
+    /// The nearest place of a cell, if it is nearer than the known distance.
     fn nearest_on(
         &self,
         cell: u32,
@@ -87,7 +87,7 @@ impl FixedAxesSpace {
         Some(((t, search.y(t)), distance))
     }
 
-    /// The foot on a cell of parts that slide along one line without limits: the line y = c + `share` x, all along.
+    /// The foot on a cell of parts that slide along one line without limits: the cell lies on the line y = c + `share` x.
     fn foot_on_line(&self, cell: u32, share: f64, (x, y): (f64, f64)) -> Found {
         let (c, piece) = self.graphs().cell(cell);
         let above = y - share * x - (piece.y(&self.pairs, c.from) - share * c.from);
@@ -97,7 +97,7 @@ impl FixedAxesSpace {
     }
 }
 
-/// The values that a coordinate has within half a turn of a range: itself alone, if the ends of its extent are not one place.
+/// The images of a coordinate within half a turn of a range; only the value itself, if the ends of its extent are not one place.
 fn seen(extent: &Extent, t: f64, range: (f64, f64)) -> Vec<f64> {
     if extent.is_circle() {
         images(t, range).collect()
@@ -106,12 +106,12 @@ fn seen(extent: &Extent, t: f64, range: (f64, f64)) -> Vec<f64> {
     }
 }
 
-/// A graph y(x), seen from a place.
+/// A graph y(x), as seen from a place.
 struct Search<'a> {
     space: &'a FixedAxesSpace,
     piece: &'a Piece,
     from: (f64, f64),
-    /// What a unit of x and of y counts (length of the pair's frame).
+    /// Lengths that a unit of x and of y counts (length of the pair's frame).
     weights: (f64, f64),
 }
 

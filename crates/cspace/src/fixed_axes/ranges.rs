@@ -1,11 +1,11 @@
-//! Ranges of a coordinate, found by place.
+//! Index of ranges of a coordinate.
 
 use super::motion::Extent;
 use super::tolerance::NEAR;
 use crate::boxes::{Boxes, Volume};
 use core::f64::consts::TAU;
 
-/// From and to.
+/// Lower and upper end.
 type Range = (f64, f64);
 
 impl Volume for Range {
@@ -35,8 +35,8 @@ impl Ranges {
         }
     }
 
-    /// Whether `hit` is true of a range that reaches between two values, give or take what rounding may move it; on a circle
-    /// from whole turns away, too. Stops at the first.
+    /// Whether `hit` is true for a range that overlaps an interval, extended by rounding; on a circle also after shifts by whole turns.
+    /// Stops at the first.
     pub(super) fn any(&self, lo: f64, hi: f64, hit: impl FnMut(u32) -> bool) -> bool {
         let reaches = |&(from, to): &Range| {
             let turn = if self.circle {
@@ -49,7 +49,7 @@ impl Ranges {
         self.tree.any(reaches, hit)
     }
 
-    /// All that reach between two values, in order.
+    /// All ranges that overlap an interval, in order.
     pub(super) fn between(&self, lo: f64, hi: f64) -> Vec<u32> {
         let mut found = Vec::new();
         self.any(lo, hi, |i| {

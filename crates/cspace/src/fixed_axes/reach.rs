@@ -1,4 +1,4 @@
-//! Where features can come, to tell pairs that never meet.
+//! Ranges of positions of features, by which pairs that never meet are excluded.
 
 use core::f64::consts::{PI, TAU};
 
@@ -8,16 +8,16 @@ use crate::geometry::{Point, Vector, wrap};
 use super::motion::{Motion, Motions};
 use super::scene::Scene;
 
-/// Where a feature can come, and how its normals lean.
+/// Range of a feature's positions, and of the inclination of its normals.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reach {
-    /// Distances from its pivot, or beside its direction of sliding.
+    /// Smallest and largest distance from the part's pivot, or offset across the direction of sliding.
     distances: (f64, f64),
-    /// Of a part that turns: the angles from the ray, pivot to contact, to the normal there; their middle and half width.
+    /// For a part that turns: the angles from the ray, pivot to contact, to the normal there; their middle and half width.
     lean: (f64, f64),
 }
 
-/// Where the features of a part can come.
+/// Ranges of the features of a part.
 pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Vec<Reach> {
     let (side, motion) = if is_first {
         (&scene.first, scene.motions.first)
@@ -42,7 +42,7 @@ pub(super) fn reaches(features: &[Feature], scene: &Scene, is_first: bool) -> Ve
         .collect()
 }
 
-/// The least and largest distance of a feature from a point, or bounds on them.
+/// Smallest and largest distance of a feature from a point, or bounds on them.
 fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
     let (a, b) = (p.distance(center), q.distance(center));
     if f.is_line() {
@@ -78,7 +78,7 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
     if m == 0.0 { (r, r) } else { (least, largest) }
 }
 
-/// Bounds on the same of a large arc: as of a line, give or take its height above the chord.
+/// Bounds on the distances of a large arc from a point: those of a line, extended by the arc's height above the chord.
 fn distances_of_flat(near: Near, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
     let (a, b) = (p.distance(center), q.distance(center));
     let along = near.normal.left();
@@ -92,11 +92,10 @@ fn distances_of_flat(near: Near, [p, q]: [Point; 2], center: Point) -> (f64, f64
     ((least - height).max(0.0), a.max(b) + height)
 }
 
-/// The angles from the ray that leads from a pivot to a point of the feature to the normal there, or bounds on them: middle
-/// and half width.
+/// The angles from the ray from a pivot to a point of the feature to the normal there, or bounds on them: middle and half width.
 ///
-/// All of a feature is in a disc about its middle: its half length, or for an arc of radius r with normals over an angle w
-/// the chord of half of it, 2 r sin(w / 4). Seen from the pivot the disc takes asin(h / m) to both sides.
+/// The feature is contained in a disc about its middle, whose radius is half its length, or for an arc of radius r with normals over an
+/// angle w the chord of half of it, 2 r sin(w / 4). As seen from the pivot the disc extends by asin(h / m) to both sides.
 fn lean(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
     let normal = 0.5 * (f.lo + f.hi);
     let (middle, half) = if f.is_line() {
@@ -119,14 +118,14 @@ fn lean(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
     )
 }
 
-/// Between which distances along `side` a feature lies, or bounds on them.
+/// Smallest and largest coordinate of a feature along `side`, or bounds on them.
 fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64) {
     let (a, b) = (side.dot(p - Point::ORIGIN), side.dot(q - Point::ORIGIN));
     if f.is_line() {
         return (a.min(b), a.max(b));
     }
     if let Some(near) = f.near {
-        // Neither end is farther from the tangent half way than the arc is high.
+        // Neither end is farther from the tangent at the middle than the arc is high.
         let height = |p: Point| near.normal.dot(p - near.point).abs();
         let height = height(p).max(height(q));
         return (a.min(b) - height, a.max(b) + height);
@@ -135,13 +134,13 @@ fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64)
     (m - r, m + r)
 }
 
-/// Room for growth and rounding (length).
+/// Margin for growth and rounding (length).
 const ROOM: f64 = 1e-9;
-/// Room for rounding of angles near a limit of the inverse cosine (radians).
+/// Margin for rounding of angles near a limit of the inverse cosine (radians).
 const TURN: f64 = 1e-4;
 
 impl Motions {
-    /// Whether features may meet: not if what the motions sweep of them never does.
+    /// Whether features may meet: not if the areas that they sweep are disjoint.
     pub(super) fn may_meet(&self, a: &Reach, b: &Reach) -> bool {
         let leans = (a.lean, b.lean);
         let (a, b) = (a.distances, b.distances);
@@ -172,8 +171,8 @@ impl Motions {
 
     /// Whether normals can oppose each other where two features on turning parts touch.
     ///
-    /// A touch is seen at an angle α beside the line of the pivots from the first, and β from the second; the normals lean
-    /// by a from the first ray, by b from the second. They oppose each other if a + α = b + β up to whole turns.
+    /// The contact is at an angle α from the line of the pivots as seen from the first, and β from the second; the normals are inclined by
+    /// a from the first ray, by b from the second. They oppose each other if a + α = b + β up to whole turns.
     fn may_oppose(
         apart: f64,
         ((a0, a1), (a, a_width)): ((f64, f64), (f64, f64)),
@@ -183,16 +182,16 @@ impl Motions {
         wrap(a - b).abs() <= a_width + b_width + aside + TURN
     }
 
-    /// The largest angle beside the line of the pivots at which points at distances from r₀ to r₁ from one pivot, and no
-    /// farther than s from the other, are seen from the first.
+    /// The largest angle from the line of the pivots, as seen from the first, of points at distances from r₀ to r₁ from the first pivot,
+    /// and no farther than s from the other.
     ///
-    /// Its cosine is (d² + r² − s²) / (2 d r), least at r² = d² − s² if that is in between, else at an end.
+    /// Its cosine is (d² + r² − s²) / (2 d r), smallest at r² = d² − s² if that is in between, else at an end.
     fn aside(d: f64, (r0, r1): (f64, f64), s: f64) -> f64 {
         let (s, r0) = (s + ROOM, (r0 - ROOM).max(0.0));
         let cosine = |r: f64| (d * d + r * r - s * s) / (2.0 * d * r);
         let turning = (d * d - s * s).max(0.0).sqrt().clamp(r0, r1.max(r0));
         let cosines = [cosine(r0), cosine(r1), cosine(turning)];
-        // Not finite if a pivot is on the feature or the pivots are one: anything is possible.
+        // Not finite if a pivot is on the feature or the pivots coincide: anything is possible.
         if cosines.iter().all(|c| c.is_finite()) {
             cosines
                 .iter()

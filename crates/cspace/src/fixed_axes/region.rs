@@ -1,4 +1,4 @@
-//! The connected components of free space, as the user sees them.
+//! The connected components of free space, for users.
 
 use super::motion::{Extent, ExtentKind, Motion};
 use super::setup::Setting;
@@ -9,19 +9,19 @@ use core::f64::consts::TAU;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesRegion {
-    /// A configuration (u, v) within it, between the least and greatest u and v below.
+    /// A configuration (u, v) within it, between the smallest and largest u and v below.
     pub sample: (f64, f64),
-    /// Least and largest u, in radians or the model's unit of length; unrolled where it goes on past a turn.
+    /// Smallest and largest u, in radians or the model's unit of length; unrolled where the region extends past a turn.
     pub u: (f64, f64),
-    /// Least and largest v.
+    /// Smallest and largest v.
     pub v: (f64, f64),
-    /// Whether u goes on without limit below its least and beyond its greatest value: nothing touches there.
+    /// Whether u is unbounded below its smallest and above its largest value: nothing touches there.
     pub open_u: (bool, bool),
-    /// Whether v does.
+    /// Whether v is unbounded below and above.
     pub open_v: (bool, bool),
-    /// Whether the part called fixed can turn for ever within it.
+    /// Whether the part called fixed can turn without end within the region.
     pub around_u: bool,
-    /// Whether the moving part can.
+    /// Whether the moving part can turn without end within the region.
     pub around_v: bool,
 }
 
@@ -45,7 +45,7 @@ impl AxesRegion {
     }
 }
 
-/// The values of a coordinate that a region reaches, and whether it goes on without limit at either end.
+/// The values of a coordinate in a region, and whether it is unbounded at either end.
 fn reached(range: (f64, f64), extent: &Extent, motion: Motion) -> ((f64, f64), (bool, bool)) {
     if motion == Motion::Still {
         return ((0.0, 0.0), (false, false));
@@ -55,7 +55,7 @@ fn reached(range: (f64, f64), extent: &Extent, motion: Motion) -> ((f64, f64), (
     (range, (open && ends.0, open && ends.1))
 }
 
-// The connected components of free space: gaps that hang together.
+// The connected components of free space: connected gaps.
 
 /// A connected component of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +68,7 @@ pub(super) struct Region {
     pub(super) around_y: bool,
 }
 
-/// The bands, the gaps with their regions, and the regions. Walks through linked gaps, keeping count of turns.
+/// The bands, the gaps with their regions, and the regions. Traverses linked gaps, counting turns.
 pub(super) fn components(swept: Swept, y: &Extent) -> (Vec<Band>, Vec<Gap>, Vec<Region>) {
     let Swept {
         bands,
@@ -126,7 +126,7 @@ pub(super) fn components(swept: Swept, y: &Extent) -> (Vec<Band>, Vec<Gap>, Vec<
             let measure = size(at).min(band.hi - band.lo);
             if measure > largest {
                 largest = measure;
-                // In the turn in which the walk came to it, as the region's ranges are.
+                // In the turn in which the traversal reached it, as the region's ranges are.
                 region.sample = (middle + dx, 0.5 * (at.0 + at.1) + dy);
             }
             region.x.0 = region.x.0.min(band.lo + dx);
@@ -136,7 +136,7 @@ pub(super) fn components(swept: Swept, y: &Extent) -> (Vec<Band>, Vec<Gap>, Vec<
                 region.y.1 = region.y.1.max(q + dy);
             }
             for &(_, other, dx, dy) in beside_of(g) {
-                // The neighbour, seen from here, is dx turns of x and dy turns of y farther than where it is drawn.
+                // The neighbour is dx turns of x and dy turns of y farther than its stored place.
                 let there = (tx + dx, ty + dy);
                 if gaps[other as usize].region == u32::MAX {
                     gaps[other as usize].region = index;

@@ -1,8 +1,8 @@
-//! A part that turns about its own centre of symmetry: what happens at x happens again a k-th of a turn later.
+//! Symmetry of a part that turns about its own centre of symmetry: contacts at x recur a k-th of a turn later.
 //!
-//! With the part mapped to itself by turning it by p = 2π/k about its pivot, let feature g be where s such steps take
-//! feature f. Then g is at x − s p where f is at x, and a contact of f at (x, y) is one of g at (x − s p, y). So all
-//! contact curves are known from those of one feature of every orbit, and all of the plane from a slice of it p wide.
+//! With the part mapped to itself by turning it by p = 2π/k about its pivot, let feature g be the image of feature f after s such steps.
+//! Then g is at x − s p where f is at x, and a contact of f at (x, y) is one of g at (x − s p, y). So all contact curves follow from those
+//! of one feature of every orbit, and the whole plane from a strip of width p.
 
 use core::f64::consts::TAU;
 
@@ -11,34 +11,34 @@ use crate::feature::{Feature, Outline};
 
 use super::motion::{Extent, ExtentKind};
 
-/// A feature or joint as the image of the one that stands for its orbit.
+/// A feature or joint as the image of the representative of its orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Image {
     pub(super) of: u32,
-    /// How many steps take it there, fewer than the fold.
+    /// Number of symmetry steps that take the representative there, fewer than the fold.
     pub(super) steps: u32,
 }
 
 impl Image {
-    /// Of one that stands for itself.
+    /// Image of a representative, which is itself.
     pub(super) const fn itself(of: u32) -> Self {
         Self { of, steps: 0 }
     }
 }
 
-/// How the swept part repeats itself.
+/// Symmetry of the swept part.
 #[derive(Debug)]
 pub(super) struct Repeats {
     /// The fold k, or 1.
     pub(super) fold: u32,
     features: Vec<Image>,
     joints: Vec<Image>,
-    /// For every number of steps where the features go.
+    /// For every number of steps, the images of the features.
     places: Vec<Vec<u32>>,
 }
 
 impl Repeats {
-    /// `step` is where a k-th of a turn takes features and joints.
+    /// The symmetry of a fold; `step` is the permutation of features and joints by a k-th of a turn.
     pub(super) fn new(outline: &Outline, fold: u32, step: &Permutation) -> Self {
         let features = orbits(&step.features);
         let mut joints = orbits(&step.joints);
@@ -81,7 +81,7 @@ impl Repeats {
         self.joints[i as usize]
     }
 
-    /// Where so many steps take a feature.
+    /// Image of a feature after a number of steps.
     pub(super) fn image(&self, feature: u32, steps: u32) -> u32 {
         self.places[(steps % self.fold) as usize][feature as usize]
     }
@@ -115,7 +115,7 @@ impl Repeats {
     }
 }
 
-/// For each element the first of its orbit, and the steps from there.
+/// For each element, the first of its orbit, and the steps from there.
 fn orbits(step: &[u32]) -> Vec<Image> {
     let mut images: Vec<Option<Image>> = vec![None; step.len()];
     for first in 0..step.len() as u32 {

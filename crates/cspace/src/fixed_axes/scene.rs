@@ -1,4 +1,4 @@
-//! Both parts on their axes, and which of their normals oppose each other.
+//! Both parts on their axes, and tests of whether their normals oppose each other.
 
 use super::motion::{Extent, Motions, Placement};
 use super::repeats::Repeats;
@@ -6,11 +6,11 @@ use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Vector, wrap};
 use core::f64::consts::PI;
 
-/// Normals that oppose each other to within this do so exactly (radians): the rounding of the configurations at which that is
-/// asked, with room. Growth turns normals apart by some 1e-13, which is told: what else is known of the place agrees with it.
+/// Angle below which normals oppose each other exactly (radians): the rounding of the configurations at which this is tested, with a
+/// margin. Growth separates normals by some 1e-13, which is resolved and consistent with other results for the place.
 const TIE: f64 = 2e-14;
 
-/// Both parts, and how they move.
+/// Both parts, and their motions.
 #[derive(Debug)]
 pub(super) struct Scene {
     pub(super) first: Side,
@@ -18,22 +18,22 @@ pub(super) struct Scene {
     pub(super) motions: Motions,
     pub(super) x: Extent,
     pub(super) y: Extent,
-    /// How the first part repeats itself.
+    /// Symmetry of the first part.
     pub(super) repeats: Repeats,
 }
 
 impl Scene {
-    /// How far a normal of the second part is, counter-clockwise, from opposing one of the first.
+    /// Angle, counter-clockwise, of a normal of the second part from the opposite of a normal of the first.
     ///
-    /// Where both oppose each other, for good or just there, the second is taken to be turned by a little more. Every
-    /// pair asks this of the same two joints, so all agree.
+    /// Where both oppose each other, permanently or just there, the second counts as turned by a little more. Every pair tests this for the
+    /// same two joints, so the results are consistent.
     fn beyond(&self, first_angle: f64, second_angle: f64, theta: f64) -> f64 {
         let angle = wrap(second_angle + theta + PI - first_angle);
         if angle.abs() < TIE { 0.0 } else { angle }
     }
 
-    /// Whether two smooth joints between arcs oppose each other in passing. In what order the contact passes them is not
-    /// known then; so all four pairs of arcs are cut there, and where each is in contact is told away from it.
+    /// Whether two smooth joints between arcs oppose each other in passing. The order in which the contact passes them is then not known;
+    /// so all four pairs of arcs are cut there, and each is classified as contact or not away from that place.
     pub(super) fn tied(&self, first_joint: u32, second_joint: u32, theta: f64) -> bool {
         let turning = self.motions.first.turns() || self.motions.second.turns();
         let smooth = |side: &Side, joint: u32| {
@@ -67,7 +67,7 @@ impl Scene {
         }
     }
 
-    /// Whether the normals of the pair can oppose each other while nothing turns.
+    /// Whether the normals of the pair can oppose each other when neither part turns.
     pub(super) fn normals_meet(&self, ia: u32, ib: u32) -> bool {
         let (a, b) = (self.first_feature(ia), self.second_feature(ib));
         match (a.is_line(), b.is_line()) {
@@ -86,7 +86,7 @@ impl Scene {
     }
 }
 
-/// Inside an interval of normals, given the decisions and distances at its two ends.
+/// Whether a normal is inside an interval of normals, given the decisions and distances at its two ends.
 fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, sign: f64) -> bool {
     let width = f.hi - f.lo;
     if width < PI - NEAR {
@@ -103,12 +103,12 @@ fn within(f: &Feature, above_lo: bool, to_lo: f64, below_hi: bool, to_hi: f64, s
     wrap(from_lo - 0.5 * width).abs() < 0.5 * width
 }
 
-// One part: its outline, and what its joints belong to.
+// One part: its outline, and the features of its joints.
 
-/// Normals nearer than this to an end of an interval of normals are told by that end alone (radians).
+/// Distance from an end of an interval of normals (radians) below which only that end decides.
 const NEAR: f64 = 1e-3;
 
-/// One part with what its joints belong to.
+/// One part with the features of its joints.
 #[derive(Debug)]
 pub(super) struct Side {
     pub(super) outline: Outline,
@@ -117,11 +117,11 @@ pub(super) struct Side {
     pub(super) cones: Vec<Cone>,
 }
 
-/// The normals of a feature: about a middle one.
+/// The normals of a feature: a cone about the middle one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cone {
     middle: Vector,
-    /// Cosine of half its width and a little more.
+    /// Cosine of slightly more than half its width.
     least: f64,
 }
 
@@ -133,7 +133,7 @@ impl Cone {
         }
     }
 
-    /// Whether a direction is among the normals, or near to them: a quick look before the decision.
+    /// Whether a direction is among the normals, or near them: a fast test before the decision.
     pub(super) fn may_hold(&self, direction: Vector) -> bool {
         self.middle.dot(direction) >= self.least
     }
@@ -167,7 +167,7 @@ impl Side {
         (self.normal(start), self.point(start), self.angle(start))
     }
 
-    /// Whether a point of the other part, as this part sees it, is beside a line and not beyond its ends.
+    /// Whether a point of the other part, as seen from this part, is beside a line and not beyond its ends.
     pub(super) fn beside(
         &self,
         line: &Feature,
@@ -180,7 +180,7 @@ impl Side {
         }
     }
 
-    /// Start of a line's, its unit direction of travel, and its length.
+    /// Start of a line, its unit direction of travel, and its length.
     pub(super) fn segment(&self, line: &Feature) -> (Point, Vector, f64) {
         let (start, end) = (self.point(line.start), self.point(line.end));
         let along = self.normal(line.start).left();

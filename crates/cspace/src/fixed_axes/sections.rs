@@ -1,4 +1,4 @@
-//! Contact curves as monotone graphs y(x): where they begin and end.
+//! Cuts contact curves into sections that are monotone graphs y(x).
 
 use super::build::{Builder, SectionEnd};
 use super::condition::Condition;
@@ -8,10 +8,10 @@ use super::place::{decide, margin};
 use super::tolerance::SHORT;
 use core::f64::consts::TAU;
 
-/// How far rounding may put a node beyond a turning (radians or length).
+/// Distance by which rounding may put a node beyond a turning (radians or length).
 const BEYOND: f64 = 1e-9;
 
-/// A place at which y turns around.
+/// A place at which y has an extremum.
 #[derive(Debug, Clone, Copy)]
 struct Around {
     x: f64,
@@ -25,7 +25,7 @@ impl Builder<'_> {
         let condition = rep.condition;
         let scene = self.scene;
         let (lo, hi) = scene.x.first_turn();
-        // Where roots come and go.
+        // Places at which roots appear and disappear.
         let mut breaks = core::mem::take(&mut self.breaks);
         breaks.clear();
         condition.turnings(|x| {
@@ -76,7 +76,7 @@ impl Builder<'_> {
                 });
                 marks.insert(0, (from, None));
                 marks.push((to, None));
-                // With nothing beside it a short one is tested, too.
+                // A short section without neighbours is also tested.
                 let alone = marks.len() == 2;
                 let margins = |m: &[(f64, Option<&Node>)]| {
                     if m[1].0 - m[0].0 < SHORT && !alone {
@@ -129,7 +129,7 @@ impl Builder<'_> {
         self.breaks = breaks;
     }
 
-    /// Where y turns around on the curves of a condition, by x.
+    /// Extrema of y on the curves of a condition, by x.
     fn around(&self, condition: &Condition) -> Vec<Around> {
         let scene = self.scene;
         let mut around = Vec::new();
@@ -150,7 +150,7 @@ impl Builder<'_> {
         around
     }
 
-    /// An end of a root's interval at which no feature gives way: a turning, the cut of a circle, or the window's end.
+    /// An end of a root's interval at which no feature ends: a turning, the cut of a circle, or the window's end.
     fn open_end(
         &self,
         rep: &Pair,
@@ -171,7 +171,7 @@ impl Builder<'_> {
         };
         let (y0, y1) = (condition.y(x, 0), condition.y(x, 1));
         let y = if y0.is_finite() && y1.is_finite() {
-            // A double root: what rounding leaves between the two is halved.
+            // A double root: the difference that rounding leaves between the two is halved.
             y0 + 0.5 * scene.y.difference(y1, y0)
         } else {
             condition.y(x, root)
@@ -180,7 +180,7 @@ impl Builder<'_> {
         SectionEnd::between(x, at, scene.y.reduced(y), Name::Turning(0, k as u32))
     }
 
-    /// Where a curve leaves a copy of the window, or comes into the next. Both sides have the very same y.
+    /// The end at which a curve leaves a copy of the window, or enters the next one. Both sides have exactly the same y.
     fn seam(&self, rep: &Pair, root: u8, number: u32, leaving: bool) -> SectionEnd {
         let scene = self.scene;
         let fold = scene.repeats.fold;
@@ -266,7 +266,7 @@ impl Builder<'_> {
     }
 }
 
-// Contact that does not depend on y, such as a tooth against a stop: vertical pieces.
+// Contacts that do not depend on y, such as a tooth against a stop: vertical pieces.
 
 impl Builder<'_> {
     /// Adds the contact of a pair whose condition does not depend on y.

@@ -1,4 +1,4 @@
-//! What follows from the parts and their axes alone: frame, motions, outlines, and where the coordinates run.
+//! Quantities that follow from the parts and their axes alone: frame, motions, outlines, and ranges of the coordinates.
 
 use super::axis::{AxesError, Axis, AxisMotion, Role};
 use super::displacement::Displacement;
@@ -13,21 +13,20 @@ use crate::geometry::{Point, Vector};
 use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized, Vertex};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-/// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of what the first part is
-/// grown by.
+/// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of the first part's growth.
 const FARTHEST: f64 = 32.0;
-/// The least angle between two slides of which no range ends the other (radians and sine): at less they meet more than a million
-/// sizes away, where rounding is more than the resolution.
+/// The smallest angle between two slides neither of which has a range (radians and sine): below it they meet more than a million sizes
+/// away, where rounding exceeds the resolution.
 const LEAST_ANGLE: f64 = 1.0 / (1u64 << 20) as f64;
-/// Pivots nearer to each other than this (pair's frame) are taken for one: as far as a [`Displacement`] moves parts.
+/// Distance of pivots below which they are united (pair's frame): the largest displacement by a [`Displacement`].
 const SAME_PIVOT: f64 = 1e-8;
-/// Slides that are parallel but for less than this (radians) are parallel: their sides are told apart no better.
+/// Angle of slides below which they are parallel (radians): their sides cannot be distinguished better.
 const SAME_DIRECTION: f64 = 1e-10;
 /// The longest range of a turning part, in turns.
 const MOST_TURNS: u32 = 1000;
 
-/// Both parts in the frame of the pair, the one whose coordinate is swept first: what is needed for questions, and what is
-/// needed to compute the partition alone. The plane is swept along the coordinate of the part `along`, if one is asked for.
+/// Both parts in the frame of the pair, the one whose coordinate is swept first: the data for queries, and the data used only for computing
+/// the partition. The plane is swept along the coordinate of the part `along`, if given.
 pub(super) fn set_up(
     (fixed, moving): (&Part, &Part),
     (fixed_axis, moving_axis): (Axis, Axis),
@@ -74,9 +73,9 @@ pub(super) fn set_up(
     }
     let tilt = motions.join_slides(SAME_DIRECTION);
     if !displacement.is_none() {
-        // Its outline is not about its pivot any more.
+        // Its outline is no longer about its pivot.
         symmetric.0 = None;
-        // Of slides along one line without limits only the difference matters, and is to go on doing so.
+        // For slides along one line without limits only the difference matters, and this must remain so.
         let apart = angle.is_none_or(|a| a >= INDEPENDENT);
         motions.first = displacement.tilted(motions.first, false);
         motions.second = displacement.tilted(motions.second, apart);
@@ -161,11 +160,11 @@ pub(super) fn set_up(
     Ok((setting, scene))
 }
 
-/// A part that is symmetric about the point it turns about without limits.
+/// A part that is symmetric about the point about which it turns without limits.
 struct Symmetric {
     redrawn: Symmetrized,
     pivot: Point,
-    /// How far it is from the drawing: what was moved to make it exactly so.
+    /// Deviation of the exactly symmetric part from the drawing.
     deviation: f64,
 }
 
@@ -186,12 +185,12 @@ impl Symmetric {
         })
     }
 
-    /// The point of the part as it is drawn anew, about its own centre, that becomes the origin of the frame.
+    /// The point of the part, as redrawn about its own centre, that becomes the origin of the frame.
     fn center_in(&self, frame: &PairFrame) -> Point {
         Point::ORIGIN + (frame.fixed_center - self.pivot)
     }
 
-    /// `None` if the features do not correspond.
+    /// Symmetry of the features; `None` if they do not correspond.
     fn repeats(&self, outline: &Outline) -> Option<Repeats> {
         let length = |l: &Loop| l.vertices().len() as u32;
         let lengths: Vec<u32> = self.redrawn.part.loops().iter().map(length).collect();
@@ -249,8 +248,8 @@ fn motion(axis: &Axis, part: Role, frame: &PairFrame) -> Result<Motion, AxesErro
     }
 }
 
-/// How far sliding parts can be from where they are drawn and still touch, in the frame of the pair, given how far the ranges
-/// of both coordinates let them go.
+/// Largest displacement of sliding parts from where they are drawn at which they can still touch, in the frame of the pair, given the
+/// ranges of both coordinates.
 fn reach(
     first: &Outline,
     second: &Outline,
@@ -261,7 +260,7 @@ fn reach(
         let of = |f: &Feature| {
             let far = |j: u32| o.joints[j as usize].point.to_vector().length();
             let round = match f.near {
-                // Its ends are as far from the point half way as any of it.
+                // Its ends are as far from the middle point as any point of it.
                 Some(near) => {
                     let half = |j: u32| o.joints[j as usize].point.distance(near.point);
                     near.point.to_vector().length() + half(f.start).max(half(f.end))
@@ -280,7 +279,7 @@ fn reach(
     let apart = radius(first) + radius(second) + arm(&motions.first) + arm(&motions.second) + 1.0;
     match motions.between_slides() {
         Some(cross) => {
-            // |x d − y e| is `apart` at most: both are bounded if one is, and so they are if the directions differ.
+            // |x d − y e| is at most `apart`: both coordinates are bounded if one is, and also if the directions differ.
             let bound = [ranges.0, ranges.1].into_iter().flatten();
             let bound = bound.fold(f64::INFINITY, f64::min) + apart;
             if cross >= INDEPENDENT {
@@ -311,7 +310,7 @@ fn extent(axis: &Axis, motion: &Motion, unit: f64, reach: f64) -> Extent {
             hi: reach,
             kind: ExtentKind::Open,
         }),
-        // The coordinate is 0; any interval about it does.
+        // The coordinate is 0; any interval about it can be used.
         Motion::Still => Extent {
             lo: -FRAC_PI_2,
             hi: FRAC_PI_2,
@@ -320,11 +319,11 @@ fn extent(axis: &Axis, motion: &Motion, unit: f64, reach: f64) -> Extent {
     }
 }
 
-// The frame of the sweep: from the motions u and v to its coordinates x and y, where these run, and the parts in it.
+// The frame of the sweep: the map from the motions u and v to its coordinates x and y, their ranges, and the parts in it.
 
-/// From u and v to x and y and back.
+/// Map from u and v to x and y and back.
 ///
-/// x is the coordinate along which the plane is swept: one of a part that turns, if there is one.
+/// x is the coordinate along which the plane is swept: that of a part that turns, if there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Map {
@@ -346,7 +345,7 @@ impl Map {
         self.exchanged(x, y)
     }
 
-    /// Something of x and of y as that of u and of v.
+    /// Values for x and y as values for u and v.
     pub(super) fn exchanged<T>(&self, of_x: T, of_y: T) -> (T, T) {
         if self.swapped {
             (of_y, of_x)
@@ -361,7 +360,7 @@ impl Map {
     }
 }
 
-/// Both parts, ready to be placed.
+/// Both parts, prepared for overlap tests.
 #[derive(Debug)]
 pub(super) struct Bodies {
     pub(super) first: Body,
@@ -377,7 +376,7 @@ impl Bodies {
     }
 }
 
-/// What follows from the parts and their axes alone and is needed for questions.
+/// Quantities that follow from the parts and their axes alone, as queries need them.
 #[derive(Debug)]
 pub(super) struct Setting {
     pub(super) map: Map,
@@ -385,34 +384,34 @@ pub(super) struct Setting {
     pub(super) x: Extent,
     pub(super) y: Extent,
     pub(super) bodies: Bodies,
-    /// What the features of the first and of the second part are called.
+    /// Names of the features of the first and of the second part.
     pub(super) names: (Vec<FeatureName>, Vec<FeatureName>),
-    /// How far the parts as computed are from the parts as drawn, in the model's unit of length.
+    /// Deviation of the parts as computed from the parts as drawn, in the model's unit of length.
     pub(super) deviation: f64,
-    /// How far off its place a contact may be because sharp corners are grown by more than sides, in the model's unit.
+    /// Largest displacement of a contact because sharp corners are grown by more than sides, in the model's unit.
     pub(super) grown: f64,
 }
 
 impl Setting {
-    /// Configurations at which a contact function is less than this are in contact (model length): the resolution, but for
-    /// what corners are grown by.
+    /// Distance below which a configuration is in contact (model length): the resolution, plus the deviation of the parts as computed from
+    /// the parts as drawn; growth of corners is not included.
     pub(super) fn contact_distance(&self) -> f64 {
         self.map.frame.outer_length(CONTACT) + self.deviation
     }
 
-    /// The same in the frame of the pair.
+    /// The contact distance in the frame of the pair.
     pub(super) fn inner_contact_distance(&self) -> f64 {
         self.contact_distance() * self.map.frame.scale
     }
 
-    /// u and v of a point on a curve: 0 of a part that does not move, of which the arrangement has a strip.
+    /// u and v of a point on a curve; 0 for a part that does not move, for which the arrangement has a strip.
     pub(super) fn outer(&self, x: f64, y: f64) -> (f64, f64) {
         let at = |t: f64, m: Motion| if m == Motion::Still { 0.0 } else { t };
         self.map
             .outer(at(x, self.motions.first), at(y, self.motions.second))
     }
 
-    /// Coordinates within the extents; none outside the ranges.
+    /// Coordinates within the extents; `None` outside the ranges.
     pub(super) fn placed(&self, u: f64, v: f64) -> Option<(f64, f64)> {
         let (mut x, mut y) = self.map.inner(u, v);
         if !(x.is_finite() && y.is_finite()) {
@@ -429,7 +428,7 @@ impl Setting {
                 ExtentKind::Open => {}
             }
         }
-        // A part that does not move is at 0 and nowhere else.
+        // A part that does not move is at 0 only.
         let moved = |t: f64, m: Motion| m == Motion::Still && t != 0.0;
         if moved(x, self.motions.first) || moved(y, self.motions.second) {
             return None;
@@ -441,7 +440,7 @@ impl Setting {
         Some((x, y))
     }
 
-    /// Of parts that slide along one line without limits only the difference of y and so many x matters.
+    /// Factor s for parts that slide along one line without limits: there only y − s x matters. `None` for other parts.
     pub(super) fn on_one_line(&self) -> Option<f64> {
         let (Motion::Slide { direction: d }, Motion::Slide { direction: e }) =
             (self.motions.first, self.motions.second)
@@ -453,17 +452,17 @@ impl Setting {
     }
 }
 
-// Arcs that are all but straight, taken for their chords.
+// Replaces arcs that are almost straight by their chords.
 //
-// Where a line touches an arc of radius r, or a large arc another, the place is told by the angle between them, and so known
-// to some ε r, which is more than the arc is off its chord, b c / 2 for the bulge b and the chord c with r = c / 4b, if b² is
-// less than some ε.
+// Where a line touches an arc of radius r, or a large arc another one, the place follows from the angle between them, and so is known to
+// some ε r. This exceeds the distance of the arc from its chord, b c / 2 for the bulge b and the chord c with r = c / 4b, if b² is less
+// than some ε.
 
-/// Arcs with bulges below this, sweeps of less than 2·10⁻⁷ rad, are taken for lines: √(9 ε).
+/// Bulge below which arcs are replaced by lines, √(9 ε): a sweep of less than 2·10⁻⁷ rad.
 const STRAIGHT: f64 = 4.5e-8;
 
-/// The part with such arcs straight, and how far that is from the part as drawn, in the model's unit of length. `None` if
-/// there are no such arcs, or if nothing but them kept its loops apart.
+/// The part with such arcs straightened, and its deviation from the part as drawn, in the model's unit of length. `None` if there are no
+/// such arcs, or if its loops were separated only by them.
 pub(super) fn straightened(part: &Part) -> Option<(Part, f64)> {
     let is_straight = |bulge: f64| bulge != 0.0 && bulge.abs() < STRAIGHT;
     let deviation = (part.edges())

@@ -1,4 +1,4 @@
-//! The configuration space of a pair with fixed axes: its data, and what follows from them.
+//! The configuration space of a pair with fixed axes: its data, and quantities that follow from them.
 
 use std::sync::OnceLock;
 
@@ -21,14 +21,14 @@ pub struct FixedAxesSpace {
     pub(super) setting: Setting,
     /// The pairs of the data with their conditions.
     pub(super) pairs: Vec<Pair>,
-    /// Branches by the x of their cells.
+    /// Branches, indexed by the x of their cells.
     pub(super) by_x: Ranges,
-    /// And by the y, once it is asked for.
+    /// Branches, indexed by y; built when first needed.
     by_y: OnceLock<Ranges>,
 }
 
 impl FixedAxesSpace {
-    /// The space of sound data, of which the setting and the pairs follow.
+    /// The space of checked data, and the setting and pairs that follow from them.
     pub(super) fn new(data: AxesData, setting: Setting, pairs: Vec<Pair>) -> Self {
         let graphs = Graphs {
             pairs: &pairs,
@@ -46,16 +46,16 @@ impl FixedAxesSpace {
         }
     }
 
-    /// All that was computed, as plain data.
+    /// All computed results, as plain data.
     pub fn data(&self) -> &AxesData {
         &self.data
     }
 
-    /// The space that plain data describe. The partition is not computed again; what follows at once from the parts and
-    /// their axes (motions, names of features, contact conditions) is, and is not read.
+    /// Builds the space from plain data. The partition is not computed again; quantities that follow directly from the parts and their axes
+    /// (motions, names of features, contact conditions) are recomputed, not read.
     ///
     /// # Errors
-    /// If the data are of another format or version, describe no parts or axes, refer to what is not there, or have numbers
+    /// If the data are of another format or version, describe invalid parts or axes, refer to entries that do not exist, or have numbers
     /// out of order.
     pub fn from_data(data: AxesData) -> Result<Self, AxesDataError> {
         data.check()?;
@@ -80,7 +80,7 @@ impl FixedAxesSpace {
         }
     }
 
-    /// Branches by the y of their cells.
+    /// Branches, indexed by the y of their cells.
     pub(super) fn by_y(&self) -> &Ranges {
         self.by_y.get_or_init(|| {
             let graphs = self.graphs();
@@ -118,27 +118,28 @@ impl FixedAxesSpace {
         self.data.statistics
     }
 
-    /// The resolution in the model's unit of length: clearances below it count as none.
+    /// The resolution in the model's unit of length: a smaller clearance counts as none.
     ///
-    /// Where a part's symmetry about its pivot is used, how far the part as drawn is from being symmetric belongs to it; and
-    /// where parts were moved to break a tie, how far: 10⁻¹⁰ to 10⁻⁸ of the parts' size. It is more if a part has a corner of
-    /// less than some 30°: parts are grown, and such a corner by more than its sides.
+    /// It includes the deviation of the part as drawn from a symmetric one, where a part's symmetry about its pivot is used; and the
+    /// displacement of parts that were moved to break a tie: 10⁻¹⁰ to 10⁻⁸ of the parts' size. It is larger if a part has a corner of less
+    /// than some 30°: parts are grown, and such a corner by more than its sides.
     pub fn resolution(&self) -> f64 {
         self.setting.contact_distance() + self.setting.grown
     }
 
-    /// Configurations at which a contact function of the boundary is less than this are in contact, in the model's unit of
-    /// length: the [`resolution`](Self::resolution), but for what sharp corners are grown by.
+    /// Value of a contact function of the boundary below which a configuration is in contact, in the model's unit of length: the
+    /// [`resolution`](Self::resolution) without the growth of sharp corners.
     pub fn contact_distance(&self) -> f64 {
         self.setting.contact_distance()
     }
 
-    /// The frame in which the pair is computed: its scale says which length is 1 there, as long as a radian of a part that turns.
+    /// The frame in which the pair is computed: its scale defines the length that is 1 there, which counts as much as a radian of a part
+    /// that turns.
     pub fn frame(&self) -> PairFrame {
         self.setting.map.frame
     }
 
-    /// Where the moving part is in the fixed part's frame at (u, v).
+    /// Configuration of the moving part in the fixed part's frame at (u, v).
     pub fn configuration(&self, u: f64, v: f64) -> Configuration {
         let Setting { map, motions, .. } = &self.setting;
         let (x, y) = map.inner(u, v);

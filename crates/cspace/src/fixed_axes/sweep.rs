@@ -1,4 +1,4 @@
-//! The plane swept along x: bands between critical values, the free gaps of y in each, and which gaps join.
+//! Sweep of the plane along x: bands between critical values, the free gaps of y in each, and links between gaps.
 
 use super::arrange::Cell;
 use super::condition::Condition;
@@ -8,19 +8,18 @@ use super::setup::Bodies;
 use super::tolerance::COINCIDENT;
 use core::f64::consts::TAU;
 
-/// Critical values nearer than this are one (radians or length).
+/// Distance of critical values below which they are one (radians or length).
 const NARROWEST: f64 = crate::feature::tolerance::NARROWEST_BAND;
-/// Gaps of neighbouring bands join where they share more than this (radians or length).
+/// Length of the shared interval above which gaps of adjacent bands are joined (radians or length).
 const SHORTEST: f64 = crate::feature::tolerance::SHORTEST_OVERLAP;
 
-/// A gap at least as wide, in a band at least as wide, is tested for overlap within (radians or length): so far from all
-/// curves the test is certain.
+/// Minimum width of a gap and of its band for an overlap test within the gap (radians or length): at that distance from all curves the test
+/// is certain.
 const CHECKED: f64 = 1e-5;
-/// Where in a gap, as a share of its width, overlap is tested: not in the middle, where a disc may just fill a hole.
+/// Place of the overlap test in a gap, as a share of its width: not in the middle, where a disc may just fill a hole.
 const TRIED_AT: f64 = 0.382;
 
-/// Two gaps of neighbouring bands that share a stretch: `to`, moved by so many turns, or widths of the window, is right of
-/// `from`.
+/// Two gaps of adjacent bands that share an interval: `to`, moved by a number of turns, or widths of the window, is right of `from`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Link {
     pub(super) from: u32,
@@ -29,12 +28,12 @@ pub(super) struct Link {
     pub(super) y_turns: i32,
 }
 
-/// What the sweep finds.
+/// Result of the sweep.
 #[derive(Debug, Default)]
 pub(super) struct Swept {
     pub(super) bands: Vec<Band>,
     pub(super) gaps: Vec<Gap>,
-    /// Where each gap is at the left end, in the middle and at the right end of its band.
+    /// Ends of each gap at the left end, in the middle and at the right end of its band.
     pub(super) spans: Vec<[(f64, f64); 3]>,
     pub(super) links: Vec<Link>,
 }
@@ -43,9 +42,9 @@ pub(super) struct Swept {
 #[derive(Debug, Default)]
 pub(super) struct Tally {
     pub(super) tests: usize,
-    /// Those that tell another thing than the cells beside the gap.
+    /// Tests whose result differs from the class that the cells beside the gap give.
     pub(super) conflicts: usize,
-    /// Of these the tests that are certain.
+    /// Conflicts in which the test is certain.
     pub(super) contradictions: usize,
 }
 
@@ -134,7 +133,7 @@ impl Sweep<'_> {
         let middle = 0.5 * (lo + hi);
         let y = self.graphs.y;
         let at = |o: Option<(f64, u32)>, limit: f64| o.map_or(limit, |o| o.0);
-        // What is at the ends of the gaps, from the lowest: of a circle the first cell comes once more, a turn on.
+        // The ends of the gaps, from the lowest: on a circle the first cell is repeated, a turn further.
         let cells = order.iter().copied().map(Some);
         let ends: Vec<Option<(f64, u32)>> = match order.first() {
             Some(&(at, first)) if y.is_circle() => cells.chain([Some((at + TAU, first))]).collect(),
@@ -146,7 +145,7 @@ impl Sweep<'_> {
             let said = self.said(lower, upper);
             let free = match said {
                 Some(free) if !certain => free,
-                // Curves on top of each other, facing the same way.
+                // Curves that coincide and face the same way.
                 None if lower.is_some() && to - from < COINCIDENT => false,
                 _ => {
                     tally.tests += 1;
@@ -163,7 +162,7 @@ impl Sweep<'_> {
         }
     }
 
-    /// Whether a gap is free as the cells below and above it say; none if they say different things, or there are none.
+    /// Whether a gap is free according to the cells below and above it; `None` if they contradict each other, or there are none.
     fn said(&self, lower: Option<(f64, u32)>, upper: Option<(f64, u32)>) -> Option<bool> {
         let above = |(_, i): (f64, u32)| self.graphs.piece(i).root == 0;
         match (lower.map(above), upper.map(|u| !above(u))) {
@@ -173,7 +172,7 @@ impl Sweep<'_> {
     }
 
     fn gap(&self, middle: f64, lower: Option<(f64, u32)>, upper: Option<(f64, u32)>) -> Gap {
-        // By how many turns a cell has to be moved to be where it is met.
+        // Number of turns by which a cell must be moved to its place here.
         let turns = |o: Option<(f64, u32)>| match o {
             Some((y, i)) if self.graphs.y.is_circle() => {
                 ((y - self.graphs.at(i, middle)) / TAU).round() as i32
@@ -188,7 +187,7 @@ impl Sweep<'_> {
         }
     }
 
-    /// Gaps of neighbouring bands that share a stretch, of which no vertical cell between them takes all.
+    /// Links of gaps of adjacent bands that share an interval, part of which is not covered by vertical cells between them.
     fn links(&self, bands: &[Band], spans: &[[(f64, f64); 3]]) -> Vec<Link> {
         let mut links = Vec::new();
         let n = bands.len();
@@ -237,7 +236,7 @@ impl Sweep<'_> {
         links
     }
 
-    /// Whether walls leave a stretch of y open: what crosses one is blocked, if only on the wall itself.
+    /// Whether vertical cells leave an interval of y open: a motion across one is blocked, if only on the cell itself.
     fn is_open(&self, (lo, hi): (f64, f64), walls: [&[(f64, (f64, f64))]; 2]) -> bool {
         if hi - lo <= SHORTEST {
             return false;
@@ -267,7 +266,7 @@ impl Sweep<'_> {
         hi - at > SHORTEST
     }
 
-    /// Where every gap is at the ends and in the middle of its band.
+    /// Ends of every gap at the ends and in the middle of its band.
     fn spans(&self, bands: &[Band], gaps: &[Gap]) -> Vec<[(f64, f64); 3]> {
         let mut spans = Vec::with_capacity(gaps.len());
         for band in bands {
@@ -279,15 +278,15 @@ impl Sweep<'_> {
     }
 }
 
-// The free gaps of y at every x, between cells of the free boundary, and which of them holds a configuration.
+// The free gaps of y at every x, between cells of the free boundary, and the search for the gap of a configuration.
 
 /// A free interval of y over a band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Gap {
-    /// The cell below it, or none at a limit of y, and where nothing touches.
+    /// The cell below it; `None` at a limit of y, and where nothing touches.
     pub(super) lower: Option<u32>,
-    /// The cell above it.
+    /// The cell above it; `None` likewise.
     pub(super) upper: Option<u32>,
     /// Turns to add to y of the lower and of the upper cell: the lower end is in the first turn at the band's middle.
     pub(super) turns: (i32, i32),
@@ -314,7 +313,7 @@ pub(super) struct Graphs<'a> {
 }
 
 impl<'a> Graphs<'a> {
-    /// A cell, and the piece it is of.
+    /// A cell, and its piece.
     pub(super) fn cell(&self, cell: u32) -> (&'a Cell, &'a Piece) {
         let c = &self.cells[cell as usize];
         (c, &self.pieces[c.piece as usize])
@@ -328,7 +327,7 @@ impl<'a> Graphs<'a> {
         &self.pairs[self.piece(cell).pair as usize].condition
     }
 
-    /// Where a cell is along x and along y.
+    /// Ranges of a cell along x and along y.
     pub(super) fn cell_box(&self, cell: u32) -> ((f64, f64), (f64, f64)) {
         let (c, p) = self.cell(cell);
         if p.vertical {
@@ -345,7 +344,7 @@ impl<'a> Graphs<'a> {
             .y(self.pairs, brought_between(x, c.from, c.to))
     }
 
-    /// From and to of a gap at x of its band; in the band's middle the lower end is in the first turn.
+    /// Ends of a gap at an x of its band; in the band's middle the lower end is in the first turn.
     pub(super) fn interval(&self, gap: &Gap, x: f64) -> (f64, f64) {
         let end = |cell: Option<u32>, turns: i32, limit: f64| {
             cell.map_or(limit, |i| self.at(i, x) + TAU * f64::from(turns))
@@ -366,7 +365,7 @@ pub(super) struct Gaps<'a> {
 }
 
 impl Gaps<'_> {
-    /// Whether a configuration is in a free gap, or beyond what is computed, where nothing touches.
+    /// Whether a configuration is in a free gap, or outside the window, where nothing touches.
     pub(super) fn hold(&self, x: f64, y: f64) -> bool {
         self.is_beyond(x, y) || self.region(x, y).is_some()
     }
@@ -377,7 +376,7 @@ impl Gaps<'_> {
         !(y_range.is_circle() || within(x, &self.x) && within(y, y_range))
     }
 
-    /// The region of the free gap that holds a configuration.
+    /// The region of the free gap that contains a configuration.
     pub(super) fn region(&self, x: f64, y: f64) -> Option<u32> {
         if self.is_beyond(x, y) {
             return None;
@@ -386,7 +385,7 @@ impl Gaps<'_> {
         self.region_in(self.bands.get(band).or(self.bands.last())?, x, y)
     }
 
-    /// The region of the free gap of a band that holds a configuration.
+    /// The region of the free gap of a band that contains a configuration.
     pub(super) fn region_in(&self, band: &Band, x: f64, y: f64) -> Option<u32> {
         let gaps = &self.gaps[band.gaps.start as usize..band.gaps.end as usize];
         let held = gaps.iter().find(|gap| {

@@ -1,7 +1,6 @@
-//! The plane of motions cut along a coordinate of choice: bands, their free gaps, and the curves that bound them.
+//! The plane of motions cut along a chosen coordinate: bands, their free gaps, and the curves that bound them.
 //!
-//! For sets that are made of several planes with a coordinate in common: a plane is swept along the coordinate that the others
-//! are swept along, too.
+//! It is used for combinations of several planes with a common coordinate: each plane is swept along the coordinate of the others.
 
 use crate::feature::tolerance::{NARROWEST_BAND, SHORTEST_OVERLAP};
 use crate::number::{Ball, Real};
@@ -13,12 +12,12 @@ use super::space::FixedAxesSpace;
 use core::f64::consts::TAU;
 use core::ops::Range;
 
-/// How far rounding may put a curve beside the values at its ends (radians or lengths of the pair's frame): a slope is enclosed
-/// over so much more.
+/// Distance by which rounding may put a curve beside the values at its ends (radians or lengths of the pair's frame): a slope is enclosed
+/// over an interval extended by this.
 const ROUNDING: f64 = 1e-13;
 
-/// The plane of motions of a pair on fixed axes, swept along the coordinate x of one part; y is that of the other. Both are in
-/// radians or the model's unit of length.
+/// The plane of motions of a pair on fixed axes, swept along the coordinate x of one part; y is that of the other. Both are in radians or
+/// the model's unit of length.
 ///
 /// Between two critical values of x, in a *band*, the free values of y are *gaps* between monotone contact curves.
 ///
@@ -65,7 +64,7 @@ pub struct PlaneCurve {
     turns: i32,
 }
 
-/// What bounds a gap; `None` at a limit of y, and of a full turn that is free.
+/// The curves that bound a gap; `None` at a limit of y, and for a full turn that is free.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlaneGap {
     /// The curve below.
@@ -88,18 +87,18 @@ impl SweptPlane {
         Ok(Self { space })
     }
 
-    /// Places at which the partition contradicts itself: as [`AxesStatistics::conflicts`](super::AxesStatistics::conflicts).
+    /// Number of contradictions in the partition: as [`AxesStatistics::conflicts`](super::AxesStatistics::conflicts).
     pub fn conflicts(&self) -> usize {
         self.space.statistics().conflicts
     }
 
-    /// The smallest opening of x and of y that counts as one, in radians or the model's unit of length: 10⁻¹¹ of the pair's size.
+    /// The smallest opening of x and of y that is resolved, in radians or the model's unit of length: 10⁻¹¹ of the pair's size.
     pub fn smallest_openings(&self) -> (f64, f64) {
         let (x, y) = self.units();
         (SHORTEST_OVERLAP * x, SHORTEST_OVERLAP * y)
     }
 
-    /// Critical values of x nearer to each other than this are one: 1.2·10⁻¹⁰ radians, or of the pair's size.
+    /// Distance of critical values of x below which they are one: 1.2·10⁻¹⁰ radians, or of the pair's size.
     pub fn narrowest_band(&self) -> f64 {
         NARROWEST_BAND * self.units().0
     }
@@ -144,7 +143,7 @@ impl SweptPlane {
         )
     }
 
-    /// From and to of a gap at an x of its band: of a full turn that is free, minimum and maximum y.
+    /// Ends of a gap at an x of its band; for a full turn that is free, minimum and maximum y.
     pub fn interval(&self, gap: usize, x: f64) -> (f64, f64) {
         let PlaneGap { lower, upper } = self.gap(gap);
         let (lo, hi) = self.y().0;
@@ -153,15 +152,15 @@ impl SweptPlane {
         (from, to.max(from))
     }
 
-    /// y of a curve at an x of its band; at the band's nearer end if beyond.
+    /// y of a curve at an x of its band; beyond the band, at its nearer end.
     pub fn value(&self, curve: PlaneCurve, x: f64) -> f64 {
         let (x_unit, y_unit) = self.units();
         let y = self.space.graphs().at(curve.cell, x / x_unit) + TAU * f64::from(curve.turns);
         y * y_unit
     }
 
-    /// An enclosure of the slope dy/dx = −(∂f/∂x) / (∂f/∂y) of a curve over an interval of its band, f being the contact function; of
-    /// infinite radius where the curve may be vertical.
+    /// An enclosure of the slope dy/dx = −(∂f/∂x) / (∂f/∂y) of a curve over an interval of its band, f being the contact function; its
+    /// radius is infinite where the curve may be vertical.
     pub fn slope(&self, curve: PlaneCurve, (lo, hi): (f64, f64)) -> Ball {
         let (x_unit, y_unit) = self.units();
         let graphs = self.space.graphs();
@@ -175,8 +174,8 @@ impl SweptPlane {
         -(by_x / by_y) * Ball::constant(y_unit / x_unit)
     }
 
-    /// The stretches of y, in the first turn, in which contact does not depend on y, from the end of a band to the beginning of the next
-    /// one; after the last band of a full turn the first follows.
+    /// The intervals of y, in the first turn, in which contact does not depend on y, between the end of a band and the beginning of the
+    /// next; after the last band of a full turn comes the first.
     pub fn walls(&self, band: usize) -> Vec<(f64, f64)> {
         let data = &self.space.data;
         let Some(left) = data.bands.get(band) else {
@@ -218,7 +217,7 @@ mod tests {
         Part::new("star", vec![(0..2 * teeth).map(at).collect()]).unwrap()
     }
 
-    /// Axes of all kinds, of the star about (0, 0) and of that about (1.8, 0).
+    /// Axes of all kinds, for the star about (0, 0) and for that about (1.8, 0).
     fn axes() -> Vec<(Axis, Axis)> {
         let turn = |x: f64| Axis::revolute(Point::new(x, 0.0));
         let slide = |x: f64, y: f64| Axis::prismatic(Vector::new(x, y)).within(-2.0, 2.0);
@@ -231,7 +230,7 @@ mod tests {
         ]
     }
 
-    /// y brought to an interval by whole turns, if it is in it.
+    /// Whether y, moved by whole turns, is in an interval.
     fn holds(circle: bool, y: f64, (from, to): (f64, f64)) -> bool {
         let y = if circle {
             y + TAU * ((from - y) / TAU).ceil()

@@ -1,4 +1,4 @@
-//! Where the roots of a condition come and go, and the condition as an equation for y.
+//! Places at which the roots of a condition appear and disappear, and the condition as an equation for y.
 
 use super::condition::Condition;
 use super::equation::Equation;
@@ -7,7 +7,7 @@ use super::tolerance::INDEPENDENT;
 use crate::geometry::Vector;
 
 impl Condition {
-    /// G by y, the first part being at a place.
+    /// G as a function of y, for a given placement of the first part.
     pub(super) fn in_y(&self, first: Placement) -> Equation {
         let (a, b) = (self.first.moved(first.turn, first.shift), &self.second);
         match self.motions.second {
@@ -28,7 +28,7 @@ impl Condition {
         }
     }
 
-    /// Calls `found` with every x at which the roots may come or go: where they are double, or infinite.
+    /// Calls `found` with every x at which roots may appear or disappear: where they are double, or infinite.
     pub(super) fn turnings(&self, mut found: impl FnMut(f64)) {
         match self.motions.second {
             Motion::Still => {}
@@ -37,13 +37,13 @@ impl Condition {
         }
     }
 
-    /// Where the second turns: with f, how far its pivot is outside of it, and g = f + 2 ρ₂ / λ₂, how far from the far side, the
-    /// first's moment is f (λ₁ f / 2 − ρ₁) or g (λ₁ g / 2 + ρ₁) there. A line has no far side.
+    /// Turnings if the second part turns: with f, the distance of its pivot outside the second cycle, and g = f + 2 ρ₂ / λ₂, its distance
+    /// from the far side, the first's moment is f (λ₁ f / 2 − ρ₁) or g (λ₁ g / 2 + ρ₁) there. A line has no far side.
     fn turnings_of_turns(&self, found: &mut impl FnMut(f64)) {
         let (a, b, near) = (&self.first, &self.second, self.outside);
         let half = 0.5 * a.weight * near;
         let far = (near + 2.0 * b.size / b.weight) * (a.total(b) / b.weight + half);
-        // Roots are numbered as they are found, and saved spaces have their numbers.
+        // Roots are numbered in the order in which they are found, and saved spaces contain these numbers.
         let mut levels = [far, near * (half - a.size)];
         if self.bearing.side < 0.0 {
             levels.reverse();
@@ -53,7 +53,7 @@ impl Condition {
         }
     }
 
-    /// Where the second slides along e it passes by the first where e × V is K or −K, and along a line where e·V is none.
+    /// Turnings if the second part slides along e: it is tangent to the first where e × V is K or −K; for a line, where e·V is zero.
     fn turnings_of_slides(&self, e: Vector, found: &mut impl FnMut(f64)) {
         let (a, b) = (&self.first, &self.second);
         if b.weight == 0.0 {

@@ -1,4 +1,4 @@
-//! From two parts to their contact space.
+//! Computes the contact space of two parts.
 
 use core::f64::consts::TAU;
 
@@ -33,10 +33,10 @@ use crate::general::verdict::shells::ShellFinder;
 const ALIGNMENT_ERROR: f64 = 64.0 * Exact::EPSILON;
 
 impl ContactSpace {
-    /// Computes the contact space of two parts: by the general method, or one slab of it if a part is symmetric.
+    /// Computes the contact space of two parts: by the general method; if a part is symmetric, over one period only.
     ///
     /// # Errors
-    /// If the window is no interval of at most one turn, or the parts have too many features.
+    /// If the window is not an interval of at most one turn, or the parts have too many features.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
@@ -54,10 +54,10 @@ impl ContactSpace {
         Self::compute_with(fixed, moving, options, &Silent)
     }
 
-    /// As [`compute`](Self::compute), telling `progress` of every stage.
+    /// As [`compute`](Self::compute), with a report of every stage to `progress`.
     ///
     /// # Errors
-    /// As [`compute`](Self::compute); and what `progress` returns.
+    /// As [`compute`](Self::compute); and errors returned by `progress`.
     pub fn compute_with(
         fixed: &Part,
         moving: &Part,
@@ -75,7 +75,7 @@ impl ContactSpace {
         parallel::within(|| computation.run(options.symmetry))
     }
 
-    /// Whether the parts have few enough edges, which [`compute`](Self::compute) asks first; a slice may be as much work.
+    /// Checks that the parts do not have too many edges, as [`compute`](Self::compute) does first; a slice may be as much work.
     ///
     /// # Errors
     /// If a part, or the pair, has too many edges.
@@ -102,19 +102,19 @@ impl ContactSpace {
     }
 }
 
-/// A computation: the parts, the window, and how far it has come.
+/// A computation: the parts, the window, and the progress.
 struct Computation<'a> {
     fixed: &'a Part,
     moving: &'a Part,
     window: Option<(f64, f64)>,
     progress: &'a dyn Progress,
-    /// What the clock showed.
+    /// Reading of the clock at the start.
     begin: f64,
 }
 
 impl Computation<'_> {
-    /// The contact space by the first method that can. Circles may be divided so that a part becomes symmetric; if one of
-    /// them is touched, its patches would be cut finer than the drawing, and symmetry of the vertices alone is used.
+    /// The contact space by the first applicable method. Circles may be divided so that a part becomes symmetric; if one of them is
+    /// touched, its patches would be cut finer than the drawing, and only the symmetry of the vertices is used.
     fn run(&self, symmetry: Symmetry) -> Result<ContactSpace, ComputeError> {
         let mut method = symmetry.into();
         loop {
@@ -125,7 +125,7 @@ impl Computation<'_> {
         }
     }
 
-    /// The contact space by a method; `None` if it divides circles that are touched.
+    /// The contact space by a given method; `None` if it divides circles that are touched.
     fn by(&self, method: Method) -> Result<Option<ContactSpace>, ComputeError> {
         let (fixed, moving) = (self.fixed, self.moving);
         let mut clock = Clock::new(self.progress);
@@ -188,10 +188,10 @@ impl Computation<'_> {
     }
 }
 
-/// What takes the seconds of a stage.
+/// Stopwatch for the seconds of each stage.
 pub(crate) struct Clock<'a> {
     progress: &'a dyn Progress,
-    /// What it showed at the last lap.
+    /// Reading at the last lap.
     last: f64,
 }
 
@@ -210,7 +210,7 @@ impl<'a> Clock<'a> {
     }
 }
 
-/// The stages from sheets to patches and links: of a contact space, or of the few orientations about a slice.
+/// The stages from sheets to patches and links: for a contact space, or for the small interval of orientations of a slice.
 pub(crate) struct Stages<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) cores: &'a Cores,
@@ -222,7 +222,7 @@ pub(crate) struct Stages<'a> {
 }
 
 impl Stages<'_> {
-    /// What is linked, and counts; `None` if circles that were divided are touched.
+    /// Runs all stages: returns the linked chains, and counts; `None` if circles that were divided are touched.
     pub(crate) fn run(
         &self,
         seconds: &mut StageSeconds,
@@ -247,7 +247,7 @@ impl Stages<'_> {
         seconds.candidates = clock.lap();
 
         self.progress.stage(Stage::PairEvents)?;
-        // What is not needed any more is dropped: a large pair takes as much memory as its largest stage.
+        // Data that are no longer needed are dropped: a large pair takes as much memory as its largest stage.
         let pairs = core::mem::take(&mut candidates.pairs);
         let pair_count = pairs.len() as u64;
         let pair_events = pair_events(geometry, &pairs);
@@ -354,7 +354,7 @@ impl Stages<'_> {
     }
 }
 
-/// Clusters of the events of pairs, and of the orientations that are known before: where sheets begin and end.
+/// Clusters of the events of pairs, and of the orientations known before: where sheets begin and end.
 fn first_clusters(geometry: &Geometry, candidates: &Candidates, events: &PairEvents) -> Clusters {
     let of_sheets = (geometry.contacts.sheets.iter()).flat_map(|s| [s.from, s.to]);
     let of_slots = (candidates.slots.iter()).map(|&s| Exact::from(s));

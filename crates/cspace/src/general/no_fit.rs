@@ -1,4 +1,4 @@
-//! Where a part can be placed at one orientation: beside others without overlap, or within a frame.
+//! Positions of a part at one orientation beside others without overlap, or within a frame.
 
 use crate::contact::{Bodies, Fit};
 use crate::geometry::{Configuration, Vector};
@@ -8,15 +8,15 @@ use crate::slice::Slice;
 use super::redrawn::AsDrawn;
 use super::slicer::Slicer;
 
-/// The positions of a part at which it overlaps nothing, exact fits among them, at any orientation: what is called the no-fit polygon
-/// of two parts, with arcs, and the inner-fit polygon of a frame and a part.
+/// The positions of a part at which it overlaps nothing, exact fits included, at any orientation: the no-fit polygon of two parts, with
+/// arcs, or the inner-fit polygon of a frame and a part.
 ///
-/// Where a [`ContactSpace`](crate::ContactSpace) and its [slices](crate::ContactSpace::slice) take what fits exactly for blocked, here it
-/// is free: a disc in a frame of its own diameter has one position, a peg in a slot of its own width has a segment. Slices are in the
-/// form of those: loops with blocked space on the left; a loop that is one point is a segment from there to there, and one that is a
-/// segment or arc goes there and back. Curves are those of the parts as drawn, to rounding, but for ends of curves that are tangent to the
-/// next. Parts that overlap by less than 9·10⁻¹⁰ of the pair's size are taken to fit. Of parts that fit exactly in many places at once, such
-/// as a plate on several pins of the size of its holes, the position may be missed.
+/// A [`ContactSpace`](crate::ContactSpace) and its [slices](crate::ContactSpace::slice) count an exact fit as blocked; here it is free: a
+/// disc in a frame of its own diameter has one position, a peg in a slot of its own width has a segment. Slices have the same form: loops
+/// with blocked space on the left; a loop that is one point is a segment of length zero, and one that is a segment or arc goes there and
+/// back. Curves are those of the parts as drawn, up to rounding, except for ends of curves that are tangent to the next. Parts that overlap
+/// by less than 9·10⁻¹⁰ of the pair's size count as fitting. Where parts fit exactly in many places at once, such as a plate on several
+/// pins of the size of its holes, the position may be missed.
 ///
 /// ```
 /// use cspace::{NoFit, Part, Point};
@@ -35,11 +35,11 @@ use super::slicer::Slicer;
 pub struct NoFit {
     slicer: Slicer,
     drawn: AsDrawn,
-    /// Whether what is outside is left out.
+    /// Whether positions outside the frame are left out.
     within: bool,
 }
 
-/// Why placed parts have no positions beside them.
+/// Reasons for which placed parts have no positions beside them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoFitError {
@@ -49,9 +49,9 @@ pub enum NoFitError {
     /// Two of the placed parts overlap.
     #[error("the placed parts {first} and {second} overlap, counted from 0")]
     Overlap {
-        /// The first of them.
+        /// Number of the first of them.
         first: usize,
-        /// The second.
+        /// Number of the second.
         second: usize,
     },
 }
@@ -62,7 +62,7 @@ impl NoFit {
         Self::of(fixed, moving, false)
     }
 
-    /// Positions of a part beside several others, each placed by a configuration: they may touch.
+    /// Positions of a part beside several others, each placed by a configuration; these may touch each other.
     ///
     /// # Errors
     /// If two of them overlap, or there are none.
@@ -87,9 +87,9 @@ impl NoFit {
         Ok(Self::of(&Part::assembled("placed", placed), moving, false))
     }
 
-    /// Positions of a part within another, whose holes it stays out of, too.
+    /// Positions of a part within another, and outside the other's holes.
     pub fn within(container: &Part, moving: &Part) -> Self {
-        // So wide that the part is not on both sides of it.
+        // Frame so wide that the part cannot be on both sides of it.
         let frame = container.framing(2.0 * moving.size());
         Self::of(&frame, moving, true)
     }
@@ -103,7 +103,7 @@ impl NoFit {
         }
     }
 
-    /// The positions at an orientation in radians; an orientation that is not finite has none.
+    /// The positions at an orientation in radians; empty if the orientation is not finite.
     pub fn at(&self, theta: f64) -> Slice {
         let (slice, sliced) = self.slicer.sliced(theta);
         let Some(sliced) = sliced else {
@@ -118,7 +118,7 @@ impl NoFit {
 
     /// The shortest translation to a position without overlap, zero if the configuration is one; `None` if there is no such position.
     ///
-    /// Of two parts that overlap its length is their penetration at this orientation.
+    /// For two parts that overlap, its length is their penetration at this orientation.
     ///
     /// ```
     /// use cspace::{Configuration, NoFit, Part};
@@ -130,7 +130,7 @@ impl NoFit {
     /// ```
     pub fn least_separation(&self, at: Configuration) -> Option<Vector> {
         let (slice, p) = (self.at(at.theta), at.position());
-        // Without curves all positions beside a part are free, and none within a frame.
+        // Without curves all positions beside a part are free, and no position within a frame is.
         let is_free = slice.is_free(p) && !(self.within && slice.curves.is_empty());
         if is_free {
             return Some(Vector::ZERO);

@@ -1,4 +1,4 @@
-//! Which method computes a pair: in full, or one slab of a symmetric pair.
+//! Choice of the method for a pair: in full, or one period of a symmetric pair.
 
 use core::f64::consts::TAU;
 
@@ -9,12 +9,12 @@ use crate::space::{PairSymmetry, Symmetry};
 
 use crate::general::limits::{MOST_EDGE_PAIRS, MOST_SHEETS};
 
-/// How a pair is computed.
+/// Method by which a pair is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Method {
-    /// As it is.
+    /// The general method, over all orientations.
     General,
-    /// One slab, if there is symmetry of what is given.
+    /// One period, if the given elements are symmetric.
     Slab(Corresponding),
 }
 
@@ -34,15 +34,15 @@ pub(crate) struct Plan {
     pub(crate) names: Names,
 }
 
-/// What the features of the parts as computed are called in the parts as drawn.
+/// Maps from the features of the parts as computed to those of the parts as drawn.
 #[derive(Default)]
 pub(crate) struct Names {
     fixed: Option<Symmetrized>,
     moving: Option<Symmetrized>,
 }
 
-/// How far beyond the ends of a window is looked, radians: more than the width of what is known worst of events, so
-/// that no event of the window lies in one cluster with the end of what was looked at.
+/// Margin in radians by which a window is extended at each end: more than the largest error of an event, so that no event of the window
+/// lies in one cluster with an end of the extended window.
 pub(crate) const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
 
 impl Plan {
@@ -53,7 +53,7 @@ impl Plan {
         window: Option<(f64, f64)>,
         method: Method,
     ) -> Self {
-        // What happens at the very end of the window is seen whole from a little beyond it.
+        // Events at the very end of the window are complete in a slightly extended window.
         let wider = (window.map(|(lo, hi)| (lo - BEYOND_WINDOW, hi + BEYOND_WINDOW)))
             .filter(|(lo, hi)| hi - lo < TAU);
         let general = |symmetry| Self {
@@ -78,11 +78,11 @@ impl Plan {
         let Some(steps) = Steps::new(fold(&a), fold(&b)).filter(|s| s.slabs > 1) else {
             return general(folds);
         };
-        // A window narrower than the slab is computed as it is.
+        // A window narrower than the period is computed directly.
         if window.is_some_and(|(lo, hi)| hi - lo <= TAU / f64::from(steps.slabs)) {
             return general(folds);
         }
-        // A part that does not turn from slab to slab need not be drawn again.
+        // A part that does not turn from period to period need not be redrawn.
         let names = Names {
             fixed: a.filter(|_| steps.fixed > 0),
             moving: b.filter(|_| steps.moving > 0),
@@ -155,7 +155,7 @@ impl Names {
         edges(&self.fixed, fixed).saturating_mul(edges(&self.moving, moving))
     }
 
-    /// Features that the parts as computed have more than the parts as drawn.
+    /// Number of features that the parts as computed have in addition to those of the parts as drawn.
     pub(crate) fn added(&self) -> (usize, usize) {
         let of = |s: &Option<Symmetrized>| s.as_ref().map_or(0, |s| s.added);
         (of(&self.fixed), of(&self.moving))

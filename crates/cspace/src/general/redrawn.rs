@@ -1,8 +1,8 @@
-//! A slice of which every curve is drawn again by the features as they are drawn: neither grown nor perturbed.
+//! Recomputes the curves of a slice from the features as drawn: neither grown nor perturbed.
 //!
-//! A slice of a pair that is computed with play for exact fits tells which curves there are, and which follows which; each curve is
-//! off its place by what the moving part is smaller. Its line or circle and its ends follow from the sheet that it is of, in
-//! double-double from the outlines as drawn, and where two curves cross, from both:
+//! The slice of a pair that is computed with play for exact fits gives the curves and their order; each curve is displaced by the amount by
+//! which the moving part is shrunk. Its line or circle and its ends follow from its sheet, in double-double from the outlines as drawn, and
+//! where two curves cross, from both:
 //!
 //! ```text
 //!    computed:  ┌─┐ play of 2·10⁻⁹       drawn again:  ·   one point: an exact fit
@@ -21,35 +21,34 @@ use crate::space::{Boundary, on_cycle};
 
 use super::slicer::Sliced;
 
-/// Ends of a curve nearer to each other than this are one place: the curve is there only because of the play (length in the pair's
-/// frame).
+/// Distance of the ends of a curve below which they are one place: the curve exists only because of the play (length in the pair's frame).
 const ONE_PLACE: f64 = 4.0 * ROOM;
 
-/// Crossings of two curves nearer to each other than this are one, at which the curves are tangent: rounding of the drawing tells
-/// tangent curves apart by the square root of itself (length in the pair's frame).
+/// Distance of two crossings of two curves below which they are one, at which the curves are tangent: rounding of the drawing separates
+/// tangent curves by the square root of itself (length in the pair's frame).
 const TANGENT: f64 = 1e-7;
 
-/// A place drawn again is nearer than this to what it was (length in the pair's frame): a play of [`ROOM`] moves the end of a curve
-/// that is tangent to the next by its square root.
+/// Largest displacement of a recomputed place (length in the pair's frame): a play of [`ROOM`] moves the end of a curve that is tangent to
+/// the next by its square root.
 const FARTHEST: f64 = 1e-3;
 
-/// Outlines of a pair as they are drawn.
+/// Outlines of a pair as drawn.
 #[derive(Debug)]
 pub(super) struct AsDrawn {
     fixed: Outline,
     moving: Outline,
 }
 
-/// A curve of the slice, drawn again.
+/// A recomputed curve of the slice.
 struct Piece {
     fixed: FeatureName,
     moving: FeatureName,
-    /// As it was computed.
+    /// The curve as it was computed.
     rough: CurveGeometry,
-    /// Whether that is longer than its sheet's curve: its ends have just passed each other, so that it seems to be all around a circle.
+    /// Whether that is longer than its sheet's curve: its ends have just passed each other, so that it seems to be a whole circle.
     passed: bool,
     cycle: Cycle<Exact>,
-    /// Where it starts and ends if a feature ends there.
+    /// Start and end, where a feature ends there.
     ends: [Option<Point<Exact>>; 2],
 }
 
@@ -62,7 +61,7 @@ impl AsDrawn {
         }
     }
 
-    /// The slice drawn again.
+    /// The recomputed slice.
     pub(super) fn redrawn(&self, slice: &Slice, sliced: &Sliced) -> Slice {
         let frame = &sliced.geometry.frame;
         let mut doubtful = slice.doubtful;
@@ -81,7 +80,7 @@ impl AsDrawn {
         Slice::of_loops(slice.theta, loops, doubtful)
     }
 
-    /// A curve by its sheet and the outlines as drawn; `None` if features as drawn are others than those that were computed.
+    /// Recomputes a curve from its sheet and the outlines as drawn; `None` if the features as drawn differ from those computed.
     fn piece(&self, slice: &Slice, sliced: &Sliced, index: usize) -> Option<Piece> {
         let (geometry, at) = (&sliced.geometry, sliced.at);
         let (curve, patch) = (&slice.curves[index], sliced.patches.get(index)?);
@@ -92,7 +91,8 @@ impl AsDrawn {
             let moving = self.moving.features.get(sheet.moving as usize)?.name;
             Some((fixed, moving))
         };
-        // How far from the middle of its sheet's curve it is, as a part of half of that; other sheets of the pair are elsewhere.
+        // Distance of the curve from the middle of a sheet's curve, relative to half of that curve's length; other sheets of the pair are
+        // elsewhere.
         let off = |s: &Sheet| {
             let c = s.curve(at, turn);
             c.position(middle).abs() / c.half
@@ -122,8 +122,8 @@ fn inner(frame: &PairFrame, p: Point, theta: f64) -> Point {
     frame.inner_from_outer(Configuration::new(p.x, p.y, theta))
 }
 
-/// The loop of some pieces: without those that are there only because of the play, and what goes on in one line or circle is one
-/// curve. `None` if a place is far from where it was.
+/// The loop of some pieces: pieces that exist only because of the play are dropped, and consecutive pieces of one line or circle are
+/// joined. `None` if a place is far from where it was.
 fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<SliceCurve>> {
     let n = pieces.len();
     let moved = Rotation::by(theta) * frame.moving_center.to_vector();
@@ -136,7 +136,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<Sli
         let p = end.or_else(|| crossing(before, after, rough))?;
         (p.distance(rough) <= FARTHEST).then_some(p)
     };
-    // Each piece with where it ends; it starts where the one before it ends.
+    // Each piece with its end; it starts where the one before it ends.
     let ends: Option<Vec<Point>> = (0..n).map(place).collect();
     let mut kept: Vec<(&Piece, Point)> = pieces.iter().zip(ends?).collect();
     loop {
@@ -151,7 +151,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<Sli
             let point = CurveGeometry::Segment { start: at, end: at };
             return Some(vec![kept[0].0.curve(point)]);
         }
-        // What was before and after it meets there.
+        // The pieces before and after it meet there.
         let (before, after) = (kept[(i + n - 1) % n].0, kept[(i + 1) % n].0);
         let within = ONE_PLACE.max(2.0 * first.distance(last));
         let met = crossing(before, after, first).filter(|p| p.distance(first) <= within);
@@ -173,7 +173,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<Sli
             drawn.push((cycle, piece.curve(geometry)));
         }
     }
-    // The last may go on in the first.
+    // The last curve may continue in the first.
     if let [first, .., last] = &mut drawn[..]
         && goes_on(&last.0, &first.0)
         && let Some(both) = joined(&last.1.geometry, &first.1.geometry)
@@ -185,7 +185,7 @@ fn outlined(pieces: Vec<Piece>, frame: &PairFrame, theta: f64) -> Option<Vec<Sli
 }
 
 impl Piece {
-    /// Whether it is there only because of the play: it is one place, or leads back.
+    /// Whether a piece exists only because of the play: it is one place, or leads back.
     fn is_only_play(&self, start: Point, end: Point) -> bool {
         let (cycle, off) = (self.cycle.rounded(), start.distance(end));
         let travel = if cycle.is_centred() {
@@ -194,7 +194,7 @@ impl Piece {
         } else {
             cycle.place(end).x - cycle.place(start).x
         };
-        // Where it is most of a circle, travel the short way back tells nothing.
+        // If it was most of a circle, its short remainder does not show that it leads back.
         let is_round =
             matches!(self.rough, CurveGeometry::Arc { sweep, .. } if sweep.abs() > FRAC_PI_2);
         if is_round && !self.passed && cycle.size > ONE_PLACE {
@@ -214,15 +214,15 @@ impl Piece {
     }
 }
 
-/// Where one piece goes over into another: of two crossings the one nearer to a place, on one line or circle that place, and where they
-/// are tangent, or were, the place nearest to both.
+/// Place where one piece ends and another begins: of two crossings the one nearer to a given place; on one line or circle that place; and
+/// where they are tangent, or were, the place nearest to both.
 fn crossing(before: &Piece, after: &Piece, near: Point) -> Option<Point> {
     let one = before.cycle.rounded();
     if goes_on(&one, &after.cycle.rounded()) {
         return Some(near + one.slope(near).unit() * -one.distance(near));
     }
     let (before, after) = (&before.cycle, &after.cycle);
-    // A circle that is a point.
+    // A circle so small that it is a point.
     let point = |c: &Cycle<Exact>| c.is_centred() && c.size.to_f64() < ROOM;
     if let Some(c) = [before, after].into_iter().find(|c| point(c)) {
         return Some(c.through.map(Exact::to_f64));
@@ -238,7 +238,7 @@ fn crossing(before: &Piece, after: &Piece, near: Point) -> Option<Point> {
     }
 }
 
-/// Whether one cycle is the other, travelled in the same direction.
+/// Whether one cycle is the other, traversed in the same direction.
 fn goes_on(before: &Cycle, after: &Cycle) -> bool {
     let alike = match (before.is_line(), after.is_line()) {
         (true, true) => before.normal.dot(after.normal) > 0.0,
@@ -248,7 +248,7 @@ fn goes_on(before: &Cycle, after: &Cycle) -> bool {
     alike && before.is_one_with(after, SAME_CARRIER)
 }
 
-/// Two pieces of one line or circle as one; not of a large circle.
+/// Two pieces of one line or circle as one; `None` for a large circle.
 fn joined(before: &CurveGeometry, after: &CurveGeometry) -> Option<CurveGeometry> {
     match (*before, *after) {
         (CurveGeometry::Segment { start, .. }, CurveGeometry::Segment { end, .. }) => {

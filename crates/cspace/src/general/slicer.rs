@@ -1,4 +1,4 @@
-//! Slices of two parts of which no contact space is known: the general method over a few orientations, one time or many.
+//! Slices of two parts without a contact space: the general method over a small interval of orientations, once or many times.
 
 use core::f64::consts::{PI, TAU};
 
@@ -14,17 +14,17 @@ use crate::general::broad::discs::Cores;
 use crate::general::compute::{Clock, Stages};
 use crate::general::plan::{BEYOND_WINDOW, Names};
 
-/// The least orientation at which slices are computed, radians; others are turned.
+/// The smallest orientation at which slices are computed, radians; others are reduced by turns.
 const FIRST: f64 = -PI;
 
-/// How far around a slice is computed, radians: what is known worst of events is known better, so that the slice is no nearer
-/// to the ends of what is computed than that.
+/// Half width of the interval computed around a slice, radians: above the largest error of an event, so that the slice is not affected by
+/// the interval's ends.
 const ABOUT: f64 = BEYOND_WINDOW;
 
-/// Slots of orientations, each with the sheets that exist in it.
+/// Number of intervals of orientation, each with the sheets that exist in it.
 const SLOTS: usize = 256;
 
-/// A pair of parts prepared for slices at any orientation: what does not depend on it is computed once.
+/// A pair of parts prepared for slices at any orientation: data that do not depend on it are computed once.
 ///
 /// ```
 /// use cspace::{Part, Slice, Slicer, Vertex};
@@ -39,10 +39,10 @@ const SLOTS: usize = 256;
 /// ```
 #[derive(Debug)]
 pub struct Slicer {
-    /// From [`FIRST`] over a full turn, and a little beyond both ends.
+    /// Geometry from [`FIRST`] over a full turn, extended at both ends.
     geometry: Geometry,
     cores: Cores,
-    /// Numbers of sheets in order.
+    /// Numbers of the sheets in each interval, in order.
     slots: Vec<Vec<u32>>,
 }
 
@@ -52,7 +52,7 @@ impl Slicer {
         Self::of_fit(fixed, moving, Fit::Overlaps)
     }
 
-    /// As above, with a meaning for what fits exactly.
+    /// Prepares a pair, with a choice of how exact fits count.
     pub(super) fn of_fit(fixed: &Part, moving: &Part, fit: Fit) -> Self {
         let window = (FIRST - ABOUT, FIRST + TAU + ABOUT);
         let geometry = Geometry::of_fit(fixed, moving, fit, Some(window), usize::MAX);
@@ -74,14 +74,15 @@ impl Slicer {
         &self.geometry.frame
     }
 
-    /// The slice at an orientation in radians, as [`Slice::compute`] gives it.
+    /// The slice at an orientation in radians, equal to that of [`Slice::compute`].
     ///
-    /// An orientation that is not finite has an empty slice.
+    /// It is empty for an orientation that is not finite.
     pub fn slice(&self, theta: f64) -> Slice {
         self.sliced(theta).0
     }
 
-    /// The slice, and what it was read off: `None` if it is empty because the orientation is not finite or there are too many contacts.
+    /// The slice, and the data from which it was computed; `None` if it is empty because the orientation is not finite or there are too
+    /// many contacts.
     pub(super) fn sliced(&self, theta: f64) -> (Slice, Option<Sliced>) {
         let at = turned(theta);
         if at.is_nan() {
@@ -93,10 +94,10 @@ impl Slicer {
     }
 }
 
-/// What a slice was read off, with the patch of each of its curves.
+/// Data from which a slice was computed, with the patch of each of its curves.
 pub(super) struct Sliced {
     pub(super) geometry: Geometry,
-    /// The orientation, which differs from that of the slice by whole turns.
+    /// The orientation computed, which differs from that of the slice by whole turns.
     pub(super) at: f64,
     pub(super) patches: Vec<Patch>,
 }
@@ -104,8 +105,8 @@ pub(super) struct Sliced {
 impl Slice {
     /// Computes the slice of a pair at one orientation from scratch.
     ///
-    /// If `theta` is a critical orientation, or up to 1.2·10⁻¹⁰ rad below one, the slice just above it is meant. A pair with too
-    /// many contacts has an empty slice that is doubtful. For many slices of one pair a [`Slicer`] is faster.
+    /// If `theta` is a critical orientation, or up to 1.2·10⁻¹⁰ rad below one, the slice is that just above it. For a pair with too many
+    /// contacts the slice is empty and doubtful. For many slices of one pair a [`Slicer`] is faster.
     ///
     /// ```
     /// use cspace::{Part, Slice, Vertex};
@@ -129,9 +130,9 @@ impl Slice {
     }
 }
 
-/// The slice in the middle of what a geometry was made for, as positions at an orientation that differs from it by whole turns.
+/// The slice in the middle of a geometry's interval, with positions at an orientation that differs from it by whole turns.
 fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, Option<Sliced>) {
-    // What ends within the narrowest band of the window's beginning has ended there, and what begins has begun.
+    // Patches that end within the narrowest band of the window's beginning have ended there, and those that begin there have begun.
     let window = Window {
         lo: at,
         hi: geometry.contacts.span.hi,
@@ -163,17 +164,17 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
     (slice, Some(sliced))
 }
 
-/// Whether an arc of a slice lies on another contact, circle on circle: what is in front of the other is not known.
+/// Whether an arc of a slice lies on another contact, circle on circle: then it is not known which is in front.
 ///
-/// Contacts of equal room within one loop of each part are such, and no crossing tells where one goes over into the other.
+/// Contacts with equal sums of radii within one loop of each part are of this kind, and no crossing marks where one continues the other.
 fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta: f64) -> bool {
-    /// Circles share more than this where they do not just follow each other (radians).
+    /// Minimum overlap of two circles that do not just follow each other (radians).
     const SHARED: f64 = 1e-9;
     struct Arc<'a> {
         function: &'a ContactFunction,
         center: Point,
         radius: f64,
-        /// Of the normals: the middle one, and how far they go to both sides (radians).
+        /// Range of the normals: the middle one, and the angle to both ends (radians).
         middle: f64,
         half: f64,
     }
@@ -217,7 +218,7 @@ fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta:
     })
 }
 
-/// An orientation brought to the turn that begins with [`FIRST`]; NaN if it is not finite.
+/// An orientation reduced to the turn that begins with [`FIRST`]; NaN if it is not finite.
 fn turned(theta: f64) -> f64 {
     let above = theta - FIRST;
     if (0.0..TAU).contains(&above) {
@@ -227,7 +228,7 @@ fn turned(theta: f64) -> f64 {
     }
 }
 
-/// The slot of an orientation.
+/// The interval of an orientation.
 fn slot(theta: f64) -> usize {
     (((theta - FIRST) / TAU * SLOTS as f64).max(0.0) as usize).min(SLOTS - 1)
 }

@@ -1,11 +1,11 @@
-//! The relative position and orientation of two parts.
+//! Relative position and orientation of two parts.
 
 use core::fmt;
 
 use super::convert::write_numbers;
 use super::{Point, Rotation, Vector};
 
-/// Where the moving part is, seen from the fixed part: its point q lies at (x, y) + `R_θ` q.
+/// Placement of the moving part in the fixed part's frame: its point q lies at (x, y) + `R_θ` q.
 ///
 /// ```
 /// use cspace::{Configuration, Point};
@@ -25,7 +25,7 @@ pub struct Configuration {
 }
 
 impl Configuration {
-    /// The two frames are one: the position is (0, 0) and the orientation 0.
+    /// The configuration in which the two frames coincide: the position is (0, 0) and the orientation 0.
     pub const IDENTITY: Self = Self::new(0.0, 0.0, 0.0);
 
     /// The configuration with the given coordinates; `theta` in radians.
@@ -40,26 +40,25 @@ impl Configuration {
         Point::new(self.x, self.y)
     }
 
-    /// Takes a point of the moving part's frame to the fixed part's frame.
+    /// Converts a point of the moving part's frame to the fixed part's frame.
     #[inline]
     pub fn fixed_from_moving(self, q: Point) -> Point {
         Rotation::by(self.theta) * q + Vector::new(self.x, self.y)
     }
 
-    /// The configuration of the fixed part seen from the moving one: it takes a point q to R⁻¹(q − (x, y)). The
-    /// orientation is −θ, not reduced modulo a turn.
+    /// The configuration of the fixed part relative to the moving one: it maps a point q to R⁻¹(q − (x, y)). The orientation is −θ, not
+    /// reduced modulo a turn.
     #[inline]
     pub fn inverse(self) -> Self {
         let back = Rotation::by(self.theta).inverse() * Vector::new(-self.x, -self.y);
         Self::new(back.x, back.y, -self.theta)
     }
 
-    /// The configuration of a seen from c, where this one is that of b seen from c: with q a point in the frame of a,
-    /// `c_from_b.compose(b_from_a)` takes q to where `c_from_b` takes what `b_from_a` takes it to. Its position is
-    /// p + `R_θ` p′, its orientation θ + θ′, where this configuration is (p, θ) and the other (p′, θ′).
+    /// The configuration of a relative to c, where this one is that of b relative to c: for a point q in the frame of a,
+    /// `c_from_b.compose(b_from_a)` is the map `b_from_a` followed by `c_from_b`. Its position is p + `R_θ` p′, its orientation θ + θ′,
+    /// where this configuration is (p, θ) and the other (p′, θ′).
     ///
-    /// The orientation is the sum and is not reduced modulo a turn: a part that has turned twice is told from one that has
-    /// not turned.
+    /// The orientation is the sum and is not reduced modulo a turn: a part that has turned twice differs from one that has not turned.
     ///
     /// ```
     /// use cspace::{Configuration, Point};
@@ -79,14 +78,14 @@ impl Configuration {
     }
 }
 
-/// Written `(x, y, θ rad)`; a precision such as `{:.3}` is that of each number.
+/// Text `(x, y, θ rad)`; a precision such as `{:.3}` applies to each number.
 impl fmt::Display for Configuration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_numbers(f, &[self.x, self.y, self.theta], " rad")
     }
 }
 
-/// From (x, y, θ), θ in radians.
+/// Conversion from (x, y, θ), θ in radians.
 impl From<(f64, f64, f64)> for Configuration {
     #[inline]
     fn from((x, y, theta): (f64, f64, f64)) -> Self {
@@ -94,7 +93,7 @@ impl From<(f64, f64, f64)> for Configuration {
     }
 }
 
-/// From [x, y, θ], θ in radians.
+/// Conversion from [x, y, θ], θ in radians.
 impl From<[f64; 3]> for Configuration {
     #[inline]
     fn from([x, y, theta]: [f64; 3]) -> Self {
@@ -102,7 +101,7 @@ impl From<[f64; 3]> for Configuration {
     }
 }
 
-/// To (x, y, θ), θ in radians.
+/// Conversion to (x, y, θ), θ in radians.
 impl From<Configuration> for (f64, f64, f64) {
     #[inline]
     fn from(c: Configuration) -> Self {
@@ -110,7 +109,7 @@ impl From<Configuration> for (f64, f64, f64) {
     }
 }
 
-/// To [x, y, θ], θ in radians.
+/// Conversion to [x, y, θ], θ in radians.
 impl From<Configuration> for [f64; 3] {
     #[inline]
     fn from(c: Configuration) -> Self {

@@ -1,4 +1,4 @@
-//! Points and vectors as pairs of numbers, and as text.
+//! Conversion of points and vectors to pairs of numbers, and to text.
 
 use core::fmt;
 
@@ -21,7 +21,7 @@ pub(super) fn write_numbers(
     f.write_str(")")
 }
 
-/// Written `(x, y)`; a precision such as `{:.3}` is that of each number.
+/// Text `(x, y)`; a precision such as `{:.3}` applies to each number.
 impl fmt::Display for Point {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_numbers(f, &[self.x, self.y], "")
@@ -56,7 +56,7 @@ impl From<Point> for [f64; 2] {
     }
 }
 
-/// Written `(x, y)`; a precision such as `{:.3}` is that of each number.
+/// Text `(x, y)`; a precision such as `{:.3}` applies to each number.
 impl fmt::Display for Vector {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_numbers(f, &[self.x, self.y], "")

@@ -42,7 +42,7 @@ impl<T> Point<T> {
         Self { x, y }
     }
 
-    /// The point with each coordinate made another kind of number.
+    /// The point with each coordinate converted to another kind of number.
     #[inline]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Point<U> {
         Point::new(f(self.x), f(self.y))
@@ -103,7 +103,7 @@ impl<T> Vector<T> {
         Self { x, y }
     }
 
-    /// The vector with each coordinate made another kind of number.
+    /// The vector with each coordinate converted to another kind of number.
     #[inline]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vector<U> {
         Vector::new(f(self.x), f(self.y))
@@ -147,7 +147,7 @@ impl<T: Real> Vector<T> {
     #[inline]
     pub fn length(self) -> T {
         let square = self.length_squared();
-        // Squares of numbers beyond some 1e±154 are not normal numbers.
+        // Squares of numbers beyond some 1e±154 overflow or underflow.
         if square.value().is_normal() {
             square.sqrt()
         } else {

@@ -6,11 +6,11 @@ use core::ops::Mul;
 use super::{Point, Vector};
 use crate::number::Real;
 
-/// The largest angle that is brought to the first turn, in radians, either way: about 160 thousand turns.
+/// The largest angle that is reduced to the first turn, in radians, in either direction: about 160 thousand turns.
 ///
-/// An angle is brought there by taking off whole turns, and a turn in `f64` is off by 2.4·10⁻¹⁶. At 10⁶ rad
-/// neighbouring doubles are 1.2·10⁻¹⁰ rad apart and the turns taken off are wrong by 4·10⁻¹¹ rad; both are still near the
-/// 1.2·10⁻¹⁰ rad to which critical orientations are told apart. Far beyond, an angle says nothing about where a part is.
+/// An angle is reduced by subtracting whole turns, and a turn in `f64` has an error of 2.4·10⁻¹⁶. At 10⁶ rad neighbouring doubles are
+/// 1.2·10⁻¹⁰ rad apart and the error of the subtracted turns is 4·10⁻¹¹ rad; both are still near the 1.2·10⁻¹⁰ rad to which critical
+/// orientations are resolved. Far beyond, an angle does not determine the position of a part.
 pub const LARGEST_ANGLE: f64 = 1e6;
 
 /// A rotation about the origin, kept as the cosine and sine of its angle; in numbers of any kind.
@@ -24,7 +24,7 @@ pub struct Rotation<T = f64> {
 }
 
 impl Rotation {
-    /// The rotation by nothing.
+    /// The identity.
     pub const IDENTITY: Self = Self { cos: 1.0, sin: 0.0 };
 }
 
@@ -36,7 +36,7 @@ impl<T: Real> Rotation<T> {
         Self { cos, sin }
     }
 
-    /// The rotation the other way.
+    /// The inverse rotation.
     #[inline]
     #[must_use]
     pub fn inverse(self) -> Self {
@@ -67,14 +67,14 @@ impl<T: Real> Mul<Point<T>> for Rotation<T> {
     }
 }
 
-/// An angle turned by whole turns to wherever it is within half a turn of an interval of angles; all radians.
+/// The images of an angle, by whole turns, within half a turn of an interval of angles; all radians.
 pub(crate) fn images(angle: f64, (lo, hi): (f64, f64)) -> impl Iterator<Item = f64> {
     let first = lo - PI + (angle - (lo - PI)).rem_euclid(TAU);
     let count = ((hi + PI - first) / TAU).floor() as u32;
     (0..=count).map(move |k| first + TAU * f64::from(k))
 }
 
-/// Brings an angle to (−π, π].
+/// Reduces an angle to (−π, π].
 #[inline]
 pub(crate) fn wrap(angle: f64) -> f64 {
     let a = angle - TAU * (angle / TAU).round();
@@ -86,8 +86,8 @@ pub(crate) fn unwrap_near(angle: f64, near: f64) -> f64 {
     angle + TAU * ((near - angle) / TAU).round()
 }
 
-/// The time at which an angle of a constant rate (radians per unit of time) leaves what [`LARGEST_ANGLE`] allows: −∞ if it is beyond
-/// at the start, ∞ if it never leaves.
+/// The time at which an angle of a constant rate (radians per unit of time) exceeds [`LARGEST_ANGLE`]: −∞ if it exceeds it at the start, ∞
+/// if it never does.
 pub(crate) fn time_of_known_angle(angle: f64, rate: f64) -> f64 {
     if angle.abs() > LARGEST_ANGLE {
         f64::NEG_INFINITY

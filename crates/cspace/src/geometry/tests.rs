@@ -1,4 +1,4 @@
-//! The plane as complex numbers: products and quotients of these say what the operations on points must give.
+//! The plane as complex numbers: the operations on points are compared with products and quotients of these.
 
 use core::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Whether a mechanism makes sense.
+//! Checks of a mechanism.
 
 use std::collections::HashMap;
 
@@ -9,11 +9,11 @@ use crate::space::LONGEST_WINDOW;
 use super::dynamics::DynamicsError;
 use super::entries::{JointEntry, Mechanism, PairEntry, PartEntry};
 
-/// What is wrong with a mechanism.
+/// Reason why a mechanism is rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MechanismError {
-    /// Two parts have one name.
+    /// Two parts have the same name.
     #[error(
         "part {part}: the name is already that of part {first}; give every part a name of its own"
     )]
@@ -23,7 +23,7 @@ pub enum MechanismError {
         /// The earlier part.
         first: usize,
     },
-    /// A declared symmetry is not that of the outline.
+    /// A declared symmetry is not a symmetry of the outline.
     #[error(
         "part {part} is not {declared}-fold symmetric, but {largest}-fold; turning it by 360/{declared} degrees about its centre does not map its outline to itself"
     )]
@@ -32,10 +32,10 @@ pub enum MechanismError {
         part: usize,
         /// The fold that is declared.
         declared: u32,
-        /// The largest fold there is.
+        /// The largest fold of the outline.
         largest: u32,
     },
-    /// An index is no part's.
+    /// No part has this index.
     #[error("there is no part {part}: there are {parts}")]
     NoSuchPart {
         /// The index.
@@ -91,7 +91,7 @@ pub enum MechanismError {
         /// Last orientation.
         hi: f64,
     },
-    /// Something that makes the mechanism move makes no sense.
+    /// Dynamic data of the mechanism are invalid.
     #[error("{0}")]
     Dynamics(DynamicsError),
     /// The configuration space of a pair cannot be computed.
@@ -101,21 +101,21 @@ pub enum MechanismError {
         fixed: String,
         /// Name of the moving part.
         moving: String,
-        /// Why.
+        /// Reason.
         error: PairError,
     },
 }
 
-/// Centres and directions of a joint and a motion that are one, relative to the size of the drawing: coordinates are rounded
-/// in drawings.
+/// Relative tolerance, compared with the size of the drawing, within which centres and directions of a joint and a motion are equal:
+/// coordinates are rounded in drawings.
 const SAME: f64 = 1e-6;
 
 impl Mechanism {
-    /// Whether all of it makes sense: names and pairs are told apart, indices are those of parts, joints agree with motions,
-    /// and what makes it move fits the parts.
+    /// Checks the mechanism: names and pairs are unique, indices are those of parts, joints agree with motions, and the dynamic data fit
+    /// the parts.
     ///
     /// # Errors
-    /// The first thing that is wrong, in the order parts, joints, pairs, dynamics.
+    /// The first fault, in the order parts, joints, pairs, dynamics.
     pub fn check(&self) -> Result<(), MechanismError> {
         let mut names = HashMap::new();
         for (i, entry) in self.parts.iter().enumerate() {
@@ -140,10 +140,10 @@ impl Mechanism {
 }
 
 impl PartEntry {
-    /// Whether the outline, of part number `part`, has the symmetry that is declared.
+    /// Checks that the outline, of part number `part`, has the declared symmetry.
     ///
     /// # Errors
-    /// If it has not.
+    /// If it does not.
     pub fn check(&self, part: usize) -> Result<(), MechanismError> {
         match self.symmetry {
             Some(declared) if !self.part.is_symmetric(declared) => Err(MechanismError::Symmetry {
@@ -157,10 +157,10 @@ impl PartEntry {
 }
 
 impl JointEntry {
-    /// Whether joint number `joint` connects two parts that no joint before it connects, and lets them move as they say.
+    /// Checks that joint number `joint` connects two parts that no previous joint connects, and that their motions are compatible with it.
     ///
     /// # Errors
-    /// If it does not.
+    /// If not.
     pub fn check(
         &self,
         joint: usize,
@@ -176,7 +176,7 @@ impl JointEntry {
         if let Some(first) = before.iter().position(same) {
             return Err(MechanismError::JoinedTwice { joint, first });
         }
-        // A joint with a part that does not move leaves the other the motion of the joint, and no other.
+        // A joint with a part that does not move leaves the other part only the motion of the joint.
         let still = |i: usize| parts[i].axis.is_some_and(|x| x.motion == AxisMotion::Fixed);
         let part = match (still(a), still(b)) {
             (true, _) => b,
@@ -190,7 +190,7 @@ impl JointEntry {
         }
     }
 
-    /// Whether a part that is joined to one that does not move can move as its axis says.
+    /// Whether a part that is joined to one that does not move can move along its axis.
     fn lets_move(&self, moving: &PartEntry) -> bool {
         let Some(axis) = moving.axis else { return true };
         match (self.joint, axis.motion) {
@@ -207,10 +207,10 @@ impl JointEntry {
 }
 
 impl PairEntry {
-    /// Whether pair number `pair` names two of so many parts, and its window is an interval of at most one turn.
+    /// Checks that pair number `pair` names two of the parts, and that its window is an interval of at most one turn.
     ///
     /// # Errors
-    /// If it does not.
+    /// If not.
     pub fn check(&self, pair: usize, parts: usize) -> Result<(), MechanismError> {
         check_two((self.fixed, self.moving), parts)?;
         if self.fixed == self.moving {
@@ -225,7 +225,7 @@ impl PairEntry {
     }
 }
 
-/// That two indices are those of parts.
+/// Checks that two indices are those of parts.
 fn check_two((a, b): (usize, usize), parts: usize) -> Result<(), MechanismError> {
     let part = a.max(b);
     if part < parts {

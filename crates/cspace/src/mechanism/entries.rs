@@ -1,4 +1,4 @@
-//! What a mechanism is made of.
+//! Elements of a mechanism: parts, joints and pairs.
 
 use crate::fixed_axes::Axis;
 use crate::geometry::{Point, Vector};
@@ -7,7 +7,7 @@ use crate::part::Part;
 
 use super::dynamics::Dynamics;
 
-/// Parts, how each may move, how they are joined, and which pairs of them to study.
+/// A mechanism: parts, their motions, joints, and the pairs to study.
 ///
 /// Lengths are in one unit, angles in radians. All parts are drawn in the assembly's frame, as they are at zero motion.
 ///
@@ -28,7 +28,7 @@ use super::dynamics::Dynamics;
 #[derive(Debug, Clone, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Mechanism {
-    /// What it is called.
+    /// Name of the mechanism.
     pub name: String,
     /// A label for the unit of length.
     pub unit: Option<String>,
@@ -38,7 +38,7 @@ pub struct Mechanism {
     pub joints: Vec<JointEntry>,
     /// The pairs to study.
     pub pairs: Vec<PairEntry>,
-    /// Masses, gravity, drives and all else that makes it move. Configuration spaces do not depend on it.
+    /// Masses, gravity, drives and other dynamic data. Configuration spaces do not depend on them.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Dynamics::is_none")
@@ -46,7 +46,7 @@ pub struct Mechanism {
     pub dynamics: Dynamics,
 }
 
-/// A part and how it may move.
+/// A part and its motion.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PartEntry {
@@ -54,7 +54,7 @@ pub struct PartEntry {
     pub part: Part,
     /// The axis of its motion relative to the ground; `None` if it moves freely in the plane.
     pub axis: Option<Axis>,
-    /// The fold of a rotational symmetry about the part's own centre, where one is declared; it is found in any case.
+    /// The declared fold of a rotational symmetry about the part's own centre, if any; symmetry is detected in any case.
     pub symmetry: Option<u32>,
 }
 
@@ -62,13 +62,13 @@ pub struct PartEntry {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointEntry {
-    /// What the connection leaves free.
+    /// Type of joint.
     pub joint: Joint,
     /// The two parts' indices.
     pub parts: (usize, usize),
 }
 
-/// Two different parts whose configuration space is wanted.
+/// Two different parts whose configuration space is requested.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairEntry {
@@ -76,7 +76,7 @@ pub struct PairEntry {
     pub fixed: usize,
     /// Index of the part that moves in that frame.
     pub moving: usize,
-    /// The orientations of interest (lo, hi) in radians: lo < hi, at most a turn apart. All when absent.
+    /// The orientations of interest (lo, hi) in radians: lo < hi, at most a turn apart; `None` for all.
     pub window: Option<(f64, f64)>,
 }
 
@@ -134,7 +134,7 @@ impl Mechanism {
         (0..self.parts.len()).any(|i| self.dynamics.part(i).mass.is_some())
     }
 
-    /// Every two parts, the earlier one fixed: what a model file without pairs stands for.
+    /// All pairs of parts, the earlier part fixed: the default for a model file without pairs.
     pub fn every_two(&self) -> Vec<PairEntry> {
         let n = self.parts.len();
         let all = (0..n).flat_map(|fixed| (fixed + 1..n).map(move |moving| (fixed, moving)));

@@ -1,7 +1,7 @@
-//! Mechanisms: parts, how each may move, how they are joined, and which pairs of them matter.
+//! Mechanisms: parts, their motions, joints, and pairs of interest.
 //!
-//! A [`Mechanism`] says of every pair how its two parts are related ([`Mechanism::relation`]), and so by which method its
-//! configuration space is computed ([`Mechanism::compute`]). Its [`Dynamics`] say what makes it move.
+//! A [`Mechanism`] determines the relation of the two parts of every pair ([`Mechanism::relation`]), and so the method by which its
+//! configuration space is computed ([`Mechanism::compute`]). Its [`Dynamics`] are the data for its motion.
 
 mod check;
 mod dynamics;

@@ -1,4 +1,4 @@
-//! How the parts of a pair can move relative to each other.
+//! Relation of the parts of a pair.
 
 use crate::fixed_axes::Axis;
 use crate::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
@@ -13,11 +13,11 @@ pub type Compute<'a> =
     dyn Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync + 'a;
 
 impl Mechanism {
-    /// How the parts of a pair are related: by a joint if one names both, in either order; otherwise in the plane if either
-    /// is planar; otherwise each on its own axis.
+    /// Relation of the parts of a pair: by a joint if one names both, in either order; otherwise in the plane if either is planar;
+    /// otherwise each on its own axis.
     ///
-    /// Only a joint between the two parts themselves counts, not a chain of joints. An index that is no part's counts as
-    /// planar. The limits of a joint are those that follow from the parts' own ranges of motion.
+    /// Only a joint between the two parts themselves counts, not a chain of joints. An index without a part counts as planar. The limits of
+    /// a joint follow from the parts' own ranges of motion.
     ///
     /// ```
     /// use cspace::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
@@ -49,8 +49,8 @@ impl Mechanism {
         }
     }
 
-    /// The class of a pair by its [`relation`](Self::relation). Symmetry of the outlines, which makes a general pair
-    /// symmetric, is not looked at here.
+    /// The class of a pair by its [`relation`](Self::relation). Symmetry of the outlines, which makes a general pair symmetric, is ignored
+    /// here.
     pub fn pair_class(&self, pair: &PairEntry) -> PairClass {
         match self.relation(pair) {
             Relation::Joint(..) => PairClass::Lower,
@@ -63,7 +63,7 @@ impl Mechanism {
     /// have one.
     ///
     /// # Errors
-    /// If an index is no part's; and as [`PairSpace::compute`].
+    /// If an index has no part; and as [`PairSpace::compute`].
     pub fn compute(
         &self,
         pair: &PairEntry,
@@ -72,10 +72,10 @@ impl Mechanism {
         self.compute_with(pair, options, &Silent)
     }
 
-    /// As [`compute`](Self::compute), telling `progress` of every stage of the general method.
+    /// As [`compute`](Self::compute), with a report of every stage of the general method to `progress`.
     ///
     /// # Errors
-    /// As [`compute`](Self::compute); and what `progress` returns.
+    /// As [`compute`](Self::compute); and errors returned by `progress`.
     pub fn compute_with(
         &self,
         pair: &PairEntry,

@@ -1,12 +1,12 @@
-//! Enclosures that know how they depend on a few quantities: what cancels between two numbers cancels.
+//! Affine enclosures, which retain their dependence on a few quantities, so that common terms cancel.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Ball, Real};
 
-/// An enclosure, by arithmetic in which every result encloses all results.
+/// An enclosure: arithmetic in which every result contains all possible results.
 pub trait Enclosure: Real {
-    /// All reals within a radius of a middle, for a reason that no other number shares.
+    /// All reals within a radius of a middle, independent of all other numbers.
     fn about(mid: f64, radius: f64) -> Self;
 
     /// The reals from `lo` to `hi`.
@@ -15,7 +15,7 @@ pub trait Enclosure: Real {
         Self::about(ball.mid, ball.radius)
     }
 
-    /// The smallest ball that it fits into.
+    /// The smallest ball that contains it.
     fn ball(self) -> Ball {
         Ball::new(self.value(), self.spread())
     }
@@ -27,7 +27,7 @@ impl Enclosure for Ball {
     }
 }
 
-/// All reals mid + Σ cᵢ εᵢ + δ, with |εᵢ| ≤ 1 for N quantities that are the same in all numbers, and |δ| ≤ radius for rounding and for what is not linear.
+/// All reals mid + Σ cᵢ εᵢ + δ, with |εᵢ| ≤ 1 for N quantities shared by all numbers, and |δ| ≤ radius for rounding and nonlinear terms.
 ///
 /// ```
 /// use cspace::{Affine, Enclosure, Real};
@@ -42,17 +42,17 @@ impl Enclosure for Ball {
 pub struct Affine<const N: usize> {
     /// The middle.
     pub mid: f64,
-    /// What each quantity adds at most.
+    /// Coefficient of each quantity.
     pub by: [f64; N],
-    /// What else may be added.
+    /// Bound of the remaining term δ.
     pub radius: f64,
 }
 
-/// More than the relative rounding error of the few operations on a coefficient.
+/// Bound of the relative rounding error of the few operations on a coefficient.
 const UNIT: f64 = 8.0 * f64::EPSILON;
 
 impl<const N: usize> Affine<N> {
-    /// The quantity number `index`: all reals within a radius of a middle. Beyond the last it is one that no other number shares.
+    /// The quantity number `index`: all reals within a radius of a middle. If `index` is N or more, it is independent of all other numbers.
     pub fn variable(mid: f64, radius: f64, index: usize) -> Self {
         let mut by = [0.0; N];
         if let Some(own) = by.get_mut(index) {
@@ -80,13 +80,14 @@ impl<const N: usize> Affine<N> {
         }
     }
 
-    /// A function with the value f and the derivative f′ in the middle, and f″ ρ²/2 ≤ `rest` for all that is within ρ of it.
+    /// A function with the value f and the derivative f′ in the middle, and f″ ρ²/2 ≤ `rest` within ρ of it.
     fn curved(self, value: f64, slope: f64, rest: f64) -> Self {
         let by = self.by.map(|c| slope * c);
         Self::rounded(value, by, slope.abs() * self.radius + rest)
     }
 
-    /// The line of a slope through what lies between two values at 0: it encloses a function from which it differs by no more.
+    /// A line of a given slope, widened to contain the values between `ends` at 0: it encloses a function that differs from the line by no
+    /// more.
     fn line(self, slope: f64, ends: [f64; 2]) -> Self {
         let [lo, hi] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let (middle, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
@@ -150,7 +151,7 @@ impl<const N: usize> Mul for Affine<N> {
     fn mul(self, o: Self) -> Self {
         let by = core::array::from_fn(|i| self.mid * o.by[i] + self.by[i] * o.mid);
         let (a, b) = (self.spread(), o.spread());
-        // Zero times what is not known is zero.
+        // Zero times an unknown number is zero.
         let product = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { x * y };
         let radius =
             product(self.mid.abs(), o.radius) + product(o.mid.abs(), self.radius) + product(a, b);
@@ -169,7 +170,8 @@ impl<const N: usize> Div for Affine<N> {
         if least.is_nan() || least <= 0.0 || !most.is_finite() {
             return Self::all(self.mid / m);
         }
-        // On [a, b] 1/x + x/b² falls from its value at a to that at b: a line in the middle has the sign of 1/x wherever that has one.
+        // On [a, b] 1/x + x/b² decreases from its value at a to that at b: a line in the middle has the sign of 1/x wherever that is
+        // certain.
         let slope = -1.0 / (most * most);
         let ends = [1.0 / least - slope * least, 2.0 / most];
         let inverse = if m > 0.0 { o } else { -o }.line(slope, ends);
@@ -203,7 +205,7 @@ impl<const N: usize> Real for Affine<N> {
         let spread = self.spread();
         let lo = (self.mid - spread) * (1.0 - UNIT);
         if lo > 0.0 && spread.is_finite() {
-            // On [a, b] √x − x/(2√b) rises from its value at a to that at b.
+            // On [a, b] √x − x/(2√b) increases from its value at a to that at b.
             let root = ((self.mid + spread) * (1.0 + UNIT)).sqrt();
             let slope = 0.5 / root;
             self.line(slope, [lo.sqrt() - slope * lo, 0.5 * root])
@@ -257,7 +259,7 @@ impl<const N: usize> Real for Affine<N> {
 mod tests {
     use super::*;
 
-    /// Formulas of two quantities, at many values of both and at the same values of others.
+    /// Formulas of two quantities, at many values of both, with other quantities held.
     #[test]
     fn encloses_results_at_sampled_members() {
         type A = Affine<2>;
@@ -288,7 +290,7 @@ mod tests {
                 }
             }
         }
-        // First order in the widths: a tenth as wide is a tenth as uncertain, and what cancels is gone.
+        // First order in the widths: a tenth of the width gives a tenth of the uncertainty, and common terms cancel.
         let cancelled = A::variable(1.3, 0.2, 0) * A::constant(3.0) - A::variable(3.9, 0.6, 0);
         assert!(cancelled.spread() < 1e-12);
     }

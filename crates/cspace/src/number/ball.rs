@@ -18,13 +18,13 @@ use super::Real;
 pub struct Ball {
     /// The middle.
     pub mid: f64,
-    /// How far members may be from the middle; infinite or no number where nothing is known.
+    /// Largest distance of a member from the middle; infinite or NaN where nothing is known.
     pub radius: f64,
 }
 
-/// More than the relative rounding error of one operation, with room for that of the radius itself.
+/// Bound of the relative rounding error of one operation, with a margin for that of the radius itself.
 const UNIT: f64 = 2.0 * f64::EPSILON;
-/// More than any error by underflow.
+/// Bound of any error by underflow.
 const TINY: f64 = f64::MIN_POSITIVE;
 
 impl Ball {
@@ -34,7 +34,7 @@ impl Ball {
         Self { mid, radius }
     }
 
-    /// Encloses every real, about what a formula gives in the middle, if that is a number.
+    /// Encloses every real, about the value of a formula in the middle, if that is a number.
     #[inline]
     const fn all(mid: f64) -> Self {
         Self::new(if mid.is_finite() { mid } else { 0.0 }, f64::INFINITY)
@@ -51,8 +51,7 @@ impl Ball {
         Self::rounded(0.5 * (lo + hi), 0.5 * (hi - lo))
     }
 
-    /// A function of all members that rises, or the negative of it, of which `mid` is the value in the middle; nothing is known of what is beyond the ends of
-    /// its domain.
+    /// A monotonous function of all members, with the value `mid` in the middle; nothing is known beyond the ends of its domain.
     fn rising(self, mid: f64, from: f64, to: f64, f: impl Fn(f64) -> f64) -> Self {
         let [lo, hi] = self.ends();
         if !(from <= lo && hi <= to) {
@@ -77,7 +76,7 @@ impl Ball {
         ]
     }
 
-    /// The sign of all its members, if they have one: 1 or −1; otherwise 0.
+    /// The sign of all its members, if they have one sign: 1 or −1; otherwise 0.
     #[inline(always)]
     pub fn sign(self) -> i8 {
         if self.mid > self.radius {
@@ -134,7 +133,7 @@ impl Div for Ball {
         if least.is_nan() || least <= 0.0 {
             return Self::all(mid);
         }
-        // The quotient enlarges what the product loses by underflow.
+        // The quotient enlarges the underflow error of the product.
         let spread = self.radius + mid.abs() * divisor.radius + TINY;
         Self::rounded(mid, spread / least)
     }
@@ -168,7 +167,7 @@ impl Real for Ball {
         let hi = self.mid + self.radius;
         let lo = self.mid - self.radius;
         if !hi.is_finite() {
-            // Too large, or no number after a quotient by zero: the larger of that and 0 would be 0.
+            // Too large, or NaN after a quotient by zero: the larger of that and 0 would be 0.
             return Self::all(self.mid.max(0.0).sqrt());
         }
         if lo > 0.0 {
@@ -181,7 +180,7 @@ impl Real for Ball {
         }
     }
 
-    /// About the middle m with h the radius: |cos x − cos m| ≤ |sin m| h + h² / 2, likewise the sine.
+    /// With the middle m and the radius h: |cos x − cos m| ≤ |sin m| h + h² / 2, and likewise for the sine.
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.mid.sin_cos();
@@ -210,7 +209,7 @@ impl Real for Ball {
         self.rising(self.mid.atan(), f64::MIN, f64::MAX, f64::atan)
     }
 
-    /// Seen from the origin, a disc of radius r at the distance d is within asin(r / d) ≤ (π/2) r / d of its middle.
+    /// As seen from the origin, a disc of radius r at the distance d is within asin(r / d) ≤ (π/2) r / d of its middle.
     fn atan2(self, x: Self) -> Self {
         let share = self.radius.hypot(x.radius) / self.mid.hypot(x.mid);
         let mid = self.mid.atan2(x.mid);
@@ -272,7 +271,7 @@ mod tests {
         assert_eq!(Ball::between(0.1, 1.0).sign(), 1);
         assert_eq!(Ball::between(-1.0, -0.1).sign(), -1);
         assert_eq!(a_quotient_by_zero().sign(), 0);
-        // What is not known stays so: ∞ − ∞ and its root are no numbers, or enclose all.
+        // Unknown numbers stay unknown: ∞ − ∞ and its root are NaN, or enclose all reals.
         let root = a_quotient_by_zero().sqrt();
         let unknown = (root - root).sqrt();
         assert!(!(unknown.mid.abs() > unknown.radius || unknown.radius < 1e300));

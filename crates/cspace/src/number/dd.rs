@@ -1,7 +1,7 @@
 //! Double-double numbers: about 106 bits, as the unevaluated sum of two doubles.
 //!
-//! Sums and products are those of Dekker (1971) and Knuth: what rounding loses of the leading part is kept in the trailing
-//! part. The error of an operation is a few units of 2⁻¹⁰⁴ of its result.
+//! Sums and products are those of Dekker (1971) and Knuth: the rounding error of the leading part is kept in the trailing part. The error
+//! of an operation is a few units of 2⁻¹⁰⁴ of its result.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -15,7 +15,7 @@ pub(crate) struct Dd {
     lo: f64,
 }
 
-/// a + b and what its rounding loses.
+/// a + b and its rounding error.
 #[inline(always)]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
@@ -23,14 +23,14 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - (s - v)) + (b - v))
 }
 
-/// The same where |a| ≥ |b|.
+/// a + b and its rounding error, for |a| ≥ |b|.
 #[inline(always)]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
     (s, b - (s - a))
 }
 
-/// Halves of the digits of a number.
+/// The leading and the trailing half of the digits of a number.
 #[inline(always)]
 fn split(a: f64) -> (f64, f64) {
     /// 2²⁷ + 1.
@@ -40,11 +40,11 @@ fn split(a: f64) -> (f64, f64) {
     (hi, a - hi)
 }
 
-/// a b and what its rounding loses.
+/// a b and its rounding error.
 #[inline(always)]
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
-    // The same in two operations, where the processor that is compiled for has them.
+    // Two operations are enough where the target processor has fused multiply-add.
     if cfg!(any(target_feature = "fma", target_arch = "aarch64")) {
         return (p, a.mul_add(b, -p));
     }
@@ -66,13 +66,13 @@ impl Dd {
     /// The rounding of an operation, relative to its result.
     pub(crate) const EPSILON: f64 = 1.0 / (1u128 << 102) as f64;
 
-    /// The nearest double.
+    /// The nearest f64.
     #[inline]
     pub(crate) fn to_f64(self) -> f64 {
         self.hi
     }
 
-    /// The number in another arithmetic.
+    /// The number converted to another arithmetic.
     #[inline]
     pub(crate) fn to_real<T: Real>(self) -> T {
         T::constant(self.hi) + T::constant(self.lo)
@@ -97,12 +97,12 @@ impl Dd {
         }
     }
 
-    /// The square root; 0 of what is not positive.
+    /// The square root; 0 for a number that is not positive.
     pub(crate) fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
         }
-        // One step of Newton's rule for 1/√x, as Karp has it.
+        // One step of Newton's method for 1/√x, after Karp.
         let x = 1.0 / self.hi.sqrt();
         let ax = self.hi * x;
         let (p, e) = two_product(ax, ax);
@@ -113,7 +113,7 @@ impl Dd {
 
     /// Sine and cosine of an angle in radians.
     pub(crate) fn sin_cos(self) -> (Self, Self) {
-        // By the nearest multiple of π/128 and the series of what is left, which is at most 0.0123.
+        // By the nearest multiple of π/128 and a series for the remainder, which is at most 0.0123.
         let turns = (self.hi / core::f64::consts::TAU).round();
         let angle = if turns == 0.0 {
             self
@@ -127,7 +127,7 @@ impl Dd {
         (s0 * c + c0 * s, c0 * c - s0 * s)
     }
 
-    /// The same for |x| ≤ 0.0123.
+    /// Sine and cosine for |x| ≤ 0.0123.
     fn sin_cos_of_little(self) -> (Self, Self) {
         /// 1/3! and 1/5!.
         const SIXTH: Dd = Dd {
@@ -138,7 +138,7 @@ impl Dd {
             hi: 0.008333333333333333,
             lo: 1.1564823173178714e-19,
         };
-        /// 1/7!, 1/9! and 1/11!: of these terms, which are below 1e-15, doubles are enough.
+        /// 1/7!, 1/9! and 1/11!: f64 is enough for these terms, which are below 1e-15.
         const REST: [f64; 3] = [
             0.0001984126984126984,
             2.7557319223985893e-06,
@@ -146,13 +146,13 @@ impl Dd {
         ];
         let square = self * self;
         let q = square.hi;
-        // x (1 − x²/3! + x⁴/5! …): what is left out is below 1e-32.
+        // x (1 − x²/3! + x⁴/5! …): the omitted terms are below 1e-32.
         let rest = REST[0] - q * (REST[1] - q * REST[2]);
         let sum = OVER_120 - square * rest;
         let sum = SIXTH - sum * square;
         let sum = Self::ONE - sum * square;
         let sin = sum * self;
-        // 1 − 2 sin²(x/2) would need another series; the root is exact as |sin| is small.
+        // 1 − 2 sin²(x/2) would need another series; the root is accurate because |sin| is small.
         let cos = (Self::ONE - sin * sin).sqrt();
         (sin, cos)
     }
@@ -162,18 +162,18 @@ impl Dd {
         let rough = y.hi.atan2(x.hi);
         let first = Self::from(rough);
         let (s, c) = first.sin_cos();
-        // What is left is the angle of (x, y) turned back: so small that it is its tangent, and a double.
+        // The remainder is the angle of (x, y) turned back: so small that it equals its tangent, and f64 is enough.
         let (along, across) = (x.hi * c.hi + y.hi * s.hi, y * c - x * s);
         first + across.hi / along
     }
 }
 
-/// Steps of half a turn of which sines and cosines are kept.
+/// Steps per half turn at which sines and cosines are stored.
 const STEPS: f64 = 128.0;
 
 /// Sine and cosine of a multiple of π/128.
 fn multiples(step: i32) -> (Dd, Dd) {
-    /// Steps of a quarter turn, and of a whole.
+    /// Steps per quarter turn, and per turn.
     const QUARTER: i32 = STEPS as i32 / 2;
     const WHOLE: i32 = 4 * QUARTER;
     static TABLE: std::sync::LazyLock<Vec<(Dd, Dd)>> = std::sync::LazyLock::new(|| {
@@ -226,7 +226,7 @@ impl PartialOrd for Dd {
 }
 
 impl Dd {
-    /// The order of two numbers that are finite.
+    /// The order of two finite numbers.
     #[inline]
     pub(crate) fn total_cmp(&self, other: &Self) -> Ordering {
         (self.hi.total_cmp(&other.hi)).then(self.lo.total_cmp(&other.lo))
@@ -350,7 +350,7 @@ impl Real for Dd {
 mod tests {
     use super::*;
 
-    /// What is left of a number that should be none, in units of the rounding of doubles.
+    /// Whether a number that should be 0 is, up to a small multiple of the rounding of double-double.
     fn is_none(x: Dd) -> bool {
         x.hi.abs() < 2e-31
     }
@@ -361,7 +361,7 @@ mod tests {
         let x = Dd::from(1.0) + tiny;
         assert_eq!(x.to_f64(), 1.0);
         assert_eq!((x - 1.0).to_f64(), tiny);
-        // (1 + t)² = 1 + 2 t + t², of which the last is beyond what is kept.
+        // (1 + t)² = 1 + 2 t + t², the last term of which is beyond the precision.
         assert_eq!((x * x - 1.0).to_f64(), 2.0 * tiny);
         assert!(x > Dd::ONE && -x < Dd::ONE && (-x).abs() == x);
         assert!(Dd::from(-2.0).is_negative() && Dd::ZERO.is_zero());
@@ -379,7 +379,7 @@ mod tests {
         assert_eq!(Dd::from(-1.0).sqrt(), Dd::ZERO);
     }
 
-    /// The addition theorem, the circle, known angles; and π from Machin's formula.
+    /// The addition theorem, sin² + cos², known angles; and π from Machin's formula.
     #[test]
     fn sines_and_angles_belong_together() {
         for i in -40..40 {

@@ -44,7 +44,7 @@ impl<const N: usize, T: Real> Dual<N, T> {
         }
     }
 
-    /// A function of it, from its value and derivative there.
+    /// A function of this number, given its value and derivative there.
     #[inline]
     fn map(self, value: T, derivative: T) -> Self {
         Self {
@@ -67,7 +67,7 @@ impl<const N: usize, T: Real> SecondOrder<N, T> {
         }
     }
 
-    /// A function g of it, from g, g′ and g″ there: the Hessian is g′ H + g″ ∇ ∇ᵀ.
+    /// A function g of this number, given g, g′ and g″ there: the Hessian is g′ H + g″ ∇ ∇ᵀ.
     #[inline]
     fn map(self, value: T, first: T, second: T) -> Self {
         let g = self.gradient;
@@ -327,7 +327,7 @@ mod tests {
         assert_eq!(Real::sqrt(-4.0_f64), 0.0);
     }
 
-    /// Gradient and Hessian against differences of values.
+    /// Gradient and Hessian compared with differences of values.
     #[test]
     fn derivatives_agree_with_differences() {
         let (x, y, h) = (0.7, -1.2, 1e-4);

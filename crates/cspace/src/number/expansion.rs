@@ -1,4 +1,4 @@
-//! A function over an interval and in its middle, so that each bounds the other.
+//! A function over an interval and in its middle, each of which bounds the other.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,13 +6,13 @@ use super::{Ball, Real, SecondOrder};
 
 /// Enclosures of a function of θ and of its first two derivatives, in the middle of an interval and over all of it.
 ///
-/// After each operation Taylor's theorem narrows what is known over the interval. So the square of what vanishes linearly
-/// beside the interval is known not to vanish in it, and has a root that can be differentiated.
+/// After each operation Taylor's theorem narrows the enclosure over the interval. So the square of a function that vanishes linearly beside
+/// the interval is known to be positive in it, and has a root that can be differentiated.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Expansion {
     pub(crate) at: SecondOrder<1, Ball>,
     pub(crate) over: SecondOrder<1, Ball>,
-    /// Half the length of the interval; 0 of constants.
+    /// Half the length of the interval; 0 for constants.
     half: f64,
 }
 
@@ -31,7 +31,7 @@ fn narrower(a: Ball, b: Ball) -> Ball {
 }
 
 impl Expansion {
-    /// θ itself, between two numbers.
+    /// The variable θ itself, between two numbers.
     pub(crate) fn variable(lo: f64, hi: f64) -> Self {
         let theta = |ball| SecondOrder::variable(ball, 0);
         Self {
@@ -52,13 +52,13 @@ impl Expansion {
         Self { at, over, half }
     }
 
-    /// A number below which no value in the interval is; infinite if the function rises or falls throughout.
+    /// A lower bound of the function in the interior of the interval; infinite if the function is monotonous.
     pub(crate) fn least(&self) -> f64 {
         if self.over.gradient[0].sign() != 0 {
             return f64::INFINITY;
         }
         let low = |b: Ball| b.mid - b.radius;
-        // Where it is convex it falls no further than a parabola does.
+        // Where it is convex it decreases no further than a parabola does.
         let (slope, bend) = (most(self.at.gradient[0]), low(self.over.hessian[0][0]));
         let fall = if bend > 0.0 {
             0.5 * slope * slope / bend
@@ -137,7 +137,7 @@ impl Real for Expansion {
 mod tests {
     use super::*;
 
-    /// All that is told is so at places of the interval, also of a root of what all but vanishes beside it.
+    /// All enclosures hold at places of the interval, also for a root of a function that almost vanishes beside it.
     #[test]
     fn encloses_a_function_and_its_derivatives() {
         fn f<T: Real>(cos: T, sin: T) -> T {

@@ -1,28 +1,27 @@
-//! The least value of a function of one number, found by branch and bound, and where one changes its sign, by halving.
+//! Minimum of a function of one number by branch and bound, and bisection for a change of sign.
 
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A least value is found to this (the function's unit, about 7.3e-12): as well as contacts are known.
+/// Absolute accuracy of a minimum (the function's unit, about 7.3e-12): the accuracy of contacts.
 const ACCURACY: f64 = 1.0 / (1u64 << 37) as f64;
-/// And to this share of itself: more than the rounding of large values.
+/// Relative accuracy of a minimum: above the rounding of large values.
 const SHARE: f64 = 1e-12;
-/// Intervals are not halved below this (radians, or lengths of a pair's frame, about 5.7e-14): over less, distances change by less
-/// than [`ACCURACY`], and what rounding hides, as where a curve begins, no halving shows.
+/// Length below which intervals are not halved (radians, or lengths of a pair's frame, about 5.7e-14): over a shorter one, distances change
+/// by less than [`ACCURACY`], and a value hidden by rounding, as where a curve begins, is not revealed by halving.
 const NARROWEST: f64 = 1.0 / (1u64 << 44) as f64;
 
-/// A function that is not negative, with bounds over intervals.
+/// A non-negative function, with bounds over intervals.
 pub(crate) trait Bounded {
-    /// Its value.
+    /// Value of the function.
     fn at(&self, t: f64) -> f64;
 
-    /// A number below which no value in the interval is, unless one at its ends is as low; infinite if none is lower than
-    /// those at the ends.
+    /// A lower bound of the function in the interior of the interval; ∞ if its minimum is at an end.
     fn below(&self, lo: f64, hi: f64) -> f64;
 }
 
-/// An interval halved so that `is_below` stays true of its lower end and untrue of its upper one, until it is no wider than
-/// `narrowest` or no number lies between its ends.
+/// Halves an interval so that `is_below` stays true at its lower end and false at its upper one, until it is no wider than `narrowest` or
+/// no number lies between its ends.
 pub(crate) fn halved(
     (mut lo, mut hi): (f64, f64),
     narrowest: f64,
@@ -30,7 +29,7 @@ pub(crate) fn halved(
 ) -> (f64, f64) {
     loop {
         let mid = 0.5 * (lo + hi);
-        // So, too, if one of them is no number.
+        // Also if one of them is NaN.
         if !(hi - lo > narrowest && lo < mid && mid < hi) {
             return (lo, hi);
         }
@@ -42,10 +41,10 @@ pub(crate) fn halved(
     }
 }
 
-/// The least value over an interval and where it is; `None` if it is not below what is `known` already.
+/// The minimum over an interval and its place; `None` if it is not below `known`.
 ///
-/// The interval is halved, always the part that may have the lowest value, until none can have a value that is lower than the
-/// least seen by [`ACCURACY`] and [`SHARE`] of it.
+/// The part of the interval with the lowest bound is halved, until no part can have a value lower than the smallest one found by
+/// [`ACCURACY`] and [`SHARE`] of it.
 pub(crate) fn least(f: &impl Bounded, (lo, hi): (f64, f64), known: f64) -> Option<(f64, f64)> {
     let mut best = (lo, known);
     let look = |t: f64, best: &mut (f64, f64)| {
@@ -56,7 +55,7 @@ pub(crate) fn least(f: &impl Bounded, (lo, hi): (f64, f64), known: f64) -> Optio
     };
     look(lo, &mut best);
     look(hi, &mut best);
-    // Numbers that are not negative are in the order of their bits.
+    // Non-negative numbers have the order of their bits.
     let mut parts = vec![(lo, hi)];
     let mut waiting = BinaryHeap::from([Reverse((0, 0))]);
     while let Some(Reverse((bits, number))) = waiting.pop() {
@@ -129,7 +128,7 @@ mod tests {
         }
     }
 
-    /// t² + 1, of which nothing is known close to 0, where floating-point numbers are dense.
+    /// t² + 1, for which there is no bound close to 0, where floating-point numbers are dense.
     struct Hidden(core::cell::Cell<u32>);
 
     impl Bounded for Hidden {

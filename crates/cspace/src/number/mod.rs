@@ -1,4 +1,4 @@
-//! Numbers: one trait, and the kinds of arithmetic that formulas are evaluated in.
+//! Numbers: one trait, and the kinds of arithmetic in which formulas are evaluated.
 
 mod affine;
 mod ball;

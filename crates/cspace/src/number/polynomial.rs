@@ -1,4 +1,4 @@
-//! Trigonometric polynomials of degree four, and the intervals that hold their roots.
+//! Trigonometric polynomials of degree four, and intervals that contain their roots.
 
 use std::sync::LazyLock;
 
@@ -7,14 +7,14 @@ use crate::geometry::Rotation;
 
 /// Highest frequency.
 const DEGREE: usize = 4;
-/// Orientations at which a polynomial is sampled; enough for its coefficients.
+/// Number of orientations at which a polynomial is sampled; enough for its coefficients.
 const SAMPLES: usize = 2 * DEGREE + 1;
 
-/// What a polynomial's coefficients are made of.
+/// Orientations and weights from which a polynomial's coefficients are computed.
 struct Sampling {
     /// Cosine and sine of the sampled orientations.
     turns: [(Dd, Dd); SAMPLES],
-    /// By sample and frequency, how much of a value goes to the coefficients of the cosine and of the sine.
+    /// By sample and frequency, the weights of a value in the coefficients of the cosine and of the sine.
     weights: [[(Dd, Dd); DEGREE + 1]; SAMPLES],
 }
 
@@ -46,10 +46,10 @@ pub(crate) struct TrigPolynomial<T = f64> {
 }
 
 impl<T: Real> TrigPolynomial<T> {
-    /// The polynomial with the values of `f`, which must be one of degree four at most.
+    /// The polynomial with the values of `f`, which must have degree four at most.
     ///
-    /// `f` also tells the size of the terms its value was summed from; the error is a small multiple of the rounding
-    /// of the largest.
+    /// `f` also returns the size of the terms that were added up in its value; the error is a small multiple of the rounding of the
+    /// largest.
     pub(crate) fn sampled(f: impl Fn(Rotation<T>) -> (T, f64)) -> Self {
         /// Errors of the values and of the sums over the samples, in units of rounding.
         const ERROR: f64 = 64.0;
@@ -107,15 +107,14 @@ impl<T: Real> TrigPolynomial<T> {
         self.error
     }
 
-    /// Calls `found` with intervals that hold all roots between `lo` and `hi`, each with a change of sign.
+    /// Calls `found` with intervals that contain all roots between `lo` and `hi`, each with a change of sign.
     ///
-    /// On (m − h, m + h) the polynomial differs from f(m) + f′(m) x + f″(m) x² / 2 by at most M h³ / 6, and its derivative
-    /// from f′(m) by at most |f″(m)| h + M h² / 2, with M the bound on the third derivative: so there is no root where the
-    /// parabola stays further from zero than that, and at most one where |f′(m)| is more. Otherwise the interval is
-    /// halved, down to `narrowest`, where a double root may go unnoticed; between such two the value is of the order of
-    /// |f″| h².
+    /// On (m − h, m + h) the polynomial differs from f(m) + f′(m) x + f″(m) x² / 2 by at most M h³ / 6, and its derivative from f′(m) by at
+    /// most |f″(m)| h + M h² / 2, with M the bound on the third derivative: so there is no root where the distance of the parabola from
+    /// zero is larger, and at most one where |f′(m)| is larger. Otherwise the interval is halved, down to `narrowest`, where a double root
+    /// may be missed; between two such roots the value is of the order of |f″| h².
     ///
-    /// Where the value cannot be told from zero on a whole interval, `vague` is called with it instead.
+    /// Where the sign of the value is unknown on a whole interval, `vague` is called with it instead.
     pub(crate) fn brackets(
         &self,
         lo: T,
@@ -124,7 +123,7 @@ impl<T: Real> TrigPolynomial<T> {
         found: &mut impl FnMut(T, T),
         vague: &mut impl FnMut(T, T),
     ) {
-        // Of numbers out of range nothing can be said, on however short an interval.
+        // If numbers overflow, nothing is known, on however short an interval.
         if !self.twist.is_finite() {
             vague(lo, hi);
             return;
@@ -134,7 +133,7 @@ impl<T: Real> TrigPolynomial<T> {
         let (sin, cos) = mid.sin_cos();
         let [value, slope, bend] = self.jet(cos, sin).map(Real::value);
         let rest = self.twist * half.powi(3) * (1.0 / 6.0);
-        // The parabola on the side of zero that f(m) is on: it is nearest to zero at an end, or where its slope vanishes.
+        // The parabola on the side of zero of f(m): it is nearest to zero at an end, or where its slope vanishes.
         let (side, along) = (value.abs(), slope.abs() * half);
         let bow = 0.5 * value.signum() * bend * half * half;
         let least = if bow > 0.5 * along {
@@ -189,7 +188,7 @@ mod tests {
         }
     }
 
-    /// Its root at 0 is known to 64 roundings: where it lies a little outside, by these, it may as well lie inside.
+    /// Its root at 0 is known to 64 roundings: if it lies outside by less, it may as well lie inside.
     #[test]
     fn a_root_at_an_end_is_in_both_intervals() {
         let p = TrigPolynomial::sampled(|t: Rotation| (t.sin, 1.0));
@@ -207,7 +206,7 @@ mod tests {
         assert!(brackets(1e-13, 0.5).is_empty() && brackets(-0.5, -1e-13).is_empty());
     }
 
-    /// 1.5 + cos θ − 2 sin 3θ + sin 4θ, of all frequencies but 2, against its derivatives as they are known.
+    /// 1.5 + cos θ − 2 sin 3θ + sin 4θ, with all frequencies except 2, compared with its known derivatives.
     #[test]
     fn values_and_slopes_are_those_of_the_function() {
         let p = TrigPolynomial::sampled(|Rotation { cos: c, sin: s }: Rotation| {
@@ -231,7 +230,7 @@ mod tests {
         assert!((p.error / f64::EPSILON - 256.0).abs() < 1e-9);
     }
 
-    /// However narrow the interval, a value that passes zero is told from nothing.
+    /// However narrow the interval, a simple root has a certain change of sign.
     #[test]
     fn a_simple_root_is_not_vague() {
         let p = TrigPolynomial::sampled(|t: Rotation| (t.sin, 1.0));
@@ -248,7 +247,7 @@ mod tests {
         }
     }
 
-    /// What is zero within its error is told as one interval, not as roots.
+    /// A polynomial that is zero within its error gives one interval, not roots.
     #[test]
     fn nothing_is_known_of_what_vanishes() {
         let p = TrigPolynomial::sampled(|_: Rotation| (1e-16, 1.0));
@@ -265,7 +264,7 @@ mod tests {
         assert_eq!(all, [(0.0, 1.0)]);
     }
 
-    /// cos θ − 1 ± d has two roots or none, however near to each other, however large its factor, wherever is looked.
+    /// cos θ − 1 ± d has two roots or none, however near to each other, for any factor and interval.
     #[test]
     fn roots_that_are_nearly_one_are_told_apart() {
         for (d, factor) in [(1e-3, 1.0), (1e-6, 1.0), (1e-10, 1.0), (1e-6, 100.0)] {
@@ -287,7 +286,7 @@ mod tests {
         }
     }
 
-    /// A double root is told from nothing but where its parabola is within the error.
+    /// A double root is resolved except where its parabola is within the error.
     #[test]
     fn what_is_vague_about_a_double_root_is_narrow() {
         let p = TrigPolynomial::sampled(|t: Rotation| (t.cos - 1.0, 2.0));

@@ -1,12 +1,12 @@
-//! What formulas need of a number, so that each is written once for all kinds of arithmetic.
+//! Operations that formulas need of a number, so that each formula is written once for all kinds of arithmetic.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number, or what stands for one.
+/// A real number, or a type that stands for one.
 ///
-/// `f64` is a value alone, [`Dual`](crate::Dual) a value with first derivatives by N quantities,
-/// [`SecondOrder`](crate::SecondOrder) a value with its gradient and Hessian. Within the library also numbers of 106 bits and
-/// enclosures are of this kind; others are implemented in the same few lines.
+/// `f64` is a value alone, [`Dual`](crate::Dual) a value with first derivatives by N quantities, [`SecondOrder`](crate::SecondOrder) a
+/// value with its gradient and Hessian. Within the library, numbers of 106 bits and enclosures also implement it; others take the same few
+/// lines.
 ///
 /// ```
 /// use cspace::{Dual, Real};
@@ -26,11 +26,11 @@ pub trait Real:
 {
     /// Rounding error of an operation, relative to its result.
     const ROUNDING: f64;
-    /// A number that does not depend on anything.
+    /// A constant: all derivatives are zero.
     fn constant(value: f64) -> Self;
-    /// An f64 approximation without derivatives: selects the numerically better of several equal formulas.
+    /// An f64 approximation without derivatives, used only to pick the numerically better of several equivalent formulas.
     fn value(self) -> f64;
-    /// The square root; of a number below zero, that of zero.
+    /// Square root, with negative values (or the negative part of an interval) clamped to zero.
     #[must_use]
     fn sqrt(self) -> Self;
     /// Sine and cosine of an angle in radians.
@@ -46,12 +46,12 @@ pub trait Real:
             abs
         }
     }
-    /// How far the number may be from its [value](Self::value): the radius of an enclosure, 0 of other numbers.
+    /// Bound of the distance of the number from its [value](Self::value): the radius of an enclosure, 0 for other numbers.
     #[inline]
     fn spread(self) -> f64 {
         0.0
     }
-    /// An enclosure of all reals about the same value, where a formula encloses nothing; other numbers stay.
+    /// An enclosure of all reals about the same value, for formulas that enclose nothing; other numbers are unchanged.
     #[must_use]
     #[inline]
     fn unknown(self) -> Self {
@@ -94,13 +94,13 @@ pub trait Real:
         let square = cos * cos + sin * sin;
         self.function(sin.atan2(cos), cos / square) + x.function(0.0, -sin / square)
     }
-    /// A function of this number that has a value and a slope here: f(x₀) + f′(x₀) (x − x₀), which has the first derivatives of f(x).
-    /// Second derivatives are not those of f, and an enclosure becomes one of all reals.
+    /// A function of this number, given its value and slope here: f(x₀) + f′(x₀) (x − x₀), which has the first derivatives of f(x). Second
+    /// derivatives are not those of f, and an enclosure becomes that of all reals.
     #[must_use]
     #[inline]
     fn function(self, value: f64, slope: f64) -> Self {
         let moved = self - Self::constant(self.value());
-        // An infinite slope times a value that does not move were no number.
+        // An infinite slope times a value without derivative would be NaN.
         let tangent =
             Self::constant(value) + moved * Self::constant(slope.clamp(f64::MIN, f64::MAX));
         if self.spread() > 0.0 {
@@ -143,7 +143,7 @@ impl Real for f64 {
     }
 }
 
-/// A real number by which places on a curve can be ordered: doubles and double-double.
+/// A real number by which places on a curve can be ordered: f64 and double-double.
 pub(crate) trait Ordered: Real + PartialOrd {}
 
 impl Ordered for f64 {}

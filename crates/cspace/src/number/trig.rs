@@ -1,4 +1,4 @@
-//! Roots of α cos θ + β sin θ + γ: every event between two contact curves is one.
+//! Roots of α cos θ + β sin θ + γ, the form of every event between two contact curves.
 
 use core::f64::consts::TAU;
 
@@ -11,25 +11,25 @@ pub(crate) struct Trig<T = f64> {
     pub(crate) alpha: T,
     pub(crate) beta: T,
     pub(crate) gamma: T,
-    /// A bound on the absolute values added up in any coefficient: the coefficients are right to a few ulps of it.
+    /// A bound on the sum of absolute values in any coefficient: the coefficients are right to a few ulps of it.
     pub(crate) scale: f64,
-    /// What it is made of, if it is a difference of squares of distances.
+    /// Squared distances whose difference the function is, if it has this form.
     pub(crate) distances: Option<Distances<T>>,
 }
 
-/// |u + R w|² − d²: of circles of nearly one radius about nearly one centre the differences of lengths are known, not those of
-/// their squares.
+/// The function |u + R w|² − d²: for circles of nearly one radius about nearly one centre the differences of lengths are accurate, those of
+/// their squares are not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Distances<T> {
     pub(crate) u: Vector<T>,
     pub(crate) w: Vector<T>,
     /// d ≥ 0.
     pub(crate) distance: T,
-    /// A bound on the absolute values added up in any of the three lengths.
+    /// A bound on the sum of absolute values in any of the three lengths.
     pub(crate) parts: f64,
 }
 
-/// An orientation known up to an error: radians.
+/// An orientation with its error, radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Event {
     pub(crate) theta: f64,
@@ -37,7 +37,7 @@ pub(crate) struct Event {
 }
 
 impl Event {
-    /// The copy of it, by whole turns, in the interval (mid − half, mid + half), if there is one within its error.
+    /// The image of the event, by whole turns, in the interval (mid − half, mid + half), if there is one within its error.
     pub(crate) fn within(self, mid: f64, half: f64) -> Option<Self> {
         let theta = self.theta - TAU * ((self.theta - mid) / TAU).round();
         ((theta - mid).abs() <= half + self.error).then_some(Self { theta, ..self })
@@ -67,20 +67,19 @@ impl Errors for Dd {
 
 /// Error of an angle computed from exact coefficients, radians.
 const ANGLE_ERROR: f64 = 8.0 * f64::EPSILON;
-/// A function that varies by less than this (in units of its scale) is constant up to rounding and has no roots.
+/// Variation (in units of its scale) below which a function is constant up to rounding and has no roots.
 const CONSTANT: f64 = 64.0 * f64::EPSILON;
-/// The largest error with which a root is reported, radians.
+/// The largest error of a reported root, radians.
 ///
-/// Arcs of nearly equal radii that touch lose and regain each other several times within some 1e-7: one cluster has them
-/// all.
+/// Arcs of nearly equal radii that touch lose and regain contact several times within some 1e-7: one cluster contains all these events.
 const LARGEST_ERROR: f64 = 1e-6;
 
 impl<T: Errors> Trig<T> {
-    /// A + γ, its largest value, and A − γ, minus its least.
+    /// A + γ, its largest value, and A − γ, minus its smallest.
     ///
-    /// Where the function all but touches zero, A and −γ are equal but for the last digits, and the roots depend on their
-    /// difference. For distances, with a = |u| and b = |w|, it is (a + b)² − d² and d² − (a − b)², both products of lengths: the
-    /// angle of a triangle with the sides a, b and d, by its half.
+    /// Where the function almost touches zero, A and −γ are equal except for the last digits, and the roots depend on their difference. For
+    /// distances, with a = |u| and b = |w|, the values are (a + b)² − d² and d² − (a − b)², both products of lengths: this is the
+    /// half-angle formula for a triangle with the sides a, b and d.
     pub(crate) fn extremes(&self) -> [Known<T>; 2] {
         let Some(Distances {
             u,
@@ -103,7 +102,7 @@ impl<T: Errors> Trig<T> {
 }
 
 impl Trig {
-    /// From coefficients that are right to a few ulps of `scale`, and nothing better known.
+    /// The function with given coefficients, which are right to a few ulps of `scale`.
     #[cfg(any(test, feature = "fuzzing"))]
     pub(crate) fn from_coefficients([alpha, beta, gamma]: [f64; 3], scale: f64) -> Self {
         Self {
@@ -117,9 +116,8 @@ impl Trig {
 
     /// Calls `found` with every root in the interval (mid − half, mid + half), with its error.
     ///
-    /// The roots are atan2(β, α) ± φ with tan²(φ/2) = (A + γ) / (A − γ), which is precise for all φ if the numerator and the
-    /// denominator are. Where one of them is known to less than itself, the roots may be two, one or none: one event
-    /// then covers them.
+    /// The roots are atan2(β, α) ± φ with tan²(φ/2) = (A + γ) / (A − γ), which is accurate for all φ if the numerator and the denominator
+    /// are. Where the error of one of them exceeds its value, there may be two roots, one or none: one event then covers them.
     pub(crate) fn roots(
         &self,
         mid: f64,
@@ -154,8 +152,8 @@ impl Trig {
             let error = (farthest - aside).max(aside - nearest);
             (aside, error + slack / amplitude + ANGLE_ERROR)
         };
-        // What may be nothing is taken for nothing: the middle of two roots, if there are any, is known best, unless
-        // that is too far from them.
+        // A value that may be zero is replaced by zero: the middle of two roots, if there are any, is known best, unless it is too far from
+        // them.
         let none = |k: Known<f64>| if down_to(k) > 0.0 { k.0 } else { 0.0 };
         let (aside, error) = Some(from(angle(none(most), none(least))))
             .filter(|(_, error)| *error <= LARGEST_ERROR)
@@ -174,14 +172,15 @@ impl Trig {
     }
 }
 
-/// In double-double: parts are changed so far that a double root is one by their making, as where two arcs face each other and the
-/// contact of their ends touches the circle of their contacts. What only touches zero changes nothing, and is no root.
+/// Roots in double-double: parts are perturbed so that a double root occurs only by construction, as where two arcs face each other and the
+/// contact of their ends touches the circle of their contacts. A function that only touches zero does not change sign, and has no root
+/// there.
 impl Trig<Dd> {
-    /// Whether it has just one root near to one found in doubles to within an error, and [`root_near`](Self::root_near) finds it.
+    /// Whether there is exactly one root near to one found in f64 within an error, so that [`root_near`](Self::root_near) finds it.
     pub(crate) fn is_simple(&self, theta: f64, error: f64) -> bool {
-        /// The angle from a double root, at least.
+        /// Minimum angle from a double root.
         const FAR: f64 = 1e-3;
-        // The cube of the distance of a root from where doubles find it, in double-double, is nothing.
+        // In double-double the cube of the distance of a root from that found in f64 is negligible.
         let near = 10.0 * error;
         let [alpha, beta, gamma] = [self.alpha, self.beta, self.gamma].map(Dd::to_f64);
         let (sin, cos) = theta.sin_cos();
@@ -192,7 +191,7 @@ impl Trig<Dd> {
             && slope.abs() > FAR * self.scale
     }
 
-    /// The root near to where doubles find it: by the parabola there.
+    /// The root near to that found in f64: by the parabola there.
     pub(crate) fn root_near(&self, theta: f64) -> (Dd, f64) {
         let (sin, cos) = Dd::from(theta).sin_cos();
         let wave = self.alpha * cos + self.beta * sin;
@@ -203,7 +202,7 @@ impl Trig<Dd> {
         (Dd::from(theta) + step, error)
     }
 
-    /// Calls `found` with its roots up to whole turns, and their errors: as in doubles.
+    /// Calls `found` with the roots up to whole turns, and their errors, as in f64.
     pub(crate) fn exact_roots(&self, mut found: impl FnMut(Dd, f64)) {
         let (alpha, beta) = (self.alpha, self.beta);
         let a = (alpha * alpha + beta * beta).sqrt().to_f64();
@@ -270,7 +269,7 @@ mod tests {
         assert!(roots(cosine(1.0, 1.1, 1.0)).is_empty());
     }
 
-    /// Interval and root may be one point: rounding is not to lose it.
+    /// Interval and root may be one point: rounding must not lose it.
     #[test]
     fn finds_a_root_in_an_interval_of_no_length() {
         let t = cosine(1.0, -0.5, 1.5);
@@ -280,8 +279,7 @@ mod tests {
         assert_eq!(all.len(), 1);
     }
 
-    /// Coefficients that are off by their error e move a root of amplitude A by 2e/A where the value passes zero, not by much
-    /// more than is said.
+    /// Errors e of the coefficients move a root of amplitude A by 2e/A where the value passes zero; the reported error is not much larger.
     #[test]
     fn errors_are_what_coefficients_leave_open() {
         for (amplitude, scale) in [(1.0, 1.0), (1e-3, 1.0), (1.0, 3.0)] {

@@ -8,50 +8,50 @@ use super::answers::QueryError;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
-/// A motion by functions of time that have bounded rates.
+/// A motion given by functions of time with bounded rates.
 pub trait SmoothMotion {
     /// The configuration at a time.
     fn at(&self, time: f64) -> Coordinates;
 
-    /// Bounds on the absolute values of the rates of the coordinates at all times of an interval: of x, y and θ, or of u and
-    /// v with a third that is not read.
+    /// Bounds on the absolute values of the rates of the coordinates at all times of an interval: of x, y and θ; or of u and v, with a
+    /// third value that is ignored.
     fn rate_bounds(&self, from: f64, to: f64) -> [f64; 3];
 }
 
-/// What becomes of a smooth motion.
+/// Outcome of a smooth motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum SmoothOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It is free until the parts are nearer to each other than the tolerance.
+    /// The motion is free until the parts are nearer to each other than the tolerance.
     Contact {
-        /// When.
+        /// Time at which they are.
         time: f64,
-        /// The configuration then.
+        /// Configuration at that time.
         at: Coordinates,
     },
-    /// It is free until it leaves the window of orientations or the range of a part's motion, about at this time.
+    /// The motion is free until it leaves the window of orientations or the range of a part's motion, about at this time.
     Leaves {
-        /// When.
+        /// Time at which it leaves, approximately.
         time: f64,
     },
-    /// It is free until this time, and goes on so near to contact that it could not be followed further.
+    /// The motion is free until this time, and continues so near to contact that it could not be followed further.
     Grazes {
-        /// When.
+        /// Time until which it is free.
         time: f64,
     },
 }
 
 impl PairSpace {
-    /// The first contact along a smooth motion, for times from 0 to `duration`.
+    /// The first contact along a smooth motion, at times from 0 to `duration`.
     ///
-    /// No point of the moving part can come nearer to the fixed part, in a time dt, than by dt times a bound on its speed: of a
-    /// planar configuration |(ẋ, ẏ)| + ρ |θ̇|, with ρ the largest distance of the part's boundary from its origin; of fixed axes the
-    /// sum of both parts' speeds. So the [clearance](Self::clearance), divided by that bound, is a time in which nothing can
-    /// happen, and steps of such times come to the first contact without ever passing through one.
+    /// In a time dt, no point of the moving part can come nearer to the fixed part than by dt times a bound on its speed: for a planar
+    /// configuration |(ẋ, ẏ)| + ρ |θ̇|, with ρ the largest distance of the part's boundary from its origin; for fixed axes the sum of both
+    /// parts' speeds. So the [clearance](Self::clearance) divided by that bound is a time without contact, and steps of such times approach
+    /// the first contact without ever passing through one.
     ///
-    /// Contact is when the clearance is less than `tolerance` (model length), which is at least the
-    /// [resolution](Self::resolution).
+    /// A contact is where the clearance is less than `tolerance` (model length), which is raised to the [resolution](Self::resolution) if
+    /// it is smaller.
     ///
     /// # Errors
     /// If coordinates are of another class, or the motion begins where the parts overlap or outside the space, or the parts
@@ -85,7 +85,7 @@ impl PairSpace {
         duration: f64,
         tolerance: f64,
     ) -> Result<SmoothOutcome, QueryError> {
-        /// Steps after which a motion that stays beside contact is given up.
+        /// Number of steps after which a motion that stays beside contact is given up.
         const MOST_STEPS: usize = 100_000;
         if matches!(self, Self::Lower(_)) {
             return Err(QueryError::Permanent);
@@ -100,7 +100,7 @@ impl PairSpace {
                 Err(QueryError::Outside) if taken > 0 => {
                     return Ok(SmoothOutcome::Leaves { time });
                 }
-                // The drawing touches a little after the parts as they are computed.
+                // The parts as drawn touch slightly later than the parts as computed.
                 Err(QueryError::Blocked) if taken > 0 => 0.0,
                 clearance => clearance?,
             };
@@ -110,7 +110,7 @@ impl PairSpace {
             if time >= duration {
                 return Ok(SmoothOutcome::Free);
             }
-            // As far as the clearance lasts; not quite, so that what comes nearer at the bound is still apart.
+            // Step for which the clearance lasts; slightly less, so that parts that approach at the bound are still apart.
             let lasts = clearance - 0.5 * tolerance;
             step = (4.0 * step).min(duration - time);
             let passes = |step: f64| {
@@ -133,7 +133,7 @@ impl PairSpace {
         Ok(SmoothOutcome::Grazes { time })
     }
 
-    /// How fast the nearest points can come nearer, at most, for each rate of a coordinate.
+    /// Largest speed at which the nearest points can approach, for each unit rate of a coordinate.
     fn levers(&self) -> [f64; 3] {
         let reach = |part: &Part, from: Point| {
             let discs = part.edges().map(|e| e.disc());

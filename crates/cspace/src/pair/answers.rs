@@ -1,4 +1,4 @@
-//! What is answered of pairs of any class, and why a question has no answer.
+//! Answers to questions about pairs of any class, and reasons why a question has no answer.
 
 use crate::geometry::Configuration;
 use crate::query::MotionError;
@@ -6,15 +6,15 @@ use crate::query::MotionError;
 use super::ids::PatchId;
 use super::relation::{Coordinates, PairClass};
 
-/// Where a motion first touches.
+/// First contact along a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairContact {
-    /// When, in the unit of time of the rates.
+    /// Time of contact, in the unit of time of the rates.
     pub time: f64,
-    /// The configuration then.
+    /// Configuration at that time.
     pub at: Coordinates,
-    /// The patch it touches: one of them, where it touches several.
+    /// Patch that is touched; one of them, if several are.
     pub patch: PatchId,
 }
 
@@ -22,39 +22,39 @@ pub struct PairContact {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairNearest {
-    /// The patch it is on.
+    /// Patch of the contact.
     pub patch: PatchId,
     /// The configuration in contact.
     pub at: Coordinates,
-    /// How far the moving part moves to it: a length, or radians of a part that turns on its axis.
+    /// Displacement of the moving part to the contact: a length, or radians for a part that turns on its axis.
     pub distance: f64,
 }
 
-/// What becomes of a motion.
+/// Outcome of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PairMotion {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a patch.
     Contact(PairContact),
-    /// It is free until it leaves the window of orientations or the range of a part's motion, at this time.
+    /// The motion is free until it leaves the window of orientations or the range of a part's motion, at this time.
     Leaves {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
 
-/// A contact that a motion comes through.
+/// A contact surface that a motion crosses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairCrossing {
-    /// When, in the unit of time of the rates.
+    /// Time of the crossing, in the unit of time of the rates.
     pub time: f64,
     /// The patch.
     pub patch: PatchId,
-    /// Whether the motion goes into blocked space there; otherwise it comes out.
+    /// Whether the motion enters blocked space there; otherwise it leaves blocked space.
     pub enters: bool,
 }
 
@@ -62,17 +62,17 @@ pub struct PairCrossing {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Neighbours {
-    /// Those before it, at its left boundary.
+    /// Patches before it, at its left boundary.
     pub before: Vec<PatchId>,
-    /// Those after it, at its right boundary.
+    /// Patches after it, at its right boundary.
     pub after: Vec<PatchId>,
-    /// Those it continues at its lowest orientation. Patches of fixed axes have none.
+    /// Patches that it continues at its lowest orientation. Patches of fixed axes have none.
     pub below: Vec<PatchId>,
-    /// Those that continue it at its highest orientation.
+    /// Patches that continue it at its highest orientation.
     pub above: Vec<PatchId>,
 }
 
-/// Why a question has no answer.
+/// Reasons for which a question has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QueryError {
@@ -83,7 +83,7 @@ pub enum QueryError {
         class: PairClass,
         /// The coordinates it has.
         wanted: &'static str,
-        /// Those it was given.
+        /// Coordinates of the configuration that was passed.
         given: &'static str,
     },
     /// The configuration is not finite, or outside the window or the ranges of motion.
@@ -92,12 +92,12 @@ pub enum QueryError {
     /// There is no such patch.
     #[error("there is no patch {patch}; the last is {last}")]
     NoPatch {
-        /// The number given.
+        /// Number that was given.
         patch: PatchId,
-        /// The largest there is.
+        /// Largest number of a patch.
         last: PatchId,
     },
-    /// The parts never part.
+    /// The parts of a lower pair are always in contact.
     #[error(
         "the parts of a lower pair are in contact for ever: there is no first or nearest contact"
     )]
@@ -113,7 +113,7 @@ pub enum QueryError {
         "the length per radian of a metric must be positive and finite, and so must be its square"
     )]
     Metric,
-    /// The parts overlap there.
+    /// The parts overlap at the configuration.
     #[error("the parts overlap at the configuration")]
     Blocked,
     /// A motion cannot be followed.

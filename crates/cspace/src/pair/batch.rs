@@ -1,4 +1,4 @@
-//! The spaces of many pairs, one after the other or on several threads.
+//! Spaces of many pairs, computed in parallel.
 
 use crate::parallel;
 use crate::part::Part;
@@ -8,13 +8,13 @@ use super::relation::Relation;
 use super::space::{PairError, PairSpace};
 
 impl PairSpace {
-    /// Computes the spaces of many pairs, hands each with the pair's number to `then`, and returns what that makes of them, in the
-    /// order of the pairs.
+    /// Computes the spaces of many pairs, passes each with the pair's number to `then`, and returns the results of `then`, in the order of
+    /// the pairs.
     ///
-    /// It is for many small pairs, such as the variants of a tolerance study: pairs go to the threads of the `rayon` pool
-    /// from which it is called, and each is computed by one thread alone, which is faster than to divide every one of them. A space
-    /// is dropped after `then` unless `then` keeps it, so that memory does not grow with the number of pairs. The spaces are those
-    /// of [`compute`](Self::compute), and what comes out does not depend on the number of threads.
+    /// It is meant for many small pairs, such as the variants of a tolerance study: pairs go to the threads of the `rayon` pool from which
+    /// it is called, and each is computed by a single thread, which is faster than dividing every one of them. A space is dropped after
+    /// `then` unless `then` keeps it, so that memory does not grow with the number of pairs. The spaces are those of
+    /// [`compute`](Self::compute), and the results do not depend on the number of threads.
     ///
     /// ```
     /// use cspace::{Options, PairSpace, Part, Relation};
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::part::Vertex;
 
-    /// On one thread, on several and one by one the same spaces come out, in order.
+    /// Spaces are equal, and in order, on one thread, on several, and one by one.
     #[test]
     fn batches_are_spaces_one_by_one() {
         let star = |points: u32, inner: f64| {

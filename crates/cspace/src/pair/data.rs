@@ -25,22 +25,22 @@ pub struct LowerData {
     pub joint: Joint,
     /// Least and largest motion, radians or the model's unit of length.
     pub limits: Option<(f64, f64)>,
-    /// What touches for ever. It follows from the joint, and is not read.
+    /// Permanent contacts. They follow from the joint, and are ignored on reading.
     pub contacts: Vec<PermanentContact>,
 }
 
-/// All of a configuration space as plain data, told apart by its `format`.
+/// All of a configuration space as plain data; `format` identifies the class.
 ///
 /// The schemas in the folder `docs` of the project's repository describe every field and its unit.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(untagged))]
 pub enum PairData<'a> {
-    /// Of a general or symmetric pair; its format is `contact-space`.
+    /// Data of a general or symmetric pair; the format is `contact-space`.
     Planar(&'a SpaceData),
-    /// Of a pair with fixed axes; its format is `fixed-axes-space`.
+    /// Data of a pair with fixed axes; the format is `fixed-axes-space`.
     FixedAxes(&'a AxesData),
-    /// Of a lower pair; its format is `lower-pair`.
+    /// Data of a lower pair; the format is `lower-pair`.
     Lower(Box<LowerData>),
 }
 
@@ -72,7 +72,7 @@ impl LowerPair {
     /// The pair from plain data.
     ///
     /// # Errors
-    /// If the format or its version is another, a part is none, or a number is not finite or out of order.
+    /// If the format or its version differs, a part is invalid, or a number is not finite or out of order.
     pub fn from_data(data: LowerData) -> Result<Self, DataError> {
         check_head(&data.format, FORMAT, data.version)?;
         let whole = |what, why| Err(DataError::Whole { what, why });

@@ -1,4 +1,4 @@
-//! What a pair's space consists of: patches, the links between them, bands and free regions.
+//! Elements of a pair's space: patches, the links between them, bands and free regions.
 
 use crate::space::Band;
 
@@ -11,29 +11,29 @@ use super::space::PairSpace;
 /// Two patches that are neighbours on the boundary of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairLink {
-    /// Its number.
+    /// Number of the link.
     pub id: LinkId,
-    /// The patch that ends where they meet: in the direction of travel, or at an orientation.
+    /// Patch that ends where they meet: in the direction of travel, or at an orientation.
     pub first: PatchId,
-    /// The patch that begins there.
+    /// Patch that begins there.
     pub second: PatchId,
-    /// Where they meet.
+    /// Kind of link.
     pub kind: LinkKind,
 }
 
 /// Where two patches meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LinkKind {
-    /// They follow each other in the direction of travel, on fixed axes.
+    /// The patches follow each other in the direction of travel, on fixed axes.
     Side,
-    /// They follow each other in the direction of travel, at the orientations from `lo` to `hi` (radians).
+    /// The patches follow each other in the direction of travel, at the orientations from `lo` to `hi` (radians).
     SideOver {
         /// First orientation at which they are neighbours.
         lo: f64,
         /// Last orientation.
         hi: f64,
     },
-    /// They continue each other across a critical orientation (radians).
+    /// The patches continue each other across a critical orientation (radians).
     Vertical {
         /// The orientation.
         theta: f64,
@@ -43,16 +43,16 @@ pub enum LinkKind {
 /// A connected component of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairRegion {
-    /// Its number.
+    /// Number of the region.
     pub id: RegionId,
-    /// A configuration in it.
+    /// A configuration in the region.
     pub sample: Coordinates,
-    /// Whether it goes on without limit: the parts can be taken as far apart as one likes, or one of them moved without end.
+    /// Whether the region is unbounded: the parts can be moved arbitrarily far apart, or one of them without end.
     pub unbounded: bool,
 }
 
 impl PairSpace {
-    /// The contact patches, in the order of their numbers; of a lower pair its permanent contacts.
+    /// The contact patches, in the order of their numbers; for a lower pair, its permanent contacts.
     pub fn patches(&self) -> impl Iterator<Item = PairPatch<'_>> {
         (0..self.patch_count() as u32).map(|i| PairPatch::new(self, PatchId(i)))
     }
@@ -92,10 +92,10 @@ impl PairSpace {
             .collect()
     }
 
-    /// The bands: intervals between critical orientations, in which nothing but lengths changes.
+    /// The bands: intervals between critical orientations, in which only lengths change.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate: lower pairs and those with fixed axes.
+    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
     pub fn bands(&self) -> Result<Vec<Band>, QueryError> {
         match self {
             Self::Planar(space) => Ok(space.bands()),
@@ -105,7 +105,7 @@ impl PairSpace {
         }
     }
 
-    /// The connected components of free space, in the order of their numbers. A joint leaves none.
+    /// The connected components of free space, in the order of their numbers. A lower pair has none.
     pub fn regions(&self) -> Vec<PairRegion> {
         let regions: Vec<(Coordinates, bool)> = match self {
             Self::Lower(_) => Vec::new(),

@@ -1,4 +1,4 @@
-//! Numbers of what a space consists of. Each kind has a type of its own, so that they cannot be mixed up.
+//! Numbers of the elements of a space. Each kind has its own type, so that they cannot be confused.
 
 use crate::feature::FeatureName;
 use crate::fixed_axes::Role;
@@ -43,9 +43,9 @@ id! {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureId {
-    /// Whose it is.
+    /// Part that has the feature.
     pub part: Role,
-    /// The loop and the vertex it comes from, and what it is.
+    /// Kind, loop and vertex of the feature.
     pub name: FeatureName,
 }
 
@@ -67,7 +67,7 @@ impl FeatureId {
     }
 }
 
-/// As `line 3 of loop 0 of the fixed part`.
+/// Text such as `line 3 of loop 0 of the fixed part`.
 impl core::fmt::Display for FeatureId {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "{} of the {} part", self.name, self.part)

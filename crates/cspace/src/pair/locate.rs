@@ -1,4 +1,4 @@
-//! Where a configuration is: in which free region, blocked, or outside what was computed; and how far the parts are apart.
+//! Location of a configuration: its free region, blocked, or outside the computed range; and the clearance of the parts.
 
 use crate::geometry::Configuration;
 use crate::part::distance_of;
@@ -9,25 +9,25 @@ use super::relation::Coordinates;
 use super::space::PairSpace;
 use crate::query::Classification;
 
-/// Where a configuration is.
+/// Location of a configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Location {
     /// The parts are apart, in this free region.
     Free(RegionId),
-    /// The parts touch, to the resolution.
+    /// The parts touch, within the resolution.
     Contact,
     /// The parts overlap.
     Blocked,
-    /// It is not finite, or outside the window of orientations or the ranges of motion: nothing was computed there.
+    /// The configuration is not finite, or outside the window of orientations or the ranges of motion: nothing was computed there.
     Outside,
 }
 
 impl PairSpace {
-    /// Where a configuration is.
+    /// Location of a configuration.
     ///
     /// # Errors
-    /// If it is in the coordinates of another class.
+    /// If the configuration is in the coordinates of another class.
     ///
     /// ```
     /// use cspace::{Configuration, Coordinates, Location, Options, PairSpace, Part, Relation, Vertex};
@@ -71,8 +71,8 @@ impl PairSpace {
         Ok(matches!(a, Location::Free(_)) && a == b)
     }
 
-    /// How far the parts are apart at a configuration: the least distance of their boundaries, in the model's unit of length.
-    /// 0 where they touch.
+    /// Clearance of the parts at a configuration: the minimum distance of their boundaries, in the model's unit of length; 0 where they
+    /// touch.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class or outside, or the parts overlap there.
@@ -84,7 +84,7 @@ impl PairSpace {
         }
     }
 
-    /// Where the moving part is in the fixed part's frame.
+    /// Placement of the moving part in the fixed part's frame.
     pub(super) fn placed(&self, at: Coordinates) -> Result<Configuration, QueryError> {
         match (self, at) {
             (Self::FixedAxes(space), Coordinates::Axes { u, v }) => Ok(space.configuration(u, v)),

@@ -26,23 +26,23 @@ pub enum Joint {
         /// A point of the line of sliding. Any point will do: it changes what is drawn, not how the parts move.
         at: Point,
     },
-    /// The parts are one.
+    /// The parts are rigidly connected.
     Rigid,
 }
 
-/// A contact that a joint never gives up.
+/// A permanent contact that follows from a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PermanentContact {
-    /// What it is: a point of the moving part on a line or an arc of the fixed part.
+    /// Kind of contact: a point of the moving part on a line or an arc of the fixed part.
     pub kind: PermanentKind,
     /// Its contact function at a position (x, y) and orientation; zero on all configurations of the joint.
     pub function: ContactFunction,
-    /// Always true: the contact is there in every configuration, and is no boundary of free space.
+    /// Always true: the contact exists in every configuration, and is no boundary of free space.
     pub permanent: bool,
 }
 
-/// What touches for ever.
+/// Kind of a permanent contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -117,9 +117,9 @@ impl LowerPair {
         }
     }
 
-    /// The limits of a joint's motion that follow from how both parts move relative to the ground: where both move along
-    /// the joint or not at all, the moving part's motion less the fixed part's. `None` where that is without limits, or
-    /// where the motions are not the joint's.
+    /// The limits of a joint's motion that follow from the motions of both parts relative to the ground: if both move along the joint or
+    /// not at all, they are those of the moving part's motion minus the fixed part's. `None` if there are no limits, or if the motions are
+    /// not the joint's.
     pub fn limits_from_axes(joint: &Joint, fixed: &Axis, moving: &Axis) -> Option<(f64, f64)> {
         let along = |axis: &Axis| match (&axis.motion, joint) {
             (AxisMotion::Fixed, _) => Some((0.0, 0.0)),
@@ -156,17 +156,17 @@ impl LowerPair {
         self.joint
     }
 
-    /// Least and largest motion of the joint, radians or the model's unit of length; none if it has no limits.
+    /// Smallest and largest motion of the joint, radians or the model's unit of length; `None` if it has no limits.
     pub fn limits(&self) -> Option<(f64, f64)> {
         self.limits
     }
 
-    /// What touches for ever.
+    /// The permanent contacts.
     pub fn contacts(&self) -> &[PermanentContact] {
         &self.contacts
     }
 
-    /// The resolution in the model's unit of length: configurations nearer than this to the joint's are on it.
+    /// The resolution in the model's unit of length: a configuration closer to the joint's than this is on it.
     pub fn resolution(&self) -> f64 {
         8.0 * GROWTH * self.size()
     }
@@ -195,8 +195,8 @@ impl LowerPair {
         }
     }
 
-    /// Contact on the joint and within its limits, otherwise blocked: nothing is free that a joint holds. `None` if the
-    /// configuration is not finite.
+    /// Classifies a configuration: contact on the joint and within its limits, otherwise blocked; a lower pair has no free configurations.
+    /// `None` if the configuration is not finite.
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         if !(c.position().is_finite() && c.theta.is_finite()) {
             return None;
@@ -207,7 +207,7 @@ impl LowerPair {
             let nearest = self.configuration(t);
             let turned = c.theta - nearest.theta;
             let turned = turned - TAU * (turned / TAU).round();
-            // Orientation first: what it is off by moves the position, too.
+            // The orientation is checked first, because its error displaces the position, too.
             turned.abs() <= angular
                 && self.configuration_at(c, t).distance(c.position()) <= resolution
         });
@@ -248,10 +248,10 @@ impl LowerPair {
     }
 }
 
-/// Directions and centres that agree to this, relative to their lengths, are one axis.
+/// Relative tolerance within which directions and centres are one axis.
 const SAME_AXIS: f64 = 1e-9;
 
-/// The table.
+/// The table of permanent contacts.
 fn table(joint: Joint) -> Vec<PermanentContact> {
     let permanent = |kind, function| PermanentContact {
         kind,

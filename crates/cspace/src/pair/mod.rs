@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | lower | table look-up ([`LowerPair`]) | (x, y, θ), on the joint |
 //! | fixed axes | planar partition ([`FixedAxesSpace`](crate::FixedAxesSpace)) | (u, v) |
-//! | symmetric | one slab and copies ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
+//! | symmetric | one period and copies ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 //! | general | the general method ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 
 mod along;

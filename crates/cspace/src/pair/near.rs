@@ -1,8 +1,8 @@
-//! Which features of two parts touch, or nearly do: distances between the features themselves, without the space's patches.
+//! Features of two parts that touch or nearly touch: distances between the features themselves, without the space's patches.
 //!
-//! Two features are a pair where one line is at right angles to both, from a point of the one to a point of the other, and
-//! their outward normals face each other along it: there their distance is least, seen from nearby. Normals of a vertex are
-//! those between its two edges, so that the parts' own distance is always among the pairs.
+//! Two features are a pair where one line is at right angles to both, from a point of the one to a point of the other, and their outward
+//! normals face each other along it: there their distance has a local minimum. A vertex has the normals between those of its two edges, so
+//! that the distance of the parts is always among the pairs.
 
 use core::f64::consts::TAU;
 
@@ -19,34 +19,34 @@ use super::ids::FeatureId;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
-/// Directions nearer to each other than this are one (radians): what is drawn flush is turned by the rounding of its
-/// coordinates and of its orientation, some 1e-15, and more where it is short.
+/// Angle below which directions are equal (radians): edges that are drawn flush differ by the rounding of their coordinates and
+/// orientation, some 1e-15, and more if they are short.
 const ALIGNED: f64 = 1e-9;
 
-/// Two features that touch or nearly do, with where they are nearest to each other.
+/// Two features that touch or nearly touch, and their nearest points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearFeatures {
     /// The feature of the fixed part.
     pub fixed: FeatureId,
     /// The feature of the moving part.
     pub moving: FeatureId,
-    /// How far they are apart, in the model's unit of length. Less than 0 if they overlap, by as much: where the parts do, or touch
-    /// within the resolution.
+    /// Distance of the features, in the model's unit of length. Negative by the depth of overlap where the parts overlap, or touch within
+    /// the resolution.
     pub distance: f64,
     /// The points of the two features that are nearest to each other, and the outward normal of the fixed part there.
     pub touching: Touching,
 }
 
 impl PairSpace {
-    /// The pairs of features that are no farther than `within` (model length) apart at a configuration, or overlap by no
-    /// more, and face each other; the nearest first.
+    /// The pairs of features that face each other at a configuration with a distance, or a depth of overlap, of at most `within` (model
+    /// length); the nearest first.
     ///
-    /// While the parts do not overlap, the first pair is as far apart as they are ([`clearance`](Self::clearance)). Both points
-    /// of a pair lie on its features: on line segments, arcs and convex vertices, not on their lines and circles. Patches are not asked, so
-    /// neither critical nor doubtful orientations make a difference.
+    /// While the parts do not overlap, the distance of the first pair is that of the parts ([`clearance`](Self::clearance)). Both points of
+    /// a pair lie on its features: on line segments, arcs and convex vertices, not on their extensions. Patches are not used, so critical
+    /// and doubtful orientations make no difference.
     ///
     /// # Errors
-    /// If the configuration is in the coordinates of another class, or outside; and of lower pairs, whose parts are in contact for ever.
+    /// If the configuration is in the coordinates of another class, or outside; and for lower pairs, which are in permanent contact.
     ///
     /// ```
     /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
@@ -69,7 +69,7 @@ impl PairSpace {
         if matches!(self, Self::Lower(_)) {
             return Err(QueryError::Permanent);
         }
-        // So well it is known where parts in contact are.
+        // Accuracy to which parts in contact are placed.
         let known = match class {
             Classification::Contact => self.resolution(),
             Classification::Free | Classification::Blocked => 0.0,
@@ -89,7 +89,7 @@ impl PairSpace {
             beyond,
             slack,
         };
-        // Parts may be drawn far away: all is reckoned from the fixed part's centre.
+        // Parts may be drawn far away: all is computed relative to the fixed part's centre.
         let center = frame.fixed_center.to_vector();
         let mut found = sought.among(
             &features(fixed, frame.fixed_center, Configuration::default()),
@@ -108,32 +108,32 @@ impl PairSpace {
     }
 }
 
-/// More than the rounding error of points of the two parts, in the model's unit of length.
+/// Bound of the rounding error of points of the two parts, in the model's unit of length.
 fn rounding(frame: &PairFrame, at: Configuration) -> f64 {
-    /// Of the few sums in which the configuration's position enters.
+    /// Bound of the rounding error of the few sums in which the configuration's position enters, relative to its distance from the origin.
     const PLACED: f64 = 8.0 * f64::EPSILON;
     frame.outer_length(frame.rounding()) + PLACED * at.x.hypot(at.y)
 }
 
-/// Where the moving part is, about its centre, seen from the fixed part's.
+/// Placement of the moving part about its centre, relative to the fixed part's centre.
 fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
     let turned = Rotation::by(at.theta) * frame.moving_center.to_vector();
     let position = (at.position() - frame.fixed_center) + turned;
     Configuration::new(position.x, position.y, at.theta)
 }
 
-/// A line, an arc or a convex vertex of a part that is placed, seen from the fixed part's centre.
+/// A line, an arc or a convex vertex of a placed part, relative to the fixed part's centre.
 struct Feature {
     name: FeatureName,
     shape: FeatureShape<f64>,
-    /// None of a vertex.
+    /// The edge; `None` for a vertex.
     edge: Option<Edge>,
     /// The angle of the first of its outward normals, and how far the others turn from it counter-clockwise (radians).
     normals: (f64, f64),
     bounds: Bounds,
 }
 
-/// The features of a part that is placed about its centre.
+/// The features of a part, placed about its centre.
 fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
     let turn = Rotation::by(at.theta);
     let place = |p: Point| at.position() + turn * (p - center);
@@ -156,7 +156,7 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
             features.push(Feature::of_edge(edge, |kind| named(kind, edge.index)));
             let turns_by = turn_between(edge, next);
             if turns_by > smooth(edge, next) {
-                // The vertex is the one that `next` leaves as given, or `edge` if travelled backwards.
+                // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
                 let index = if outline.is_reversed() { edge } else { next }.index;
                 let name = named(FeatureKind::Vertex, index);
                 features.push(Feature::of_vertex(edge, turns_by, name));
@@ -166,7 +166,7 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
     features
 }
 
-/// By how much travel turns to the left from an edge to the next one (radians).
+/// Angle by which travel turns to the left from an edge to the next one (radians).
 fn turn_between(before: &Edge, after: &Edge) -> f64 {
     let (d1, d2) = (before.end_direction(), after.start_direction());
     d1.cross(d2).atan2(d1.dot(d2))
@@ -217,7 +217,7 @@ impl Feature {
         }
     }
 
-    /// 0 of a vertex, less than 0 of a concave arc, infinite of a line.
+    /// Signed radius: 0 for a vertex, negative for a concave arc, infinite for a line.
     fn radius(&self) -> f64 {
         (self.edge).map_or(0.0, |e| e.radius() * if e.bulge < 0.0 { -1.0 } else { 1.0 })
     }
@@ -229,7 +229,7 @@ impl Feature {
         from_first <= turn + 2.0 * ALIGNED
     }
 
-    /// The point that lies on the feature itself, of one that lies on its line or circle; not if it is farther than `most` beyond its ends.
+    /// The point of the feature that corresponds to a point on its line or circle; `None` if that is more than `most` beyond its ends.
     fn onto(&self, p: Point, most: f64) -> Option<Point> {
         let Some(edge) = &self.edge else {
             return Some(self.bounds.center());
@@ -246,7 +246,7 @@ impl Feature {
         (beyond <= most).then_some(end)
     }
 
-    /// The point at which an outward normal is as given.
+    /// The point of the feature with a given outward normal.
     fn at_normal(&self, normal: Vector) -> Point {
         let Some(edge) = &self.edge else {
             return self.bounds.center();
@@ -254,21 +254,21 @@ impl Feature {
         let to = normal.left();
         match edge.fraction_heading(to) {
             Some(u) => edge.at(u),
-            // Beyond an end by the rounding of directions.
+            // The normal is outside by rounding: the point is the nearer end.
             None if edge.start_direction().dot(to) > edge.end_direction().dot(to) => edge.start,
             None => edge.end,
         }
     }
 }
 
-/// What is looked for.
+/// Limits of a search for near features.
 struct Sought {
     within: f64,
-    /// Features may overlap by so much.
+    /// Maximum overlap of two features.
     deepest: f64,
-    /// Places may be so far beyond the ends of features: a part in a concave corner may be in one side of it by as much.
+    /// Maximum distance of a touching place beyond the end of a feature: a part in a concave corner may overlap one side of it by as much.
     beyond: f64,
-    /// Points nearer to each other are one.
+    /// Distance below which two points count as one.
     slack: f64,
 }
 
@@ -288,7 +288,7 @@ impl Sought {
 
     /// Two features, if they face each other and are near enough.
     fn pair(&self, f: &Feature, g: &Feature) -> Option<NearFeatures> {
-        // Lines side by side are told by their ends, and nothing touches a concave arc but what is rounder.
+        // Parallel lines are represented by their ends, and a concave arc is touched only by features of smaller radius.
         let sum = f.radius() + g.radius();
         let rolls = match (f.name.kind, g.name.kind) {
             (FeatureKind::Line, FeatureKind::Line) => false,
@@ -301,7 +301,7 @@ impl Sought {
         let place = touching_place(&f.shape, &g.shape, &Placement::identity());
         let point = |[x, y]: [f64; 2]| Point::new(x, y);
         let normal = Vector::new(place.normal[0], place.normal[1]);
-        // The centres are so far apart, of circles and vertices.
+        // Distance of the centres of circles and vertices.
         let apart = if sum.is_finite() {
             (place.gap + sum).abs()
         } else {
@@ -312,7 +312,7 @@ impl Sought {
             let on_moving = g.onto(point(place.on_moving), self.beyond)?;
             (normal, on_fixed, on_moving)
         } else {
-            // About one centre they are as near in every direction.
+            // Concentric circles are equally near in every direction.
             let normal = common_normal(f, g)?;
             (normal, f.at_normal(normal), g.at_normal(-normal))
         };

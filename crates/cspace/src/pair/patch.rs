@@ -11,19 +11,18 @@ use super::ids::{FeatureId, PatchId, RegionId};
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
-/// A contact patch of a pair's space, with what it can be asked.
+/// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]
 pub struct PairPatch<'a> {
     space: &'a PairSpace,
     id: PatchId,
 }
 
-/// The contact of two features: their outlines as they are drawn, and how their parts move.
+/// The contact of two features: their outlines as drawn, and the motion of their parts.
 ///
-/// Its function f is in the user's coordinates and in the model's unit of length: the distance of the features' lines and
-/// circles along their common normal, 0 in contact and positive where they are apart. The patch of a space lies where f is 0 to
-/// the space's [resolution](PairSpace::resolution): parts are grown a little before a space is computed, and f is that of
-/// the drawing.
+/// Its function f is in the user's coordinates and in the model's unit of length: the distance of the features' lines and circles along
+/// their common normal, 0 in contact and positive where they are apart. On the space's patch f is 0 up to the space's
+/// [resolution](PairSpace::resolution): parts are grown a little before a space is computed, while f belongs to the parts as drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FeatureContact {
     /// The feature of the fixed part.
@@ -34,17 +33,17 @@ pub struct FeatureContact {
     motion: Motion,
 }
 
-/// The vertices an outline comes from.
+/// The vertices that define a feature's outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Drawn {
     name: FeatureName,
     /// The vertex at the end of its edge.
     next: u32,
-    /// Whether travel with material on the left is against the drawing.
+    /// Whether travel with material on the left is against the order of the drawing.
     reversed: bool,
 }
 
-/// How the moving part is placed by the coordinates.
+/// Motion that the coordinates describe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Motion {
     Planar,
@@ -60,7 +59,7 @@ pub struct ByDrawing {
     pub moving: Vec<ByVertex>,
     /// By the centre, or the direction, of the fixed part's axis; 0 if it has none.
     pub fixed_axis: [f64; 2],
-    /// The same of the moving part's.
+    /// By the centre, or the direction, of the moving part's axis; 0 if it has none.
     pub moving_axis: [f64; 2],
 }
 
@@ -82,7 +81,7 @@ impl<'a> PairPatch<'a> {
         Self { space, id }
     }
 
-    /// Its number.
+    /// Number of the patch.
     pub fn id(&self) -> PatchId {
         self.id
     }
@@ -90,7 +89,7 @@ impl<'a> PairPatch<'a> {
     /// The features of the fixed and of the moving part that touch.
     ///
     /// # Errors
-    /// Of a lower pair: what touches are a point and a line, or two points, of the joint.
+    /// If the pair is a lower pair: there the contact is between a point and a line, or two points, of the joint.
     pub fn features(&self) -> Result<(FeatureId, FeatureId), QueryError> {
         let (fixed, moving) = self.names()?;
         Ok((FeatureId::of_fixed(fixed), FeatureId::of_moving(moving)))
@@ -113,7 +112,7 @@ impl<'a> PairPatch<'a> {
     /// The free region it bounds.
     ///
     /// # Errors
-    /// Of a lower pair, which has none.
+    /// If the pair is a lower pair, which has no free regions.
     pub fn region(&self) -> Result<Option<RegionId>, QueryError> {
         match self.space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
@@ -127,7 +126,7 @@ impl<'a> PairPatch<'a> {
     /// The orientations at which it exists, first and last, in radians; the last may be beyond π.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate: lower pairs and those with fixed axes.
+    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
     pub fn orientations(&self) -> Result<(f64, f64), QueryError> {
         match self.space {
             PairSpace::Planar(space) => {
@@ -140,13 +139,13 @@ impl<'a> PairPatch<'a> {
         }
     }
 
-    /// The configurations at which it begins and ends in the direction of travel, with free space on its right, at an
-    /// orientation; and their derivatives by the orientation (length per radian).
+    /// The configurations at which the patch begins and ends in the direction of travel, with free space on its right, at an orientation;
+    /// and their derivatives by the orientation (length per radian).
     ///
     /// The derivatives are not finite where the patch shrinks to a point.
     ///
     /// # Errors
-    /// Of pairs that have no orientation as a coordinate, and outside the patch's [orientations](Self::orientations).
+    /// If the pair has no orientation as a coordinate, or `theta` is outside the patch's [orientations](Self::orientations).
     pub fn ends_at(&self, theta: f64) -> Result<[(Coordinates, [f64; 2]); 2], QueryError> {
         self.orientations()?;
         let PairSpace::Planar(space) = self.space else {
@@ -162,7 +161,7 @@ impl<'a> PairPatch<'a> {
         }))
     }
 
-    /// The neighbours along the boundary of free space, in time that grows with their number alone.
+    /// The neighbours along the boundary of free space, found in time proportional to their number.
     pub fn neighbours(&self) -> Neighbours {
         self.space.neighbours_of(self.id)
     }
@@ -170,7 +169,7 @@ impl<'a> PairPatch<'a> {
     /// The contact of its features, by which contact functions are evaluated.
     ///
     /// # Errors
-    /// Of a lower pair.
+    /// If the pair is a lower pair.
     pub fn contact(&self) -> Result<FeatureContact, QueryError> {
         let (fixed, moving) = self.names()?;
         self.space.contact_of(fixed, moving)
@@ -181,7 +180,7 @@ impl PairSpace {
     /// The contact of a feature of the fixed part with one of the moving part, whether or not they ever touch.
     ///
     /// # Errors
-    /// Of a lower pair; and if a part has no such feature.
+    /// If the pair is a lower pair, or a part has no such feature.
     pub fn contact_of(
         &self,
         fixed: FeatureName,
@@ -214,7 +213,7 @@ impl PairSpace {
 }
 
 impl FeatureContact {
-    /// Where the moving part is in the fixed part's frame, from numbers of any kind: of the coordinates, and of the axes.
+    /// Placement of the moving part in the fixed part's frame, for coordinates and axes in numbers of any kind.
     fn placement<T: Real>(
         &self,
         at: Coordinates,
@@ -267,8 +266,7 @@ impl FeatureContact {
 
     /// The contact function with its gradient and Hessian by the coordinates: by x, y and θ, or by u and v.
     ///
-    /// Of a planar configuration the first two components of the gradient are the outward unit normal of the fixed part at
-    /// the contact.
+    /// For a planar configuration, the first two components of the gradient are the outward unit normal of the fixed part at the contact.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
@@ -297,7 +295,7 @@ impl FeatureContact {
         })
     }
 
-    /// Where the features touch, or would along their common normal, in the fixed part's frame.
+    /// The points where the features touch, or would touch along their common normal, in the fixed part's frame.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
@@ -307,13 +305,13 @@ impl FeatureContact {
 
     /// The derivatives of the contact function by the numbers of the drawing: vertices, bulges and axes.
     ///
-    /// They are the sensitivities of tolerance analysis: a vertex that is off by δ moves the contact by −∂f/∂(vertex)·δ
-    /// along its normal.
+    /// They are the sensitivities of tolerance analysis: a displacement δ of a vertex moves the contact by −∂f/∂(vertex)·δ along its
+    /// normal.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
     pub fn by_drawing(&self, at: Coordinates) -> Result<ByDrawing, QueryError> {
-        /// Numbers of a feature, and of all.
+        /// Number of parameters of a feature, and of all features and axes.
         const FEATURE: usize = 5;
         const ALL: usize = 2 * FEATURE + 4;
         type D = Dual<ALL>;
@@ -336,7 +334,7 @@ impl FeatureContact {
     }
 }
 
-/// Derivatives by the numbers of a feature's outline as those by the vertices of the part.
+/// Converts derivatives by the numbers of a feature's outline to derivatives by the vertices of the part.
 fn by_vertices(drawn: Drawn, slope: [f64; 5]) -> Vec<ByVertex> {
     let Drawn {
         name,
@@ -360,7 +358,7 @@ fn by_vertices(drawn: Drawn, slope: [f64; 5]) -> Vec<ByVertex> {
 }
 
 impl Part {
-    /// What text calls one of its features: the name that the part gives it, or its kind and place, such as `line 3 of loop 0`.
+    /// Text for one of the part's features: the name that the part gives it, or its kind and place, such as `line 3 of loop 0`.
     pub fn feature_text(&self, name: FeatureName) -> String {
         let (loop_index, index) = (name.loop_index, name.index);
         let feature = match name.kind {

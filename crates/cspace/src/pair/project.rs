@@ -5,14 +5,14 @@ use super::ids::PatchId;
 use super::relation::Coordinates;
 use super::space::PairSpace;
 
-/// How far configurations are from each other.
+/// Metric on configurations.
 ///
 /// | class | distance² |
 /// |---|---|
 /// | general, symmetric | Δx² + Δy² + (ρ Δθ)² |
 /// | fixed axes | (aᵤ Δu)² + (aᵥ Δv)², with a = ρ for a part that turns and a = 1 for one that slides |
 ///
-/// Angles are in radians; ρ is a length, say how far the outline of the moving part is from what it turns about.
+/// Angles are in radians; ρ is a length, for example the distance of the moving part's outline from its centre of rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Metric {
@@ -33,18 +33,18 @@ pub struct Projection {
 impl PairSpace {
     /// The configuration of a patch that is nearest to a given one by a [`Metric`].
     ///
-    /// The given configuration may be free, blocked, or outside the window or the ranges of motion. Orientations, and coordinates
-    /// of parts on fixed axes that turn without limits, are taken modulo a turn: the answer has the image that is nearest to
-    /// the one given, or of a space with a window that in the window.
+    /// The given configuration may be free, blocked, or outside the window or the ranges of motion. Orientations, and coordinates of parts
+    /// on fixed axes that turn without limits, are taken modulo a turn: the result has the image nearest to the given one; for a space with
+    /// a window, the image in the window.
     ///
-    /// No configuration of the patch is nearer by more than 2⁻³⁷ ≈ 7·10⁻¹² of the pair's size and 10⁻¹² of the distance. That is
-    /// certain, not sampled: over intervals of orientation, or of a coordinate, the distance and its derivative are enclosed,
-    /// and intervals are halved until none can have anything nearer. Where an end of the patch is itself known less well,
-    /// because two contacts are all but tangent there, so is the answer.
+    /// No configuration of the patch is nearer by more than 2⁻³⁷ ≈ 7·10⁻¹² of the pair's size and 10⁻¹² of the distance. This is certain,
+    /// not sampled: over intervals of orientation, or of a coordinate, the distance and its derivative are enclosed, and intervals are
+    /// halved until none can contain a nearer configuration. Where an end of the patch is itself known less accurately, because two
+    /// contacts are almost tangent there, so is the result.
     ///
     /// # Errors
-    /// If there is no such patch, the metric is not positive and finite, the configuration is in the coordinates of another
-    /// class or not finite, or a part that does not move is not at 0. Of a lower pair, which is in contact for ever.
+    /// If there is no such patch, the metric is not positive and finite, the configuration is in the coordinates of another class or not
+    /// finite, or a part that does not move is not at 0; and for a lower pair, which is in permanent contact.
     ///
     /// ```
     /// use cspace::{Configuration, Coordinates, Metric, Options, PairSpace, Part, PatchId, Relation};
@@ -73,10 +73,10 @@ impl PairSpace {
         found.ok_or(QueryError::Outside)
     }
 
-    /// The patch that comes nearest to a configuration by a [`Metric`], with its nearest configuration, as
-    /// [`project`](Self::project) has it of every patch; none if there is no patch.
+    /// The patch that comes nearest to a configuration by a [`Metric`], and its nearest configuration, as given by
+    /// [`project`](Self::project); `None` if there is no patch.
     ///
-    /// It takes far less time than to project to all patches: of a patch that is farther than another little is looked at.
+    /// This takes far less time than projecting to all patches: patches that are farther than another are excluded early.
     ///
     /// # Errors
     /// As [`project`](Self::project).
@@ -103,7 +103,7 @@ impl PairSpace {
         Ok(nearest)
     }
 
-    /// That a configuration can be projected.
+    /// Checks that a configuration can be projected with a metric.
     fn check_projected(&self, at: Coordinates, metric: Metric) -> Result<(), QueryError> {
         let rho = metric.length_per_radian;
         if !(rho > 0.0 && (rho * rho).is_normal()) {

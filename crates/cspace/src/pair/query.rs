@@ -1,4 +1,4 @@
-//! Questions to the configuration space of a pair of any class.
+//! Queries to the configuration space of a pair of any class.
 
 use crate::fixed_axes::AxesMotionOutcome;
 use crate::geometry::Vector;
@@ -18,7 +18,7 @@ impl PairSpace {
     /// Whether a configuration is free, blocked or in contact.
     ///
     /// # Errors
-    /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
+    /// If the configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
     pub fn classify(&self, at: Coordinates) -> Result<Classification, QueryError> {
         let class = match (self, at) {
             (Self::Lower(pair), Coordinates::Planar(c)) => pair.classify(c),
@@ -29,7 +29,7 @@ impl PairSpace {
         class.ok_or(QueryError::Outside)
     }
 
-    /// Refuses a configuration for which nothing was computed.
+    /// Returns an error for a configuration for which nothing was computed.
     fn check(&self, at: Coordinates) -> Result<(), QueryError> {
         match (self, at) {
             (Self::Planar(space), Coordinates::Planar(c)) if space.covers(c) => Ok(()),
@@ -37,10 +37,10 @@ impl PairSpace {
         }
     }
 
-    /// The patches in contact at a configuration, up to `tolerance` (model length) off, with how far; the nearest first.
+    /// The patches whose contact is within `tolerance` (model length) at a configuration, with the distances; the nearest first.
     ///
     /// # Errors
-    /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
+    /// If the configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
     pub fn contacts(
         &self,
         at: Coordinates,
@@ -64,8 +64,8 @@ impl PairSpace {
         Ok(found.into_iter().map(named).collect())
     }
 
-    /// Whether one patch is in contact at a configuration, up to `tolerance` (model length) off: what [`contacts`](Self::contacts) tells of
-    /// all patches. False outside the window or the ranges of motion, and if there is no such patch.
+    /// Whether the contact of one patch is within `tolerance` (model length) at a configuration: as [`contacts`](Self::contacts), for a
+    /// single patch. False outside the window or the ranges of motion, and if there is no such patch.
     ///
     /// # Errors
     /// If the configuration is in the coordinates of another class.
@@ -90,12 +90,12 @@ impl PairSpace {
         })
     }
 
-    /// The contact nearest to a configuration: of a planar pair by translation alone, of a pair with fixed axes by the
-    /// motion of the moving part alone ([`FixedAxesSpace::nearest_contact`]). `None` if nothing touches that way.
+    /// The contact nearest to a configuration: for a planar pair by translation alone, for a pair with fixed axes by the motion of the
+    /// moving part alone ([`FixedAxesSpace::nearest_contact`]). `None` if no such motion leads to a contact.
     ///
     /// # Errors
-    /// If it is in the coordinates of another class, not finite, or outside the window or the ranges of motion, or the parts
-    /// are a lower pair, which is in contact for ever.
+    /// If the configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion, or the parts
+    /// are a lower pair, which is in permanent contact.
     ///
     /// [`FixedAxesSpace::nearest_contact`]: crate::FixedAxesSpace::nearest_contact
     pub fn nearest_contact(&self, at: Coordinates) -> Result<Option<PairNearest>, QueryError> {
@@ -123,11 +123,11 @@ impl PairSpace {
         })
     }
 
-    /// The first contact when the configuration moves from `from` at constant `rates` for times from 0 to `duration`.
+    /// The first contact when the configuration moves from `from` at constant `rates` at times from 0 to `duration`.
     ///
     /// # Errors
-    /// If coordinates are of another class, numbers are not finite, the motion begins where the parts overlap or outside
-    /// the space, or the parts are a lower pair, which is in contact for ever.
+    /// If coordinates are of another class, numbers are not finite, the motion begins where the parts overlap or outside the space, or the
+    /// parts are a lower pair, which is in permanent contact.
     pub fn first_contact(
         &self,
         from: Coordinates,
@@ -137,9 +137,9 @@ impl PairSpace {
         self.first_contact_about(from, rates, Vector::ZERO, duration)
     }
 
-    /// The same for a motion along which the moving part's point `about`, in the part's frame, goes straight: see
-    /// [`ContactSpace::first_contact_about`](crate::ContactSpace::first_contact_about). Parts on fixed axes move as their axes let
-    /// them, whatever point is asked for.
+    /// The first contact of a motion along which the moving part's point `about`, in the part's frame, moves on a straight line: see
+    /// [`ContactSpace::first_contact_about`](crate::ContactSpace::first_contact_about). Parts on fixed axes move as their axes let them,
+    /// whatever `about` is.
     ///
     /// # Errors
     /// As [`first_contact`](Self::first_contact).
@@ -187,8 +187,7 @@ impl PairSpace {
         }
     }
 
-    /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
-    /// overlap, in order of time.
+    /// All contacts that a motion of constant rates crosses at times from 0 to `duration`, also where the parts overlap, in order of time.
     ///
     /// # Errors
     /// If coordinates are of another class, numbers are not finite, the motion begins outside the space, or the parts are a

@@ -1,4 +1,4 @@
-//! How two parts are related, and so what class of pair they are.
+//! Relation of two parts, and the class of pair that follows from it.
 
 use crate::fixed_axes::Axis;
 use crate::geometry::Configuration;
@@ -14,7 +14,7 @@ pub enum PairClass {
     Lower,
     /// Each part turns about a fixed point, slides along a fixed line or does not move.
     FixedAxes,
-    /// At least one part is planar, and one of the two is mapped to itself by a rotation.
+    /// At least one part is planar, and one of the two parts has a rotational symmetry.
     Symmetric,
     /// At least one part is planar.
     General,
@@ -38,21 +38,21 @@ impl core::fmt::Display for PairClass {
     }
 }
 
-/// How the two parts of a pair can move relative to each other.
+/// Possible motion of the two parts of a pair relative to each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Relation {
-    /// As their joint lets them, within limits (radians or the model's unit of length) if there are any.
+    /// Motion by a joint, within limits (radians or the model's unit of length) if there are any.
     Joint(Joint, Option<(f64, f64)>),
-    /// Each on its own axis.
+    /// Motion of each part on its own axis.
     Axes {
-        /// The fixed part's.
+        /// Axis of the fixed part.
         fixed: Axis,
-        /// The moving part's.
+        /// Axis of the moving part.
         moving: Axis,
     },
-    /// In the plane, with three degrees of freedom.
+    /// Motion in the plane, with three degrees of freedom.
     Planar,
 }
 
@@ -65,15 +65,15 @@ pub enum Coordinates {
     Planar(Configuration),
     /// The motions of the fixed and of the moving part: pairs with fixed axes.
     Axes {
-        /// Of the fixed part, radians or the model's unit of length.
+        /// Motion of the fixed part, radians or the model's unit of length.
         u: f64,
-        /// Of the moving part.
+        /// Motion of the moving part, radians or the model's unit of length.
         v: f64,
     },
 }
 
 impl Coordinates {
-    /// Their names.
+    /// Names of the coordinates.
     pub const fn names(self) -> &'static str {
         match self {
             Self::Planar(_) => "x, y and theta",

@@ -9,7 +9,7 @@ use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress,
 use super::lower::LowerPair;
 use super::relation::{PairClass, Relation};
 
-/// The configuration space of two parts, by the method of their class.
+/// The configuration space of two parts, computed by the method of their class.
 ///
 /// ```
 /// use cspace::fixed_axes::{Axis, AxisMotion};
@@ -33,25 +33,25 @@ use super::relation::{PairClass, Relation};
 /// ```
 #[derive(Debug)]
 pub enum PairSpace {
-    /// Of a lower pair.
+    /// Space of a lower pair.
     Lower(Box<LowerPair>),
-    /// Of a pair with fixed axes.
+    /// Space of a pair with fixed axes.
     FixedAxes(Box<FixedAxesSpace>),
-    /// Of a general pair, computed with or without symmetry.
+    /// Space of a general pair, computed with or without symmetry.
     Planar(Arc<ContactSpace>),
 }
 
-/// Why the configuration space of a pair cannot be computed.
+/// Reasons for which the configuration space of a pair cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PairError {
-    /// The parts' axes are no axes.
+    /// An axis of a part is invalid.
     #[error(transparent)]
     Axes(#[from] AxesError),
     /// The contact space cannot be computed.
     #[error(transparent)]
     Compute(#[from] ComputeError),
-    /// A window of orientations was asked for where orientation is no coordinate.
+    /// A window of orientations was given for a pair without orientation as a coordinate.
     #[error("a window of orientations has no meaning for a {class} pair")]
     Window {
         /// The class.
@@ -63,7 +63,7 @@ impl PairSpace {
     /// Computes the configuration space of two parts by the method of their class.
     ///
     /// # Errors
-    /// If axes or options make no sense for the pair, or a contact space is too large.
+    /// If axes or options are invalid for the pair, or a contact space is too large.
     pub fn compute(
         fixed: &Part,
         moving: &Part,
@@ -73,10 +73,10 @@ impl PairSpace {
         Self::compute_with(fixed, moving, relation, options, &Silent)
     }
 
-    /// As [`compute`](Self::compute), telling `progress` of every stage of the general method.
+    /// As [`compute`](Self::compute), with a report of every stage of the general method to `progress`.
     ///
     /// # Errors
-    /// As [`compute`](Self::compute); and what `progress` returns.
+    /// As [`compute`](Self::compute); and errors returned by `progress`.
     pub fn compute_with(
         fixed: &Part,
         moving: &Part,
@@ -106,7 +106,7 @@ impl PairSpace {
         })
     }
 
-    /// The class. A pair is symmetric if symmetry was looked for and found, also where it saved nothing: see
+    /// The class of the pair. A pair is symmetric if symmetry was looked for and found, even if it saved no work: see
     /// [`PairSymmetry::slabs`](crate::PairSymmetry::slabs).
     pub fn class(&self) -> PairClass {
         match self {
@@ -143,7 +143,7 @@ impl PairSpace {
         }
     }
 
-    /// Clearances below this count as none, in the model's unit of length.
+    /// The minimum clearance, in the model's unit of length: a smaller clearance counts as none.
     pub fn least_clearance(&self) -> f64 {
         match self {
             Self::Planar(space) => space.least_clearance(),
@@ -151,7 +151,7 @@ impl PairSpace {
         }
     }
 
-    /// The resolution in the model's unit of length: contacts are known to this.
+    /// The resolution in the model's unit of length: the accuracy of contacts.
     pub fn resolution(&self) -> f64 {
         match self {
             Self::Lower(pair) => pair.resolution(),
@@ -160,9 +160,9 @@ impl PairSpace {
         }
     }
 
-    /// How near to a contact a configuration is in contact, in the model's unit of length: what
-    /// [`classify`](Self::classify) goes by. It is the [`resolution`](Self::resolution) or less: where a contact may be
-    /// off its place because a sharp corner is grown by more than its sides, only what is near to where it was found is.
+    /// Distance from a contact below which [`classify`](Self::classify) returns contact, in the model's unit of length. It is the
+    /// [`resolution`](Self::resolution) or less: the resolution includes the displacement of contacts by the growth of sharp corners; this
+    /// distance is measured from the contact as computed.
     ///
     /// ```
     /// use cspace::{Configuration, Coordinates, Classification, Options, PairSpace, Part, Relation};
@@ -184,7 +184,7 @@ impl PairSpace {
         }
     }
 
-    /// Number of contact patches; of a lower pair its permanent contacts.
+    /// Number of contact patches; for a lower pair, of permanent contacts.
     pub fn patch_count(&self) -> usize {
         match self {
             Self::Lower(pair) => pair.contacts().len(),
@@ -193,7 +193,7 @@ impl PairSpace {
         }
     }
 
-    /// Number of bands. What has no orientation to cut has one.
+    /// Number of bands; 1 for a space without orientations.
     pub fn band_count(&self) -> usize {
         match self {
             Self::Planar(space) => space.bands().len(),
@@ -201,7 +201,7 @@ impl PairSpace {
         }
     }
 
-    /// Number of connected components of free space. A joint leaves none: all its configurations are in contact.
+    /// Number of connected components of free space; 0 for a lower pair, whose configurations are all in contact.
     pub fn region_count(&self) -> usize {
         match self {
             Self::Lower(_) => 0,

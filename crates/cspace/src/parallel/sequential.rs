@@ -1,8 +1,8 @@
-//! The iterators of `rayon` that are used here, by their names, on the caller's thread.
+//! Sequential replacements, under their names, of the iterators of `rayon` used here; they run on the caller's thread.
 
 use core::slice::Iter;
 
-/// What is given out by reference.
+/// Iteration over a slice by reference, under `rayon`'s name.
 pub(crate) trait ByReference<T> {
     fn par_iter(&self) -> Iter<'_, T>;
 }
@@ -13,7 +13,7 @@ impl<T> ByReference<T> for [T] {
     }
 }
 
-/// What is given out by value.
+/// Iteration by value, under `rayon`'s name.
 pub(crate) trait ByValue: IntoIterator + Sized {
     fn into_par_iter(self) -> Self::IntoIter {
         self.into_iter()
@@ -22,9 +22,9 @@ pub(crate) trait ByValue: IntoIterator + Sized {
 
 impl<I: IntoIterator> ByValue for I {}
 
-/// What an iterator among threads can do besides what every iterator can.
+/// Methods of `rayon`'s parallel iterators that ordinary iterators lack.
 pub(crate) trait Divided: Iterator + Sized {
-    /// How few items a thread is given at least.
+    /// Minimum number of items per thread; ignored here.
     fn with_min_len(self, _: usize) -> Self {
         self
     }

@@ -1,6 +1,6 @@
-//! The bulge of an arc from what a drawing says of it: its centre, its radius, or a point it goes through.
+//! Bulges of arcs from the data that drawings give: the centre, the radius, or a point on the arc.
 //!
-//! All give tan(sweep / 4), positive counter-clockwise, from the two ends. Only differences of points enter, so that the
+//! All functions give tan(sweep / 4), positive counter-clockwise, from the two ends. Only differences of points are used, so that the
 //! accuracy does not depend on where the arc is drawn.
 
 use crate::geometry::{Point, Vector};
@@ -8,21 +8,21 @@ use crate::number::Real;
 
 use super::tolerance::{FULL_BULGE, RESOLUTION};
 
-/// How far apart the distances of a centre from the two ends of its arc may be, as a fraction of the longer distance.
+/// Largest difference of the distances of a centre from the two ends of its arc, as a fraction of the longer distance.
 ///
-/// Drawings give centres in decimals, often six of them. The arc goes exactly through its ends, and its centre is the
-/// nearest place equally far from both.
+/// Drawings give centres in decimals, often six of them. The arc goes exactly through its ends, and its centre is the nearest place equally
+/// far from both.
 pub const CENTER_TOLERANCE: f64 = 1e-6;
 
-/// By what fraction a chord may be longer than the diameter of its arc, which is then a half circle.
+/// Largest excess of a chord over the diameter of its arc, as a fraction, at which the arc is a half circle.
 ///
-/// Half circles are drawn with a radius and ends that were rounded one by one, to some six decimals.
+/// Half circles are drawn with a radius and ends that were rounded separately, to some six decimals.
 pub const CHORD_TOLERANCE: f64 = 1e-6;
 
 /// Rounding of the ratio of a chord to the diameter of its arc.
 const HALF_TURN: f64 = 4.0 * f64::EPSILON;
 
-/// Which way an arc turns.
+/// Direction in which an arc turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -33,18 +33,18 @@ pub enum Direction {
     Clockwise,
 }
 
-/// Which of the two arcs of one radius, direction and ends.
+/// Choice between the two arcs of one radius, direction and ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum ArcSize {
-    /// That of at most half a turn.
+    /// The arc of at most half a turn.
     Short,
-    /// That of at least half a turn.
+    /// The arc of at least half a turn.
     Long,
 }
 
-/// Why an arc cannot be drawn.
+/// Reasons for which an arc cannot be drawn.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ArcError {
@@ -78,18 +78,18 @@ pub enum ArcError {
     OffCenter {
         /// The distance of the centre from the start.
         from_start: f64,
-        /// Its distance from the end.
+        /// The distance of the centre from the end.
         from_end: f64,
     },
-    /// No arc goes through the point: it is an end, or on the line of the ends but not between them.
+    /// No arc passes through the point: it is an end, or on the line of the ends but not between them.
     #[error(
         "no arc from ({:?}, {:?}) to ({:?}, {:?}) goes through ({:?}, {:?}): give a point beside the line of the ends, or between them",
         start.x, start.y, end.x, end.y, through.x, through.y
     )]
     NotThrough {
-        /// Where the arc starts.
+        /// Start of the arc.
         start: Point,
-        /// Where it ends.
+        /// End of the arc.
         end: Point,
         /// The point.
         through: Point,
@@ -109,8 +109,8 @@ impl Direction {
 
 /// The bulge of the arc about a centre.
 ///
-/// With h the height of the centre to the left of the chord and l half the chord's length, counter-clockwise
-/// l / (h + √(h² + l²)). The centre may be as much nearer to one end as [`CENTER_TOLERANCE`] says.
+/// With h the height of the centre to the left of the chord and l half the chord's length, it is l / (h + √(h² + l²)) if counter-clockwise.
+/// The centre may be nearer to one end by [`CENTER_TOLERANCE`].
 ///
 /// # Errors
 /// If a coordinate is not finite, the ends are one place, or the centre is not equally far from both.
@@ -152,7 +152,7 @@ pub fn bulge_about<T: Real>(
     checked(sign * bulge)
 }
 
-/// The bulge of the arc of a radius, which turns in a direction by less or more than half a turn.
+/// The bulge of the arc with a radius, which turns in a direction by at most or at least half a turn.
 ///
 /// With s = chord / (2 radius) and c = √(1 − s²), s / (1 + c) for the short arc and (1 + c) / s for the long one. A chord
 /// longer than the diameter by no more than [`CHORD_TOLERANCE`] gives a half circle.
@@ -190,7 +190,7 @@ pub fn bulge_with_radius<T: Real>(
             chord: length.value(),
         });
     }
-    // A chord that is the diameter but for rounding gives a half circle, whatever it depends on.
+    // A chord that equals the diameter up to rounding gives a half circle, with derivatives ignored.
     if ratio.value() > 1.0 - HALF_TURN {
         return checked(real(direction.sign()));
     }
@@ -203,9 +203,9 @@ pub fn bulge_with_radius<T: Real>(
     checked(real(direction.sign()) * bulge)
 }
 
-/// The bulge of the arc that goes through a third point; 0, a line, if the point is between the ends on their line.
+/// The bulge of the arc through a third point; 0, a line, if the point is between the ends on their line.
 ///
-/// The way to the point and the way on from it differ in direction by half the sweep.
+/// The directions from the start to the point and from the point to the end differ by half the sweep.
 ///
 /// # Errors
 /// If a coordinate is not finite, the ends are one place, or the point is an end or on their line but not between them.
@@ -236,7 +236,7 @@ pub fn bulge_through<T: Real>(
     if size(to).value().min(size(on).value()) <= RESOLUTION * length.value() {
         return Err(none);
     }
-    // Only directions matter; of about unit length their products are numbers.
+    // Only directions matter; scaled to about unit length, their products neither overflow nor underflow.
     let about_unit = |v: Vector<T>| v * T::constant(1.0 / v.x.value().abs().max(v.y.value().abs()));
     let (to, on) = (about_unit(to), about_unit(on));
     let (cos, sin) = (to.dot(on), to.cross(on));
@@ -249,11 +249,11 @@ pub fn bulge_through<T: Real>(
     checked(bulge).map_err(|_| none)
 }
 
-/// From the start of an arc to its end, and how far that is.
+/// The vector from the start of an arc to its end, and its length.
 fn chord<T: Real>(start: Point<T>, end: Point<T>) -> Result<(Vector<T>, T), ArcError> {
     let chord = end - start;
     let length = size(chord);
-    // Also where a difference is too large to be a number.
+    // Also if a difference overflows.
     if !length.value().is_finite() {
         return Err(ArcError::NotFinite);
     }
@@ -263,12 +263,12 @@ fn chord<T: Real>(start: Point<T>, end: Point<T>) -> Result<(Vector<T>, T), ArcE
     Ok((chord, length))
 }
 
-/// The length, also of vectors of which the square is no number.
+/// The length, also for vectors whose square overflows or underflows.
 fn size<T: Real>(v: Vector<T>) -> T {
     v.x.hypot(v.y)
 }
 
-/// Beyond the largest bulge an arc cannot be told from a full circle, nor its ends from each other.
+/// Checks a bulge: above the largest one an arc cannot be distinguished from a full circle, nor its ends from each other.
 fn checked<T: Real>(bulge: T) -> Result<T, ArcError> {
     if bulge.value().abs() <= FULL_BULGE {
         Ok(bulge)

@@ -2,7 +2,7 @@
 
 use crate::geometry::Point;
 
-/// The smallest box with sides along the axes that holds something.
+/// An axis-aligned box: the smallest that contains something.
 ///
 /// ```
 /// use cspace::{Part, Vertex};
@@ -21,7 +21,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box that holds nothing; the least element of [`Bounds::union`].
+    /// The empty box; the neutral element of [`Bounds::union`].
     pub const EMPTY: Self = Self {
         min: Point::new(f64::INFINITY, f64::INFINITY),
         max: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -36,7 +36,7 @@ impl Bounds {
         }
     }
 
-    /// The smallest box that holds this one and another.
+    /// The smallest box that contains this one and another.
     #[inline]
     #[must_use]
     pub fn union(self, other: Self) -> Self {
@@ -64,7 +64,7 @@ impl Bounds {
         self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y
     }
 
-    /// How far a point is from the box; 0 inside.
+    /// Distance of a point from the box; 0 inside.
     #[inline]
     pub(crate) fn distance(self, p: Point) -> f64 {
         let beyond = |lo: f64, t: f64, hi: f64| (lo - t).max(t - hi).max(0.0);

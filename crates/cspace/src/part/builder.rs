@@ -8,10 +8,10 @@ use super::fillet::{FilletError, fillet};
 use super::tolerance::RESOLUTION;
 use super::{Bounds, Edge, Vertex};
 
-/// Draws a loop edge by edge: lines, arcs by what is known of them, and rounded corners.
+/// Draws a loop edge by edge: lines, arcs from various data, and rounded corners.
 ///
-/// The vertices are counted as they are drawn: the start is vertex 0, and every edge leads to the next. Fillets do not
-/// count. [`close`](Self::close) gives the loop, or the first thing that is wrong.
+/// The vertices are counted as they are drawn: the start is vertex 0, and every edge leads to the next. Fillets do not count.
+/// [`close`](Self::close) gives the loop, or the first error.
 ///
 /// ```
 /// use cspace::part::{Direction, OutlineBuilder};
@@ -33,21 +33,21 @@ use super::{Bounds, Edge, Vertex};
 #[must_use = "nothing is drawn before `close`"]
 pub struct OutlineBuilder<T = f64> {
     vertices: Vec<Drawn<T>>,
-    /// The first thing that is wrong.
+    /// The first error.
     error: Option<OutlineError>,
 }
 
-/// A vertex as it is drawn.
+/// A vertex as drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Drawn<T> {
     at: Point<T>,
-    /// Of the edge that leaves it.
+    /// Bulge of the edge that leaves it.
     bulge: T,
     /// The radius of its fillet.
     fillet: Option<T>,
 }
 
-/// Why an outline cannot be drawn. Vertices are counted from 0 as they are drawn, fillets left out.
+/// Reasons for which an outline cannot be drawn. Vertices are counted from 0 as they are drawn, without fillets.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OutlineError {
@@ -57,7 +57,7 @@ pub enum OutlineError {
         /// The vertex.
         vertex_index: usize,
     },
-    /// A vertex and the next are one place.
+    /// A vertex and the next are at one place.
     #[error(
         "vertex {vertex_index}: the next vertex is at the same place: remove one of them, or draw a full circle as two half circles"
     )]
@@ -70,7 +70,7 @@ pub enum OutlineError {
         "the outline has {count} vertices and encloses nothing: give three, or two of which one is left by an arc"
     )]
     TooFewVertices {
-        /// Their number.
+        /// Number of vertices.
         count: usize,
     },
     /// An arc cannot be drawn.
@@ -78,7 +78,7 @@ pub enum OutlineError {
     Arc {
         /// The vertex that the arc leaves.
         vertex_index: usize,
-        /// Why.
+        /// Reason.
         error: ArcError,
     },
     /// A corner cannot be rounded.
@@ -86,7 +86,7 @@ pub enum OutlineError {
     Fillet {
         /// The vertex.
         vertex_index: usize,
-        /// Why.
+        /// Reason.
         error: FilletError,
     },
     /// A corner has two fillets.
@@ -98,7 +98,7 @@ pub enum OutlineError {
 }
 
 impl<T: Real> OutlineBuilder<T> {
-    /// Begins at a vertex, to which [`close`](Self::close) returns.
+    /// Starts at a vertex, to which [`close`](Self::close) returns.
     pub fn start(at: impl Into<Point<T>>) -> Self {
         let at = at.into();
         let error =
@@ -109,17 +109,17 @@ impl<T: Real> OutlineBuilder<T> {
         }
     }
 
-    /// A line to the next vertex.
+    /// Adds a line to the next vertex.
     pub fn line_to(self, to: impl Into<Point<T>>) -> Self {
         self.arc_to(to, T::constant(0.0))
     }
 
-    /// An arc of a bulge, tan(sweep / 4), to the next vertex.
+    /// Adds an arc with a given bulge, tan(sweep / 4), to the next vertex.
     pub fn arc_to(self, to: impl Into<Point<T>>, bulge: T) -> Self {
         self.edge_to(to.into(), |_, _| Ok(bulge))
     }
 
-    /// An arc about a centre to the next vertex; see [`bulge_about`].
+    /// Adds an arc about a centre to the next vertex; see [`bulge_about`].
     pub fn arc_to_center(
         self,
         to: impl Into<Point<T>>,
@@ -132,7 +132,7 @@ impl<T: Real> OutlineBuilder<T> {
         })
     }
 
-    /// An arc of a radius to the next vertex; see [`bulge_with_radius`].
+    /// Adds an arc with a given radius to the next vertex; see [`bulge_with_radius`].
     pub fn arc_to_radius(
         self,
         to: impl Into<Point<T>>,
@@ -145,7 +145,7 @@ impl<T: Real> OutlineBuilder<T> {
         })
     }
 
-    /// An arc through a point to the next vertex; see [`bulge_through`].
+    /// Adds an arc through a point to the next vertex; see [`bulge_through`].
     pub fn arc_through(self, to: impl Into<Point<T>>, through: impl Into<Point<T>>) -> Self {
         let through = through.into();
         self.edge_to(to.into(), |from, to| bulge_through(from, to, through))
@@ -154,8 +154,8 @@ impl<T: Real> OutlineBuilder<T> {
     /// Rounds the corner at the vertex drawn last by an arc tangent to both its edges; see
     /// [`fillet`](super::fillet()).
     ///
-    /// Corners are rounded one after another in the order of vertices: a fillet has what those before it left of its
-    /// edges.
+    /// Corners are rounded one after another in the order of vertices: a fillet uses the parts of its edges that previous fillets have
+    /// left.
     pub fn fillet(mut self, radius: T) -> Self {
         let vertex_index = self.vertices.len() - 1;
         if let Some(last) = self.vertices.last_mut() {
@@ -171,7 +171,7 @@ impl<T: Real> OutlineBuilder<T> {
     /// The loop. It returns to the start by a line, unless the last edge ends there already, within [`RESOLUTION`] of the
     /// size of the box of all vertices.
     ///
-    /// That its edges do not meet is checked by [`Part::new`](super::Part::new), to which it can be given with other loops.
+    /// [`Part::new`](super::Part::new) checks that the loop's edges do not meet each other, nor those of other loops.
     ///
     /// # Errors
     /// The first vertex or edge that cannot be drawn, why, and what to do.
@@ -179,11 +179,11 @@ impl<T: Real> OutlineBuilder<T> {
         Ok(self.close_numbered()?.into_iter().map(|(v, _)| v).collect())
     }
 
-    /// The loop, as [`close`](Self::close) gives it, and with each vertex the number of the drawn vertex it comes from: a
-    /// fillet makes two of one.
+    /// The loop, as [`close`](Self::close) gives it, and for each vertex the number of the drawn vertex it comes from: a fillet replaces
+    /// one vertex by two.
     ///
     /// # Errors
-    /// Those of [`close`](Self::close).
+    /// As for [`close`](Self::close).
     ///
     /// ```
     /// use cspace::part::OutlineBuilder;
@@ -213,7 +213,7 @@ impl<T: Real> OutlineBuilder<T> {
         rounded(edges.map(Some).collect(), &vertices)
     }
 
-    /// An edge to the next vertex, with the bulge that `bulge` finds from its ends.
+    /// Adds an edge to the next vertex; `bulge` computes the bulge from its ends.
     fn edge_to(
         mut self,
         to: Point<T>,
@@ -252,7 +252,7 @@ impl<T: Real> OutlineBuilder<T> {
         self.error.get_or_insert(error);
     }
 
-    /// Makes one vertex of the first and the last if they are at one place.
+    /// Merges the first and the last vertex if they are at one place.
     fn join_ends(&mut self) -> Result<(), OutlineError> {
         let [first, .., last] = self.vertices[..] else {
             return Ok(());
@@ -282,7 +282,7 @@ impl<T: Real> Drawn<T> {
     }
 }
 
-/// The vertices of a loop and their numbers as drawn, given its edges, once corners are rounded. An edge that a fillet takes is none.
+/// The vertices of a loop and their numbers as drawn, given its edges, after corners are rounded. Edges consumed by a fillet become `None`.
 fn rounded<T: Real>(
     mut edges: Vec<Option<Edge<T>>>,
     vertices: &[Drawn<T>],

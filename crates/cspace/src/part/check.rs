@@ -1,11 +1,11 @@
-//! The checks of one loop's numbers: how many, how large, how near to each other.
+//! Checks of a loop's numbers: count, magnitude, and distances of vertices.
 
 use super::tolerance::{
     FLAT_BULGE, FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE, RESOLUTION,
 };
 use super::{Bounds, Edge, PartError, Vertex};
 
-/// Sets bulges that cannot be told from 0 to 0, and refuses loops whose numbers make no edges.
+/// Sets bulges that are negligible to 0, and rejects loops whose numbers do not give edges.
 ///
 /// # Errors
 /// No loops, too many or too few vertices, numbers that are not finite or too large.
@@ -45,7 +45,7 @@ fn check_vertex(v: &Vertex, loop_index: usize, vertex_index: usize) -> Result<()
             vertex_index,
         });
     }
-    // Written so that a bulge that is not a number is refused too.
+    // Written so that NaN is rejected too.
     if v.bulge.abs() <= FULL_BULGE {
         Ok(())
     } else {

@@ -7,7 +7,7 @@ use super::outline::Outline;
 use super::tolerance::RESOLUTION;
 use super::{Edge, PartError};
 
-/// Refuses vertices at which the boundary turns back, and edges that meet the next one again.
+/// Rejects vertices at which the boundary turns back, and edges that meet the next one again.
 ///
 /// # Errors
 /// A spike, a touch or a crossing, of the first vertex that has one.
@@ -28,8 +28,7 @@ pub(super) fn check_corners(outline: &Outline) -> Result<(), PartError> {
     Ok(())
 }
 
-/// Whether two consecutive edges leave their common vertex in one direction, or nearly so and cross
-/// again before they are apart.
+/// Whether two consecutive edges leave their common vertex in one direction, or nearly so and cross again before they are apart.
 fn is_spike(arriving: &Edge, leaving: &Edge, tolerance: f64) -> bool {
     let back = arriving.reversed();
     let (out, on) = (back.start_direction(), leaving.start_direction());
@@ -38,10 +37,10 @@ fn is_spike(arriving: &Edge, leaving: &Edge, tolerance: f64) -> bool {
             || second_crossing(&back, leaving).is_some_and(|way| way.length() <= tolerance))
 }
 
-/// Where two consecutive edges meet away from the vertices they share.
+/// Place where two consecutive edges meet away from the vertices they share.
 ///
-/// Near a shared vertex they part by their angle; elsewhere they are nearest at the far end of one
-/// of them or where one normal serves both, and cross at most once.
+/// Near a shared vertex their distance grows with their angle; elsewhere they are nearest at the far end of one of them or at a common
+/// normal, and cross at most once.
 fn second_meeting(outline: &Outline, arriving: &Edge, leaving: &Edge) -> Option<Meeting> {
     let tolerance = outline.tolerance();
     let back = arriving.reversed();
@@ -78,7 +77,7 @@ fn second_meeting(outline: &Outline, arriving: &Edge, leaving: &Edge) -> Option<
         .map(Meeting::Crossing)
 }
 
-/// The way to the other crossing of two edges that start at one point, if they have one.
+/// Vector to the second crossing of two edges that start at one point, if there is one.
 ///
 /// From that point, the lines or circles are κ p² / 2 = n · p, with left normals n and curvatures
 /// κ at the start. So both lie on the line through it along the left normal of κ′ n − κ n′ =: m,
@@ -88,7 +87,7 @@ fn second_crossing(a: &Edge, b: &Edge) -> Option<Vector> {
     let (k, j) = (a.curvature(), b.curvature());
     let m = n * j - l * k;
     let square = m.length_squared();
-    // Two lines, or one circle as far as the resolution tells: rounding would say anything of where it meets itself.
+    // Two lines, or one circle within the resolution: the computed place would be determined by rounding.
     let same = RESOLUTION * (k.abs() + j.abs());
     if square <= same * same {
         return None;

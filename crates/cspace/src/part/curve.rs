@@ -9,14 +9,14 @@ use crate::geometry::{Point, Rotation, Vector};
 
 use super::{Bounds, Edge};
 
-/// Below this |bulge| [`Edge::segment_area`] sums a series (dimensionless).
+/// |bulge| below which [`Edge::segment_area`] sums a series (dimensionless).
 ///
-/// The closed form loses the factor b² ≥ 2⁻⁸ of its accuracy above; the series' first omitted term
-/// is under 10⁻¹⁷ below.
+/// Above it, the closed form loses at most a factor b² ≥ 2⁻⁸ of its accuracy; below it, the first omitted term of the series is under
+/// 10⁻¹⁷.
 const SERIES_BULGE: f64 = 1.0 / 16.0;
 
 impl Edge {
-    /// The same curve, travelled backwards.
+    /// The curve traversed backwards.
     #[inline]
     #[must_use]
     pub fn reversed(&self) -> Self {
@@ -45,9 +45,9 @@ impl Edge {
         self.start + Rotation::by(half) * self.start_direction() * (self.length() * u * ratio)
     }
 
-    /// The fraction of the length at which a point of the curve lies; of a point near it, that of a point about as near.
+    /// The fraction of the length at which a point of the curve lies; for a point near the curve, that of a point about as near.
     ///
-    /// From the start, the point is in the direction that the edge has halfway to it.
+    /// As seen from the start, a point is in the direction of the edge half way to it.
     pub fn fraction_at(&self, p: Point) -> f64 {
         let (chord, way) = (self.end - self.start, p - self.start);
         if self.is_line() {
@@ -55,7 +55,7 @@ impl Edge {
         }
         let from = self.start_direction();
         let half = self.bulge.signum() * from.cross(way).atan2(from.dot(way));
-        // Behind the start, the nearer end.
+        // Behind the start: the nearer end.
         if half < 0.0 {
             return if p.distance(self.start) <= p.distance(self.end) {
                 0.0
@@ -86,14 +86,14 @@ impl Edge {
         (u <= 1.0).then_some(u)
     }
 
-    /// The smallest box with sides along the axes that holds the curve.
+    /// The smallest axis-aligned box that contains the curve.
     pub fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::of(self.start, self.end);
         if self.is_line() {
             return bounds;
         }
-        // From the start, the arc rises along u by r (1 − cos φ) = r sin² φ / (1 + cos φ) when it
-        // has turned by φ to where it is square to u; of the two the one that does not cancel.
+        // From the start, the arc rises along u by r (1 − cos φ) = r sin² φ / (1 + cos φ) after it has turned by φ to where it is
+        // perpendicular to u; the form without cancellation is used.
         let rise = |u: Vector| {
             let heading = if self.bulge > 0.0 {
                 u.left()
@@ -125,8 +125,8 @@ impl Edge {
         bounds
     }
 
-    /// The centre and radius of a disc that holds the curve: about the middle of the chord, up to a half circle over half of
-    /// it, of a larger arc over its height.
+    /// The centre and radius of a disc that contains the curve: the centre is the middle of the chord; the radius is half the chord for
+    /// arcs up to a half circle, and the height of larger arcs.
     pub(crate) fn disc(&self) -> (Point, f64) {
         let reach = 0.5 * self.chord() * self.bulge.abs().max(1.0);
         (
@@ -159,12 +159,12 @@ impl Edge {
             .map_or(ends, |(_, offset)| ends.min(offset.abs()))
     }
 
-    /// The place of an arc at which its normal goes through a point, if there is one on this side of the centre.
+    /// The place of an arc at which its normal passes through a point, if there is one on this side of the centre.
     pub(crate) fn foot(&self, p: Point) -> Option<Point> {
         self.nearest_of_circle(p).map(|(foot, _)| foot)
     }
 
-    /// The nearest place of the arc's circle and the distance, positive to the left; if it lies on the arc.
+    /// The nearest place of the arc's circle and the signed distance, positive to the left; `None` if it does not lie on the arc.
     fn nearest_of_circle(&self, p: Point) -> Option<(Point, f64)> {
         let curvature = self.curvature();
         let level = self.level(p) / (self.chord() * (1.0 + self.bulge * self.bulge));
@@ -172,13 +172,13 @@ impl Edge {
         let slope = gradient.length();
         let offset = 2.0 * level / (1.0 + slope);
         if slope == 0.0 {
-            return None; // The arc's centre, as far from the ends as from the rest.
+            return None; // The arc's centre: all points of the arc are equally far.
         }
         let foot = p + gradient * (-offset / slope);
         self.covers(foot).then_some((foot, offset))
     }
 
-    /// Positive to the left of the line or circle that carries the edge, negative to the right.
+    /// Level function of the line or circle of the edge: positive to the left, negative to the right.
     ///
     /// With chord c and q from the start to the point, (1 − b²) c × q + 2 b q · (c − q), which is
     /// chord (1 + b²) (n · q − κ q² / 2), n the left normal at the start and κ the curvature.
@@ -188,17 +188,17 @@ impl Edge {
         (1.0 - b) * (1.0 + b) * c.cross(q) + 2.0 * b * q.dot(c - q)
     }
 
-    /// Whether a point of the line or circle that carries the edge lies on the edge.
+    /// Whether a point of the edge's line or circle lies on the edge.
     pub(crate) fn covers(&self, p: Point) -> bool {
         self.covers_way(p - self.start)
     }
 
-    /// Whether the point at way `q` from the start lies on the edge, if it lies on its line or circle.
+    /// Whether the point at a vector `q` from the start lies on the edge, given that it lies on the edge's line or circle.
     pub(crate) fn covers_way(&self, q: Vector) -> bool {
         let (b, c) = (self.bulge.abs(), self.end - self.start);
         let height = -self.bulge.signum() * c.cross(q);
         if (0.5..=2.0).contains(&b) {
-            // The circle meets the chord at a wide angle: the arc is what lies on its own side.
+            // The circle meets the chord at a wide angle: the arc is the part on its own side.
             return height >= 0.0;
         }
         let along = c.dot(q);
@@ -206,8 +206,8 @@ impl Edge {
         if b == 0.0 {
             return beside;
         }
-        // An arc of less than half a turn lies beside its chord, on the chord's side of the centre,
-        // which is (1 − b²) / (4 b) chords from the chord. A longer one is the rest of the circle.
+        // A point of the circle is on an arc of less than half a turn if it is beside the chord, on the chord's side of the centre, which
+        // is (1 − b²) / (4 b) chords from the chord. A longer arc is the rest of the circle.
         let center = (1.0 - b) * (1.0 + b) / (4.0 * b) * c.length_squared();
         if b < 1.0 {
             beside && height >= -center

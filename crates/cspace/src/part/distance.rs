@@ -1,14 +1,14 @@
-//! How far two parts are apart.
+//! Distance of two parts.
 
 use crate::geometry::{Configuration, Point, Rotation};
 
 use super::{Edge, Part};
 
-/// The least distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in
-/// the model's unit of length.
+/// Minimum distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in the model's unit
+/// of length.
 ///
-/// Of every two edges it is between an end of one and the other, or along a line at right angles to both. Pairs of edges
-/// whose discs are farther apart than what was found are passed over.
+/// For any two edges the minimum is between an end of one and the other, or along a line at right angles to both. Pairs of edges whose
+/// discs are farther apart than the minimum found so far are skipped.
 pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration) -> f64 {
     let turn = Rotation::by(moving_at.theta);
     let place = |p: Point| turn * p + moving_at.position().to_vector();
@@ -44,7 +44,7 @@ fn between(a: &Edge, b: &Edge) -> f64 {
     (ends.into_iter().chain(right_angles).chain(other_way)).fold(f64::INFINITY, f64::min)
 }
 
-/// The places of an arc whose normals go at right angles through another edge's line or circle; none of a line.
+/// The places of an arc whose normals meet another edge's line or circle at right angles; none for a line.
 fn normals(arc: &Edge, other: &Edge) -> [Option<Point>; 2] {
     if arc.is_line() {
         return [None; 2];
@@ -77,7 +77,7 @@ mod tests {
         part.edges().flat_map(all).collect()
     }
 
-    /// The distance of many points of both boundaries is as much, but for the steps between them.
+    /// The distance agrees with that of many points of both boundaries, up to the steps between them.
     #[test]
     fn it_is_that_of_many_points() {
         let spoon = |x: f64, b: f64| {

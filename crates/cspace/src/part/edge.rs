@@ -3,13 +3,13 @@
 use crate::geometry::{Point, Vector};
 use crate::number::Real;
 
-/// A line segment or circular arc of a part's boundary; travelling it, material is on the left.
+/// A line segment or circular arc of a part's boundary, traversed with material on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Edge<T = f64> {
-    /// Where the edge starts.
+    /// Start of the edge.
     pub start: Point<T>,
-    /// Where it ends.
+    /// End of the edge.
     pub end: Point<T>,
     /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
     pub bulge: T,

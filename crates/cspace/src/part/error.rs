@@ -1,4 +1,4 @@
-//! What can be wrong with a part.
+//! Errors of a part.
 
 use crate::geometry::Point;
 
@@ -6,8 +6,8 @@ use super::builder::OutlineError;
 use super::part_feature::PartFeature;
 use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
 
-/// Why loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge
-/// has the number of the vertex it leaves.
+/// Reasons for which loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge has the number of the vertex
+/// at which it starts.
 ///
 /// ```
 /// use cspace::{Part, PartError, Vertex};
@@ -24,7 +24,7 @@ pub enum PartError {
     #[error("the part has no loops: give at least one closed loop of vertices")]
     Empty,
 
-    /// There are more vertices than are checked.
+    /// There are more vertices than the limit.
     #[error(
         "the part has {count} vertices, more than {MAX_VERTICES}: replace runs of short lines by arcs, or split the part"
     )]
@@ -97,7 +97,7 @@ pub enum PartError {
         distance: f64,
     },
 
-    /// A vertex and the next are one place.
+    /// A vertex and the next are at one place.
     #[error(
         "loop {loop_index}, vertex {vertex_index}: the next vertex, {next_index}, is at the same place: remove one of them"
     )]
@@ -129,13 +129,13 @@ pub enum PartError {
     Crossing {
         /// The loop of the first edge.
         loop_index: usize,
-        /// The first edge, by the vertex it leaves.
+        /// The first edge, by the vertex at which it starts.
         edge_index: usize,
         /// The loop of the second edge.
         other_loop: usize,
-        /// The second edge, by the vertex it leaves.
+        /// The second edge, by the vertex at which it starts.
         other_edge: usize,
-        /// Where they cross.
+        /// Place of the crossing.
         at: Point,
     },
 
@@ -147,13 +147,13 @@ pub enum PartError {
     Touching {
         /// The loop of the first edge.
         loop_index: usize,
-        /// The first edge, by the vertex it leaves.
+        /// The first edge, by the vertex at which it starts.
         edge_index: usize,
         /// The loop of the second edge.
         other_loop: usize,
-        /// The second edge, by the vertex it leaves.
+        /// The second edge, by the vertex at which it starts.
         other_edge: usize,
-        /// Where they touch.
+        /// Place of the contact.
         at: Point,
     },
 
@@ -162,7 +162,7 @@ pub enum PartError {
     RepeatedLoop {
         /// The loop.
         loop_index: usize,
-        /// The same loop.
+        /// The loop that repeats it.
         other_loop: usize,
     },
 
@@ -171,36 +171,36 @@ pub enum PartError {
     BadSize {
         /// Which size.
         what: &'static str,
-        /// What was given.
+        /// Value that was given.
         value: f64,
     },
 
-    /// A size of a plain shape cannot be told from nothing beside the others.
+    /// A size of a plain shape is negligible compared with the others.
     #[error(
         "the {what} is {value:e}, at most {least:e}, which is nothing in a part of this size: give a larger one"
     )]
     TooThin {
         /// Which size.
         what: &'static str,
-        /// What was given.
+        /// Value that was given.
         value: f64,
-        /// What it must be more than.
+        /// Bound that the value must exceed.
         least: f64,
     },
 
-    /// A name is given to an edge or a vertex that is not there.
+    /// A name is given to an edge or a vertex that does not exist.
     #[error("there is no {feature}: choose one of the part's loops and vertices, counted from 0")]
     NoFeature {
-        /// What is not there.
+        /// The feature that does not exist.
         feature: PartFeature,
     },
 
-    /// The name of an edge or a vertex is empty, or another's.
+    /// The name of an edge or a vertex is empty, or is used twice.
     #[error(
         "the name {name:?} of {feature} is empty or given twice: give every one a name of its own"
     )]
     FeatureName {
-        /// What was to have it.
+        /// The feature that was to be named.
         feature: PartFeature,
         /// The name.
         name: String,

@@ -1,13 +1,13 @@
 //! Corners rounded by an arc that is tangent to both edges.
 //!
-//! Seen from the corner, the line or circle of an edge with unit normal n towards the fillet and curvature κ (positive if
+//! In a frame with the corner as origin, the line or circle of an edge with unit normal n towards the fillet and curvature κ (positive if
 //! it curves towards the fillet) is n · p = κ p² / 2. A centre c at distance r of it, on the fillet's side, has
 //!
 //! n · c = r + κ s, with s = (c² − r²) / 2.
 //!
-//! Two edges give c = r m + s q, where m solves n · m = 1 and q solves n · q = κ for both; put into s, that is a quadratic
-//! equation for s. Its root that goes to 0 with r belongs to the circles that come out of the corner. No centre of an edge
-//! enters, so that arcs may be as flat as they like.
+//! Two edges give c = r m + s q, where m solves n · m = 1 and q solves n · q = κ for both; inserted into s, this is a quadratic equation
+//! for s. Its root that goes to 0 with r belongs to the circles that start from the corner. Centres of edges do not occur, so that arcs may
+//! be arbitrarily flat.
 
 use crate::geometry::Vector;
 use crate::number::Real;
@@ -15,25 +15,25 @@ use crate::number::Real;
 use super::Edge;
 use super::tolerance::RESOLUTION;
 
-/// A fillet that leaves less of an edge than this fraction of its length, or needs so much more, takes the whole edge.
+/// Tolerance, as a fraction of an edge's length, within which a fillet that ends near the end of the edge, or beyond it, takes the whole
+/// edge.
 ///
-/// Two fillets that share an edge, as at the ends of a slot, leave nothing of it but what the rounding of the radius to
-/// some nine digits leaves.
+/// Two fillets that share an edge, as at the ends of a slot, leave only the rounding of the radius to some nine digits.
 pub const WHOLE_EDGE: f64 = 1e-9;
 
 /// A rounded corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Fillet<T = f64> {
-    /// What is left of the edge before the corner; none if the fillet takes all of it.
+    /// Remaining part of the edge before the corner; `None` if the fillet takes all of it.
     pub before: Option<Edge<T>>,
     /// The fillet: an arc of at most half a turn. Its index is that of the edge after the corner.
     pub arc: Edge<T>,
-    /// What is left of the edge after the corner; none if the fillet takes all of it.
+    /// Remaining part of the edge after the corner; `None` if the fillet takes all of it.
     pub after: Option<Edge<T>>,
 }
 
-/// Why a corner cannot be rounded.
+/// Reasons for which a corner cannot be rounded.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FilletError {
@@ -43,7 +43,7 @@ pub enum FilletError {
         /// The radius.
         radius: f64,
     },
-    /// The edges go on in one direction, or the second turns back on the first, within [`RESOLUTION`] radians.
+    /// The edges continue in one direction, or the second turns back on the first, within [`RESOLUTION`] radians.
     #[error(
         "there is no corner to round, for the edges leave it along one line: remove the fillet"
     )]
@@ -64,7 +64,7 @@ pub enum FilletError {
     TooLarge {
         /// The radius.
         radius: f64,
-        /// The largest that fits, if there is one.
+        /// The largest radius that fits, if there is one.
         largest: Option<f64>,
     },
     /// A fillet at a neighbouring corner takes all of an edge.
@@ -74,11 +74,11 @@ pub enum FilletError {
     NoEdgeLeft,
 }
 
-/// Rounds the corner between two edges, lines or arcs, by an arc of the radius that is tangent to both. It lies in the
-/// corner's narrower side and joins both edges within their ends.
+/// Rounds the corner between two edges, lines or arcs, by an arc of a given radius that is tangent to both. It lies on the narrower side of
+/// the corner and joins both edges within their ends.
 ///
 /// # Errors
-/// If there is no corner to round, or the fillet does not fit; then the largest that would is told.
+/// If there is no corner to round, or the fillet does not fit; then the error has the largest radius that fits.
 ///
 /// ```
 /// use cspace::part::{fillet, FilletError};
@@ -154,10 +154,10 @@ impl<'a, T: Real> Corner<'a, T> {
         })
     }
 
-    /// The fillet, if it fits; it may need `slack` more of an edge's length than there is.
+    /// The fillet, if it fits; it may exceed an edge's length by `slack`.
     fn rounded(&self, radius: T, slack: f64) -> Option<Fillet<T>> {
         let real = T::constant;
-        // In units of the radius from here.
+        // From here on in units of the radius.
         let [a, b] = self.curvatures.map(|k| k * radius);
         if a.value().max(b.value()) >= 1.0 {
             return None; // An edge curves more than the fillet.
@@ -174,7 +174,7 @@ impl<'a, T: Real> Corner<'a, T> {
         let is_arc = |curvature: T| curvature.value() != 0.0;
         let used = [along(u, -feet[0], is_arc(a)), along(w, feet[1], is_arc(b))];
         let left = [0, 1].map(|i| real(1.0) - used[i] * radius / self.lengths[i]);
-        // Written so that what is not a number does not fit.
+        // Written so that NaN does not fit.
         if !left.into_iter().all(|l| l.value() >= -slack) {
             return None;
         }
@@ -193,7 +193,7 @@ impl<'a, T: Real> Corner<'a, T> {
             real(self.side) * inward[0].cross(inward[1]),
             inward[0].dot(inward[1]),
         );
-        // Half a turn may be rounded to a little more.
+        // Half a turn may be rounded to slightly more.
         let turn = sin.atan2(cos);
         let turn = if turn.value() < 0.0 {
             turn + real(core::f64::consts::TAU)
@@ -242,11 +242,11 @@ impl<'a, T: Real> Corner<'a, T> {
         Some(m + q * (tan * tan / (half + root.sqrt())))
     }
 
-    /// The largest radius below one that does not fit. What fits goes on to fit when it shrinks.
+    /// The largest fitting radius below one that does not fit. All smaller radii than a fitting one fit.
     fn largest_below(&self, radius: f64) -> Option<f64> {
-        /// Halvings after which a radius is next to nothing beside the edges.
+        /// Number of halvings after which a radius is negligible compared with the edges.
         const HALVINGS: u32 = 200;
-        /// As many as a double has digits, and some.
+        /// Slightly more than the number of bits of an f64.
         const BISECTIONS: u32 = 60;
         let (mut low, mut high) = (0.5 * radius, radius);
         let mut halvings = 0;
@@ -270,8 +270,8 @@ impl<'a, T: Real> Corner<'a, T> {
     }
 }
 
-/// The length of an edge between the corner and a foot, given the chord and the unit direction at the corner, which the
-/// chord differs from by half the sweep; negative of a line that does not come by the foot.
+/// The length of an edge between the corner and a foot, given the chord and the unit direction at the corner, which differ by half the
+/// sweep; negative for a line if the foot is behind the corner.
 fn along<T: Real>(direction: Vector<T>, chord: Vector<T>, is_arc: bool) -> T {
     if !is_arc {
         return direction.dot(chord);

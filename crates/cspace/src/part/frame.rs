@@ -7,9 +7,8 @@ use super::{Bounds, Edge, Vertex};
 
 /// Moves and scales a part, exactly, so that its size is in [1, 2) and it is near the origin.
 ///
-/// A coordinate is shifted only where the part is at least two sizes away from the axis. Then
-/// coordinate and shift differ by less than a factor of two and the difference is not rounded;
-/// the factor is a power of two.
+/// A coordinate is shifted only where the part is at least two sizes away from the axis. Then coordinate and shift differ by less than a
+/// factor of two and the difference is not rounded; the factor is a power of two.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frame {
     center: Point,
@@ -31,12 +30,12 @@ impl Frame {
         }
     }
 
-    /// From the part's coordinates to this frame's.
+    /// Converts from the part's coordinates to this frame.
     pub(super) fn enter(&self, p: Point) -> Point {
         Point::ORIGIN + (p - self.center) * self.factor
     }
 
-    /// From this frame's coordinates to the part's.
+    /// Converts from this frame's coordinates to the part's.
     pub(super) fn leave(&self, p: Point) -> Point {
         self.center + p.to_vector() * (1.0 / self.factor)
     }

@@ -24,17 +24,17 @@ pub struct Part {
     loops: Vec<Loop>,
     /// Names of edges and vertices, in order.
     pub(super) names: Vec<(PartFeature, String)>,
-    /// The box of the loops' edges; kept because it is asked for with every point.
+    /// The box of the loops' edges; stored because it is used for every query.
     pub(super) bounds: Bounds,
 }
 
 impl Loop {
-    /// The vertices, as given, but with bulge 0 where it cannot be told from 0.
+    /// The vertices, as given, except that negligible bulges are 0.
     pub fn vertices(&self) -> &[Vertex] {
         &self.vertices
     }
 
-    /// Whether the loop was given with material on its right, so that its edges are travelled backwards.
+    /// Whether the loop was given with material on its right, so that its edges are traversed backwards.
     pub fn is_reversed(&self) -> bool {
         self.reversed
     }
@@ -67,15 +67,14 @@ impl Loop {
 impl Part {
     /// Checks the loops and finds on which side of each the material lies.
     ///
-    /// The material is the even-odd interior: what an odd number of the loops enclose. Loops may
-    /// come in either direction, in any order, nested to any depth; they may not cross or touch
-    /// themselves or each other. What counts as touching is told by [`RESOLUTION`]. A bulge of
-    /// magnitude up to [`FLAT_BULGE`] is taken for 0, a line.
+    /// The material is the even-odd interior: the places enclosed by an odd number of loops. Loops may come in either direction, in any
+    /// order, nested to any depth; they may not cross or touch themselves or each other. [`RESOLUTION`] defines what counts as touching. A
+    /// bulge of magnitude up to [`FLAT_BULGE`] counts as 0, a line.
     ///
     /// Takes time in proportion to n log n for n vertices, of which there may be [`MAX_VERTICES`].
     ///
     /// # Errors
-    /// Says which loop and vertex is wrong, why, and what to do. Of several errors one is told.
+    /// The error states which loop and vertex is wrong, why, and what to do. Only one of several errors is reported.
     ///
     /// ```
     /// use cspace::{Part, PartError, Vertex};
@@ -114,7 +113,7 @@ impl Part {
         })
     }
 
-    /// Several parts, each moved by a configuration, as one: they may touch, which nothing checks.
+    /// Several parts, each moved by a configuration, as one part: they may touch, which is not checked.
     pub(crate) fn assembled(name: &str, placed: &[(&Self, Configuration)]) -> Self {
         let moved = |(part, at): &(&Self, Configuration)| {
             let vertex = |v: &Vertex| {
@@ -137,7 +136,7 @@ impl Part {
         }
     }
 
-    /// What is around the part, up to a rectangle that is so far from it.
+    /// The complement of the part within a rectangle that is larger than the part's box by `far` on every side.
     pub(crate) fn framing(&self, far: f64) -> Self {
         let (lo, hi) = (self.bounds.min, self.bounds.max);
         let around = Loop {

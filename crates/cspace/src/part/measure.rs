@@ -1,4 +1,4 @@
-//! What a part measures: its box, its size, its area, and which points are in it.
+//! Measures of a part: its box, its size, its area, and tests of whether points are in it.
 
 use crate::boxes::Boxes;
 use crate::geometry::Point;
@@ -32,7 +32,7 @@ impl Part {
         sum(self.edges().map(|edge| edge.area_swept(origin)))
     }
 
-    /// Whether a point lies in the material. On the boundary, to rounding, the answer is either.
+    /// Whether a point lies in the material. On the boundary, up to rounding, the answer is undefined.
     ///
     /// Counts how often a ray from the point meets the boundary: the chords it meets, and for each
     /// arc once more when the point lies between chord and arc. Takes time in proportion to the
@@ -51,7 +51,7 @@ impl Part {
     }
 }
 
-/// A part's edges, of which one point after the other can be asked for without a look at each of them.
+/// Spatial index of a part's edges for repeated point-in-part tests.
 #[derive(Debug)]
 pub(crate) struct Inside {
     bounds: Bounds,
@@ -69,7 +69,7 @@ impl Inside {
         }
     }
 
-    /// As [`Part::contains`]: of edges to the left of the point, above or below it, the ray meets none.
+    /// As [`Part::contains`]: the ray misses edges to the left of the point, above or below it.
     pub(crate) fn contains(&self, p: Point) -> bool {
         let meets = |b: &Bounds| b.min.y <= p.y && p.y <= b.max.y && p.x <= b.max.x;
         let mut inside = false;
@@ -110,14 +110,14 @@ pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Edge {
-    /// The signed area that the segment from `origin` to the edge sweeps out along the edge. Of a loop the sum is its area,
-    /// whatever the origin.
+    /// The signed area swept by the segment from `origin` to a point that moves along the edge. The sum over a loop is its area, for any
+    /// origin.
     pub fn area_swept(&self, origin: Point) -> f64 {
         0.5 * (self.start - origin).cross(self.end - origin) + self.segment_area()
     }
 
-    /// Whether the edge, closed by two rays along the first axis, changes the parity at `p`: a point is inside of loops if an
-    /// odd number of their edges do.
+    /// Whether the edge, closed by two rays along the first axis, changes the parity at `p`: a point is inside loops if an odd number of
+    /// their edges do.
     pub fn toggles(&self, p: Point) -> bool {
         let chord = self.end - self.start;
         let rising = chord.y > 0.0;

@@ -1,13 +1,13 @@
-//! Where two edges that share no vertex meet.
+//! Meetings of two edges that share no vertex.
 
 use crate::geometry::{Point, Vector};
 
 use super::Edge;
 
-/// Halvings that locate a crossing; 2⁻⁶⁰ of an edge is below the rounding of its points.
+/// Number of halvings that locate a crossing; 2⁻⁶⁰ of an edge is below the rounding of its points.
 const HALVINGS: usize = 60;
 
-/// How two edges meet, and where.
+/// Kind and place of the meeting of two edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Meeting {
     /// They pass through each other.
@@ -16,10 +16,10 @@ pub(super) enum Meeting {
     Touching(Point),
 }
 
-/// Whether two edges come nearer than `tolerance`.
+/// Whether, and how, two edges come nearer than `tolerance`.
 ///
-/// Two curves that do not cross are nearest at an end of one of them, or where one normal serves
-/// both; so when none of these places is near, a crossing is a clear one.
+/// Two curves that do not cross are nearest at an end of one of them, or at a common normal; so if no such place is near, a crossing is a
+/// clear one.
 pub(super) fn meeting(a: &Edge, b: &Edge, tolerance: f64) -> Option<Meeting> {
     touching(a, b, tolerance)
         .map(Meeting::Touching)
@@ -27,9 +27,8 @@ pub(super) fn meeting(a: &Edge, b: &Edge, tolerance: f64) -> Option<Meeting> {
 }
 
 impl Edge {
-    /// The places at which two edges cross or come nearer than `tolerance`: the ends of one that are near the other, the
-    /// places near the other at which both have one normal, and the crossings. Of two edges that overlap these are the ends
-    /// of the overlap.
+    /// The places at which two edges cross or come nearer than `tolerance`: the ends of one that are near the other, the places near the
+    /// other at which both have a common normal, and the crossings. For two edges that overlap these are the ends of the overlap.
     ///
     /// ```
     /// use cspace::{Edge, Point};
@@ -76,11 +75,10 @@ pub(super) fn by_curvature<'a>(a: &'a Edge, b: &'a Edge) -> (&'a Edge, &'a Edge)
     }
 }
 
-/// The fractions of `rounder` at which its normal is normal to the line or circle of `flatter` too.
+/// The fractions of `rounder` at which its normal is also normal to the line or circle of `flatter`.
 ///
-/// They lie on the line of centres. Times both curvatures κ, the way between the centres is
-/// κ κ′ (o′ − o) + κ n′ − κ′ n, with starts o and left normals n there: no division, so that a
-/// circle may be as large as a line.
+/// They lie on the line of centres. Times both curvatures κ, the vector between the centres is κ κ′ (o′ − o) + κ n′ − κ′ n, with starts o
+/// and left normals n there: without division, so that a circle may be as large as a line.
 pub(super) fn facing(rounder: &Edge, flatter: &Edge) -> [Option<f64>; 2] {
     if rounder.is_line() {
         return [None, None]; // Two lines.
@@ -101,7 +99,7 @@ pub(super) fn facing(rounder: &Edge, flatter: &Edge) -> [Option<f64>; 2] {
     ]
 }
 
-/// A place where edges that are apart at their ends and where they face each other cross.
+/// A crossing of edges that are apart at their ends and where they face each other.
 fn crossing(a: &Edge, b: &Edge) -> Option<Point> {
     crossings(a, b).next()
 }
@@ -119,8 +117,7 @@ fn crossings<'a>(a: &'a Edge, b: &'a Edge) -> impl Iterator<Item = Point> + use<
         .filter(|p| flatter.covers(*p))
 }
 
-/// Where `a` passes from one side of the line or circle of `b` to the other, in a span of `a` in
-/// which it does so at most once.
+/// The place where `a` passes from one side of the line or circle of `b` to the other, in a range of `a` in which it does so at most once.
 fn sign_change(a: &Edge, b: &Edge, mut lo: f64, mut hi: f64) -> Option<Point> {
     let side = |u: f64| b.level(a.at(u));
     let (from, to) = (side(lo), side(hi));

@@ -1,8 +1,8 @@
 //! Planar parts: closed loops of line segments and circular arcs.
 //!
-//! A [`Part`] is made by [`Part::new`] alone, which checks that its loops bound something; whatever
-//! takes a part can rely on that. [`Part::polygon`], [`Part::circle`], [`Part::rectangle`] and [`Part::slot`] draw plain
-//! shapes, an [`OutlineBuilder`] draws a loop edge by edge.
+//! A [`Part`] is made only by [`Part::new`], which checks that its loops bound a region; every function that takes a part can rely on this.
+//! [`Part::polygon`], [`Part::circle`], [`Part::rectangle`] and [`Part::slot`] draw plain shapes, an [`OutlineBuilder`] draws a loop edge
+//! by edge.
 
 mod arc;
 mod bounds;

@@ -14,23 +14,23 @@
 //! - first moment about the middle of the chord L³ u (1/12 − (1 − u) w / 4), to the right of the chord,
 //! - second moment about the middle of the chord L⁴ b (1/3 + u + w (3 − 2u + 3u²)) / 32.
 //!
-//! They follow from a sector less a triangle, and have the centre and radius of the arc eliminated: nothing cancels when
-//! the arc is all but flat.
+//! They follow from a sector minus a triangle, with the centre and radius of the arc eliminated: there is no cancellation when the arc is
+//! almost flat.
 
 use crate::geometry::{Point, Vector};
 
 use super::measure::sum;
 use super::{Edge, Part};
 
-/// Below this |bulge| [`shape`] sums a series (dimensionless).
+/// |bulge| below which [`shape`] sums a series (dimensionless).
 ///
-/// The closed form loses a factor of 45 of its accuracy at the limit, and less above; the moments lose a quarter of that.
+/// The closed form loses a factor of 45 of its accuracy at this limit, and less above; the moments lose a quarter of that.
 const SERIES_BULGE: f64 = 0.5;
 
 /// Terms of the series: at [`SERIES_BULGE`] the first one left out is 4⁻²² / 10⁵ ≈ 6·10⁻¹⁹, of a sum of about 1/15.
 const SERIES_TERMS: u32 = 22;
 
-/// What the area of a part is, where its middle is, and how it is spread about it.
+/// Area of a part, its centroid, and its second moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AreaMoments {
@@ -43,7 +43,7 @@ pub struct AreaMoments {
 }
 
 impl AreaMoments {
-    /// The polar second moment about another point p of the part's frame: that about the centroid, and A |p − g|².
+    /// The polar second moment about another point p of the part's frame: that about the centroid, plus A |p − g|².
     ///
     /// ```
     /// use cspace::{Part, Point};
@@ -76,8 +76,8 @@ impl Part {
     /// # Ok::<(), cspace::PartError>(())
     /// ```
     pub fn moments(&self) -> AreaMoments {
-        // About the middle of the box, then about the centroid found: a second moment about a point far from the centroid
-        // would lose digits on the way back.
+        // First about the middle of the box, then about the centroid found: a second moment about a point far from the centroid would lose
+        // digits.
         let rough = self.moments_from(self.bounds.center());
         let exact = self.moments_from(rough.centroid);
         AreaMoments {
@@ -86,7 +86,7 @@ impl Part {
         }
     }
 
-    /// The same, summed as seen from a point.
+    /// The moments, summed about a point.
     fn moments_from(&self, origin: Point) -> AreaMoments {
         let all: Vec<Moments> = self.edges().map(|e| Moments::swept(&e, origin)).collect();
         let area = sum(all.iter().map(|m| m.area));
@@ -112,7 +112,7 @@ struct Moments {
 }
 
 impl Moments {
-    /// Of what the segment from `origin` to the edge sweeps out along the edge, about `origin`.
+    /// Moments, about `origin`, of the area swept by the segment from `origin` to a point that moves along the edge.
     fn swept(edge: &Edge, origin: Point) -> Self {
         let (a, b) = (edge.start - origin, edge.end - origin);
         let c = a.cross(b);
@@ -137,7 +137,7 @@ impl Moments {
         }
     }
 
-    /// Of what is between an arc and its chord, about the middle of the chord.
+    /// Moments of the area between an arc and its chord, about the middle of the chord.
     fn segment(edge: &Edge) -> Self {
         let chord = edge.end - edge.start;
         let square = chord.length_squared();

@@ -1,9 +1,9 @@
-//! Names of edges and vertices, where a part gives any.
+//! Names of edges and vertices.
 
 use super::{Part, PartError, PartFeature};
 
 impl Part {
-    /// The part with a name for one of its edges or vertices, by which text calls it.
+    /// The part with a name for one of its edges or vertices, which is used in texts.
     ///
     /// # Errors
     /// If the part has no such edge or vertex, or the name is empty or that of another.

@@ -1,16 +1,16 @@
-//! Vertices that lie at one place.
+//! Check for vertices at one place.
 
 use super::meeting::Meeting;
 use super::outline::Outline;
 use super::{PartError, Vertex};
 
-/// Refuses two vertices nearer than the tolerance.
+/// Rejects two vertices nearer than the tolerance.
 ///
-/// Vertices are sorted into square cells as wide as the tolerance, so that only neighbouring cells
-/// need to be compared; a cell holds few before two of them are found to be near.
+/// Vertices are sorted into square cells as wide as the tolerance, so that only adjacent cells need to be compared; a cell contains few
+/// vertices before two of them are found to be near.
 ///
 /// # Errors
-/// The touching of the edges that leave the two vertices, or that the two loops are one.
+/// The edges that start at the two vertices touch, or the two loops are equal.
 pub(super) fn check_vertices(outline: &Outline, loops: &[Vec<Vertex>]) -> Result<(), PartError> {
     let tolerance = outline.tolerance();
     let cell = |c: f64| (c / tolerance).floor() as i64;
@@ -20,7 +20,7 @@ pub(super) fn check_vertices(outline: &Outline, loops: &[Vec<Vertex>]) -> Result
         .map(|e| (cell(e.start.x), cell(e.start.y), e.index))
         .collect();
     cells.sort_unstable();
-    // For each vertex, those after it in its own column, then the start of its part of the next.
+    // For each vertex, those after it in its own column, then the start of its range in the next column.
     let mut right = 0;
     for (k, &(x, y, a)) in cells.iter().enumerate() {
         while right < cells.len() && (cells[right].0, cells[right].1) < (x + 1, y - 1) {
@@ -50,7 +50,7 @@ pub(super) fn check_vertices(outline: &Outline, loops: &[Vec<Vertex>]) -> Result
     Ok(())
 }
 
-/// Whether two loops are one, in either direction, when the vertices named are the same.
+/// Whether two loops are equal, in either direction, if the given vertices correspond.
 fn is_repeated(loops: &[Vec<Vertex>], (a, i): (usize, usize), (b, j): (usize, usize)) -> bool {
     let (u, v) = (&loops[a], &loops[b]);
     let n = u.len();

@@ -10,7 +10,7 @@ pub(super) struct Outline {
     pub(super) edges: Vec<Edge>,
     /// The box of each edge.
     boxes: Vec<Bounds>,
-    /// The edge that leaves where each edge arrives.
+    /// The edge that starts where each edge ends.
     next: Vec<usize>,
     /// The first edge of each loop.
     pub(super) first: Vec<usize>,
@@ -70,7 +70,7 @@ impl Outline {
         (loop_index, edge - self.first[loop_index])
     }
 
-    /// The error that two edges meet.
+    /// The error for two edges that meet.
     pub(super) fn refuse(&self, a: usize, b: usize, meeting: super::meeting::Meeting) -> PartError {
         use super::meeting::Meeting;
         let (loop_index, edge_index) = self.name(a.min(b));

@@ -1,9 +1,8 @@
-//! Edges and vertices by their places in a part.
+//! Identification of edges and vertices of a part.
 
 use core::fmt;
 
-/// An edge or a vertex of a part, by its loop and vertex as given, counted from 0. An edge has the number of the vertex that
-/// it leaves.
+/// An edge or a vertex of a part, by its loop and vertex as given, counted from 0. An edge has the number of the vertex at which it starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -12,7 +11,7 @@ pub enum PartFeature {
     Edge {
         /// The loop.
         loop_index: u32,
-        /// The vertex that the edge leaves.
+        /// The vertex at which the edge starts.
         index: u32,
     },
     /// A vertex.

@@ -47,7 +47,7 @@ pub fn circle_loop<T: Real>(
 /// The loop of a rectangle with sides along the axes, from its lower left corner.
 ///
 /// # Errors
-/// If the width or the height is not positive, or one is nothing beside the other, or a number is not finite.
+/// If the width or the height is not positive, or one is negligible compared with the other, or a number is not finite.
 ///
 /// ```
 /// use cspace::part::{rectangle_loop, PartError};
@@ -78,7 +78,7 @@ pub fn rectangle_loop(
 /// The loop of all places within a radius of a line: two sides and two half circles.
 ///
 /// # Errors
-/// If the radius is not positive, the ends are one place, one is nothing beside the other, or a number is not finite.
+/// If the radius is not positive, the ends are one place, one is negligible compared with the other, or a number is not finite.
 ///
 /// ```
 /// use cspace::part::{slot_loop, PartError};
@@ -121,7 +121,7 @@ impl Part {
     /// A polygon: lines from corner to corner, and from the last to the first, in either direction.
     ///
     /// # Errors
-    /// Those of [`Part::new`]: fewer than three corners, sides that meet, a number that is not finite.
+    /// As for [`Part::new`]: fewer than three corners, sides that meet, a number that is not finite.
     ///
     /// ```
     /// use cspace::{Part, PartError};
@@ -139,7 +139,7 @@ impl Part {
     /// A disc.
     ///
     /// # Errors
-    /// If the radius is not positive, and those of [`Part::new`].
+    /// If the radius is not positive, and as for [`Part::new`].
     ///
     /// ```
     /// use cspace::{Part, PartError};
@@ -159,7 +159,7 @@ impl Part {
     /// A rectangle with sides along the axes.
     ///
     /// # Errors
-    /// If the width or the height is not positive, or one is nothing beside the other, and those of [`Part::new`].
+    /// If the width or the height is not positive, or one is negligible compared with the other, and as for [`Part::new`].
     ///
     /// ```
     /// use cspace::{Part, PartError, Point};
@@ -179,8 +179,7 @@ impl Part {
     /// A slot, or stadium: all places within `radius` of the line from one point to another.
     ///
     /// # Errors
-    /// If the radius is not positive, the ends are one place, or one is nothing beside the other, and those of
-    /// [`Part::new`].
+    /// If the radius is not positive, the ends are one place, or one is negligible compared with the other, and as for [`Part::new`].
     ///
     /// ```
     /// use cspace::{Part, PartError};
@@ -206,7 +205,7 @@ fn positive(what: &'static str, value: f64) -> Result<(), PartError> {
     }
 }
 
-/// What is below the resolution of the whole is told by its own name, not as two vertices at one place.
+/// Checks that a size is above the resolution of the whole, so that the error names the size instead of two vertices at one place.
 fn thick(what: &'static str, value: f64, size: f64) -> Result<(), PartError> {
     let least = RESOLUTION * size;
     if value > least {

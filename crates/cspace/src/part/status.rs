@@ -1,10 +1,9 @@
-//! The pieces of boundary that a sweep line cuts, in order along it.
+//! The pieces of boundary that a sweep line cuts, ordered along it.
 
-/// Stands for no item.
+/// Placeholder for an item.
 const NONE: u32 = u32::MAX;
 
-/// An ordered list of items 0, 1, 2, …, each at most once, in which an item finds its place by
-/// comparison and leaves by its number.
+/// An ordered list of items 0, 1, 2, …, each at most once; an item is inserted by comparison and removed by its number.
 ///
 /// A treap: a search tree in the order of the list and a heap in scrambled numbers, so that its
 /// depth is logarithmic whatever the order of insertion. The items are linked as a list as well.
@@ -45,7 +44,7 @@ impl Status {
         (some(node.before), some(node.after))
     }
 
-    /// Puts an item in, after exactly those items for which `is_after` holds.
+    /// Inserts an item after exactly those items for which `is_after` holds.
     pub(super) fn insert(&mut self, item: u32, is_after: impl Fn(u32) -> bool) {
         let mut node = Node::LOOSE;
         let (mut place, mut side) = (self.root, 0);
@@ -74,7 +73,7 @@ impl Status {
         }
     }
 
-    /// Takes an item out.
+    /// Removes an item.
     pub(super) fn remove(&mut self, item: u32) {
         loop {
             let Node { children, .. } = self.nodes[item as usize];

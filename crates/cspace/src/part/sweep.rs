@@ -1,9 +1,8 @@
 //! Finds edges that meet, and the side of each loop on which the material lies, in one sweep.
 //!
-//! A line moves over the part; the pieces of boundary that it cuts are kept in order along it
-//! (Shamos and Hoey, 1976). Until the first meeting that order changes only at vertices, and two
-//! pieces that meet are neighbours before they do, so that only neighbours are compared: the time
-//! grows as n log n, whatever the edges look like, and the sweep stops at the first meeting.
+//! A line moves over the part; the pieces of boundary that it cuts are kept in order along it (Shamos and Hoey, 1976). Until the first
+//! meeting that order changes only at vertices, and two pieces that meet are neighbours before they do, so that only neighbours are
+//! compared: the time grows as n log n for any edges, and the sweep stops at the first meeting.
 
 use core::cmp::Ordering;
 
@@ -17,13 +16,12 @@ use super::{Edge, PartError};
 
 /// The directions in which the line moves, in radians from the first axis.
 ///
-/// Not multiples of a round angle, so that edges are seldom parallel to the line; and far from
-/// parallel, so that edges nearly parallel to the line in one sweep are not in the other. There
-/// a touch could be missed: of a vertex just beyond the end of such an edge's span.
+/// Not multiples of a round angle, so that edges are seldom parallel to the line; and far from parallel to each other, so that edges nearly
+/// parallel to the line in one sweep are not in the other. For such an edge, the touch of a vertex just beyond the end of its span could be
+/// missed.
 const DIRECTIONS: [f64; 2] = [0.739_085_133_2, 1.851_937_051_9];
 
-/// From this many edges on, the two sweeps run at the same time; below, handing one to another
-/// thread takes longer than the sweep.
+/// Number of edges from which the two sweeps run in parallel; below it, passing one to another thread takes longer than the sweep.
 const PARALLEL_EDGES: usize = 1000;
 
 /// Whether each loop has its material on the right of the direction given.
@@ -40,19 +38,19 @@ pub(super) fn check_meetings(outline: &Outline) -> Result<Vec<bool>, PartError> 
     first.and(second)
 }
 
-/// A piece of an edge on which the line's coordinate grows.
+/// A piece of an edge on which the line's coordinate increases.
 struct Piece {
-    /// The piece in the direction of growth; `index` is the edge's.
+    /// The piece in the direction of increase; `index` is the edge's.
     curve: Edge,
     /// The angle of the direction in which it starts.
     angle: f64,
     /// Number of the vertex, or of the split, at which it starts.
     from: usize,
-    /// Whether the edge is given in the direction of growth.
+    /// Whether the edge is given in the direction of increase.
     forward: bool,
 }
 
-/// The line starts or stops to cut a piece.
+/// Event: the line starts or stops to cut a piece.
 struct Event {
     at: Point,
     starts: bool,
@@ -129,7 +127,7 @@ fn sides(outline: &Outline, pieces: &[Piece], material_above: &[bool]) -> Vec<bo
         .collect()
 }
 
-/// Refuses neighbours along the line that meet.
+/// Rejects neighbours along the line that meet.
 fn compare(
     outline: &Outline,
     pieces: &[Piece],
@@ -150,7 +148,7 @@ fn compare(
         .map_or(Ok(()), |met| Err(outline.refuse(a, b, met)))
 }
 
-/// Whether a piece starts above another that the line cuts there.
+/// Whether a piece starts above another one, which the line cuts there.
 fn is_above(piece: &Piece, other: &Piece) -> bool {
     if piece.from == other.from {
         return piece.angle > other.angle;
@@ -175,7 +173,7 @@ fn cut(outline: &Outline, direction: f64) -> Vec<Piece> {
     let mut splits = outline.edges.len();
     for edge in &outline.edges {
         let mut stops = [0.0, 1.0, 1.0, 1.0];
-        // A shorter piece would not be told from a point.
+        // A shorter piece could not be distinguished from a point.
         let shortest = outline.tolerance() / edge.length();
         let cuts = [up, -up].map(|way| {
             edge.fraction_heading(way)
@@ -228,7 +226,7 @@ fn cut(outline: &Outline, direction: f64) -> Vec<Piece> {
     pieces
 }
 
-/// The direction of travel, as exact as the ends give it.
+/// The direction of travel, as accurate as the ends give it.
 fn direction_at(edge: &Edge, u: f64) -> Vector {
     if u == 0.0 {
         edge.start_direction()
@@ -248,7 +246,7 @@ mod tests {
     use crate::part::tolerance::RESOLUTION;
     use crate::part::{Part, Vertex};
 
-    /// Numbers below a bound, without pattern.
+    /// Pseudo-random numbers below a bound.
     struct Noise(u64);
 
     impl Noise {

@@ -1,23 +1,21 @@
-//! The limits within which loops make a part, each with its unit and its reason.
+//! Limits within which loops make a part, each with its unit and its reason.
 
 /// The finest detail of a part, as a fraction of its size (the diagonal of its bounding box).
 ///
-/// Places nearer than this are taken for one place, and edges that leave a vertex within this
-/// angle (radians) for one direction: two lines as long as the part that open by this angle are
-/// nowhere farther apart than this. 2⁻³⁶ ≈ 1.5·10⁻¹¹ leaves 16 bits between the finest detail and
-/// the rounding of a double, for the few multiplications that decide on which side a point lies.
+/// Places nearer than this are one place, and edges that leave a vertex within this angle (radians) have one direction: two lines as long
+/// as the part that open by this angle are nowhere farther apart than this. 2⁻³⁶ ≈ 1.5·10⁻¹¹ leaves 16 bits between the finest detail and
+/// the rounding of an f64, for the few multiplications that decide on which side a point lies.
 pub const RESOLUTION: f64 = 1.0 / (1_u64 << 36) as f64;
 
-/// The largest bulge that is taken for 0, a line.
+/// The largest bulge that counts as 0, a line.
 ///
-/// An arc leaves its chord by bulge · chord / 2, so one this flat stays within [`RESOLUTION`] / 2
-/// of the chord, whatever its length.
+/// An arc deviates from its chord by bulge · chord / 2, so one this flat stays within [`RESOLUTION`] / 2 of the chord, for any length.
 pub const FLAT_BULGE: f64 = RESOLUTION;
 
 /// The largest |bulge| of an arc.
 ///
-/// The rest of its circle is an arc of bulge 1 / 2³⁶, which is flat (see [`FLAT_BULGE`]): the arc
-/// cannot be told from a whole circle, and its ends not from each other.
+/// The rest of its circle is an arc of bulge 1 / 2³⁶, which is flat (see [`FLAT_BULGE`]): the arc cannot be distinguished from a whole
+/// circle, and its ends not from each other.
 pub const FULL_BULGE: f64 = 1.0 / FLAT_BULGE;
 
 /// The largest |coordinate|, of vertices and of arcs, in the model's unit. Squares stay finite.
@@ -26,12 +24,11 @@ pub const MAX_COORDINATE: f64 = 1e150;
 /// The smallest size of a part, in the model's unit. Squares of its details stay normal numbers.
 pub const MIN_SIZE: f64 = 1e-120;
 
-/// How far from the origin a part may be drawn, in sizes of the part.
+/// Largest distance from the origin at which a part may be drawn, in sizes of the part.
 ///
-/// At 2³⁰ ≈ 10⁹ sizes coordinates are rounded to 2⁻²³ of the size; beyond, a drawing has lost
-/// detail that is usually meant.
+/// At 2³⁰ ≈ 10⁹ sizes coordinates are rounded to 2⁻²³ of the size; beyond, a drawing has lost detail that is usually intended.
 pub const MAX_OFFSET: f64 = (1_u64 << 30) as f64;
 
-/// The largest number of vertices of a part, all loops together. Bounds the time and memory that
-/// checking a part takes: some seconds, under a gigabyte.
+/// The largest number of vertices of a part, all loops together. It bounds the time and memory for checking a part: some seconds, under a
+/// gigabyte.
 pub const MAX_VERTICES: usize = 1_000_000;

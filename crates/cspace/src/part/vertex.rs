@@ -1,8 +1,8 @@
-//! One vertex of a loop, with the edge that leaves it.
+//! A vertex of a loop, with the edge that starts there.
 
 use crate::geometry::Point;
 
-/// A corner of a loop. The bulge belongs to the edge that leaves it.
+/// A vertex of a loop. The bulge belongs to the edge that starts there.
 ///
 /// The bulge is tan(sweep / 4): positive counter-clockwise, 0 a line, ±1 a half circle (as in DXF).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -12,18 +12,18 @@ pub struct Vertex<T = f64> {
     pub x: T,
     /// Second coordinate.
     pub y: T,
-    /// tan(sweep / 4) of the edge that leaves the vertex.
+    /// tan(sweep / 4) of the edge that starts at the vertex.
     pub bulge: T,
 }
 
 impl<T: Copy> Vertex<T> {
-    /// A vertex from which an arc leaves, or a line when `bulge` is 0.
+    /// A vertex at which an arc starts, or a line when `bulge` is 0.
     #[inline]
     pub const fn new(x: T, y: T, bulge: T) -> Self {
         Self { x, y, bulge }
     }
 
-    /// Where the vertex lies.
+    /// Position of the vertex.
     #[inline]
     pub const fn point(self) -> Point<T> {
         Point::new(self.x, self.y)
@@ -31,7 +31,7 @@ impl<T: Copy> Vertex<T> {
 }
 
 impl Vertex {
-    /// A vertex from which a line leaves.
+    /// A vertex at which a line starts.
     #[inline]
     pub const fn line(x: f64, y: f64) -> Self {
         Self::new(x, y, 0.0)

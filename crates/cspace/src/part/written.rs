@@ -20,7 +20,7 @@ impl Serialize for Part {
     }
 }
 
-/// What [`Part::new`] and [`Part::with_feature_name`] are given.
+/// Arguments of [`Part::new`] and [`Part::with_feature_name`].
 #[derive(Deserialize)]
 #[serde(rename = "Part")]
 struct Drawing {

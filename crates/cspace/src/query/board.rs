@@ -1,7 +1,7 @@
-//! The cells of one slot of orientations while they are found.
+//! The cells of one interval of orientations while they are computed.
 //!
-//! First the patches that come to a cell are marked there; then the cells without are told apart into free and blocked ones;
-//! then all is packed, and the board is clear for the next slot.
+//! First the patches that reach a cell are marked in it; then the cells without patches are classified as free or blocked; then the result
+//! is packed, and the board is cleared for the next interval.
 
 use super::cells::{CellStore, Entry};
 use super::grid::TILE;
@@ -10,19 +10,19 @@ use super::walk::Content;
 /// No patch.
 const NONE: u32 = u32::MAX;
 
-/// A square of cells.
+/// A square grid of cells.
 #[derive(Debug)]
 pub(super) struct Board {
     side: usize,
-    /// For every cell the last of its marks.
+    /// For every cell, the index of its last mark.
     last: Vec<u32>,
-    /// Patches, each with the mark before it in the same cell.
+    /// Marks: a patch, and the index of the previous mark in the same cell.
     marks: Vec<(u32, u32)>,
-    /// Which cells have patches, by rows, eight columns a byte.
+    /// Bit set of the cells that have patches: by rows, eight columns per byte.
     mixed: Vec<u8>,
-    /// Which of the others are free.
+    /// Bit set of the cells without patches that are free.
     free: Vec<u8>,
-    /// What is in those with patches.
+    /// Contents of the cells that have patches.
     entries: Vec<Entry>,
 }
 
@@ -38,7 +38,7 @@ impl Board {
         }
     }
 
-    /// Says that a patch comes to a cell; all that is said of one patch is said in a row.
+    /// Marks that a patch reaches a cell; all marks of one patch must come in a row.
     #[inline]
     pub(super) fn mark(&mut self, cell: usize, patch: u32) {
         let last = self.last[cell];
@@ -50,7 +50,7 @@ impl Board {
         self.mixed[cell / 8] |= 1 << (cell % 8);
     }
 
-    /// Makes lists of the marks. Cells in a row share theirs if they have the same patches.
+    /// Makes lists of patches from the marks. Consecutive cells share a list if they have the same patches.
     pub(super) fn list(&mut self, lists: &mut Vec<u32>) {
         let (mut before, mut here) = (Vec::new(), Vec::new());
         let mut entry = Entry::UNKNOWN;
@@ -74,10 +74,10 @@ impl Board {
         self.marks.clear();
     }
 
-    /// Tells the free cells without patches from those that are blocked.
+    /// Classifies the cells without patches as free or blocked.
     ///
-    /// What is right of the square is free. Neighbours without patches are alike; where there is none in the row above,
-    /// `is_free` tells it of the last cell of a row of them, from what is right of it.
+    /// Everything right of the square is free. Adjacent cells without patches have the same class, so a run of them takes the class of a
+    /// cell without patches above it; if there is none, `is_free` classifies the last cell of the run from its right neighbour.
     pub(super) fn fill(&mut self, is_free: impl Fn(&Self, usize, usize) -> bool) {
         for row in 0..self.side {
             let mut end = self.side;
@@ -102,7 +102,7 @@ impl Board {
         }
     }
 
-    /// The last cell of a row before a column that has patches, or has none.
+    /// The last cell of a row, before column `end`, that has patches, or has none.
     fn last_in(&self, row: usize, end: usize, mixed: bool) -> Option<usize> {
         let bytes = &self.mixed[row * self.side / 8..][..self.side / 8];
         let wanted = |byte: usize| if mixed { bytes[byte] } else { !bytes[byte] };
@@ -119,13 +119,13 @@ impl Board {
         Some(8 * byte + 7 - bits.leading_zeros() as usize)
     }
 
-    /// A cell without patches above some cells of a row.
+    /// A cell without patches in the row above, over the given cells of a row.
     fn last_above(&self, row: usize, first: usize, last: usize) -> Option<usize> {
         let above = self.last_in(row.checked_sub(1)?, last + 1, false)?;
         (above >= first).then_some(above)
     }
 
-    /// What is in a cell; of a cell without patches as far as it is known.
+    /// Content of a cell. For a cell without patches it is valid only as far as [`fill`](Self::fill) has got.
     pub(super) fn content<'a>(
         &'a self,
         lists: &'a CellStore,
@@ -142,7 +142,7 @@ impl Board {
         }
     }
 
-    /// Adds all to what is packed, and clears the board.
+    /// Appends all cells to the packed ones, and clears the grid.
     pub(super) fn pack(&mut self, store: &mut CellStore) {
         let width = self.side / TILE;
         for ty in 0..width {
@@ -164,7 +164,7 @@ impl Board {
     }
 }
 
-/// The places of the ones in a number, from the lowest.
+/// Positions of the set bits of a number, from the lowest.
 fn ones(mut bits: u64) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
         let bit = (bits != 0).then_some(bits.trailing_zeros() as usize);
@@ -177,7 +177,7 @@ fn bit(bytes: &[u8], place: usize) -> bool {
     bytes[place / 8] >> (place % 8) & 1 == 1
 }
 
-/// Sets the bits from one to another, both included.
+/// Sets the bits from `first` to `last`, both included.
 fn set(bytes: &mut [u8], first: usize, last: usize) {
     let (from, to) = (u8::MAX << (first % 8), u8::MAX >> (7 - last % 8));
     let bytes = &mut bytes[first / 8..=last / 8];
@@ -196,7 +196,7 @@ mod tests {
 
     const SIDE: usize = 24;
 
-    /// A ring of patches: cells within are blocked, those around it free, and one walk tells each kind.
+    /// A ring of patches: cells inside are blocked, cells outside are free, and one ray decides for all cells inside.
     #[test]
     fn what_a_ring_separates() {
         let mut board = Board::new(SIDE);
@@ -221,7 +221,7 @@ mod tests {
                 asked.set(asked.get() + 1);
                 column.abs_diff(11).max(row.abs_diff(12)) > 6
             });
-            // Within the ring once; left of it the row above tells.
+            // One query inside the ring; left of it, the row above decides.
             assert_eq!(asked.get(), 1);
             board.pack(&mut store);
         }

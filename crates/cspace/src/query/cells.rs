@@ -1,21 +1,21 @@
-//! What is in each cell of a grid, packed.
+//! Contents of the cells of a grid, packed.
 
 use super::grid::TILE;
 use super::walk::Content;
 
-/// What is in a cell that contact may pass: one patch, or a list of patches.
+/// Content of a cell that has patches: one patch, or a list of patches.
 ///
-/// A list is its place with the highest bit set; the first number there is its length.
+/// A list is stored as its index with the highest bit set; the first number at that index is the length of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Entry(u32);
 
 const LIST: u32 = 1 << 31;
 
 impl Entry {
-    /// Of a cell that nothing is known of yet.
+    /// Entry of a cell that has not been examined.
     pub(super) const UNKNOWN: Self = Self(0);
 
-    /// An entry for patches, of which more than one are appended to the lists.
+    /// An entry for patches; if there are more than one, they are appended to the lists.
     pub(super) fn listed(patches: &[u32], lists: &mut Vec<u32>) -> Self {
         if let [patch] = *patches {
             return Self(patch);
@@ -37,18 +37,18 @@ impl Entry {
     }
 }
 
-/// A square of cells, some of which contact passes.
+/// A square of cells, at least one of which has patches or differs from the others.
 #[derive(Debug, Clone, Copy)]
 struct Tile {
-    /// Which cells contact may pass, by rows.
+    /// Bit set of the cells that have patches, by rows.
     mixed: u64,
-    /// Which of the others are free.
+    /// Bit set of the cells without patches that are free.
     free: u64,
-    /// Where the entries of the mixed cells begin.
+    /// Index of the first of the tile's entries.
     first: u32,
 }
 
-/// Which cells of a tile are free in all slots, and which are blocked in all.
+/// Cells of a tile that are free at all orientations, and those that are blocked at all.
 #[derive(Debug, Clone, Copy)]
 struct Constant {
     free: u64,
@@ -59,21 +59,21 @@ const FREE_TILE: u32 = 0;
 const BLOCKED_TILE: u32 = 1;
 const FIRST_TILE: u32 = 2;
 
-/// The cells of slots, one slot after the other.
+/// The cells of all intervals of orientation, one interval after the other.
 #[derive(Debug, Clone, Default)]
 pub(super) struct CellStore {
-    /// For each slot and tile of it: free, blocked, or a tile's index plus [`FIRST_TILE`].
+    /// For each interval and tile: free, blocked, or a tile's index plus [`FIRST_TILE`].
     directory: Vec<u32>,
     tiles: Vec<Tile>,
     /// The content of mixed cells.
     entries: Vec<Entry>,
     lists: Vec<u32>,
-    /// For each tile of positions: so few that they stay in the nearest cache, and they answer for most positions.
+    /// Constant cells, for each tile of positions: so few that they stay in the nearest cache, and they decide most queries.
     constant: Vec<Constant>,
 }
 
 impl CellStore {
-    /// Where the lists of the slots to come are put.
+    /// Lists of patches, to which those of the next intervals are appended.
     pub(super) fn lists(&mut self) -> &mut Vec<u32> {
         &mut self.lists
     }
@@ -82,8 +82,8 @@ impl CellStore {
         entry.patches(&self.lists)
     }
 
-    /// Adds a tile of the slot to come: which of its cells are mixed, which of the others are free, by rows, and what is in
-    /// the mixed ones. Tiles come by rows.
+    /// Appends a tile of the current interval: the cells that have patches, the other cells that are free, by rows, and the contents of the
+    /// former. Tiles come by rows.
     pub(super) fn add(&mut self, mixed: u64, free: u64, entries: impl Iterator<Item = Entry>) {
         self.directory.push(match (mixed, free) {
             (0, u64::MAX) => FREE_TILE,
@@ -97,7 +97,7 @@ impl CellStore {
         });
     }
 
-    /// Adds the slots of another store after those of this one.
+    /// Appends the intervals of another store.
     pub(super) fn append(&mut self, other: &Self) {
         let tiles = self.tiles.len() as u32;
         let entries = self.entries.len() as u32;
@@ -113,7 +113,7 @@ impl CellStore {
         self.lists.extend(&other.lists);
     }
 
-    /// Finds what is the same in all slots, when all slots are there; frees what was reserved in vain.
+    /// Finds the cells that are constant over all intervals, when all intervals are there; frees unused memory.
     pub(super) fn finish(&mut self, side: usize) {
         let tiles = (side / TILE) * (side / TILE);
         let all = Constant {
@@ -141,7 +141,7 @@ impl CellStore {
         self.lists.shrink_to_fit();
     }
 
-    /// What is in a cell of a slot.
+    /// Content of a cell at one interval of orientations.
     #[inline]
     pub(super) fn content(
         &self,

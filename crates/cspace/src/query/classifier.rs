@@ -1,4 +1,4 @@
-//! Classifying many configurations.
+//! Fast classification of many configurations.
 
 use core::ops::Deref;
 
@@ -16,39 +16,38 @@ use super::slab::{Home, Slab};
 use super::slot;
 use super::walk::{self, Content};
 
-/// Orientations farther from zero than this (radians, some hundred turns) are classified the slow way: brought home by
-/// turns, their rounding is no longer small beside the margin of cells.
+/// Absolute orientation (radians, some hundred turns) above which the slow path is used: reduced by whole turns, the rounding of larger
+/// ones is no longer small compared with the margin of cells.
 const FARTHEST_ORIENTATION: f64 = 1024.0;
 
-/// So many slots are found by one thread in a row.
+/// Number of consecutive intervals computed by one thread at a time.
 const SLOTS_TOGETHER: usize = 8;
 
 /// A [`ContactSpace`] prepared for classifying millions of configurations: 0.02 to 0.1 µs each on one core.
 ///
-/// Orientations are divided into slots, and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
-/// comes to it at any orientation of its slot; then all of it is free, or all is blocked. That is certain, not sampled: the
-/// curves of a patch over an interval of orientations are enclosed by a curve and a distance. The other cells have lists of
-/// the patches that may come to them. There the patches of the list are evaluated at the very orientation: contact if one is
-/// within 2⁻³⁷ of the size of the pair, otherwise the first that an axis meets tells, from cell to cell until one does or
-/// the cell is pure. Where the axis passes too close to an end of a patch, another direction is tried, and at last the slice
-/// is made, so the answer is always that of [`ContactSpace::classify`].
+/// Orientations are divided into intervals (slots), and positions, in the pair's frame, into square cells. A cell is *pure* if no patch
+/// reaches it at any orientation of its interval; then all of it is free, or all is blocked. This is certain, not sampled: the curves of a
+/// patch over an interval of orientations are enclosed by a curve and a distance. Every other cell has a list of the patches that may reach
+/// it. There the patches of the list are evaluated at the exact orientation: the configuration is in contact if one is within 2⁻³⁷ of the
+/// size of the pair; otherwise a ray along an axis is followed from cell to cell until it meets a patch or a pure cell, which decides.
+/// Where the ray passes too close to an end of a patch, another direction is tried, and at last the slice is computed, so the answer is
+/// always that of [`ContactSpace::classify`].
 ///
-/// Of a space that was computed by symmetry, for a full turn, one slab is prepared, and configurations are turned to it; whether
-/// a configuration is at contact is still told by the patch that is there, and beside critical orientations by the space.
+/// For a space that was computed by symmetry, over a full turn, one period is prepared, and configurations are turned into it; whether a
+/// configuration is in contact is still decided by the patches there, and near critical orientations by the space.
 ///
-/// There are about 32 mixed cells for each patch, and some 16000 in a small space, or in the slab of a symmetric one: 300 to
-/// 600 bytes a patch with all indices, 0.1 to 0.3 MB in a small space. It takes a
-/// millisecond or a few to prepare small and symmetric pairs, others about a third of the time that the space took, and small
-/// ones as long as that. Building uses all threads, and gives the same result with any number of them.
+/// There are about 32 mixed cells for each patch, and at least some 16000 in a space, or in one period of a symmetric one: 300 to 600 bytes
+/// a patch with all indices, 0.1 to 0.3 MB in a small space. Preparation takes a millisecond or a few for small and symmetric pairs, about
+/// a third of the time that the space took for others, and for small ones as long as that. Building uses all threads, and gives the same
+/// result with any number of them.
 #[derive(Debug, Clone)]
 pub struct Classifier<S> {
     space: S,
     slab: Slab,
     grid: Grid,
-    /// Beyond this distance from the centre of the fixed part all is free (model length, squared).
+    /// Squared distance from the centre of the fixed part beyond which all is free (model length).
     far: f64,
-    /// The rounding error of positions (length of the pair's frame). Parts may be drawn so far from their origins that it
-    /// exceeds the resolution.
+    /// Rounding error of positions (length of the pair's frame). For parts drawn far from their origins it may exceed the resolution.
     rounding: f64,
     nearby: Nearby,
     drawn: Drawn,
@@ -56,7 +55,7 @@ pub struct Classifier<S> {
 }
 
 impl ContactSpace {
-    /// Prepares to classify many configurations; see [`Classifier`].
+    /// Prepares the classification of many configurations; see [`Classifier`].
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -77,7 +76,7 @@ impl ContactSpace {
 }
 
 impl<S: Deref<Target = ContactSpace>> Classifier<S> {
-    /// As [`ContactSpace::classifier`], of a space that is owned, as by an [`Arc`](std::sync::Arc).
+    /// As [`ContactSpace::classifier`], for a space that is owned or shared, as by an [`Arc`](std::sync::Arc).
     pub fn new(owned: S) -> Self {
         let space = &*owned;
         let reach = space
@@ -111,15 +110,15 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         }
     }
 
-    /// As [`ContactSpace::classify`], and with the same answers: `None` outside the window, and for a configuration that
-    /// is not finite.
+    /// Classifies a configuration; the answer is that of [`ContactSpace::classify`]: `None` outside the window, and for a configuration
+    /// that is not finite.
     #[inline]
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         let home = self.slab.home(c.theta)?;
         let slot = self.grid.slot(home.from_lo);
         let from = c.position() - self.space.data.frame.fixed_center;
         let square = from.length_squared();
-        // Not "at least", so that NaN comes here too.
+        // Written as a negation, so that NaN also comes here.
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
             return self.classify_far(c, square);
         }
@@ -166,7 +165,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         }
     }
 
-    /// Classifies a configuration that is, brought home, in a cell that contact may pass.
+    /// Classifies a configuration that, reduced to the period, is in a cell that has patches.
     #[inline(never)]
     fn classify_among(
         &self,
@@ -227,7 +226,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
     }
 
-    /// How far a configuration is from the curve of a patch (model length); `None` if the patch is not there.
+    /// Distance of a configuration from the curve of a patch (model length); `None` if the patch does not exist at its orientation.
     #[cold]
     fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
         let patch = &self.space.data.patches[patch as usize];

@@ -1,4 +1,4 @@
-//! Is a configuration free?
+//! Classification of a configuration: free, blocked or in contact.
 
 use core::f64::consts::TAU;
 
@@ -8,7 +8,7 @@ use crate::space::ContactSpace;
 
 use super::ray::END_ERROR;
 
-/// What a configuration is.
+/// Class of a configuration: free, blocked or in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -22,11 +22,10 @@ pub enum Classification {
 }
 
 impl ContactSpace {
-    /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise
-    /// by the side from which a ray meets the first contact curve. At
-    /// [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are tested for overlap instead, also just beside what
-    /// the curves tell to be contact. `None`
-    /// outside the window, or if the configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
+    /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise by the side
+    /// from which a ray meets the first contact curve. At [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are
+    /// tested for overlap instead, and a contact must also be confirmed by tests just beside it. `None` outside the window, or if the
+    /// configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
@@ -47,10 +46,11 @@ impl ContactSpace {
         }
     }
 
-    /// What a configuration is by the nearest contact curve, without the slice: contact if it is near, otherwise what is on this side of
-    /// it, for the way there meets no other. `None` where that is in doubt, or would take as long as the slice.
+    /// Classifies a configuration by the nearest contact curve, without the slice: contact if the curve is near, otherwise by the side of
+    /// the curve on which the configuration is, since the segment to the nearest point meets no other curve. `None` where this is in doubt,
+    /// or would take as long as the slice.
     fn plainly(&self, c: Configuration) -> Option<Classification> {
-        /// Curves that are nearer to each other than this may be in the other order, and their ends are known to it (length of the
+        /// Curves closer to each other than this may be in the other order; the ends of curves are known to this accuracy (length of the
         /// pair's frame).
         const CLEAR: f64 = 2.0 * END_ERROR;
         self.places.made()?;
@@ -71,7 +71,7 @@ impl ContactSpace {
                 }
             }
             match nearest {
-                // Nothing else is asked of a contact.
+                // A contact needs no second curve.
                 Some((_, _, least)) if least <= near => -1.0,
                 Some((_, _, least)) => least + clear,
                 None => f64::INFINITY,
@@ -94,9 +94,9 @@ impl ContactSpace {
         })
     }
 
-    /// The free region that holds a configuration, an index into [`free_regions`](Self::free_regions): two free
-    /// configurations can be joined by a motion if and only if theirs is the same. `None` where the parts touch or overlap,
-    /// outside the window, and if the configuration is not finite.
+    /// The free region that contains a configuration, as an index into [`free_regions`](Self::free_regions): two free configurations can be
+    /// joined by a motion if and only if they are in one region. `None` where the parts touch or overlap, outside the window, and if the
+    /// configuration is not finite.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
@@ -127,9 +127,9 @@ impl ContactSpace {
         c.position().is_finite() && c.theta.is_finite() && within
     }
 
-    /// What a configuration is, and the region that the curve bounds by which that is told.
+    /// Class of a configuration, and the region bounded by the curve that decides the class.
     fn located(&self, c: Configuration) -> Option<(Classification, u32)> {
-        /// Of a position from which a ray meets nothing.
+        /// Region of a position from which a ray meets nothing.
         const UNBOUNDED: u32 = 0;
         if !self.covers(c) {
             return None;
@@ -165,7 +165,7 @@ impl ContactSpace {
         Some((class, region))
     }
 
-    /// Whether of some positions twice the distance of contact away some overlap and some do not.
+    /// Whether, of some positions at twice the contact distance, some overlap and some do not.
     fn touches(&self, c: Configuration) -> bool {
         const DIRECTIONS: u32 = 8;
         let distance = 2.0 * self.contact_distance();

@@ -1,4 +1,4 @@
-//! What touches, and what is nearest to touching.
+//! Contacts at a configuration, and the contact nearest to it.
 
 use core::cmp;
 
@@ -9,7 +9,7 @@ use crate::space::ContactSpace;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearestContact {
-    /// The patch it is on.
+    /// Patch of the contact.
     pub patch: u32,
     /// The configuration in contact, of the same orientation.
     pub configuration: Configuration,
@@ -47,8 +47,8 @@ impl ContactSpace {
         found
     }
 
-    /// Whether the contact curve of one patch at the configuration's orientation passes within `tolerance` (model length) of
-    /// its position: what follows a contact asks that of its patch, instead of all of them. False if there is no such patch.
+    /// Whether the contact curve of one patch at the configuration's orientation passes within `tolerance` (model length) of its position.
+    /// A program that follows a contact can test its patch by this instead of all patches. False if there is no such patch.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part};

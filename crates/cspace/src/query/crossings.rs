@@ -1,4 +1,4 @@
-//! Every contact that a motion of constant rates comes through.
+//! All contacts that a motion of constant rates crosses.
 
 use crate::geometry::{Configuration, Vector};
 use crate::space::ContactSpace;
@@ -8,15 +8,15 @@ use super::path::{Approach, Path};
 use super::touch::Search;
 
 impl ContactSpace {
-    /// Every contact that a motion of constant rates comes through for times from 0 to `duration`, also where the parts
-    /// overlap: when, which patch, and whether the motion goes into blocked space there; in order of time.
+    /// All contacts that a motion of constant rates crosses at times from 0 to `duration`, also where the parts overlap: time, patch, and
+    /// whether the motion enters blocked space there; in order of time.
     ///
-    /// Roots are found as those of [`first_contact`](Self::first_contact). Where the motion passes from one patch to the next
-    /// both may be told.
+    /// Roots are found as by [`first_contact`](Self::first_contact). Where the motion passes from one patch to the next, both may be
+    /// reported.
     ///
     /// # Errors
-    /// If numbers are not finite, the motion begins outside the window, or it turns farther than [`LARGEST_ANGLE`](crate::LARGEST_ANGLE) while contact is
-    /// possible.
+    /// If numbers are not finite, the motion begins outside the window, or it turns farther than [`LARGEST_ANGLE`](crate::LARGEST_ANGLE)
+    /// while contact is possible.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part};
@@ -37,8 +37,8 @@ impl ContactSpace {
         self.crossings_about(from, rates, Vector::ZERO, duration)
     }
 
-    /// As [`crossings`](Self::crossings), of the motion of [`first_contact_about`](Self::first_contact_about): the point `about`
-    /// of the moving part, in its frame, goes straight while the part turns.
+    /// As [`crossings`](Self::crossings), for the motion of [`first_contact_about`](Self::first_contact_about): the point `about` of the
+    /// moving part, in its frame, moves on a straight line while the part turns.
     ///
     /// # Errors
     /// As [`crossings`](Self::crossings).

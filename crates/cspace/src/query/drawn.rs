@@ -1,4 +1,4 @@
-//! Where the centre of the moving part is, well enough to find a cell: without a sine and a cosine.
+//! Position of the centre of the moving part without evaluating sine and cosine, accurate enough to find a cell.
 
 use crate::geometry::{Rotation, Vector};
 use crate::space::ContactSpace;
@@ -6,18 +6,18 @@ use crate::space::ContactSpace;
 use super::grid::{Grid, MARGIN};
 use super::slab::{Home, Slab};
 
-/// The centre may be off its place by so much (length of the pair's frame): cells are entered a whole [`MARGIN`] wider, and
-/// contact is far narrower.
+/// Admissible error of the centre (length of the pair's frame): patches are entered in cells a whole [`MARGIN`] away, and contact is much
+/// narrower.
 const OFF: f64 = 0.25 * MARGIN;
 
-/// The centre of the moving part about its origin as drawn, at every orientation.
+/// Centre of the moving part relative to its origin as drawn, at every orientation.
 #[derive(Debug, Clone)]
 pub(super) enum Drawn {
     /// The part is drawn about its centre.
     Centred,
-    /// In the middle of each slot; a little turn is made of it by a series.
+    /// The centre in the middle of each interval; the rest of the turn is computed by a series.
     BySlot(Vec<Vector>),
-    /// Turned as it is.
+    /// The centre is turned by sine and cosine.
     Turned,
 }
 
@@ -28,7 +28,7 @@ impl Drawn {
         if far <= OFF {
             return Self::Centred;
         }
-        // The first terms that the series have not: δ⁸ / 8!, and less.
+        // First term omitted by the series: δ⁸ / 8!.
         let half = grid.middle(0);
         if slab.count > 1 || far * half.powi(8) / 40320.0 > OFF {
             return Self::Turned;
@@ -37,7 +37,7 @@ impl Drawn {
         Self::BySlot((0..grid.slots).map(middle).collect())
     }
 
-    /// The centre at an orientation, which comes home to a slot (model length).
+    /// The centre at an orientation that has been reduced to an interval (model length).
     #[inline]
     pub(super) fn center(
         &self,
@@ -58,7 +58,7 @@ impl Drawn {
         }
     }
 
-    /// Number of bytes in memory, beside itself.
+    /// Number of bytes in memory, without itself.
     pub(super) fn bytes(&self) -> usize {
         match self {
             Self::BySlot(middles) => size_of_val(middles.as_slice()),

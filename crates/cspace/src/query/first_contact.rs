@@ -7,30 +7,30 @@ use super::classify::Classification;
 use super::path::{Approach, Path};
 use super::touch::{Search, Touch};
 
-/// Where a motion first touches.
+/// First contact along a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FirstContact {
-    /// When, in the unit of time of the rates.
+    /// Time of contact, in the unit of time of the rates.
     pub time: f64,
-    /// Where the moving part is then. Its orientation is not brought home by turns.
+    /// Configuration at that time. Its orientation is not reduced by turns.
     pub configuration: Configuration,
-    /// The patch it touches: one of them, where it touches several.
+    /// Patch that is touched; one of them, if several are.
     pub patch: u32,
 }
 
-/// What becomes of a motion.
+/// Outcome of a motion: free to the end, first contact, or end of the window.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum MotionOutcome {
-    /// It is free to the end.
+    /// The motion is free to the end.
     Free,
-    /// It touches.
+    /// The motion touches a patch.
     Contact(FirstContact),
-    /// It is free until its orientation leaves the window of the space, at this time.
+    /// The motion is free until its orientation leaves the window of the space, at this time.
     LeavesWindow {
-        /// When.
+        /// Time at which it leaves.
         time: f64,
     },
 }
@@ -45,20 +45,20 @@ impl MotionOutcome {
     }
 }
 
-/// Why a motion cannot be followed.
+/// Reasons for which a motion cannot be followed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MotionError {
     /// A coordinate, a rate or the duration is not finite, or its square is not; or the duration is negative.
     #[error("the motion is not described by finite numbers, or lasts less than no time")]
     NotFinite,
-    /// The parts overlap where it begins.
+    /// The parts overlap where the motion begins.
     #[error("the parts overlap where the motion begins")]
     StartsBlocked,
-    /// It begins at an orientation outside the window of the space.
+    /// The motion begins at an orientation outside the window of the space.
     #[error("the motion begins outside the orientations of the space")]
     StartsOutside,
-    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is possible, and has not touched before.
+    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is still possible, before any contact.
     #[error(
         "the motion turns to more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns, or divide the motion"
     )]
@@ -66,7 +66,7 @@ pub enum MotionError {
 }
 
 impl MotionOutcome {
-    /// The outcome of a motion that begins so much earlier.
+    /// The outcome with times counted from `time` earlier.
     fn later_by(self, time: f64) -> Self {
         match self {
             Self::Free => Self::Free,
@@ -80,22 +80,20 @@ impl MotionOutcome {
 }
 
 impl ContactSpace {
-    /// The first contact of the moving part when it moves from `from` at constant rates (dx/dt, dy/dt, dθ/dt), angles in
-    /// radians, for times from 0 to `duration`.
+    /// The first contact of the moving part when it moves from `from` at constant rates (dx/dt, dy/dt, dθ/dt), angles in radians, at times
+    /// from 0 to `duration`.
     ///
-    /// On the way p(t), θ(t) the contact function f(p(t), θ(t)) of each patch is a function of time. Its value and its
-    /// derivative are enclosed over intervals of time; an interval in which there is no root is dropped, one with a root
-    /// that is alone is narrowed to rounding, and others are halved. A root counts if the position is on the patch, to
-    /// the [`resolution`](Self::resolution) and the uncertainty of the root. No contact is found by sampling, so none is
-    /// slipped through, however thin. Contact is that of the space, which comes an eighth of the resolution early;
-    /// to this, time and configuration are right to rounding where the motion is not tangent to the contact.
+    /// Along the motion p(t), θ(t) the contact function f(p(t), θ(t)) of each patch is a function of time. Its value and its derivative are
+    /// enclosed over intervals of time; an interval without a root is dropped, one with a single root is narrowed to rounding, and others
+    /// are halved. A root counts if the position is on the patch, within the [`resolution`](Self::resolution) and the uncertainty of the
+    /// root. No contact is found by sampling, so none is missed, however thin. Contact is that of the space, which comes an eighth of the
+    /// resolution early; apart from this, time and configuration are right to rounding where the motion is not tangent to the contact.
     ///
-    /// *Grazing* at a distance that is below the resolution may count as touching, or not; anything that goes deeper
-    /// does count.
+    /// *Grazing* to a depth below the resolution may count as touching, or not; anything deeper does count.
     ///
-    /// A start within the resolution of contact is contact at time 0 if the motion goes on into blocked space. Otherwise
-    /// the motion goes on, also along the contact, and touches where it becomes deeper than twice the resolution; the
-    /// time given is then that at which it came to the patch.
+    /// A start within the resolution of contact is a contact at time 0 if the motion continues into blocked space. Otherwise the motion
+    /// continues, also along the contact, and touches where it becomes deeper than twice the resolution; the reported time is then that at
+    /// which it came to the patch.
     ///
     /// The time this takes grows with the number of turns made while contact is possible.
     ///
@@ -125,15 +123,16 @@ impl ContactSpace {
         self.first_contact_about(from, rates, Vector::ZERO, duration)
     }
 
-    /// The first contact of the moving part when one of its points goes straight while it turns, for times from 0 to `duration`.
+    /// The first contact of the moving part when one of its points moves on a straight line while the part turns, at times from 0 to
+    /// `duration`.
     ///
     /// `about` is that point b, in the part's frame, and `rates` are its velocity v and the part's rate of turning ω. From
     /// (p₀, θ₀) on the part's orientation is θ(t) = θ₀ + ω t and its position
     ///
     /// p(t) = p₀ + R(θ₀) b + v t − R(θ(t)) b.
     ///
-    /// With b = 0 that is the motion of [`first_contact`](Self::first_contact), and all that is said there holds: nothing is
-    /// sampled. A part that is drawn far from its origin, and turns, is moved about its middle rather than about the origin.
+    /// With b = 0 this is the motion of [`first_contact`](Self::first_contact), and everything stated there holds: nothing is sampled. A
+    /// part that is drawn far from its origin, and turns, is better moved about its middle than about the origin.
     ///
     /// # Errors
     /// As [`first_contact`](Self::first_contact).
@@ -211,12 +210,11 @@ impl ContactSpace {
         })
     }
 
-    /// Whether a motion that starts in contact goes into blocked space there, though no contact tells: where all contacts of a
-    /// place end at one orientation, as of a part that is clamped between two corners, the motion leaves them by turning on. Until
-    /// the next contact it is free or blocked as a whole, so that one configuration on the way decides. The patch is one that
-    /// touches at the start.
+    /// Whether a motion that starts in contact enters blocked space there although it crosses no patch: where all contacts at a position
+    /// end at one orientation, as for a part that is clamped between two corners, the motion leaves them by turning further. Until the next
+    /// contact the motion is free or blocked as a whole, so one configuration on it decides. Returns a patch that touches at the start.
     fn enters_at_once(&self, path: &Path, found: Option<&Touch>, end: f64) -> Option<u32> {
-        /// What grazes is not deeper than this, in distances of contact: twice the resolution, and room for rounding.
+        /// Largest depth of a grazing motion, in contact distances: twice the resolution, and room for rounding.
         const DEEP: f64 = 8.0;
         let middle = path.outer_at(0.5 * found.map_or(end, |touch| touch.time));
         if self.classify(middle) != Some(Classification::Blocked) {

@@ -9,44 +9,44 @@ use super::slab::Slab;
 /// Side of a tile of cells.
 pub(super) const TILE: usize = 8;
 
-/// Cells which contact passes, for each patch: about so many, of some ten bytes each.
+/// Approximate number of mixed cells per patch, of some ten bytes each.
 const CELLS_PER_PATCH: f64 = 32.0;
-/// The same for a whole space, or the slab of a symmetric one, at least: small spaces shall be fast as well.
+/// Minimum number of mixed cells of a space, or of one period of a symmetric one, so that small spaces are fast as well.
 const LEAST_CELLS: f64 = 16384.0;
-/// All cells, as a multiple of those which contact passes: one bit of a tile's masks each, so bounded as well.
+/// Upper bound of all cells, as a multiple of the mixed ones: each takes one bit of a tile's masks, so they are bounded as well.
 const ALL_CELLS: f64 = 32.0;
 const MOST_SLOTS: f64 = 4096.0;
 const MOST_COLUMNS: f64 = 2048.0;
 
-/// Cells are entered if a patch comes within this of them (length of the pair's frame, about 1e-9): above the resolution
-/// of contact, and all rounding, unless parts are drawn very far from their origins. Slots are longer by as much
-/// (radians), for orientations are rounded when they are brought home by turns.
+/// A patch is entered in all cells that it comes within this distance of (length of the pair's frame, about 1e-9): above the contact
+/// resolution, and above all rounding, unless parts are drawn very far from their origins. Intervals of orientation are longer by as much
+/// (radians), because orientations are rounded when they are reduced by whole turns.
 pub(super) const MARGIN: f64 = 1.0 / (1u64 << 30) as f64;
 
-/// Slots of orientation, each with the same square of square cells about the origin of the pair's frame.
+/// Intervals of orientation, each with the same square of square cells about the origin of the pair's frame.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
     /// First orientation, radians.
     lo: f64,
     pub(super) slots: usize,
-    /// Slots per radian.
+    /// Intervals per radian.
     slot_density: f64,
-    /// Cells in a row, and in a column; a multiple of [`TILE`].
+    /// Number of cells in a row, and in a column; a multiple of [`TILE`].
     pub(super) side: usize,
     /// Half the side of the square (length).
     reach: f64,
     /// Side of a cell (length).
     pub(super) cell: f64,
     cell_density: f64,
-    /// Cells are entered if a patch comes within this of them (length).
+    /// Distance from a patch within which cells list it (length).
     pub(super) margin: f64,
 }
 
 impl Grid {
-    /// A grid for a slab; `reach` is how far from the origin there may be contact.
+    /// A grid for one period; `reach` is the distance from the origin within which there may be contact.
     ///
-    /// In a slice, curves of length A pass about 2 A / h cells of side h and of as many radians, as a radian moves
-    /// them by about one. So cells of h = √(2 ∫ A dθ / M) are M in number. Each orbit of patches passes the slab once.
+    /// In a slice, curves of length A pass about 2 A / h cells of side h; a radian moves them by about one unit of length, so intervals of
+    /// orientation are h radians long. So there are M mixed cells if h = √(2 ∫ A dθ / M). Each orbit of patches passes the period once.
     pub(super) fn new(space: &ContactSpace, slab: &Slab, reach: f64) -> Self {
         let (lo, span) = (slab.lo, slab.hi - slab.lo);
         let area: f64 = (slab.representatives(space))
@@ -77,13 +77,13 @@ impl Grid {
         }
     }
 
-    /// The slot of an orientation so far from the beginning of the slab.
+    /// The interval of an orientation, which is given relative to the beginning of the period.
     #[inline]
     pub(super) fn slot(&self, from_lo: f64) -> usize {
         ((from_lo * self.slot_density) as usize).min(self.slots - 1)
     }
 
-    /// The slots that have orientations between two.
+    /// The intervals that overlap the orientations from `lo` to `hi`.
     pub(super) fn slots_between(&self, lo: f64, hi: f64) -> Range<usize> {
         let at = |t: f64| (t - self.lo) * self.slot_density;
         let first = at(lo).floor().max(0.0) as usize;
@@ -95,31 +95,31 @@ impl Grid {
         }
     }
 
-    /// The orientations of a slot.
+    /// The orientations of an interval.
     pub(super) fn orientations(&self, slot: usize) -> (f64, f64) {
         let at = |i: usize| self.lo + i as f64 / self.slot_density;
         (at(slot), at(slot + 1))
     }
 
-    /// The orientations of a slot, and a little more.
+    /// The orientations of an interval, extended by the margin.
     pub(super) fn wider(&self, slot: usize) -> (f64, f64) {
         let (lo, hi) = self.orientations(slot);
         (lo - MARGIN, hi + MARGIN)
     }
 
-    /// The middle of a slot: so far from the beginning of the slab, radians.
+    /// The middle of an interval, relative to the beginning of the period, radians.
     #[inline]
     pub(super) fn middle(&self, slot: usize) -> f64 {
         (slot as f64 + 0.5) / self.slot_density
     }
 
-    /// A coordinate in cells from the edge of the square.
+    /// A coordinate in units of cells, from the edge of the square.
     #[inline]
     pub(super) fn in_cells(&self, coordinate: f64) -> f64 {
         (coordinate + self.reach) * self.cell_density
     }
 
-    /// The place of a line between cells, as a coordinate.
+    /// Coordinate of a line between cells.
     #[inline]
     pub(super) fn line(&self, index: usize) -> f64 {
         index as f64 * self.cell - self.reach

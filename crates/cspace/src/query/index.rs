@@ -1,9 +1,9 @@
-//! Which patches come near a configuration, without a look at each of them.
+//! Index of the patches that come near a configuration, which avoids examining all of them.
 //!
-//! The orientations of a patch are halved until its curves move little in each interval. A box holds them all there: they are
-//! enclosed, not sampled (`swept.rs`), but for what rounding does to their ends. A tree of the boxes leads to those that hold the
-//! orientation and are near the position; their patches are evaluated as a slice has them. So the answers are those of a look
-//! at all patches. The first questions are answered by such a look, until it is worth while to make the tree.
+//! The interval of a patch is halved until its curves move little in each part. A box contains all its curves there: they are enclosed, not
+//! sampled (`swept.rs`), except for the rounding of their ends. A tree of the boxes finds those that contain the orientation and are near
+//! the position; their patches are evaluated as in a slice. So the answers are those found by examining all patches. The first queries do
+//! examine all patches, until building the tree pays off.
 
 use core::f64::consts::{PI, TAU};
 
@@ -18,26 +18,26 @@ use crate::space::{ContactSpace, Patch};
 use super::ray::END_ERROR;
 use super::swept::{Orientations, Swept};
 
-/// Curves may move so far from the middle of an interval, and be so much longer (length of the pair's frame).
+/// Maximum displacement of curves from the middle of an interval, and maximum excess length (length of the pair's frame).
 const LOOSE: f64 = 4.0 * WIDEST_SAGITTA;
-/// The orientations of a patch are halved at most so often.
+/// Maximum number of times that the interval of a patch is halved.
 const HALVINGS: u32 = 6;
-/// Critical orientations are known better than this (radians): farther from where it begins and ends the ends of a patch do not
-/// pass each other.
+/// Bound of the error of critical orientations (radians): farther than this from the beginning and the end of a patch, the ends of its
+/// curve do not pass each other.
 const SEAM: f64 = 1.0 / (1u32 << 16) as f64;
-/// So many questions are answered by a look at every patch: that takes about as long as to make the tree.
+/// Number of queries answered by examining every patch: these take about as long as building the tree.
 const SCANS: u32 = 512;
-/// Farther than anything that is computed (length of the pair's frame).
+/// A distance above all that are computed (length of the pair's frame).
 const EVERYWHERE: f64 = 1e100;
-/// More than the relative rounding error of a distance.
+/// Bound of the relative rounding error of a distance.
 const RELATIVE: f64 = 1e-12;
-/// More than the rounding of an orientation that is turned, in units of the largest of what is added.
+/// Bound of the rounding error of a turned orientation, in units of the largest summand.
 const TURNED: f64 = 8.0 * f64::EPSILON;
 
 impl ContactSpace {
-    /// Calls `visit` with every patch that exists at a configuration's orientation and whose curve there comes within a
-    /// distance of its position: the patch, the nearest point and its distance. A visit may lower that distance by what it
-    /// returns. Some that are farther are visited too, and some twice; the first questions visit all.
+    /// Calls `visit` with every patch that exists at a configuration's orientation and whose curve there comes within a distance of its
+    /// position: the patch, the nearest point and its distance. A visit may lower the distance by its result. Some patches farther away are
+    /// visited too, and some twice; the first queries visit all.
     pub(super) fn visit_near(
         &self,
         c: Configuration,
@@ -76,8 +76,8 @@ impl ContactSpace {
 }
 
 impl ContactSpace {
-    /// Patches among which are all that come within a distance `reach` of a position (lengths of the pair's frame) at orientations
-    /// no farther than `wide` from one, in ascending order; `None` for the first questions.
+    /// A list, in ascending order, that includes all patches that come within a distance `reach` of a position (lengths of the pair's
+    /// frame) at orientations no farther than `wide` from `theta`; `None` for the first queries.
     pub(super) fn around(&self, p: Point, theta: f64, reach: f64, wide: f64) -> Option<Vec<u32>> {
         let boxes = self.places.after(SCANS, || boxes(self))?;
         let home = home(theta);
@@ -98,7 +98,7 @@ impl ContactSpace {
     }
 }
 
-/// An orientation brought to [−π, π) by whole turns.
+/// An orientation reduced to [−π, π) by whole turns.
 fn home(theta: f64) -> f64 {
     theta - TAU * ((theta + PI) / TAU).floor()
 }
@@ -112,7 +112,7 @@ fn boxes(space: &ContactSpace) -> Boxes<Swath> {
     Boxes::numbered(numbered.collect())
 }
 
-/// The boxes of a patch. Next to the orientations at which it begins and ends all of the carriers is in them.
+/// The boxes of a patch. Next to the orientations at which it begins and ends they contain the whole carriers.
 fn swaths(patch: &Patch) -> Vec<Swath> {
     let (lo, hi) = (patch.lo, patch.hi);
     if hi - lo <= 2.0 * SEAM {
@@ -136,7 +136,7 @@ fn halve(patch: &Patch, lo: f64, hi: f64, left: u32, swaths: &mut Vec<Swath>) {
     }
 }
 
-/// The box of all of a circle; of a line there is none.
+/// The box of a whole circle; for any other carrier it contains all positions.
 fn of_carrier(patch: &Patch, lo: f64, hi: f64) -> Swath {
     let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
     let (center, reach) = match patch.function {
@@ -149,7 +149,7 @@ fn of_carrier(patch: &Patch, lo: f64, hi: f64) -> Swath {
     swath(Bounds::of(center, center), reach, lo, hi)
 }
 
-/// A box made wider, over orientations brought home.
+/// A box extended by a distance, over orientations reduced to a turn.
 fn swath(bounds: Bounds, by: f64, lo: f64, hi: f64) -> Swath {
     let (by, from) = (Vector::new(by, by), home(lo));
     let slack = TURNED * (lo.abs() + TAU);

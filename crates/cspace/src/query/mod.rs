@@ -1,5 +1,4 @@
-//! Questions about configurations and motions, answered from the patches; and by the parts themselves where patches are in
-//! doubt.
+//! Queries of configurations and motions, answered from the patches; and by tests of the parts themselves where the patches are in doubt.
 
 mod board;
 mod cells;

@@ -1,16 +1,15 @@
-//! Which orientations that need care lie near each slot: those in doubt, and critical ones.
+//! Doubtful and critical orientations near each interval of orientation.
 
 use crate::space::ContactSpace;
 
 use super::grid::{Grid, MARGIN};
 use super::slab::{ASIDE, Home, Slab};
 
-/// For every slot the intervals of doubtful orientations, and the critical orientations, that come to it, by number: the
-/// first, and the one after the last.
+/// For every interval, the doubtful intervals and the critical orientations near it, by number: the first, and one past the last.
 #[derive(Debug, Clone)]
 pub(super) struct Nearby {
     slots: Vec<Near>,
-    /// So far from the beginning of the slab orientations are next to the end of a turn (radians).
+    /// Distance from the beginning of the period above which orientations are next to the end of a turn (radians).
     seam: f64,
 }
 
@@ -29,7 +28,7 @@ impl Nearby {
                 let (lo, hi) = grid.wider(slot);
                 let before = |theta: f64| critical.partition_point(|&c| c < theta);
                 Near {
-                    // The slots of a turn begin where the intervals do.
+                    // The intervals of a whole turn begin where the doubtful intervals do.
                     doubts: if slab.count == 1 {
                         count(space.doubts().between(lo, hi))
                     } else {
@@ -53,7 +52,7 @@ impl Nearby {
         }
     }
 
-    /// Whether patches are not relied upon at an orientation, which comes home to a slot.
+    /// Whether patches alone do not decide at an orientation, which has been reduced to an interval.
     #[inline]
     pub(super) fn is_doubtful(&self, space: &ContactSpace, slot: usize, theta: f64) -> bool {
         let (first, end) = self.slots[slot].doubts;
@@ -63,7 +62,7 @@ impl Nearby {
                 .hold_among(theta, first as usize..end as usize)
     }
 
-    /// Whether an orientation may be, but for rounding, a critical one.
+    /// Whether an orientation may be critical, up to rounding.
     #[inline]
     pub(super) fn is_critical(
         &self,
@@ -78,18 +77,18 @@ impl Nearby {
         home.from_lo >= self.seam || near.iter().any(|c| (c - theta).abs() <= ASIDE)
     }
 
-    /// Number of bytes in memory, beside itself.
+    /// Number of bytes in memory, without itself.
     pub(super) fn bytes(&self) -> usize {
         size_of_val(self.slots.as_slice())
     }
 }
 
-/// The slots that have orientations between two, in any slab.
+/// The intervals that overlap the orientations from `lo` to `hi`, in any period.
 fn slots_between(grid: &Grid, slab: &Slab, lo: f64, hi: f64) -> impl Iterator<Item = usize> {
     let period = slab.hi - slab.lo;
     let place = |theta: f64| ((theta - slab.lo) / period).floor();
     let (first, last) = (place(lo), place(hi));
-    // What is longer than a slab comes to all slots of the second.
+    // A range longer than a period reaches all intervals of the second.
     let second = (last > first).then(|| {
         let by = period * (first + 1.0);
         grid.slots_between(slab.lo, hi - by)

@@ -7,36 +7,36 @@ use crate::geometry::{Configuration, Point, Rotation, Vector, time_of_known_angl
 use crate::number::{Ball, Dual, Real};
 use crate::space::{ContactSpace, Window};
 
-/// An enclosure over times, with its derivative by time.
+/// Enclosure over an interval of time, with its derivative by time.
 type Jet = Dual<1, Ball>;
 
-/// When a motion comes near to where contact is possible.
+/// Time at which a motion comes near the region where contact is possible.
 pub(super) enum Approach {
-    /// It begins there, or not far from it.
+    /// The motion begins there, or not far from it.
     Near,
-    /// At this time.
+    /// The motion comes near at this time.
     At(f64),
-    /// It does not.
+    /// The motion never comes near.
     Never,
 }
 
-/// A point b of the moving part goes straight: its position q(t) and the orientation θ(t) are linear in time, and the position of
-/// the part's origin is q(t) − R(θ(t)) b. With b = 0 the origin goes straight.
+/// A motion in which a point b of the moving part moves on a straight line: its position q(t) and the orientation θ(t) are linear in time,
+/// and the position of the part's origin is q(t) − R(θ(t)) b. With b = 0 the origin moves on a straight line.
 ///
 /// In the pair's frame the position is s (q₀ − c + v t + R(θ₀ + ω t) (d − b)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Path {
-    /// q₀: where the point that goes straight is at first.
+    /// q₀: initial position of the point b.
     start: Point,
     /// θ₀, radians.
     theta: f64,
     velocity: Vector,
     /// b, in the moving part's frame.
     about: Vector,
-    /// Radians per unit of time.
+    /// ω: radians per unit of time.
     pub(super) turning: f64,
     frame: PairFrame,
-    /// How far from the origin of the frame there may be contact.
+    /// Distance from the origin of the pair's frame within which there may be contact.
     reach: f64,
 }
 
@@ -67,7 +67,7 @@ impl Path {
         self.theta + self.turning * t
     }
 
-    /// d − b: from the point that goes straight to the moving part's centre, in its frame.
+    /// d − b: vector from the point b to the moving part's centre, in its frame.
     fn arm(&self) -> Vector {
         self.frame.moving_center.to_vector() - self.about
     }
@@ -84,7 +84,7 @@ impl Path {
         self.frame.inner_from_outer(self.outer_at(t))
     }
 
-    /// The rotation by the orientation, and the position, enclosed over times with their derivatives by time.
+    /// The rotation by the orientation, and the position, enclosed over an interval of time, with their derivatives by time.
     pub(super) fn enclosed(&self, t: Ball) -> (Rotation<Jet>, Point<Jet>) {
         let t = Jet::variable(t, 0);
         let linear = |from: f64, rate: f64| Jet::constant(from) + Jet::constant(rate) * t;
@@ -99,10 +99,10 @@ impl Path {
         (turn, Point::new(from_center.x, from_center.y))
     }
 
-    /// When a motion that begins far from all contact comes near to it. Contact functions along a motion are polynomials about its
+    /// Time at which a motion that begins far from all contact comes near it. Contact functions along a motion are polynomials about its
     /// beginning, whose rounding, at a thousand sizes from there, is larger than a contact.
     pub(super) fn approach(&self) -> Approach {
-        /// Beginnings nearer than this, in distances beyond which all is free, are near enough.
+        /// Distance of the beginning, in units of that beyond which all is free, that is near enough.
         const NEAR: f64 = 64.0;
         let reach = self.frame.outer_length(2.0 * self.reach) + 2.0 * self.arm().length();
         let away = self.start - self.frame.fixed_center;
@@ -110,7 +110,7 @@ impl Path {
             return Approach::Near;
         }
         let speed = self.velocity.length();
-        // The distance of the line of the motion, and what is left of the way to its nearest point.
+        // Distance of the line of the motion from the centre, and remaining distance to its nearest point.
         let (past, along) = (
             away.cross(self.velocity) / speed,
             -away.dot(self.velocity) / speed,
@@ -122,12 +122,12 @@ impl Path {
         Approach::At((along - half.sqrt()) / speed)
     }
 
-    /// How fast a position of the pair's frame moves at most (length per unit of time).
+    /// Largest speed of a position in the pair's frame (length per unit of time).
     pub(super) fn speed(&self) -> f64 {
         (self.velocity.length() + self.arm().length() * self.turning.abs()) * self.frame.scale
     }
 
-    /// When it leaves the window of orientations, if it does.
+    /// Time at which the motion leaves the window of orientations, if it does.
     pub(super) fn time_in_window(&self, window: Window) -> Option<f64> {
         if window.full_turn || self.turning == 0.0 {
             return None;
@@ -140,11 +140,11 @@ impl Path {
         Some(((edge - self.theta) / self.turning).max(0.0))
     }
 
-    /// The times up to `end` at which contact is possible: the position without its turning share is within the reach,
-    /// and the length of that share, of the centre of the fixed part. Of a motion that turns in place, only the first turn matters.
+    /// The times up to `end` at which contact is possible: those at which the position of the point b is within the reach plus the length
+    /// of the arm d − b from the centre of the fixed part. For a motion that turns in place, only the first turn matters.
     pub(super) fn times_in_reach(&self, end: f64) -> Option<(f64, f64)> {
         let start = self.start - self.frame.fixed_center;
-        // A little more, for rounding.
+        // Slightly enlarged, for rounding.
         let radius = (self.frame.outer_length(self.reach) + self.arm().length()) * (1.0 + 1e-9);
         let speed = self.velocity.length();
         if speed == 0.0 {
@@ -167,20 +167,20 @@ impl Path {
         (lo <= hi).then_some((lo, hi))
     }
 
-    /// When its orientation is no longer known.
+    /// Time from which its orientation is no longer known.
     pub(super) fn time_known(&self) -> f64 {
         time_of_known_angle(self.theta, self.turning)
     }
 
-    /// Whether contact is possible up to `end` when its orientation is no longer known.
+    /// Whether contact is possible, up to `end`, after the orientation is no longer known.
     pub(super) fn turns_too_far(&self, end: f64) -> bool {
         self.times_in_reach(end)
             .is_some_and(|(_, hi)| self.time_known() < hi)
     }
 
-    /// Pieces of the times from `lo` to `hi` in which it turns by a radian at most.
+    /// Pieces of the time from `lo` to `hi` in which the motion turns by at most a radian.
     pub(super) fn pieces(self, lo: f64, hi: f64) -> impl Iterator<Item = (f64, f64)> {
-        /// So much of a turn is searched at once, radians.
+        /// Largest turn that is searched at once, radians.
         const PIECE: f64 = 1.0;
         let count = ((hi - lo) * self.turning.abs() / PIECE).ceil().max(1.0);
         let at = move |i: f64| {

@@ -1,10 +1,10 @@
-//! The configuration of a patch that is nearest to a given one, where turning by a radian counts as a length.
+//! The configuration of a patch that is nearest to a given one, in a metric in which turning by a radian counts as a length ρ.
 //!
-//! At an orientation θ the point of a contact curve nearest to a position is the foot of the perpendicular on its carrier,
-//! or one of its ends. So the least of |q − p|² + ρ² (θ − θ₀)² over a patch is the least of three functions of θ. Over an
-//! interval each is enclosed with two derivatives: where the first has no zero, none but the ends of the interval count, and
-//! where the foot is beyond an end of the curve, the foot does not. What is left is halved (`number/least.rs`), and at last
-//! Newton's method finds the zero of the derivative.
+//! At an orientation θ the point of a contact curve nearest to a position is the foot of the perpendicular on its carrier, or one of its
+//! ends. So the minimum of |q − p|² + ρ² (θ − θ₀)² over a patch is the smallest of the minima of three functions of θ. Over an interval
+//! each function is enclosed with two derivatives: if the first derivative has no zero, only the ends of the interval count; if the foot is
+//! beyond an end of the curve, the foot does not count. Remaining intervals are halved (`number/least.rs`), and at last Newton's method
+//! finds the zero of the derivative.
 
 use core::f64::consts::PI;
 
@@ -13,22 +13,23 @@ use crate::geometry::{Configuration, Point, Rotation, Vector, images};
 use crate::number::{Ball, Bounded, Expansion, Real, SecondOrder, least};
 use crate::space::{Boundary, ContactSpace, Patch};
 
-/// Intervals up to this (radians) are not halved on account of an end that rounding hides: where two circles are all but one.
+/// Length (radians) up to which an interval is not halved on account of an end that is hidden by rounding: where two circles almost
+/// coincide.
 const HIDDEN: f64 = 1.0 / (1u32 << 20) as f64;
-/// An end is hidden if it is known in the middle of an interval no better than this many times as well as over all of it.
+/// An end is hidden if the error over a whole interval is at most this many times the error in its middle.
 const NO_BETTER: f64 = 4.0;
-/// Steps of Newton's method: each doubles the digits that are right, of which there are some five at first.
+/// Steps of Newton's method: each doubles the number of correct digits, which is about five at first.
 const STEPS: usize = 6;
 
 impl ContactSpace {
-    /// The patch that comes nearest to a configuration, with its nearest configuration and the distance of that, as
-    /// [`project`](Self::project) has them; none if there is no patch.
+    /// The patch that comes nearest to a configuration, its nearest configuration and the distance, as computed by
+    /// [`project`](Self::project); `None` if there is no patch.
     pub(crate) fn nearest_patch(
         &self,
         from: Configuration,
         length_per_radian: f64,
     ) -> Option<(usize, Configuration, f64)> {
-        // What seems near first, so that of the others little is looked at.
+        // Patches that seem near come first, so that the others are excluded quickly.
         let mut order: Vec<(f64, usize)> = (self.patches().iter().enumerate())
             .map(|(i, patch)| {
                 let near = images(from.theta, (patch.lo, patch.hi))
@@ -52,11 +53,11 @@ impl ContactSpace {
         best
     }
 
-    /// The configuration of a patch that is nearest to another, and its distance in the model's unit of length, turning by a
-    /// radian being as far as `length_per_radian`; none if it is not nearer than `known`.
+    /// The configuration of a patch that is nearest to a given one, and its distance in the model's unit of length, where turning by a
+    /// radian counts as `length_per_radian`; `None` if it is not nearer than `known`.
     ///
-    /// Orientations are taken modulo a turn. The answer's is that image which is nearest to the one given; of a space with a
-    /// window, that in the window.
+    /// Orientations are taken modulo a turn. The result has the image of the orientation that is nearest to the given one; for a space with
+    /// a window, the image in the window.
     pub(crate) fn project(
         &self,
         from: Configuration,
@@ -96,18 +97,18 @@ impl ContactSpace {
     }
 }
 
-/// A patch, seen from one image of a configuration.
+/// A patch, as seen from one image of a configuration.
 struct Search<'a> {
     space: &'a ContactSpace,
     patch: &'a Patch,
     from: Configuration,
-    /// The image of its orientation, radians.
+    /// Image of the configuration's orientation, radians.
     theta: f64,
-    /// What a radian counts (length of the pair's frame).
+    /// Length that one radian counts in the metric (length of the pair's frame).
     weight: f64,
-    /// Where the position is in the pair's frame, which moves with the orientation.
+    /// The configuration's position in the pair's frame, which moves with the orientation.
     seat: Spiral,
-    /// The patch's contact function, seen from there.
+    /// The patch's contact function relative to that position.
     own: ContactFunction,
 }
 
@@ -118,7 +119,7 @@ impl Search<'_> {
         curve.nearest(self.from.position())
     }
 
-    /// The way from the position to an end of the curve.
+    /// The vector from the position to an end of the curve.
     fn way<T: Real>(&self, end: &Boundary, turn: Rotation<T>) -> Vector<T> {
         match end {
             Boundary::End { spiral } => spiral.about(&self.seat).lift().at(turn).to_vector(),
@@ -134,14 +135,14 @@ impl Search<'_> {
         [&self.patch.left, &self.patch.right].map(|end| self.way(end, turn))
     }
 
-    /// How far the position is off the line or circle.
+    /// The signed distance of the position from the line or circle.
     fn off<T: Real>(&self, turn: Rotation<T>) -> T {
         self.own
             .cycle(turn)
             .distance(Point::ORIGIN.map(T::constant))
     }
 
-    /// Whether the foot is beyond an end of the curve for certain, given the ways to its ends.
+    /// Whether the foot is certainly beyond an end of the curve, given the vectors to its ends.
     fn is_beside(&self, turn: Rotation<Ball>, [start, end]: [Vector<Ball>; 2]) -> bool {
         let cycle = self.own.cycle(turn);
         if cycle.is_centred() {
@@ -154,7 +155,7 @@ impl Search<'_> {
             };
             let at = -center;
             let (before, after) = (a.cross(at).sign() < 0, at.cross(b).sign() < 0);
-            // A point is beside more than half a circle only if it is so at both ends.
+            // For more than half a circle, a foot is outside only if it is beyond both ends.
             return if a.cross(b).sign() > 0 {
                 before || after
             } else {
@@ -166,16 +167,16 @@ impl Search<'_> {
         along(start) > 0 || along(end) < 0
     }
 
-    /// The squares of the distances to the foot and to both ends, given how far the position is off the carrier, the ways to
-    /// the ends, and the orientation less that of the configuration.
+    /// The squared distances to the foot and to both ends, given the distance of the position from the carrier, the vectors to the ends,
+    /// and the orientation minus that of the configuration.
     fn squares<T: Real>(&self, off: T, [start, end]: [Vector<T>; 2], turned: T) -> [T; 3] {
         let turned = turned * T::constant(self.weight);
         [off * off, start.length_squared(), end.length_squared()].map(|d| d + turned * turned)
     }
 
-    /// The least of what is found nearby where the derivative is zero, to rounding.
+    /// The smallest minimum nearby where the derivative is zero, to rounding.
     fn polished(&self, found: (f64, f64), lo: f64, hi: f64) -> (f64, f64) {
-        /// Distances that differ by less than this share of them are the same: they are so over many orientations.
+        /// Relative difference below which distances count as equal, which they may be over many orientations.
         const SAME: f64 = 4.0 * f64::EPSILON;
         let mut best = found;
         for branch in 0..3 {
@@ -213,9 +214,9 @@ impl Bounded for Search<'_> {
         let low = |b: Ball| b.mid - b.radius;
         let ways = self.ways(turn);
         let squares = self.squares(self.off(turn), ways, turned);
-        // An end lies on the carrier, and is no nearer than its foot.
+        // An end lies on the carrier, so it is not nearer than the foot.
         let foot = low(squares[0].over.value);
-        // Over the interval no better than in the middle.
+        // The error over the interval is not much larger than in the middle.
         let hidden = |Vector { x, y }: Vector<Expansion>| {
             let better = |e: Expansion| e.over.value.radius > NO_BETTER * e.at.value.radius;
             hi - lo <= HIDDEN && !(better(x) || better(y))

@@ -1,4 +1,4 @@
-//! Which cells of a slot a patch may pass.
+//! Cells that a patch may reach over an interval of orientations.
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::slice::CurveGeometry;
@@ -7,16 +7,16 @@ use crate::space::Patch;
 use super::grid::Grid;
 use super::swept::{Orientations, Swept};
 
-/// How far curves may move while they are taken for one, in cells, and by how much they may be too long.
+/// Displacement up to which moving curves are represented by one, in cells, and admissible excess length.
 const LOOSE: f64 = 0.5;
 const LOOSE_ENDS: f64 = 1.0;
-/// An interval is divided into pieces at most so many at a time: what is known of its speeds is too wide for more.
+/// Maximum number of pieces into which an interval is divided at a time: the bounds of its speeds are too wide for more.
 const MOST_PIECES: f64 = 8.0;
-/// Slots are halved at most so often.
+/// Maximum number of times that an interval is halved.
 const HALVINGS: u32 = 6;
 
-/// Calls `pass` with rows of cells, as first cell and number, that the curves of a patch may come to in an interval of its
-/// orientations. A cell is row · side + column, and may be told several times.
+/// Calls `pass` with rows of cells, as first cell and number, that the curves of a patch may reach in an interval of its orientations. A
+/// cell is row · side + column, and may be passed several times.
 pub(super) fn cells_of(
     grid: &Grid,
     patch: &Patch,
@@ -52,7 +52,7 @@ fn halve(
     }
 }
 
-/// The cells that come near a shape.
+/// Passes the cells near a shape.
 fn stamp(grid: &Grid, swept: &Swept, pass: &mut impl FnMut(usize, usize)) {
     let spread = swept.spread + grid.margin;
     match swept.shape {
@@ -67,7 +67,7 @@ fn stamp(grid: &Grid, swept: &Swept, pass: &mut impl FnMut(usize, usize)) {
             start_angle,
             sweep,
         } => {
-            // Chords that leave the arc by an eighth of a cell: 1 − cos(a / 2) ≤ a² / 8.
+            // Length of chords that deviate from the arc by an eighth of a cell: 1 − cos(a / 2) ≤ a² / 8.
             let step = (grid.cell / radius).sqrt();
             let pieces = (sweep.abs() / step).ceil().clamp(1.0, 4096.0);
             let angle = sweep / pieces;
@@ -83,13 +83,13 @@ fn stamp(grid: &Grid, swept: &Swept, pass: &mut impl FnMut(usize, usize)) {
     }
 }
 
-/// A segment that rises by less than this, in cells, is taken for level.
+/// Rise, in cells, below which a segment counts as level.
 const FLAT: f64 = 1e-3;
-/// More than the rounding error of where a segment crosses the edge of a row, in cells: numbers of cells are below 2048, their
+/// Bound of the rounding error of the place where a segment crosses the edge of a row, in cells: numbers of cells are below 2048, and their
 /// rounding is multiplied by the slope.
 const CROSSING: f64 = 1e-5;
 
-/// The cells within a distance of a segment, and maybe a few more.
+/// Passes the cells within a distance of a segment, and maybe a few more.
 fn near_segment(
     grid: &Grid,
     a: Point,
@@ -97,7 +97,7 @@ fn near_segment(
     distance: f64,
     pass: &mut impl FnMut(usize, usize),
 ) {
-    // All in cells from the edge of the square, and upwards.
+    // Coordinates in cells from the edge of the square, with the segment pointing upwards.
     let [a, b] = if a.y <= b.y { [a, b] } else { [b, a] };
     let [(ax, ay), (bx, by)] = [a, b].map(|p| (grid.in_cells(p.x), grid.in_cells(p.y)));
     let distance = distance / grid.cell + CROSSING;
@@ -108,14 +108,14 @@ fn near_segment(
     if !(high >= 0.0 && low < side && right + distance >= 0.0 && left - distance < side) {
         return;
     }
-    // Level enough, and the whole of it is near every row.
+    // If it is level enough, the whole segment counts as near every row.
     let slope = if by - ay > FLAT {
         (bx - ax) / (by - ay)
     } else {
         0.0
     };
     for row in cell(low)..=cell(high) {
-        // Where the segment is near the row.
+        // Range in which the segment is near the row.
         let (mut from, mut to) = (left, right);
         if slope != 0.0 {
             let y = row as f64;

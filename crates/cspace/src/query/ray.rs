@@ -1,23 +1,23 @@
-//! What a straight way parallel to an axis meets of a patch's curve at one orientation.
+//! Intersection of a ray parallel to an axis with a patch's curve at one orientation.
 
 use crate::contact::{ContactFunction, Cycle};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{PASSED_ENDS, Patch};
 
-/// Ends of curves are known this well (length of the pair's frame, about 1.9e-6): next to a tangency they move with the
-/// square root of rounding, and critical orientations are known to 1e-6 at worst.
+/// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
+/// of rounding, and critical orientations are known to 1e-6 at worst.
 ///
-/// A way that passes an end at less is not followed; neither is one that meets two curves at less from each other.
+/// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
 pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
-/// What a way meets.
+/// Result of following a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Meeting {
-    /// Nothing.
+    /// The ray meets nothing.
     Nothing,
-    /// A curve at a distance; whether the way comes from its free side.
+    /// A curve at a distance; `from_free` if the ray starts on its free side.
     Curve { distance: f64, from_free: bool },
-    /// Too close to an end to be told.
+    /// The ray passes too close to an end to decide.
     Unclear,
 }
 
@@ -33,7 +33,7 @@ pub(super) enum Direction {
 impl Direction {
     pub(super) const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
 
-    /// Turns the plane so that the direction becomes that of the first axis.
+    /// Turns the plane so that the direction becomes the direction of the first axis.
     #[inline]
     pub(super) fn ahead(self, v: Vector) -> Vector {
         match self {
@@ -45,16 +45,16 @@ impl Direction {
     }
 }
 
-/// The curve of a patch at one orientation, as far as ways need it: relative to a point.
+/// The curve of a patch at one orientation, relative to a point, with the data that rays need.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Local {
     start: Vector,
     end: Vector,
     /// Centre and signed radius.
     circle: Option<(Vector, f64)>,
-    /// By how much a large arc is off its chord at most.
+    /// Largest distance of a large arc from its chord.
     height: Option<f64>,
-    /// Whether its ends are known.
+    /// Whether its ends are known accurately enough.
     known: bool,
 }
 
@@ -84,7 +84,7 @@ impl Local {
         }
     }
 
-    /// What the way from the point meets first of the curve.
+    /// First intersection of the ray from the point with the curve.
     #[inline]
     pub(super) fn meet(&self, direction: Direction) -> Meeting {
         if !self.known {
@@ -93,7 +93,7 @@ impl Local {
         let (a, b) = (direction.ahead(self.start), direction.ahead(self.end));
         let at_end = a.y.abs() < END_ERROR || b.y.abs() < END_ERROR;
         if let Some(height) = self.height {
-            // A way beside the box of a large arc meets nothing of it; any other is left to the slice.
+            // A ray beside the box of a large arc does not meet it; any other ray is left to the slice.
             let room = END_ERROR + height;
             let beside = a.y.min(b.y) > room || a.y.max(b.y) < -room || a.x.max(b.x) < -room;
             return if beside {
@@ -112,7 +112,7 @@ impl Local {
                 }
                 let distance = a.x - (b.x - a.x) * a.y / (b.y - a.y);
                 if distance > 0.0 {
-                    // Free space is on the right of the way from start to end.
+                    // Free space is on the right of the curve from start to end.
                     let from_free = b.y < a.y;
                     Meeting::Curve {
                         distance,
@@ -162,8 +162,8 @@ struct Span {
 }
 
 impl Span {
-    /// From one direction to another, counter-clockwise if the radius is positive. As in slices, ends that have just
-    /// passed each other are one point and not a full turn.
+    /// Directions from one to another, counter-clockwise if the radius is positive. As in slices, ends that have just passed each other are
+    /// one point and not a full turn.
     #[inline]
     fn new(start: Vector, end: Vector, radius: f64) -> Self {
         let (from, to) = if radius > 0.0 {
@@ -194,8 +194,8 @@ impl Span {
     }
 }
 
-/// Whether the carrier of a patch comes to the first stretch of the way from a position, or nearly: by less than
-/// [`END_ERROR`], and so much before and beyond it. The patch's curve is on its carrier, wherever it ends.
+/// Whether the carrier of a patch meets the first part of the ray from a position, extended by [`END_ERROR`] at both ends, or comes nearer
+/// to it than that. The patch's curve is on its carrier, wherever it ends.
 #[inline]
 pub(super) fn may_meet(
     patch: &Patch,
@@ -208,7 +208,7 @@ pub(super) fn may_meet(
     let (normal, through) = match patch.function {
         ContactFunction::Circle { center, radius } => {
             let c = direction.ahead(center.at(turn) - p);
-            // Whether a point of the way is outside of a circle about the same centre.
+            // Whether a point of the ray is outside a circle about the centre.
             let outside = |x: f64, r: f64| (x - c.x) * (x - c.x) > (r - c.y) * (r + c.y);
             let [inner, outer] = [-END_ERROR, END_ERROR].map(|by| radius.abs() + by);
             let apart = c.y.abs() > outer
@@ -227,7 +227,7 @@ pub(super) fn may_meet(
     !(a.min(b) > END_ERROR || a.max(b) < -END_ERROR)
 }
 
-/// How far a position is from the line or circle of a patch, at most by rounding less.
+/// Distance of a position from the line or circle of a patch, up to rounding.
 #[inline]
 pub(super) fn off_cycle(patch: &Patch, turn: Rotation, p: Point) -> f64 {
     let cycle: Cycle = patch.function.cycle(turn);

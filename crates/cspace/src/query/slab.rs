@@ -1,9 +1,9 @@
-//! The slab of a symmetric pair's space in which all configurations are looked up.
+//! The period of a symmetric pair's space in which all configurations are looked up.
 //!
-//! The space of a symmetric pair consists of so many images of one slab of orientations (see `contact/symmetry.rs`). What
-//! is known of the first slab is known of all: the motion that takes a configuration's slab back to the first takes the
-//! configuration with it. Whether a space is such is not believed but seen, patch by patch: its patches come in orbits, so
-//! many in a row as there are slabs, each of which is the image of the one before.
+//! The space of a symmetric pair consists of images of one period of orientations (see `contact/symmetry.rs`). Results for the first period
+//! hold for all: the motion that takes a configuration's period back to the first takes the configuration with it. This is not assumed but
+//! checked, patch by patch: patches come in orbits, with as many consecutive patches as there are periods, each of which is the image of
+//! the one before.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,39 +12,39 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::space::{Boundary, ContactSpace, Patch, Window};
 
-/// Numbers of a patch and of its image may differ by so much, or so large a share of them (radians, or length of the
-/// pair's frame): copies are made by one motion each, and differ by some roundings.
+/// Tolerance, absolute or relative, of the numbers of a patch and of its image (radians, or length of the pair's frame): copies are made by
+/// one motion each, and differ by some roundings.
 const SAME: f64 = 1e-12;
 
-/// Orientations at which a patch and its image begin or end may differ by so much (radians): half a turn is rounded.
+/// Tolerance of the orientations at which a patch and its image begin or end (radians): half a turn is rounded.
 const SAME_ORIENTATION: f64 = NARROWEST_BAND;
 
-/// Orientations of the slab nearer to a critical one than this (radians) are told by the space itself: turned home, they
-/// may be on the other side of it. More than the rounding of some hundred turns, and than images are apart.
+/// Distance of an orientation from a critical one (radians) below which the space itself is asked: reduced to the period, the orientation
+/// may be on the other side. More than the rounding of some hundred turns, and than the difference of images.
 pub(super) const ASIDE: f64 = 2.0 * SAME_ORIENTATION;
 
-/// Some slab of a space that repeats, or all orientations of one that does not.
+/// A period of a space that repeats, or all orientations of one that does not.
 #[derive(Debug, Clone)]
 pub(super) struct Slab {
-    /// First orientation of the slab, radians.
+    /// First orientation of the period, radians.
     pub(super) lo: f64,
     /// Last orientation.
     pub(super) hi: f64,
-    /// How many slabs there are; 1 without symmetry.
+    /// Number of periods; 1 without symmetry.
     pub(super) count: u32,
     full_turn: bool,
-    /// How positions turn on the way home from the first slab, the second, and so on, until it is the same again.
+    /// Rotation of positions when they are moved from the n-th period to the first, for n from 0 until it repeats.
     homewards: Vec<Rotation>,
 }
 
-/// An orientation in the slab.
+/// An orientation reduced to the period.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Home {
-    /// The orientation, but for rounding; as it is, where there is one slab only.
+    /// The reduced orientation, up to rounding; unchanged if there is one period only.
     pub(super) theta: f64,
-    /// How far it is from the beginning of the slab (radians).
+    /// Distance from the beginning of the period (radians).
     pub(super) from_lo: f64,
-    /// So many slabs it was away from there.
+    /// Number of periods by which it was moved.
     pub(super) slabs: u32,
 }
 
@@ -61,7 +61,7 @@ impl Slab {
         };
         let symmetry = space.symmetry();
         let folds = 1..=symmetry.slabs;
-        // Data that were read may claim anything.
+        // Data read from a file may be inconsistent.
         let is_sound = symmetry.slabs as usize <= space.data.patches.len()
             && folds.contains(&symmetry.fixed)
             && folds.contains(&symmetry.moving);
@@ -82,7 +82,7 @@ impl Slab {
         }
     }
 
-    /// Brings an orientation home; `None` outside the window.
+    /// Reduces an orientation to the period; `None` outside the window.
     #[inline]
     pub(super) fn home(&self, theta: f64) -> Option<Home> {
         let mut t = theta - self.lo;
@@ -114,7 +114,7 @@ impl Slab {
         })
     }
 
-    /// A position of the pair's frame, brought home.
+    /// A position of the pair's frame, moved to the period.
     #[inline]
     pub(super) fn position(&self, p: Point, home: Home) -> Point {
         if self.count == 1 {
@@ -123,7 +123,7 @@ impl Slab {
         self.homewards[home.slabs as usize % self.homewards.len()] * p
     }
 
-    /// The patch of the space that a patch is where configurations come home from so many slabs.
+    /// The patch of the space that corresponds to a patch of the period, for configurations that were moved by this many periods.
     #[inline]
     pub(super) fn image(&self, patch: u32, home: Home) -> u32 {
         if self.count == 1 {
@@ -133,7 +133,7 @@ impl Slab {
         patch - place + (place + home.slabs) % self.count
     }
 
-    /// Number of bytes in memory, beside itself.
+    /// Number of bytes in memory, without itself.
     pub(super) fn bytes(&self) -> usize {
         size_of_val(self.homewards.as_slice())
     }
@@ -147,7 +147,7 @@ impl Slab {
     }
 }
 
-/// Whether patches come in orbits, in each of which every patch is the image of the one before.
+/// Whether patches come in orbits in which every patch is the image of the one before.
 fn repeats(patches: &[Patch], steps: &Steps) -> bool {
     let motion = steps.motion(1);
     let period = steps.period(1);
@@ -178,7 +178,7 @@ fn is_image(motion: &SlabMotion, period: f64, from: &Patch, to: &Patch) -> bool 
         && boundary(&from.right, &to.right)
 }
 
-/// Whether an angle is none, or some whole turns.
+/// Whether an angle is a multiple of a turn, within a tolerance.
 fn is_turned(by: f64, within: f64) -> bool {
     (by - TAU * (by / TAU).round()).abs() <= within
 }

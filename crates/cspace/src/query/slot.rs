@@ -1,4 +1,4 @@
-//! What is in the cells of the slots of orientation.
+//! Computes the contents of the cells of each interval of orientations.
 
 use core::f64::consts::TAU;
 
@@ -13,17 +13,17 @@ use super::ray::Direction;
 use super::swept::Orientations;
 use super::walk;
 
-/// A patch and the orientations, by its own count of turns, at which it may be met in a slot.
+/// A patch and the orientations, by its own count of turns, at which it may exist in an interval.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Presence {
     patch: u32,
     lo: f64,
     hi: f64,
-    /// Whether these are all of the slot's.
+    /// Whether these are all orientations of the interval.
     all: bool,
 }
 
-/// For every slot the patches that exist in it, or nearly.
+/// For every interval, the patches that exist in it, extended by the margin.
 pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>> {
     let mut all = vec![Vec::new(); grid.slots];
     let turns: &[f64] = if space.data.window.full_turn {
@@ -51,7 +51,7 @@ pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>>
     all
 }
 
-/// Finds what is in the cells of some slots in a row, given the number of the first of them.
+/// Computes the contents of the cells of consecutive intervals, given the number of the first.
 pub(super) fn cells(
     space: &ContactSpace,
     grid: &Grid,
@@ -81,7 +81,7 @@ pub(super) fn cells(
     store
 }
 
-/// Whether a cell without patches is free, when all to the right of it is known.
+/// Whether a cell without patches is free, when all cells to the right of it are known.
 fn is_free(
     space: &ContactSpace,
     grid: &Grid,
@@ -91,7 +91,7 @@ fn is_free(
 ) -> bool {
     let (lo, hi) = grid.orientations(slot);
     let content = |column, row| board.content(store, column, row);
-    // The cell's own content is not known yet: the way begins at its right edge. Any height and orientation does.
+    // The cell's own content is not known yet: the ray begins at its right edge. Any height and orientation can be used.
     const SHARES: [(f64, f64); 4] = [(0.53, 0.51), (0.27, 0.73), (0.81, 0.34), (0.13, 0.17)];
     let mut place = (Point::ORIGIN, lo);
     for (height, share) in SHARES {

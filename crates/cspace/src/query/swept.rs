@@ -1,4 +1,4 @@
-//! Where the curves of a patch are over an interval of orientations.
+//! Enclosure of the curves of a patch over an interval of orientations.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -9,14 +9,14 @@ use crate::number::{Ball, Dual, Real};
 use crate::slice::CurveGeometry;
 use crate::space::{Boundary, Patch, sweep};
 
-/// Longer than anything in the pair's frame, where all contact is within 2 of the origin (length).
+/// A length above all in the pair's frame, where all contact is within 2 of the origin.
 const FAR: f64 = 8.0;
-/// A strip is taken if it is narrower by this factor: at its ends it is longer.
+/// Factor by which a strip must be narrower to be used: it is longer at its ends.
 const NARROWER: f64 = 0.5;
-/// More than the rounding errors of a position in the pair's frame (length).
+/// Bound of the rounding errors of a position in the pair's frame (length).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// An interval of orientation, and what is needed of it to enclose crossings.
+/// An interval of orientation, with data needed to enclose crossings.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Orientations {
     /// Its middle, radians.
@@ -47,7 +47,7 @@ impl Orientations {
         }
     }
 
-    /// One of so many equal pieces.
+    /// One of `pieces` equal pieces.
     pub(super) fn piece(&self, index: u32, pieces: u32) -> Self {
         let length = 2.0 * self.half / f64::from(pieces);
         let lo = self.mid - self.half + length * f64::from(index);
@@ -60,40 +60,39 @@ impl Orientations {
 pub(super) struct Swept {
     pub(super) shape: CurveGeometry,
     pub(super) spread: f64,
-    /// By how much the shape was made longer at its ends.
+    /// Length by which the shape was extended at its ends.
     pub(super) slack: f64,
-    /// How fast the curve moves at most, of an arc without its ends, and how fast its two ends (length per radian).
+    /// Largest speed of the curve, for an arc without its ends, and of its two ends (length per radian).
     speed: f64,
     ends: [f64; 2],
 }
 
-/// The end of a curve in the middle of an interval; of a circle relative to the centre.
+/// The end of a curve in the middle of an interval; for a circle relative to the centre.
 #[derive(Debug, Clone, Copy)]
 struct End {
     at: Vector,
-    /// How far it is from there at other orientations of the interval, at most.
+    /// Largest distance of the end from there at other orientations of the interval.
     error: f64,
-    /// How fast it moves at most (length per radian).
+    /// Largest speed of the end (length per radian).
     speed: f64,
 }
 
 impl Swept {
     /// Encloses the curves of a patch at all orientations of an interval, which must be the patch's.
     ///
-    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do, nor sideways more than its
-    /// line; an arc moves with its centre by |w| · half. Both are longer than in the middle by no more than their ends go
-    /// astray.
+    /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do, and sideways no more than its line; an arc
+    /// moves with its centre by |w| · half. Both exceed the curve in the middle by no more than the displacement of their ends.
     pub(super) fn new(patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, [None; 2])
     }
 
-    /// The same of an interval within one that is enclosed already: how fast things move there is known.
+    /// Encloses the curves over an interval within one that is enclosed already: the known speeds of the ends are used again.
     pub(super) fn within(&self, patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, self.ends.map(Some))
     }
 
-    /// Into how many equal pieces the interval is to be divided, so that in each the curve moves from its middle by no
-    /// more than a distance, and is longer by no more than another. Infinite if that is not known.
+    /// Number of equal pieces into which the interval must be divided so that in each the curve moves from its middle by no more than
+    /// `distance`, and is longer by no more than `longer`. Infinite if the speeds are unknown.
     pub(super) fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
         let ends = self.ends[0].max(self.ends[1]);
         over.half * (self.speed / distance).max(ends / longer)
@@ -114,7 +113,7 @@ impl Swept {
                 let length = sweep.abs() + before + after;
                 let whole = length.is_nan() || length >= TAU;
                 let direction = radius.signum();
-                // Of an end that is not known at all there is no angle either.
+                // An unknown end has no angle either.
                 let (start_angle, sweep) = if whole {
                     (0.0, TAU)
                 } else {
@@ -159,13 +158,13 @@ impl Swept {
         }
     }
 
-    /// Whether a position is farther than a distance from the curves at all orientations of the interval.
+    /// Whether a position is farther than `distance` from the curves at all orientations of the interval.
     pub(super) fn is_away(&self, p: Point, distance: f64) -> bool {
         self.shape.nearest(p).distance(p) > self.spread + distance
     }
 }
 
-/// The segments whose ends are known to the given errors; of the whole carrier, if an end is not known at all.
+/// The segments whose ends are known to the given errors; if an end is not known at all, those of the whole carrier.
 fn segment(left: End, right: End, carrier: &Cycle, moves: f64) -> Swept {
     let spread = left.error.max(right.error) + ROUNDING;
     let speed = left.speed.max(right.speed);
@@ -196,12 +195,12 @@ fn segment(left: End, right: End, carrier: &Cycle, moves: f64) -> Swept {
     }
 }
 
-/// The same segments enclosed by a strip, where that is much narrower: by the line in the middle, from the first place
-/// along it to which an end may come to the last, and by how far the line moves sideways there.
+/// Encloses the same segments by a strip, where that is much narrower: the line in the middle, from the first place along it that an end
+/// may reach to the last, and the distance by which the line moves sideways there.
 ///
-/// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by
-/// left(n)·(x − t) − n·v per radian if the line turns, otherwise by −n·v; and that by no more than |x − t| + 3 |v|, or
-/// |v|. No x is farther from t than ends may be along the line, and then half as much again, and t moves by |v| at most.
+/// A position x is off the line by f = n·(x − t). With t the point it is through, and v its velocity, f changes by left(n)·(x − t) − n·v
+/// per radian if the line turns, otherwise by −n·v; the change of this is bounded by |x − t| + 3 |v|, or |v|. No x is farther from t than
+/// ends may be along the line, and then half as much again, and t moves by |v| at most.
 fn strip(
     line: &Cycle,
     velocity: Vector,
@@ -225,7 +224,7 @@ fn strip(
     };
     let rate = rate + bend * half;
     let spread = rate * half + ROUNDING;
-    // Not of ends that are not known.
+    // Not used for ends that are not known.
     if !(half <= 1.0 && spread <= NARROWER * swept.spread && last - first <= FAR) {
         return *swept;
     }
@@ -243,7 +242,7 @@ fn strip(
     }
 }
 
-/// The end of a curve over an interval; its speed there, if that is known.
+/// The end of a curve over an interval; `known` is a bound of its speed there, if available.
 fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: Option<f64>) -> End {
     let half = over.half;
     match *boundary {
@@ -273,7 +272,7 @@ fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: O
                     let all = place(own, boundary, with, root, Rotation::by(theta));
                     let most = |b: Ball| b.mid.abs() + b.radius;
                     let speed = all.map(|x| most(x.slope[0])).length();
-                    // The enclosure itself, or what the mean value theorem says, whichever is narrower.
+                    // The direct enclosure, or that of the mean value theorem, whichever is narrower.
                     let direct = |at: Ball, over: Ball| (over.mid - at.mid).abs() + over.radius;
                     let direct = Vector::new(direct(at.x, all.x.value), direct(at.y, all.y.value));
                     let direct = direct.length();
@@ -291,7 +290,7 @@ fn end(boundary: &Boundary, own: &ContactFunction, over: &Orientations, known: O
     }
 }
 
-/// How fast a spiral moves (length per radian).
+/// Speed of a spiral (length per radian).
 fn speed(spiral: &Spiral) -> f64 {
     spiral.turning().length()
 }
@@ -319,7 +318,7 @@ mod tests {
     use crate::part::{Part, Vertex};
     use crate::space::{ContactSpace, Options};
 
-    /// A part with corners, concave ones too, and arcs that bulge either way.
+    /// A part with corners, also concave ones, and arcs that bulge either way.
     fn part(name: &str, size: f64) -> Part {
         let at = |x: f64, y: f64, bulge: f64| Vertex {
             bulge,
@@ -356,7 +355,7 @@ mod tests {
                             let c = crate::Configuration::new(q.x, q.y, theta);
                             let p = space.data.frame.inner_from_outer(c);
                             assert!(!swept.is_away(p, 1e-13), "{patch:?} at {theta}");
-                            // In the first, the second, or the third third.
+                            // First, second or third part of the interval.
                             let third = ((3 * j) / 8) as u32;
                             let piece = whole.piece(third, 3);
                             let piece = swept.within(patch, &piece);
@@ -368,7 +367,7 @@ mod tests {
             }
         }
         assert!(asked > 10_000);
-        // Nor is it wider than it need be, but next to tangencies.
+        // The enclosure is not much wider than necessary, except next to tangencies.
         assert!(narrow * 10 > asked / 35 * 8, "{narrow} of {}", asked / 35);
     }
 }

@@ -1,4 +1,4 @@
-//! Searching the contact functions along a motion for their first root that is on a patch.
+//! Search along a motion for the first root of a contact function that is on its patch.
 
 use core::f64::consts::TAU;
 
@@ -10,48 +10,49 @@ use super::classify::Classification;
 use super::path::Path;
 use super::swept::{Orientations, Swept};
 
-/// Positions nearer than this to a curve are on it (length of the pair's frame): the resolution of a space.
+/// Distance from a curve below which a position is on it (length of the pair's frame): the resolution of a space.
 const ON_CURVE: f64 = 8.0 * GROWTH;
-/// A motion from contact is stopped where it is as deep as this in blocked space (length of the pair's frame).
+/// Depth in blocked space at which a motion from contact is stopped (length of the pair's frame).
 const DEPTH: f64 = 2.0 * ON_CURVE;
-/// At that depth it may be beyond an end of a patch by this (length of the pair's frame): there the answer is checked.
+/// Distance beyond an end of a patch within which a root at that depth is accepted (length of the pair's frame): there the answer is
+/// checked.
 const BESIDE: f64 = 64.0 * ON_CURVE;
-/// Orientations of patches are rounded by this, after a turn (radians).
+/// Rounding of orientations of patches, after a turn (radians).
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Patches are taken to begin earlier and end later by this (radians): critical orientations are known to that, and a pocket may
-/// close in between.
+/// Extension of the intervals of patches at both ends (radians): critical orientations are known to this, and a pocket may close in
+/// between.
 const SEAM: f64 = NARROWEST_BAND;
-/// How fast a curve and its ends move at most where nothing is singular (length of the pair's frame per radian).
+/// Largest speed of a curve and its ends where nothing is singular (length of the pair's frame per radian).
 const SPEED: f64 = 4.0;
-/// Among all patches those are looked up that a motion is near that is no longer than this (length of the pair's frame, and radians).
+/// Length of a motion up to which only the patches near it are looked up (length of the pair's frame, and radians).
 const SHORT: f64 = 0.25;
-/// Times are halved until neither way nor orientation moves by this (length of the pair's frame, and radians).
+/// Displacement and turn below which an interval of time is not halved (length of the pair's frame, and radians).
 const NARROWEST: f64 = 1e-13;
 
 /// The search along one motion.
 pub(super) struct Search<'a> {
     space: &'a ContactSpace,
     path: Path,
-    /// Whether it begins in contact: then roots are sought at [`DEPTH`].
+    /// Whether the motion begins in contact: then roots are searched at [`DEPTH`].
     from_contact: bool,
-    /// Times narrower than this are not halved.
+    /// Length of an interval of time below which it is not halved.
     narrowest: f64,
 }
 
-/// The first contact that is known.
+/// The first contact found so far.
 type Best = Option<Touch>;
 
 /// A contact along the motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Touch {
-    /// When it is certain: where the motion touches, or is at [`DEPTH`].
+    /// Time from which it is certain: where the motion touches, or is at [`DEPTH`].
     known: f64,
-    /// When the motion comes to the patch.
+    /// Time at which the motion comes to the patch.
     pub(super) time: f64,
     pub(super) patch: u32,
 }
 
-/// A patch along the motion, whose orientations are `turn` more than the patch counts them.
+/// A patch along the motion; the motion's orientations exceed the patch's own by `turn`.
 struct Along<'a> {
     index: u32,
     patch: &'a Patch,
@@ -69,7 +70,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The first contact at a time from 0 to `end`, as long as its orientation is known.
+    /// The first contact at a time from 0 to `end`, while the orientation is known.
     pub(super) fn first(&self, end: f64) -> Best {
         let (lo, hi) = self.path.times_in_reach(end)?;
         let known = hi.min(self.path.time_known());
@@ -82,7 +83,7 @@ impl<'a> Search<'a> {
             .or_else(|| self.squeezed_in(known))
     }
 
-    /// Every contact that the motion comes through up to `end`: when, which patch, and whether it goes into blocked space there.
+    /// All contacts that the motion crosses up to `end`: time, patch, and whether it enters blocked space there.
     pub(super) fn all(&self, end: f64) -> Vec<(f64, u32, bool)> {
         let Some((lo, hi)) = self.path.times_in_reach(end) else {
             return Vec::new();
@@ -97,7 +98,7 @@ impl<'a> Search<'a> {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        // Where one piece of time ends and the next begins a contact is found in both.
+        // A contact at the boundary of two pieces of time is found in both.
         let same = |a: &mut (f64, u32, bool), b: &mut (f64, u32, bool)| {
             (a.1, a.2) == (b.1, b.2) && a.0 - b.0 <= 4.0 * self.narrowest
         };
@@ -105,7 +106,7 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// The same of one patch: after each contact the search goes on behind it.
+    /// Finds every contact with one patch: after each contact the search continues behind it.
     fn all_of(&self, along: &Along<'_>, mut lo: f64, hi: f64, found: &mut Vec<(f64, u32, bool)>) {
         loop {
             let mut best: Best = None;
@@ -115,7 +116,7 @@ impl<'a> Search<'a> {
             };
             let rate = self.function(along, Ball::constant(touch.time)).slope[0].mid;
             found.push((touch.time, along.index, rate < 0.0));
-            // Where the motion is tangent to the contact, it stays near for a while: it is one contact.
+            // Where the motion is tangent to the contact, it stays near for a while: this is one contact.
             let mut step = 4.0 * self.narrowest;
             while self
                 .function(along, Ball::constant(touch.time + step))
@@ -135,8 +136,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Contact of a motion that began in contact and ends in blocked space, though no patch was seen to be passed: it
-    /// slid into a notch so sharp that its sides are left behind before either is passed at [`DEPTH`].
+    /// Fallback for a motion that starts in contact and ends blocked without crossing any patch: it entered a notch so narrow that its
+    /// sides end before either is passed at [`DEPTH`]. Returns the last unblocked time, found by bisection, and the nearest patch.
     fn squeezed_in(&self, end: f64) -> Best {
         if !self.from_contact || !self.is_blocked(end) {
             return None;
@@ -150,12 +151,12 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// A time after which, to rounding, the motion is blocked, before one at which it is.
+    /// A time just after which, to rounding, the motion is blocked, before a time at which it is blocked.
     fn last_not_blocked(&self, blocked: f64) -> f64 {
         self.bisect(0.0, blocked, |t| self.is_blocked(t)).0
     }
 
-    /// Halves an interval down to the narrowest, towards where `is_upper` becomes true.
+    /// Halves an interval down to the narrowest, towards the time at which `is_upper` becomes true.
     fn bisect(&self, lo: f64, hi: f64, is_upper: impl Fn(f64) -> bool) -> (f64, f64) {
         halved((lo, hi), self.narrowest, |t| !is_upper(t))
     }
@@ -180,8 +181,8 @@ impl<'a> Search<'a> {
         best
     }
 
-    /// Patches among which are all that the motion may touch between two times, in ascending order: of a short motion the few that are
-    /// near it.
+    /// A list, in ascending order, that includes all patches that the motion may touch between two times: for a short motion, the few near
+    /// it.
     fn near_between(&self, lo: f64, hi: f64) -> Vec<u32> {
         let all = || (0..self.space.data.patches.len() as u32).collect();
         let (mid, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
@@ -195,7 +196,7 @@ impl<'a> Search<'a> {
         (self.space.around(p, theta, reach, wide + beyond)).unwrap_or_else(all)
     }
 
-    /// Calls `with` for every turn by which a patch is met between two times: the turn, and the times.
+    /// Calls `with` for every whole turn by which a patch coincides with the motion between two times: the turn, and the times.
     fn presences(&self, patch: &Patch, lo: f64, hi: f64, mut with: impl FnMut(f64, f64, f64)) {
         let (a, b) = (self.path.theta(lo), self.path.theta(hi));
         let (least, most) = (a.min(b), a.max(b));
@@ -226,7 +227,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks for a root between two times, the first first, and makes it the best if it is.
+    /// Searches for a root between two times, the earlier half first, and keeps it if it is the first.
     fn search(&self, along: &Along<'_>, lo: f64, hi: f64, best: &mut Best) {
         if best.is_some_and(|b| b.known <= lo) {
             return;
@@ -261,12 +262,13 @@ impl<'a> Search<'a> {
         swept.is_away(self.path.inner_at(mid), moves + self.near())
     }
 
-    /// How near to a curve a position counts as on it.
+    /// Distance from a curve within which a position counts as on it.
     fn near(&self) -> f64 {
         self.space.data.frame.rounding() + if self.from_contact { BESIDE } else { ON_CURVE }
     }
 
-    /// The orientations of the patch about a time: the middle, half their range, and how far the time is beyond them.
+    /// The orientations of the patch about a time: the middle, half their range, and the distance of the orientation from the patch's
+    /// interval.
     fn within(&self, along: &Along<'_>, mid: f64, half: f64) -> (f64, f64, f64) {
         let theta = self.path.theta(mid) - along.turn;
         let wide = self.path.turning.abs() * half + ROUNDING;
@@ -275,9 +277,9 @@ impl<'a> Search<'a> {
         (0.5 * (a + b), 0.5 * (b - a), (theta - clamp(theta)).abs())
     }
 
-    /// The contact function of a patch over times, with its derivative by time; above the depth at which it is sought.
+    /// The contact function of a patch over an interval of time, with its derivative by time, plus the depth at which contact is sought.
     ///
-    /// Of a circle it is (|v|² − r²) / 2 |r|, which has no root of a square in it.
+    /// For a circle it is (|v|² − r²) / 2 |r|, which needs no square root.
     fn function(&self, along: &Along<'_>, t: Ball) -> Dual<1, Ball> {
         let (turn, p) = self.path.enclosed(t);
         let depth = Dual::constant(if self.from_contact { DEPTH } else { 0.0 });
@@ -285,19 +287,19 @@ impl<'a> Search<'a> {
         cycle.level(p) / cycle.size + depth
     }
 
-    /// Narrows down the only root there may be, f being monotonous.
+    /// Narrows down the only possible root of f, which is monotonous.
     fn alone(&self, along: &Along<'_>, (mut lo, mut hi): (f64, f64), sign: i8, best: &mut Best) {
         let value = |t: f64| self.function(along, Ball::constant(t)).value;
         let sign_at = |t: f64| value(t).sign() * sign;
-        // Of a motion that is deep in blocked space only the way in counts.
+        // For a motion that may be deep in blocked space, only entries count.
         if self.from_contact && sign > 0 {
             return;
         }
-        // Increasing, say: below the root −1, above it 1.
+        // If f increases: negative below the root, positive above it.
         if sign_at(lo) > 0 || sign_at(hi) < 0 {
             return;
         }
-        // Down to the narrowest, or to where rounding hides the sign; then both ends towards there.
+        // Halves down to the narrowest, or until rounding hides the sign; then moves both ends there.
         loop {
             let mid = 0.5 * (lo + hi);
             if self.is_narrow(lo, mid, hi) {
@@ -316,13 +318,13 @@ impl<'a> Search<'a> {
         self.accept(along, lo, hi, best);
     }
 
-    /// Whether times are too near to each other to be halved, or have no number between them.
+    /// Whether an interval of time is too short to be halved, or contains no other number.
     fn is_narrow(&self, lo: f64, mid: f64, hi: f64) -> bool {
         hi - lo <= self.narrowest || mid <= lo || mid >= hi
     }
 
-    /// Takes the first time of an interval, in which f cannot be told from zero, for contact at which the position is on
-    /// the patch.
+    /// Accepts as a contact the first time of an interval in which f cannot be distinguished from zero, if the position is on the patch
+    /// then.
     fn accept(&self, along: &Along<'_>, lo: f64, hi: f64, best: &mut Best) {
         let (time, half) = (0.5 * (lo + hi), 0.5 * (hi - lo));
         if best.is_some_and(|b| b.known <= time) {
@@ -333,7 +335,7 @@ impl<'a> Search<'a> {
         let curve = self.space.curve(along.patch, theta);
         let p = frame.outer_from_inner(self.path.inner_at(time), theta);
         let off = curve.nearest(p.position()).distance(p.position()) * frame.scale;
-        // How the position, and the curve with its ends, move within the uncertainty of time and orientation.
+        // Displacement of the position, and of the curve with its ends, within the uncertainty of time and orientation.
         let swept = Swept::new(along.patch, &Orientations::about(theta, wide));
         let moved = self.path.speed() * half + SPEED * beyond;
         let uncertain = moved + swept.spread + swept.slack;
@@ -363,15 +365,15 @@ impl<'a> Search<'a> {
         class == Some(Classification::Blocked)
     }
 
-    /// When a motion that began in contact, and is deep in blocked space at a time, came to the patch: the last root of
-    /// the contact function since it was clear of the patch; 0 if it never was.
+    /// Time at which a motion that began in contact, and is deep in blocked space at `deep`, came to the patch: the last root of the
+    /// contact function after it was clear of the patch; 0 if it never was.
     fn came(&self, along: &Along<'_>, deep: f64) -> f64 {
         let value = |t: f64| {
             let p = self.path.inner_at(t);
             along.patch.function.value(p, self.path.theta(t))
         };
         let (mut lo, mut hi) = (0.0, deep);
-        // Backwards by steps that double, to a time at which it was clear of the patch.
+        // Goes backwards by doubling steps to a time at which it was clear of the patch.
         let mut step = self.narrowest.max(deep * f64::EPSILON);
         loop {
             let t = deep - step;
@@ -380,7 +382,7 @@ impl<'a> Search<'a> {
                 if start > ON_CURVE {
                     break;
                 }
-                // In contact with this patch all the time, or with others first.
+                // The motion was in contact with this patch all the time, or with others first.
                 return if start >= -DEPTH {
                     0.0
                 } else {

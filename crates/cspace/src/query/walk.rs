@@ -1,4 +1,4 @@
-//! Deciding whether a position is free by a walk from cell to cell.
+//! Classification of a position by following a ray from cell to cell.
 
 use crate::geometry::{Point, Rotation};
 use crate::space::ContactSpace;
@@ -6,19 +6,19 @@ use crate::space::ContactSpace;
 use super::grid::Grid;
 use super::ray::{Direction, END_ERROR, Local, Meeting, may_meet};
 
-/// What is in a cell over the orientations of its slot.
+/// Content of a cell over the orientations of its interval.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Content<'a> {
-    /// No contact: all is free, or all is blocked.
+    /// No contact: all of the cell is free, or all is blocked.
     Pure { free: bool },
-    /// The patches that may pass.
+    /// Patches that may reach the cell.
     Mixed(&'a [u32]),
 }
 
-/// Whether a position is free at an orientation of a slot: follows an axis to the first contact, or to a cell without.
+/// Whether a position is free at an orientation of an interval: follows a ray along an axis to the first contact, or to a pure cell.
 ///
-/// The list of a cell has all patches that come to it, so a contact that is met within the cell is the first. `None` if
-/// something is too close to the way to be sure.
+/// The list of a cell has all patches that reach it, so the nearest contact met within the cell is the first. `None` if something is too
+/// close to the ray to be sure.
 pub(super) fn is_free<'a>(
     space: &ContactSpace,
     grid: &Grid,
@@ -30,7 +30,7 @@ pub(super) fn is_free<'a>(
     from_cell(space, grid, start, (p, theta, turn), direction, content)
 }
 
-/// The same for a position of, or on the edge of, a given cell.
+/// Whether a position is free, given the cell in which, or on whose edge, it is.
 pub(super) fn from_cell<'a>(
     space: &ContactSpace,
     grid: &Grid,
@@ -51,7 +51,7 @@ pub(super) fn from_cell<'a>(
             Direction::Down => p.y - grid.line(row),
         };
         let mut first: Option<(f64, bool)> = None;
-        // The nearest contact from the other side.
+        // Distance of the nearest contact met from the other side than the first contact.
         let mut other = f64::INFINITY;
         for &i in patches {
             let patch = &space.data.patches[i as usize];
@@ -93,7 +93,7 @@ pub(super) fn from_cell<'a>(
             Direction::Down => row == 0,
         };
         if at_edge {
-            // There is nothing but free space beyond.
+            // All is free beyond the square.
             return Some(true);
         }
         match direction {

@@ -1,4 +1,4 @@
-//! A slice as the user sees it: the boundary of free space at one orientation.
+//! A slice for users: the boundary of free space at one orientation.
 
 use crate::feature::tolerance::{FACING, FACING_FAR, TORN};
 use crate::feature::{FeatureName, PairFrame};
@@ -16,7 +16,7 @@ pub struct SliceCurve {
     pub moving: FeatureName,
     /// Positions (x, y) of the moving part.
     pub geometry: CurveGeometry,
-    /// The patch of the contact space this is a slice of; `None` if the slice was computed on its own.
+    /// The patch of the contact space from which the curve comes; `None` if the slice was computed on its own.
     pub patch: Option<u32>,
     /// The curve of the slice that follows around the boundary.
     pub next: u32,
@@ -32,19 +32,20 @@ pub struct Slice {
     pub curves: Vec<SliceCurve>,
     /// Closed loops, each as indices of its curves in order of travel, beginning with the smallest.
     pub loops: Vec<Vec<u32>>,
-    /// Whether the curves are not to be relied upon.
+    /// Whether the curves are unreliable.
     ///
-    /// Of a contact space: at its [doubtful orientations](crate::ContactSpace::doubtful_orientations). Of a slice from scratch: at
-    /// those of the space of orientations around it; where an arc lies on another contact, circle on circle; and if there are
-    /// too many contacts to compute it. Of either: a curve does not begin where the one before it ends.
+    /// A slice of a contact space is doubtful at the space's [doubtful orientations](crate::ContactSpace::doubtful_orientations). A slice
+    /// computed from scratch is doubtful at the doubtful orientations of the space of orientations around it; where an arc lies on another
+    /// contact, circle on circle; and if there are too many contacts to compute it. Either is doubtful if a curve does not begin where the
+    /// one before it ends.
     #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful: bool,
 }
 
-/// Lets every curve without a successor be followed by the nearest that begins within a distance and follows none.
+/// Joins every curve without a successor to the nearest one that begins within a distance and follows no other.
 ///
-/// Where more than two curves meet in a point but for rounding, or two contacts are one curve, the order in which they are
-/// met there may leave an end open. Which curves there are does not change.
+/// Where more than two curves meet in a point up to rounding, or two contacts are one curve, the order in which they are met there may
+/// leave an end open. The set of curves does not change.
 fn close(curves: &mut [SliceCurve], within: f64) {
     let n = curves.len();
     let is_open = |c: &SliceCurve| c.next as usize >= n;
@@ -77,14 +78,14 @@ fn close(curves: &mut [SliceCurve], within: f64) {
 impl Slice {
     /// The curve nearest to a position of the moving part, and its nearest point; `None` if there is no curve.
     ///
-    /// From a blocked position it is where the shortest translation without overlap leads to.
+    /// From a blocked position, the nearest point is the end of the shortest translation without overlap.
     pub fn nearest(&self, position: Point) -> Option<(&SliceCurve, Point)> {
         (self.curves.iter())
             .map(|curve| (curve, curve.geometry.nearest(position)))
             .min_by(|a, b| (a.1.distance(position)).total_cmp(&b.1.distance(position)))
     }
 
-    /// Of loops, each of its curves in order of travel; which follows which is set here.
+    /// Slice of the given loops, each with its curves in order of travel; successors are set here.
     pub(crate) fn of_loops(theta: f64, loops: Vec<Vec<SliceCurve>>, doubtful: bool) -> Self {
         let mut slice = Self {
             theta,
@@ -108,7 +109,7 @@ impl Slice {
         indices.iter().map(|&i| self.curves[i as usize])
     }
 
-    /// Finds the loops of curves that know their successors; those that do not are followed by what begins where they end.
+    /// Finds the loops of curves that know their successors; a curve without a successor is followed by one that begins where it ends.
     pub(crate) fn from_curves(
         theta: f64,
         curves: Vec<SliceCurve>,
@@ -120,7 +121,7 @@ impl Slice {
         Self::from_curves_and_ends(theta, curves, &ends, doubtful, frame)
     }
 
-    /// The same, if it is known where every curve begins and ends.
+    /// Finds the loops of curves, as [`from_curves`](Self::from_curves), given the points where every curve begins and ends.
     pub(crate) fn from_curves_and_ends(
         theta: f64,
         mut curves: Vec<SliceCurve>,
@@ -156,25 +157,25 @@ impl Slice {
         }
     }
 
-    /// Whether a position of the moving part is free at this orientation: the first contact curve a ray meets is met
-    /// from its free side, or none is.
+    /// Whether a position of the moving part is free at this orientation: the first contact curve that a ray meets is met from its free
+    /// side, or there is no such curve.
     ///
-    /// At a critical orientation two curves that face each other may lie on one carrier, as far as it is known, in either
-    /// order; and where one curve ends and the next begins there may be a gap, of 1e-8 beside a tangency. A ray that meets two such
-    /// curves, or passes such a place, is not asked as long as there is another; if it is asked, gaps are closed by segments.
+    /// At a critical orientation two curves that face each other may lie on one carrier, within its accuracy, in either order; and where
+    /// one curve ends and the next begins there may be a gap, of 1e-8 beside a tangency. A ray that meets two such curves, or passes such a
+    /// place, is not used as long as there is another; if it must be used, gaps are closed by segments.
     pub fn is_free(&self, position: Point) -> bool {
         self.first_met(position).is_none_or(|met| met.from_free)
     }
 
-    /// The curve that bounds the space a position is in, as far as a ray tells; `None` if there is nothing that way.
+    /// The curve that bounds the space in which a position is, according to a ray; `None` if the ray meets nothing.
     pub(crate) fn first_met(&self, position: Point) -> Option<Met> {
-        /// The first of the directions; this one is no engineer's.
+        /// Direction of the first ray, in radians. Arbitrary, so that it is unlikely to be parallel to an edge.
         const FIRST: f64 = 1.234_567_89;
-        /// From each to the next, radians: the golden section of a turn.
+        /// Angle from each ray to the next, radians: the golden section of a turn.
         const STEP: f64 = 2.399_963_229_728_653;
         const DIRECTIONS: u32 = 7;
-        /// A ray that passes a joint of two curves at more than this, as a share of the way to the farthest, does not slip
-        /// through: such ends are within [`TORN`] of each other.
+        /// Distance from a joint of two curves, as a share of the distance to the farthest end, above which a ray does not pass through the
+        /// joint: such ends are within [`TORN`] of each other.
         const BESIDE: f64 = 2.0 * TORN;
         let joints: Vec<Vector> = (self.curves.iter())
             .map(|c| c.geometry.point(0.0) - position)
@@ -191,7 +192,7 @@ impl Slice {
             for (i, c) in self.curves.iter().enumerate() {
                 hits.add(i, c.geometry.hit(position, d));
             }
-            // How near the way to what is met passes a joint.
+            // Distance at which the ray passes joints before the first curve that it meets.
             let clear = |hits: &Hits| {
                 let ahead = -beside..=hits.first() + beside;
                 (joints.iter())
@@ -230,9 +231,9 @@ impl Slice {
 
 /// The first curves that a ray meets.
 struct Hits {
-    /// From the free side: distance and curve.
+    /// Distance and number of the first curve met from its free side.
     free: (f64, usize),
-    /// From the blocked side.
+    /// Distance and number of the first curve met from its blocked side.
     blocked: (f64, usize),
 }
 
@@ -246,7 +247,7 @@ impl Default for Hits {
 }
 
 impl Hits {
-    /// Takes a curve's [`hit`](CurveGeometry::hit).
+    /// Adds a curve's [`hit`](CurveGeometry::hit).
     fn add(&mut self, curve: usize, hit: Option<(f64, f64)>) {
         let Some((t, towards_free)) = hit else {
             return;
@@ -261,7 +262,7 @@ impl Hits {
         }
     }
 
-    /// The distance of the first curve, infinite if there is none.
+    /// The distance of the first curve; infinite if there is none.
     fn first(&self) -> f64 {
         self.free.0.min(self.blocked.0)
     }
@@ -272,7 +273,7 @@ impl Hits {
         first.is_finite().then_some(Met { curve, from_free })
     }
 
-    /// How far the first curves of both sides are apart along the ray; infinite if nothing is met.
+    /// The distance between the first curves of both sides along the ray; infinite if nothing is met.
     fn apart(&self) -> f64 {
         if self.first().is_finite() {
             (self.free.0 - self.blocked.0).abs()

@@ -1,4 +1,4 @@
-//! Pieces of the boundary of free space: segments and arcs, as the user sees them.
+//! Pieces of the boundary of free space for users: segments and arcs.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -12,14 +12,14 @@ use crate::part::{Bounds, Edge};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum CurveGeometry {
-    /// From start to end.
+    /// A segment from start to end.
     Segment {
-        /// Where it starts.
+        /// Start of the segment.
         start: Point,
-        /// Where it ends.
+        /// End of the segment.
         end: Point,
     },
-    /// From `start_angle` by `sweep` radians about the centre, counter-clockwise if positive.
+    /// An arc from `start_angle` by `sweep` radians about the centre, counter-clockwise if positive.
     Arc {
         /// Centre of the circle.
         center: Point,
@@ -27,28 +27,28 @@ pub enum CurveGeometry {
         radius: f64,
         /// Direction from the centre to the start, radians.
         start_angle: f64,
-        /// Angle travelled, radians.
+        /// Angle from start to end, radians.
         sweep: f64,
     },
-    /// An arc of a circle so large that places on it would be lost about its centre.
+    /// An arc of a circle so large that places on it would be inaccurate if computed from its centre.
     FlatArc {
-        /// Where it starts.
+        /// Start of the arc.
         start: Point,
-        /// Where it ends.
+        /// End of the arc.
         end: Point,
         /// tan(sweep / 4), positive counter-clockwise.
         bulge: f64,
     },
 }
 
-/// Whether an arc that turns from `start_angle` by `sweep` comes past a direction; all radians.
+/// Whether an arc that turns from `start_angle` by `sweep` contains a direction; all radians.
 pub(crate) fn is_on_arc(start_angle: f64, sweep: f64, angle: f64) -> bool {
     let turned = (angle - start_angle) * sweep.signum();
     turned - TAU * (turned / TAU).floor() <= sweep.abs()
 }
 
 impl CurveGeometry {
-    /// The point at fraction `s` of the way, 0 the start and 1 the end.
+    /// The point at fraction `s` of the length, 0 the start and 1 the end.
     pub fn point(&self, s: f64) -> Point {
         match *self {
             Self::Segment { start, end } => start.lerp(end, s),
@@ -104,7 +104,7 @@ impl CurveGeometry {
         }
     }
 
-    /// A box that holds the curve, but for rounding.
+    /// A box that contains the curve, up to rounding.
     pub(crate) fn bounds(&self) -> Bounds {
         let ends = Bounds::of(self.point(0.0), self.point(1.0));
         match *self {
@@ -132,7 +132,7 @@ impl CurveGeometry {
         }
     }
 
-    /// The unit normal towards free space (right of travel) at fraction `s`; zero of what is but a point, as a segment is at
+    /// The unit normal towards free space (right of travel) at fraction `s`; zero for a curve that is a single point, as a segment is at
     /// the critical orientation at which it begins.
     pub fn free_normal(&self, s: f64) -> Vector {
         match *self {
@@ -147,7 +147,7 @@ impl CurveGeometry {
         }
     }
 
-    /// From a curve of the pair's frame.
+    /// Converts a curve of the pair's frame.
     pub(crate) fn from_inner(
         curve: &Curve,
         from: f64,
@@ -179,8 +179,8 @@ impl CurveGeometry {
         }
     }
 
-    /// The first distance along the ray at which the curve is met, or where it begins nearer to the ray than `joint`: a ray
-    /// does not slip through where one curve ends and the next begins.
+    /// The first distance along the ray at which the curve is met, or at which its start is nearer to the ray than `joint`: a ray does not
+    /// pass between the end of one curve and the start of the next.
     pub(crate) fn met(&self, p: Point, d: Vector, joint: f64) -> Option<f64> {
         let v = self.point(0.0) - p;
         let along = v.dot(d);
@@ -241,8 +241,8 @@ fn nearer(p: Point, start: Point, end: Point) -> Point {
     }
 }
 
-/// The same of an arc by its ends and bulge b: with its chord c and q from its start, points of its circle have
-/// (1 − b²) c × q + 2 b q·(c − q) = 0.
+/// [`CurveGeometry::hit`] for an arc given by its ends and bulge b; the second value is a positive multiple of the product there. With the
+/// arc's chord c and q from its start, points of its circle have (1 − b²) c × q + 2 b q·(c − q) = 0.
 fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
     let (b, c, q) = (e.bulge, e.end - e.start, p - e.start);
     let flat = (1.0 - b) * (1.0 + b);
@@ -256,7 +256,7 @@ fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
     let mut both = [2.0 * e.level(p) / sum, sum / (2.0 * square)];
     both.sort_by(f64::total_cmp);
     both.into_iter().find_map(|t| {
-        // The level is positive on the left, and grows by this along the ray.
+        // The level is positive on the left, and increases at this rate along the ray.
         let rise = slope + 2.0 * square * t;
         (t > 0.0 && t.is_finite() && e.covers_way(q + d * t)).then_some((t, -rise))
     })

@@ -1,4 +1,4 @@
-//! Slices as a user sees them: the boundary of free space at one orientation.
+//! Slices for users: the boundary of free space at one orientation.
 //!
 //! ```text
 //!      blocked   ╲   ╱  blocked          The curves of a slice are pieces of contact curves, with blocked space on
@@ -7,8 +7,8 @@
 //!      free     ╱       blocked          back to where it began: `boundary.rs` has the loops.
 //! ```
 //!
-//! `curve_geometry.rs` has the curves. Slices are read off patches (`space/slice.rs`): those of a contact space, or those that
-//! the general method finds about one orientation (`general/slicer.rs`).
+//! `curve_geometry.rs` has the curves. Slices are made from patches (`space/slice.rs`): those of a contact space, or those that the general
+//! method finds about one orientation (`general/slicer.rs`).
 
 mod boundary;
 mod curve_geometry;

@@ -1,4 +1,4 @@
-//! Pieces of boundary, against points that are walked along them.
+//! Pieces of boundary, compared with points stepped along them.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -82,7 +82,7 @@ fn points_and_lengths_are_those_of_the_drawing() {
     }
 }
 
-/// Half a circle about (1, 2) from its right to its left, by its bulge of 1, and the same the other way.
+/// Half a circle about (1, 2) from its right to its left, by its bulge of 1, and in the other direction.
 #[test]
 fn the_bulge_of_an_arc_is_positive_counter_clockwise() {
     for (from, to, bulge) in [(1.5, 0.5, 1.0), (0.5, 1.5, -1.0)] {
@@ -135,7 +135,7 @@ fn rays_meet_a_flat_arc_where_its_circle_is() {
     }
 }
 
-/// Flat arcs, and nothing else, are edges of parts as well.
+/// Flat arcs, and only these, are also edges of parts.
 #[test]
 fn a_flat_arc_is_an_edge() {
     for g in pieces() {
@@ -169,7 +169,7 @@ fn the_nearest_point_is_nearer_than_any_other() {
                 + Vector::from_angle(1.3 * f64::from(k)) * (0.05 * f64::from(k));
             let found = g.nearest(p);
             let least = (all.iter().map(|q| p.distance(*q))).fold(f64::INFINITY, f64::min);
-            // Between two points walked to it is nearer by half a step at most.
+            // Between two steps the curve may be nearer by half a step at most.
             let off = p.distance(found) - least;
             let step = g.length() / STEPS as f64;
             assert!(off < 1e-14 && off > -step, "{g:?} {p:?} {found:?} {off}");
@@ -235,7 +235,7 @@ fn directions_are_on_an_arc_when_it_comes_past_them() {
     }
 }
 
-/// A curve of the pair's frame and its copy in the frames as drawn, which is larger and elsewhere.
+/// A curve of the pair's frame and its image in the frame as drawn, which is larger and elsewhere.
 #[test]
 fn curves_are_brought_to_the_frames_as_drawn() {
     let frame = PairFrame {
@@ -294,7 +294,7 @@ fn slice(pieces: &[(CurveGeometry, u32)]) -> Slice {
     Slice::from_curves(0.0, curves, false, &frame())
 }
 
-/// That of the plane itself.
+/// Frame of the plane itself.
 fn frame() -> PairFrame {
     PairFrame {
         fixed_center: Point::ORIGIN,
@@ -337,13 +337,13 @@ fn positions_are_free_outside_of_what_is_blocked() {
     assert!(Slice::from_curves(0.0, Vec::new(), false, &frame()).is_free(middle));
 }
 
-/// The direction in which the first ray goes.
+/// Direction of the first ray.
 fn first_ray() -> Vector {
     Vector::from_angle(1.234_567_89)
 }
 
-/// Two curves on one carrier that face each other, in either order, with the disc around them blocked: what is within
-/// is told by the rays that miss the two.
+/// Two curves on one carrier that face each other, in either order, with the disc around them blocked: rays that miss the two decide the
+/// space inside.
 #[test]
 fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
     let direction = first_ray();
@@ -353,7 +353,7 @@ fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
         let (a, b) = (p + direction * at - across, p + direction * at + across);
         segment((a.x, a.y), (b.x, b.y))
     };
-    // As shares of the radius: where they are, and how far apart. In front of one's nose what counts is the radius.
+    // As shares of the radius: their places, and distances. For very near curves the radius counts.
     let gates = [(0.2, 1e-12), (0.2, 1e-8), (1e-3, 5e-10)];
     for (size, free) in [1e-3, 1.0, 1e3].map(|s| [(s, true), (s, false)]).concat() {
         // The outermost circle faces inwards if what is within is free.
@@ -372,7 +372,7 @@ fn curves_that_face_each_other_on_one_carrier_are_not_asked() {
 /// A segment from one point to another.
 type Piece = [(f64, f64); 2];
 
-/// A loop by corners that are told along the first ray and across it, in sizes; its ends need not meet.
+/// A loop by corners given along the first ray and across it, in sizes; its ends need not meet.
 fn around(size: f64, pieces: &[Piece]) -> Slice {
     let at = |(x, y): (f64, f64)| {
         let v = first_ray() * (x * size) + first_ray().left() * (y * size);
@@ -403,8 +403,7 @@ fn rays_do_not_slip_through_torn_corners() {
     }
 }
 
-/// A blocked square with a notch, a side of which goes a little beyond the notch's corner: the first ray meets it from
-/// its free side.
+/// A blocked square with a notch, a side of which extends slightly beyond the notch's corner: the first ray meets it from its free side.
 #[test]
 fn rays_do_not_meet_what_sticks_out_of_a_corner() {
     let little = 0.5 * TORN;
@@ -443,7 +442,7 @@ fn what_is_a_point_has_no_normal() {
     }
 }
 
-/// Ends that know no successor take the nearest beginnings, each of them once, and none that is far away.
+/// Ends without successors are joined to the nearest beginnings, each used once, and none that is far away.
 #[test]
 fn open_ends_are_followed_by_the_nearest_beginnings() {
     let open = u32::MAX;
@@ -462,7 +461,7 @@ fn open_ends_are_followed_by_the_nearest_beginnings() {
     }
     let far = slice(&[(there(0.0), open), (back(1e-3), open)]);
     assert!(far.curves[0].next as usize >= 2 && far.curves[1].next == 0);
-    // A successor that is known stays, and is not taken away.
+    // A known successor is kept, and not used again.
     let kept = slice(&[
         (there(0.0), 2),
         (there(little), open),
@@ -473,8 +472,8 @@ fn open_ends_are_followed_by_the_nearest_beginnings() {
     assert!(kept.curves[1].next as usize >= 4);
 }
 
-/// What does not join is doubtful, whatever else is known: an end beyond the distance at which curves are joined, or one
-/// that is followed by a curve elsewhere.
+/// A slice whose curves do not join is doubtful, whatever else is known: an end is beyond the distance at which curves are joined, or
+/// followed by a curve elsewhere.
 #[test]
 fn slices_that_are_open_are_doubtful() {
     let p = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| Point::new(x, y));
@@ -496,7 +495,7 @@ fn slices_that_are_open_are_doubtful() {
     assert!(doubtful(0.0, 1));
 }
 
-/// Where one curve ends and the next begins, neither may be met but for rounding.
+/// A ray through the joint of two curves must meet at least one of them, whatever the rounding.
 #[test]
 fn rays_meet_joints() {
     let mut slipped = 0;
@@ -516,7 +515,7 @@ fn rays_meet_joints() {
         let first = met.reduce(f64::min).unwrap();
         assert!((first - t).abs() < 1e-13, "{angle}: {first}, expected {t}");
         slipped += u32::from(both.iter().all(|c| c.hit(p, d).is_none()));
-        // What lies behind, and what is passed at a distance, is not met.
+        // Curves behind the start, and curves passed at a distance, are not met.
         assert!(
             both.iter()
                 .all(|c| c.met(joint + d * 2.0, d, 1e-11).is_none())

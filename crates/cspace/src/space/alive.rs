@@ -1,4 +1,4 @@
-//! Which patches may exist at an orientation, without a look at each of them.
+//! Index of the patches that may exist at an orientation, which avoids examining all of them.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,15 +7,15 @@ use crate::grouped::Grouped;
 use super::options::Window;
 use super::patch::Patch;
 
-/// Patches are listed where they begin and end by so much more (radians): more than what rounding does to orientations, and to
-/// turns of them.
+/// Margin by which a patch's interval is extended at both ends (radians): above the rounding of orientations and of whole turns added to
+/// them.
 const SLACK: f64 = 1e-9;
 
-/// Orientations farther from zero than this (radians, some hundred turns) are rounded by more than what [`SLACK`] is for.
+/// Absolute orientation (radians, some hundred turns) above which rounding may exceed [`SLACK`].
 const FARTHEST_ORIENTATION: f64 = 1024.0;
 
-/// Equal intervals of orientation, as long as patches are in the mean, with the patches that come to each: those that exist at
-/// an orientation are about half of them.
+/// Equal intervals of orientation, of the mean length of a patch, with the patches that overlap each of them: about half of these exist at
+/// a given orientation.
 #[derive(Debug, Clone)]
 pub(crate) struct Alive {
     lo: f64,
@@ -52,7 +52,7 @@ impl Alive {
         this
     }
 
-    /// The intervals that a patch comes to, each once.
+    /// Indices of the intervals that a patch overlaps, each once.
     fn intervals(&self, patch: &Patch) -> impl Iterator<Item = u32> + Clone + use<> {
         let place = |theta: f64| ((theta - self.lo) * self.density).floor() as i64;
         let (first, last) = (place(patch.lo - SLACK), place(patch.hi + SLACK));
@@ -65,7 +65,7 @@ impl Alive {
         places.map(move |place| place.rem_euclid(count) as u32)
     }
 
-    /// Patches among which are all that exist at an orientation, in ascending order; `None` if that is not known.
+    /// A list, in ascending order, that includes all patches that exist at an orientation; `None` if the orientation is too far from zero.
     pub(crate) fn at(&self, theta: f64) -> Option<&[u32]> {
         let mut from_lo = theta - self.lo;
         if self.full_turn && theta.abs() <= FARTHEST_ORIENTATION {
@@ -101,7 +101,8 @@ mod tests {
         Part::new(name, vec![outline]).unwrap()
     }
 
-    /// Slices are those of a look at all patches: where patches begin and end, beside it, elsewhere, and turned.
+    /// Slices equal those found by examining all patches: at orientations where patches begin and end, beside these, elsewhere, and whole
+    /// turns away.
     #[test]
     fn slices_are_those_of_a_look_at_all_patches() {
         let square = Part::rectangle("square", (0.3, 0.2), 1.0, 1.0).unwrap();
@@ -129,7 +130,7 @@ mod tests {
                             }
                         }
                     }
-                    // Of all patches few are looked at.
+                    // Only few of the patches are examined.
                     let n = space.patches().len();
                     if n > 30 && space.window().full_turn {
                         let mid = 0.1234;

@@ -4,17 +4,17 @@ use core::f64::consts::TAU;
 
 use super::options::Window;
 
-/// An interval between consecutive critical orientations: within it nothing but lengths changes.
+/// An interval between consecutive critical orientations: within it only lengths change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Band {
-    /// The critical orientation it begins at.
+    /// Critical orientation at which the band begins.
     pub lo: f64,
-    /// The one it ends at, beyond π for the band that passes it.
+    /// Critical orientation at which the band ends; beyond π for the band that contains π.
     pub hi: f64,
 }
 
-/// The bands of a window, in order. Without critical orientations there is one.
+/// The bands of a window, in order; a single one if there are no critical orientations.
 pub(crate) fn bands(window: Window, critical: &[f64]) -> Vec<Band> {
     let mut bounds = critical.to_vec();
     if !window.full_turn || critical.is_empty() {

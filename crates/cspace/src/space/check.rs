@@ -1,4 +1,4 @@
-//! Whether data that were read can be those of a contact space.
+//! Checks that data read from a file can be those of a contact space.
 
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::FeatureName;
@@ -11,47 +11,47 @@ use super::fit::{Check, check_ends, check_frame, check_link, ensure};
 use super::options::Window;
 use super::patch::{Boundary, Patch};
 
-/// Why data data are no contact space.
+/// Reasons for which data read from a file are rejected.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DataError {
-    /// Not a contact space at all.
+    /// The data are not a contact space.
     #[error("the format is {found:?}, not {wanted:?}")]
     Format {
-        /// What it says.
+        /// Format name found in the data.
         found: String,
-        /// What it should say.
+        /// Format name expected.
         wanted: &'static str,
     },
-    /// Written by another version.
+    /// The data were written by another version.
     #[error(
         "the format's version is {found}, this program reads version {SAVED_VERSION}; compute the space again"
     )]
     Version {
-        /// What it says.
+        /// Version found in the data.
         found: u32,
     },
-    /// What a space has once is not as any computation leaves it.
+    /// A field that a space has once has a value that no computation gives.
     #[error("{what} is damaged: {why}")]
     Whole {
-        /// Which field.
+        /// Name of the field.
         what: &'static str,
-        /// What is wrong.
+        /// Reason for the rejection.
         why: &'static str,
     },
     /// A link or patch refers to something that does not exist, or a number is not finite.
     #[error("{what} {index} is damaged: {why}")]
     Damaged {
-        /// Which list.
+        /// Name of the list.
         what: &'static str,
-        /// Which entry.
+        /// Index of the entry.
         index: usize,
-        /// What is wrong.
+        /// Reason for the rejection.
         why: &'static str,
     },
 }
 
-/// That data are of the format and version that is read.
+/// Checks that data have the expected format and the supported version.
 pub(crate) fn check_head(
     format: &str,
     wanted: &'static str,
@@ -69,13 +69,13 @@ pub(crate) fn check_head(
     Ok(())
 }
 
-/// Lengths of the pair's frame, in which the parts have size 1, are far below this.
+/// Bound on lengths in the pair's frame, in which the parts have size 1.
 const LARGEST_LENGTH: f64 = 1e6;
 
-/// Orientations may be off the window by this much, in radians, and unit vectors off their length.
+/// Tolerance of orientations at the ends of the window, in radians, and of the length of unit vectors.
 const SLACK: f64 = 1e-6;
 
-/// That the data are of this format, refer to what is there, and fit the parts.
+/// Checks that the data have this format, refer only to existing entries, and fit the parts.
 pub(super) fn check(data: &SpaceData) -> Result<(), DataError> {
     check_head(&data.format, FORMAT, data.version)?;
     check_references(data)?;
@@ -90,7 +90,7 @@ pub(super) fn check(data: &SpaceData) -> Result<(), DataError> {
     })
 }
 
-/// That everything referred to is there, and that every number is one that a computation can have given.
+/// Checks that every reference is to an existing entry, and that every number is one that a computation can have given.
 fn check_references(data: &SpaceData) -> Result<(), DataError> {
     check_whole(data).map_err(|(what, why)| DataError::Whole { what, why })?;
     each("patch", &data.patches, |p| check_patch(data, p))?;
@@ -130,7 +130,7 @@ fn each<T>(what: &'static str, list: &[T], check: impl Fn(&T) -> Check) -> Resul
     })
 }
 
-/// What is there once.
+/// Checks the fields that a space has once: window, frame, and so on.
 fn check_whole(data: &SpaceData) -> Result<(), (&'static str, &'static str)> {
     let w = data.window;
     if !(is_interval(w.lo, w.hi) && w.lo < w.hi) {
@@ -183,7 +183,7 @@ fn check_whole(data: &SpaceData) -> Result<(), (&'static str, &'static str)> {
     Ok(())
 }
 
-/// Where things may begin: the window, but a full turn counts from −π, wherever it was begun.
+/// Interval in which orientations of events may lie: the window; for a full turn always −π to π, wherever the turn was cut.
 fn orientations(window: Window) -> (f64, f64) {
     use core::f64::consts::PI;
     if window.full_turn {
@@ -223,7 +223,7 @@ fn check_patch(data: &SpaceData, p: &Patch) -> Check {
     Ok(())
 }
 
-/// Orientations from `lo` to `hi`, at most a turn apart.
+/// Whether `lo` and `hi` are an interval of orientations of at most a turn.
 fn is_interval(lo: f64, hi: f64) -> bool {
     lo.is_finite() && hi.is_finite() && lo <= hi && hi - lo <= core::f64::consts::TAU + SLACK
 }
@@ -236,7 +236,7 @@ fn is_inner(x: f64) -> bool {
     x.abs() <= LARGEST_LENGTH
 }
 
-/// Radii may be larger: an arc is taken for its chord beyond.
+/// Whether a number can be a radius. Radii may exceed the bound on lengths: arcs with a still larger radius are replaced by their chords.
 fn is_radius(x: f64) -> bool {
     x.abs() <= LARGEST_LENGTH * LARGEST_LENGTH
 }

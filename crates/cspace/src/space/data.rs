@@ -59,13 +59,13 @@ pub struct SpaceData {
     pub vertical_links: Vec<VerticalLink>,
     /// Connected components of free space; the unbounded one first.
     pub free_regions: Vec<FreeRegion>,
-    /// The symmetry of the parts, and the slabs it made of the computation.
+    /// The symmetry of the parts, and the number of periods in a turn.
     #[cfg_attr(feature = "serde", serde(default))]
     pub symmetry: PairSymmetry,
-    /// How many bands were computed; 0 where this is not known.
+    /// Number of bands computed; 0 if unknown.
     #[cfg_attr(feature = "serde", serde(default))]
     pub computed_bands: u32,
-    /// Intervals of orientation in which the patches are not relied upon alone.
+    /// Intervals of orientation in which the parts are tested as well as the patches.
     #[cfg_attr(feature = "serde", serde(default))]
     pub doubtful_orientations: Vec<(f64, f64)>,
     /// Counts and times of the computation.
@@ -76,9 +76,9 @@ pub struct SpaceData {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SideLink {
-    /// The patch that ends there in the direction of travel; its right boundary is the curve of the link.
+    /// The patch that comes first in the direction of travel; its right boundary is the curve of the link.
     pub before: u32,
-    /// The patch that begins there; its left boundary is the same curve.
+    /// The patch that comes second; its left boundary is the curve of the link.
     pub after: u32,
     /// First orientation at which they are neighbours.
     pub lo: f64,
@@ -116,14 +116,14 @@ pub struct FreeRegion {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureCounts {
-    /// Of the fixed part.
+    /// Number of features of the fixed part.
     pub fixed: u32,
-    /// Of the moving part.
+    /// Number of features of the moving part.
     pub moving: u32,
 }
 
 impl FeatureCounts {
-    /// Of two parts.
+    /// Counts the features of two parts.
     pub fn of(fixed: &Part, moving: &Part) -> Self {
         let frame = PairFrame::new(fixed, moving);
         let count =

@@ -1,4 +1,4 @@
-//! Orientations at which the patches are not relied upon alone, as intervals.
+//! Doubtful orientations, at which the patches alone do not decide, as intervals.
 
 use core::f64::consts::{PI, TAU};
 
@@ -6,14 +6,15 @@ use crate::feature::tolerance::NARROWEST_BAND;
 
 use super::options::Window;
 
-/// Brings intervals home to a window and joins them: of a full turn within [−π, π], otherwise cut off at its ends.
+/// Reduces intervals to a window and unites them: for a full turn to [−π, π] by whole turns, otherwise by cutting them at the window's
+/// ends.
 pub(crate) fn in_window(
     intervals: impl IntoIterator<Item = (f64, f64)>,
     window: Window,
 ) -> Vec<(f64, f64)> {
     let mut all = Vec::new();
     for (lo, hi) in intervals {
-        // Rounding, of turns and of copies by symmetry.
+        // Margin for the rounding of turns and of copies by symmetry.
         let (lo, hi) = (lo - NARROWEST_BAND, hi + NARROWEST_BAND);
         if !window.full_turn {
             all.push((lo.max(window.lo), hi.min(window.hi)));
@@ -32,7 +33,7 @@ pub(crate) fn in_window(
     union(all)
 }
 
-/// Disjoint intervals of orientation, radians, in ascending order; of a full turn in [−π, π].
+/// Disjoint intervals of orientation, radians, in ascending order; for a full turn in [−π, π].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Doubts<'a> {
     pub(super) intervals: &'a [(f64, f64)],
@@ -40,12 +41,12 @@ pub(crate) struct Doubts<'a> {
 }
 
 impl Doubts<'_> {
-    /// Whether an orientation is in one of them.
+    /// Whether an orientation is in one of the intervals.
     pub(crate) fn hold(&self, theta: f64) -> bool {
         self.hold_among(theta, 0..self.intervals.len())
     }
 
-    /// The same, if it is known which of them come near.
+    /// Whether an orientation is in one of the intervals whose indices are in `near`.
     #[inline]
     pub(crate) fn hold_among(&self, theta: f64, near: core::ops::Range<usize>) -> bool {
         let Some(near) = self.intervals.get(near).filter(|near| !near.is_empty()) else {
@@ -60,7 +61,7 @@ impl Doubts<'_> {
         near.get(next).is_some_and(|i| i.0 <= t)
     }
 
-    /// Which of them have orientations between two, which are not turned.
+    /// Indices of the intervals that overlap `lo` to `hi`, which are not reduced by turns.
     pub(crate) fn between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
         let first = self.intervals.partition_point(|i| i.1 < lo);
         let end = self.intervals.partition_point(|i| i.0 <= hi);
@@ -68,7 +69,7 @@ impl Doubts<'_> {
     }
 }
 
-/// The same orientations as disjoint intervals, in ascending order.
+/// Union of intervals of orientation as disjoint intervals, in ascending order.
 pub(crate) fn union(mut intervals: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
     intervals.dedup_by(|b, a| {

@@ -1,4 +1,4 @@
-//! Whether patches that were read lie where contacts of the parts can be.
+//! Checks that patches read from a file lie where contacts of the parts can be.
 
 use crate::feature::PairFrame;
 use crate::geometry::Point;
@@ -7,18 +7,18 @@ use crate::part::{Corresponding, Part};
 use super::data::{SideLink, SpaceData};
 use super::patch::Patch;
 
-/// Nothing, or what is wrong.
+/// Result of a check: nothing, or the reason for a rejection.
 pub(super) type Check = Result<(), &'static str>;
 
-/// That something holds; otherwise `why` says what is wrong.
+/// Returns `why` as an error if the condition does not hold.
 pub(super) fn ensure(holds: bool, why: &'static str) -> Check {
     if holds { Ok(()) } else { Err(why) }
 }
 
-/// Lengths of the pair's frame are known better than that.
+/// Upper bound of the error of lengths in the pair's frame.
 const SLACK: f64 = 1e-6;
 
-/// That the frame is the one in which a computation of these parts writes patches.
+/// Checks that the frame is the one in which a computation of these parts writes patches.
 pub(super) fn check_frame(data: &SpaceData) -> Check {
     let (fixed, moving, frame) = (&data.fixed, &data.moving, data.frame);
     let PairFrame {
@@ -28,7 +28,7 @@ pub(super) fn check_frame(data: &SpaceData) -> Check {
     } = frame;
     let near = |a: Point, b: Point| a.distance(b) * scale <= SLACK.min(frame.rounding());
     let is_center = |part: &Part, center: Point| {
-        // With one slab all was computed about the centres of the boxes.
+        // In a computation of one period only, everything is relative to the centres of the boxes.
         let by_symmetry = |by| {
             let symmetrized = part.symmetrized(by);
             symmetrized.is_some_and(|s| near(s.center, center))
@@ -42,7 +42,7 @@ pub(super) fn check_frame(data: &SpaceData) -> Check {
         "a centre is not that of the part",
     )?;
     let computed = PairFrame::scale_of([(fixed, fixed_center), (moving, moving_center)]);
-    // Where the radius is a power of two, its rounding decides which of two scales is taken.
+    // If the radius is close to a power of two, its rounding decides which of two scales is taken.
     let radius = |part: &Part, center: Point| {
         let about = PairFrame {
             fixed_center: center,
@@ -59,18 +59,19 @@ pub(super) fn check_frame(data: &SpaceData) -> Check {
     ensure(is_scale, "the scale is not that of the parts")
 }
 
-/// Places of patches are known better than 10⁻⁶ there, in the pair's frame; what is off by more belongs to other patches.
+/// Distance in the pair's frame above which an end is wrong. Ends of patches are known better than 10⁻⁶; an error above this means another
+/// patch.
 const OFF: f64 = 1e-3;
 
-/// Where an interval is looked at. At its very ends carriers may coincide, and their crossing is not known.
+/// Orientations of an interval at which it is checked. At its very ends carriers may coincide, so that their crossing is not known.
 fn inside(lo: f64, hi: f64) -> [f64; 3] {
     [0.25, 0.5, 0.75].map(|share| lo + share * (hi - lo))
 }
 
-/// The ends of patches, and links, that last for less (radians) are not looked at: carriers may all but coincide there, and cross anywhere.
+/// Duration (radians) below which patches and links are not checked: their carriers may almost coincide, and cross anywhere.
 const BRIEF: f64 = 1e-8;
 
-/// That a patch begins and ends on its own contact surface, where the parts can touch.
+/// Checks that a patch begins and ends on its own contact surface, at positions where the parts can touch.
 pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
     if p.hi - p.lo < BRIEF {
         return Ok(());
@@ -91,7 +92,7 @@ pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
     Ok(())
 }
 
-/// That where one patch ends the next one begins.
+/// Checks that two linked patches meet: the right boundary of `before` coincides with the left boundary of `after`.
 pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
     let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
     let (Some(before), Some(after)) = (before, after) else {

@@ -1,4 +1,4 @@
-//! The contact space as a user walks it: patches, links, bands, free regions.
+//! The contact space as seen by a user: patches, links, bands, free regions.
 
 use std::sync::{Arc, OnceLock};
 
@@ -26,21 +26,21 @@ use super::walk::Walk;
 pub struct ContactSpace {
     pub(crate) data: SpaceData,
     walk: Walk,
-    /// How far off their places contacts of sharp corners may be (length of the pair's frame).
+    /// Largest displacement of contacts at sharp corners that comes from growing the parts (length of the pair's frame).
     grown: f64,
-    /// The parts as they are tested for overlap, once a question needs them.
+    /// The parts prepared for overlap tests; built when first needed.
     bodies: Arc<OnceLock<Bodies>>,
-    /// Which patches there are at an orientation, once a slice is asked for.
+    /// Index of the patches by orientation; built for the first slice.
     alive: Arc<OnceLock<Alive>>,
-    /// Where the patches are, once it is asked often what is near.
+    /// Index of the patches by position; built after many queries of what is near.
     pub(crate) places: Arc<Places>,
 }
 
 impl ContactSpace {
-    /// The space that data describe; nothing is computed again.
+    /// Builds the space from data; nothing is computed again.
     ///
     /// # Errors
-    /// If the data are of another format or version, refer to what is not there, or do not fit the parts.
+    /// If the data are of another format or version, refer to entries that do not exist, or do not fit the parts.
     pub fn from_data(data: SpaceData) -> Result<Self, DataError> {
         check(&data)?;
         let growths = growths(&data.fixed, &data.moving);
@@ -48,7 +48,8 @@ impl ContactSpace {
         Ok(Self::of(data, walk, growths))
     }
 
-    /// The space of sound data and the walk of its links. `growths`: by how much the sides of the two parts are grown at most, in the pair's frame.
+    /// The space of checked data and the walk of its links. `growths`: the largest growth of the sides of the two parts, in the pair's
+    /// frame.
     pub(crate) fn of(data: SpaceData, walk: Walk, growths: (f64, f64)) -> Self {
         let grown = (data.frame).grown((&data.fixed, growths.0), (&data.moving, growths.1));
         Self {
@@ -61,18 +62,18 @@ impl ContactSpace {
         }
     }
 
-    /// All that was computed, as plain data.
+    /// All computed results, as plain data.
     pub fn data(&self) -> &SpaceData {
         &self.data
     }
 
     /// The slice at an orientation, in closed form: every patch that exists there contributes one curve.
     ///
-    /// At a critical orientation the slice just above it is given. Orientations outside the window have no curves. A slice at
-    /// a [doubtful orientation](Self::doubtful_orientations) says so.
+    /// At a critical orientation the result is the slice just above it. Slices at orientations outside the window are empty. A slice at a
+    /// [doubtful orientation](Self::doubtful_orientations) is marked as doubtful.
     ///
-    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first also sorts all patches by
-    /// orientation, and the space keeps that, about ten bytes a patch.
+    /// It takes time in proportion to the number of its curves: 0.1 to 0.3 µs each. The first call also sorts all patches by orientation;
+    /// the space keeps this index, about ten bytes a patch.
     pub fn slice(&self, theta: f64) -> Slice {
         let alive = (self.alive).get_or_init(|| Alive::new(self.data.window, &self.data.patches));
         match alive.at(theta) {
@@ -83,7 +84,7 @@ impl ContactSpace {
         }
     }
 
-    /// What slices are read off.
+    /// View of the data from which slices are computed.
     pub(crate) fn surface(&self) -> Surface<'_> {
         Surface {
             window: self.data.window,
@@ -117,7 +118,7 @@ impl ContactSpace {
         self.surface().curve_as_at(patch, theta, asked)
     }
 
-    /// The orientations in doubt.
+    /// Doubtful orientations.
     pub(crate) fn doubts(&self) -> Doubts<'_> {
         self.surface().doubts()
     }
@@ -142,12 +143,12 @@ impl ContactSpace {
         self.data.features
     }
 
-    /// The symmetry of the parts, and how many slabs it made of the computation.
+    /// The symmetry of the parts, and the number of periods in a turn.
     pub fn symmetry(&self) -> PairSymmetry {
         self.data.symmetry
     }
 
-    /// How many bands were computed; the others are copies of these by symmetry.
+    /// Number of bands computed; the others are copies of these by symmetry.
     pub fn computed_bands(&self) -> usize {
         self.data.computed_bands as usize
     }
@@ -157,11 +158,11 @@ impl ContactSpace {
         &self.data.critical_orientations
     }
 
-    /// Intervals of orientation in which the patches are not relied upon alone: in ascending order, in [−π, π] for a full turn.
+    /// Doubtful intervals of orientation, in which the patches alone do not decide: in ascending order, in [−π, π] for a full turn.
     ///
-    /// Bands of less than 2.4·10⁻¹⁰ rad are among them, critical orientations that are known less well than to 1.2·10⁻¹⁰ rad, and
-    /// contacts beside a conflict: linked, and yet judged differently by what bounds them and by a test of overlap. There,
-    /// [`classify`](Self::classify) asks the parts themselves; a slice, a link or a motion may be wrong.
+    /// They contain bands of less than 2.4·10⁻¹⁰ rad, critical orientations with an error above 1.2·10⁻¹⁰ rad, and contacts next to a
+    /// conflict: cells that are linked, but classified differently by their bounds and by an overlap test. There,
+    /// [`classify`](Self::classify) tests the parts themselves; a slice, a link or a motion may be wrong.
     pub fn doubtful_orientations(&self) -> &[(f64, f64)] {
         &self.data.doubtful_orientations
     }
@@ -198,7 +199,7 @@ impl ContactSpace {
             .then(|| self.curve(patch, theta))
     }
 
-    /// A patch with what it can be asked. `None` if there is no such patch.
+    /// A patch together with its frame. `None` if there is no such patch.
     pub fn patch(&self, index: u32) -> Option<PatchRef<'_>> {
         let patch = self.data.patches.get(index as usize)?;
         Some(PatchRef {
@@ -217,25 +218,25 @@ impl ContactSpace {
         &self.data.vertical_links
     }
 
-    /// The side links at the right boundary of a patch, in order of orientation; none if there is no such patch.
+    /// The side links at the right boundary of a patch, in order of orientation; empty if there is no such patch.
     pub fn links_after(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.after(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
-    /// The side links at the left boundary of a patch, in order of orientation; none if there is no such patch.
+    /// The side links at the left boundary of a patch, in order of orientation; empty if there is no such patch.
     pub fn links_before(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.before(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
-    /// The vertical links at the last orientation of a patch; none if there is no such patch.
+    /// The vertical links at the last orientation of a patch; empty if there is no such patch.
     pub fn links_above(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.above(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])
     }
 
-    /// The vertical links at the first orientation of a patch; none if there is no such patch.
+    /// The vertical links at the first orientation of a patch; empty if there is no such patch.
     pub fn links_below(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.below(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])
@@ -251,25 +252,25 @@ impl ContactSpace {
         &self.data.statistics
     }
 
-    /// The resolution in the model's unit of length: contacts are known to this.
+    /// The resolution in the model's unit of length: the accuracy of contacts.
     ///
-    /// With symmetry, how far the parts as drawn are from being symmetric is part of it. It is 2⁻³⁷ of the pair's size, and
-    /// more if a part has a corner of less than some 30°: parts are grown, and such a corner by more than its sides.
+    /// It is 2⁻³⁷ of the pair's size, and more if a part has a corner of less than some 30°: parts are grown, and such a corner by more
+    /// than its sides. With symmetry, it includes the deviation of the parts as drawn from symmetric ones.
     pub fn resolution(&self) -> f64 {
         self.data.frame.outer_length(CONTACT + self.grown) + self.data.symmetry.deviation
     }
 
-    /// Clearances below this count as none, in the model's unit of length: 2⁻³¹ ≈ 4.7·10⁻¹⁰ of the pair's frame, and the
-    /// [resolution](Self::resolution).
+    /// The minimum clearance, in the model's unit of length: 2⁻³¹ ≈ 4.7·10⁻¹⁰ of the pair's frame, plus the [resolution](Self::resolution).
+    /// A smaller clearance counts as none.
     ///
-    /// Parts that fit into each other with so little play can turn against each other by about the play, divided by their
-    /// size; a pocket of free space that lasts less than the narrowest band is left out.
+    /// Parts that fit into each other with so little play can turn against each other by about the play divided by their size; a pocket of
+    /// free space that lasts less than the narrowest band is left out.
     pub fn least_clearance(&self) -> f64 {
         self.data.frame.outer_length(LEAST_CLEARANCE) + self.resolution()
     }
 
-    /// Positions nearer than this to a contact curve are in contact (model length): the resolution, but for what may be
-    /// wrong with the curve.
+    /// Distance from a contact curve below which a position is in contact (model length): the resolution without the errors of the curve
+    /// itself, which come from growing and symmetry.
     pub fn contact_distance(&self) -> f64 {
         self.data.frame.outer_length(CONTACT)
     }

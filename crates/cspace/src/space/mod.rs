@@ -1,4 +1,4 @@
-//! The contact space of a pair of parts: what was computed, as data, and what is read off it.
+//! The contact space of a pair of parts: the computed data, and its slices, bands and links.
 
 mod alive;
 mod band;

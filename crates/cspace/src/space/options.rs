@@ -1,13 +1,13 @@
-//! What to compute, what may go wrong, and who is told of progress.
+//! Options of a computation, its errors, and the trait by which it reports progress.
 
 use core::f64::consts::TAU;
 
 use super::symmetry::Symmetry;
 
-/// How much more than a turn a window may be, by rounding, radians.
+/// Excess over a turn that a window may have by rounding, radians.
 pub(crate) const WINDOW_SLACK: f64 = 1e-12;
 
-/// The longest window of orientations: a turn, give or take its rounding.
+/// The longest window of orientations: a turn, plus rounding.
 pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
 /// The orientations a contact space covers.
@@ -22,16 +22,16 @@ pub struct Window {
     pub full_turn: bool,
 }
 
-/// What to compute.
+/// Options of a computation: the window of orientations, and the use of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
     /// Only orientations from the first to the second, in radians; `None` is the full turn.
     pub window: Option<(f64, f64)>,
-    /// Whether symmetric parts are computed for one slab of orientations, of which the others are copies.
+    /// Whether symmetric parts are computed for one period of orientations only; the other periods are then copies.
     pub symmetry: Symmetry,
 }
 
-/// Why a contact space cannot be computed.
+/// Reasons for which a contact space cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ComputeError {
@@ -63,7 +63,7 @@ pub enum ComputeError {
         /// Largest number of pairs.
         limit: usize,
     },
-    /// More pairs of features touch than there is room for.
+    /// More pairs of features can touch than the limit.
     #[error(
         "{fixed} × {moving} edges are too many for one contact space: more than {limit} contacts of two features"
     )]
@@ -75,7 +75,7 @@ pub enum ComputeError {
         /// Largest number of contacts, each over orientations in which its ends stay the same.
         limit: usize,
     },
-    /// More contacts are in each other's way than there is room for.
+    /// More pairs of contacts may cross than the limit.
     #[error(
         "{fixed} × {moving} edges are too many for one contact space: more than {limit} pairs of contacts may be in each other's way"
     )]
@@ -87,7 +87,7 @@ pub enum ComputeError {
         /// Largest number of pairs of contacts that may cross.
         limit: usize,
     },
-    /// The contact space has more patches than there is room for.
+    /// The contact space has more patches than the limit.
     #[error(
         "{fixed} × {moving} edges are too many for one contact space: more than {limit} patches"
     )]
@@ -132,22 +132,22 @@ impl Stage {
     pub const COUNT: u64 = 8;
 }
 
-/// Is told what a computation is doing, and may stop it.
+/// Receiver of a computation's progress, which may stop it.
 pub trait Progress: Sync {
     /// Called when a stage begins; an error ends the computation.
     ///
     /// # Errors
-    /// [`ComputeError::Interrupted`] if the user wants no more of it.
+    /// [`ComputeError::Interrupted`] if the computation is to be stopped.
     fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
 
-    /// What a clock shows, in seconds since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences. The
-    /// library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
+    /// Reading of a clock in seconds, since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences of readings.
+    /// The library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
     fn seconds(&self) -> f64 {
         0.0
     }
 }
 
-/// Follows nothing: computations are neither shown nor stopped.
+/// Progress receiver that shows nothing and never stops a computation.
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part, Silent};

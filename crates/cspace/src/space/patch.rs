@@ -67,7 +67,7 @@ pub enum BoundaryKind {
     CircleCircle,
 }
 
-/// A patch together with the frame it is written in: what a user asks things of.
+/// A patch together with the frame it is written in, for evaluation.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchRef<'a> {
     pub(crate) patch: &'a Patch,
@@ -129,7 +129,7 @@ impl<'a> PatchRef<'a> {
 }
 
 impl Patch {
-    /// The orientation brought into the patch's interval by whole turns, if it can be.
+    /// The orientation reduced to the patch's interval by whole turns, if possible.
     pub(crate) fn turned_into(&self, theta: f64) -> Option<f64> {
         use core::f64::consts::TAU;
         // The usual cases, without a division: less than a turn above the first orientation, or below.
@@ -150,14 +150,14 @@ impl Patch {
         self.inner_at_turned(boundary, theta, Rotation::by(theta))
     }
 
-    /// The same, given the rotation by the orientation.
+    /// Position of one of the patch's boundaries, as [`inner_at`](Self::inner_at), given the rotation by the orientation.
     ///
-    /// Where the two carriers almost become one, their crossing is hardly known, or not at all, yet has a limit. It is
-    /// found from nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
+    /// Where the two carriers almost coincide, their crossing is hardly known, or not at all, yet has a limit. The limit is found from
+    /// nearby slices, as section 3.1 of Sacks 1999 has it: along the patch's own curve, on the patch's side.
     pub(crate) fn inner_at_turned(&self, boundary: &Boundary, theta: f64, turn: Rotation) -> Point {
-        /// A rounding error up to this is accepted, in the pair's frame.
+        /// Acceptable rounding error, in the pair's frame.
         const GOOD: f64 = 1e-7;
-        /// How far away the nearest slice is taken, radians: the square of it is below what their rounding makes.
+        /// Distance of the nearest slice used, radians: its square is below the effect of rounding.
         const ASIDE: f64 = 1e-5;
         let (p, error) = boundary.inner_and_error(&self.function, turn);
         if error <= GOOD {
@@ -175,8 +175,8 @@ impl Patch {
             let (p, error) = boundary.inner_and_error(&self.function, turn);
             (p.to_vector(), error)
         });
-        // A straight line through two, and how far the third is off it: at a tangency, where places move with the square
-        // root of the orientation, that is far, and the place itself is better.
+        // Extrapolation by a straight line through two points, and the distance of the third from it: at a tangency, where places move with
+        // the square root of the orientation, that distance is large, and the place itself is better.
         let bend = (near.0 - next.0 * 2.0 + far.0).length();
         if bend + near.1 + next.1 >= error {
             return p;
@@ -188,7 +188,7 @@ impl Patch {
 }
 
 impl BoundaryCurve<'_> {
-    /// Which kind of curve it is.
+    /// Kind of the curve.
     pub fn kind(&self) -> BoundaryKind {
         use ContactFunction::{Circle, FixedLine, FlatCircle, MovingLine};
         match (self.boundary, &self.patch.patch.function) {
@@ -216,7 +216,7 @@ impl BoundaryCurve<'_> {
 
     /// The configuration on the curve at an orientation of the patch.
     ///
-    /// Where rounding has just lost the crossing (at a tangency), the nearest point to one.
+    /// Where rounding has just removed the crossing (at a tangency), the point nearest to a crossing.
     pub fn at(&self, theta: f64) -> Configuration {
         let p = self.patch.patch.inner_at(self.boundary, theta);
         self.patch.frame.outer_from_inner(p, theta)

@@ -1,4 +1,4 @@
-//! Slices read off the contact space.
+//! Slices of the contact space.
 
 use core::f64::consts::{PI, TAU};
 
@@ -13,7 +13,7 @@ use super::options::Window;
 use super::patch::Patch;
 use super::walk::Walk;
 
-/// The boundary of free space: what slices are read off.
+/// The boundary of free space, from which slices are taken.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Surface<'a> {
     pub(crate) window: Window,
@@ -22,12 +22,12 @@ pub(crate) struct Surface<'a> {
     pub(crate) patches: &'a [Patch],
     pub(crate) side_links: &'a [SideLink],
     pub(crate) walk: &'a Walk,
-    /// Orientations in doubt.
+    /// Doubtful orientations.
     pub(crate) doubtful: &'a [(f64, f64)],
 }
 
 impl<'a> Surface<'a> {
-    /// The orientations in doubt, to be asked.
+    /// Doubtful orientations, for queries.
     pub(crate) fn doubts(&self) -> Doubts<'a> {
         Doubts {
             intervals: self.doubtful,
@@ -40,8 +40,8 @@ impl<'a> Surface<'a> {
         self.slice_of(theta, theta, 0..self.patches.len() as u32)
     }
 
-    /// The same as positions at another orientation, which differs from it by whole turns, given patches in ascending order among
-    /// which are all that exist there.
+    /// The slice at `theta`, with positions given at the orientation `asked`, which differs from `theta` by whole turns. `among` lists, in
+    /// ascending order, patches that include all those that exist at `theta`.
     pub(crate) fn slice_of(
         &self,
         theta: f64,
@@ -74,7 +74,7 @@ impl<'a> Surface<'a> {
             let last = t == self.patches[i as usize].hi;
             let mut links = (self.walk.after(i).iter()).map(|&l| &self.side_links[l as usize]);
             let link = links.find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
-            // The link's orientations are those of the patch before it.
+            // The link's orientations are counted as those of the patch before it.
             if let Some(link) = link
                 && let Ok(next) = at.binary_search_by_key(&link.after, |a| a.0)
             {
@@ -85,17 +85,17 @@ impl<'a> Surface<'a> {
         Slice::from_curves_and_ends(asked.theta, curves, &ends, doubtful, self.frame)
     }
 
-    /// The orientation, or if it is a critical one within rounding, the least above it that is certain to be in the next band.
+    /// The orientation; or if it is critical up to rounding, the smallest one above that is certain to be in the next band.
     ///
-    /// Patches that end at a critical orientation, and those that begin there, may be turns apart, so that their
-    /// orientations differ by a rounding.
+    /// Patches that end at a critical orientation, and patches that begin there, may be turns apart, so that their orientations differ by
+    /// rounding.
     pub(crate) fn settled(&self, theta: f64) -> f64 {
-        /// Some roundings, and twice as many; radians, relative to orientations beyond one.
+        /// A few roundings, and twice as many; radians, relative to orientations above one.
         const NEAR: f64 = 4e-15;
         const ASIDE: f64 = 8e-15;
         let (window, critical) = (&self.window, self.critical_orientations);
         let scale = theta.abs().max(1.0);
-        // Where critical orientations are: in [−π, π), wherever the turn was cut.
+        // Critical orientations are in [−π, π), wherever the turn was cut.
         let turns = if window.full_turn {
             TAU * ((theta + PI) / TAU).floor()
         } else {
@@ -116,8 +116,8 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The orientation brought into the interval of a patch, if the patch is part of the slice there: where one patch
-    /// ends and another begins it is the upper one, and at the end of the window the last.
+    /// The orientation reduced to the interval of a patch, if the patch is part of the slice there: where one patch ends and another
+    /// begins, the upper one is part of it; at the end of the window, the last one.
     #[inline]
     pub(crate) fn alive(&self, patch: &Patch, theta: f64) -> Option<f64> {
         if !self.window.full_turn && theta == self.window.hi {
@@ -131,13 +131,13 @@ impl<'a> Surface<'a> {
         self.curve_as_at(patch, theta, theta)
     }
 
-    /// The curve of a patch at an orientation of its interval, as positions at another that differs from it by turns and
-    /// roundings: of parts drawn far from their origins these are more than the curve changes.
+    /// The curve of a patch at an orientation of its interval, as positions at the orientation `asked`, which differs from it by turns and
+    /// rounding: for parts drawn far from their origins the rounding of positions exceeds the change of the curve.
     pub(crate) fn curve_as_at(&self, patch: &Patch, theta: f64, asked: f64) -> CurveGeometry {
         (self.curve_with_ends(patch, Turned::by(theta), Turned::by(asked))).0
     }
 
-    /// The same, and where the curve begins and ends.
+    /// The curve as [`curve_as_at`](Self::curve_as_at) gives it, and the points where it begins and ends.
     fn curve_with_ends(
         &self,
         patch: &Patch,
@@ -150,8 +150,8 @@ impl<'a> Surface<'a> {
     }
 }
 
-/// The piece of a cycle of the pair's frame between two points of it as the user sees it, and where it begins and ends; `moved` is the
-/// moving part's centre, turned.
+/// The piece between two points of a cycle of the pair's frame, in the user's frame, and its end points; `moved` is the moving part's
+/// centre, turned.
 pub(crate) fn on_cycle(
     cycle: &Cycle,
     [start, end]: [Point; 2],
@@ -207,8 +207,8 @@ impl Turned {
     }
 }
 
-/// Ends of an arc nearer to each other than this share of the radius, in the wrong order, are one point and not a full
-/// turn: next to a critical orientation that is known to 1e-6, a patch may be asked for that has just ended.
+/// Distance of the ends of an arc, as a share of the radius, below which ends in the wrong order count as one point and not as a full turn:
+/// next to a critical orientation, which may have an error of 1e-6, a patch may be evaluated that has just ended.
 pub(crate) const PASSED_ENDS: f64 = 1e-5;
 
 /// The angle travelled from one direction to another, counter-clockwise if the radius is positive.

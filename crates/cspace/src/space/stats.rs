@@ -1,4 +1,4 @@
-//! What a computation did, and how long it took.
+//! Counts and times of one computation.
 
 /// Counts and times of one computation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -22,33 +22,33 @@ pub struct Statistics {
     pub overlap_tests: u64,
     /// Shells whose bounds and tests disagreed and were decided cell by cell; 0 in sound computations.
     pub conflicts: u64,
-    /// How often which certainty was reached.
+    /// Counts of decisions, by the certainty reached.
     #[cfg_attr(feature = "serde", serde(default))]
     pub decisions: Decisions,
     /// Seconds taken, by stage.
     pub seconds: StageSeconds,
 }
 
-/// How often a decision was certain at once, and how often it took more, or was left to the resolution.
+/// Numbers of decisions: how many were made, and how many of these needed a second method or were left to the resolution.
 ///
-/// What a bound on the error of `f64` leaves open is decided in double-double.
+/// Decisions for which the error bound of `f64` is too large are made in double-double.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Decisions {
     /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
     pub passings: u64,
-    /// Of these, handed on because the polynomial cannot be told from zero: decided by the order of places before and after.
+    /// Subset of `passings` in which the sign of the polynomial cannot be determined: decided by the order of places before and after.
     pub passings_by_places: u64,
     /// Orientations at which something may change.
     pub orientations: u64,
-    /// Of these, known less well than to the narrowest band, or several that are nearer than it: nothing asks in which order
-    /// events happen there.
+    /// Subset of `orientations` with an error above the narrowest band, or closer to another than that: nothing depends on the order of
+    /// events there.
     pub orientations_rough: u64,
     /// Pieces of curve that two cells share at an orientation.
     pub overlaps: u64,
-    /// Of these, not certainly longer than the errors of their ends: they join no shells.
+    /// Subset of `overlaps` that may be shorter than the errors of their ends: these do not join shells.
     pub overlaps_uncertain: u64,
-    /// Shells, each decided by one test of overlap and what bounds its cells.
+    /// Shells, each decided by one overlap test and by the bounds of its cells.
     pub shells: u64,
 }
 

@@ -1,11 +1,11 @@
-//! From patch to patch: the links of every patch, found in constant time.
+//! Links of every patch, found in constant time.
 
 use crate::grouped::Grouped;
 use crate::parallel;
 
 use super::data::{SideLink, VerticalLink};
 
-/// For every patch its links, by the end at which they lie.
+/// For every patch, its links by the boundary at which they are.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Walk {
     after: Grouped,

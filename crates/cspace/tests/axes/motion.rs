@@ -1,8 +1,7 @@
-//! First contacts of pairs on fixed axes, against steps of the brute-force oracle along the way.
+//! First contacts of pairs on fixed axes, compared with steps of the brute-force oracle along the motion.
 //!
-//! Up to the contact no step may overlap, the contact must be one of the patch that is named, and just beyond it, where
-//! the motion goes in at an angle, the parts must overlap. A verdict of the oracle counts when it is certain of it by more
-//! than the resolution.
+//! Up to the contact no step may overlap, the contact must be one of the named patch, and just beyond it, where the motion enters at an
+//! angle, the parts must overlap. A verdict of the oracle counts if its margin exceeds the resolution.
 
 use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
@@ -13,14 +12,14 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
-/// Motions of each mechanism, each followed by one from the contact it found.
+/// Number of motions of each mechanism, each followed by one from the contact it found.
 const MOTIONS: usize = 150;
-/// Steps of each motion.
+/// Number of steps of each motion.
 const STEPS: u32 = 120;
 
-/// How often what happened.
+/// Counts of outcomes.
 #[derive(Default, Debug)]
 struct Tally {
     contacts: usize,
@@ -40,14 +39,14 @@ struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// Overlap, if the oracle is certain of its verdict.
+    /// Whether the parts overlap, if the oracle is certain.
     fn overlaps(&self, (u, v): (f64, f64)) -> Option<bool> {
         let verdict = self.oracle.judge(self.space.configuration(u, v));
         let known = CERTAIN * self.oracle.size();
         (verdict.margin > known).then_some(verdict.overlap)
     }
 
-    /// Follows a motion; where it touched, if it did.
+    /// Follows a motion; returns the contact, if there is one.
     fn follow(&mut self, from: (f64, f64), rates: (f64, f64), duration: f64) -> Option<(f64, f64)> {
         let answer = self.space.first_contact(from, rates, duration).unwrap();
         let at = |t: f64| (from.0 + rates.0 * t, from.1 + rates.1 * t);
@@ -83,7 +82,7 @@ impl Trial<'_> {
                     && self.overlaps(at(t)) != Some(false)
                     && until - t > 1e-9
             });
-        // A motion along a boundary may dip into it by rounding; what is deeper the oracle has seen above.
+        // A motion along a boundary may dip into it by rounding; deeper overlaps are detected by the oracle above.
         if let (Some(t), None) = (blocked, deep)
             && self
                 .space
@@ -107,7 +106,7 @@ impl Trial<'_> {
         None
     }
 
-    /// The contact is one of the patch; just beyond it the parts overlap where the motion goes in at an angle.
+    /// Checks that the contact is one of the patch, and that just beyond it the parts overlap where the motion enters at an angle.
     fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: u32, given: (f64, f64)) {
         let size = self.oracle.size();
         let mut wrong = Vec::new();
@@ -129,7 +128,7 @@ impl Trial<'_> {
         if slope > 1e-9 * speed {
             wrong.push(format!("the parts part at {at:?}: {slope}"));
         }
-        // Deeper by some 1e-6 of the size: nothing of these parts is as small.
+        // Deeper by some 1e-6 of the size: these parts have no smaller details.
         if slope < -1e-2 * speed && speed > 0.0 {
             let t = 1e-6 * size / -slope;
             let beyond = (at.0 + rates.0 * t, at.1 + rates.1 * t);
@@ -177,7 +176,7 @@ fn try_mechanism(m: &Mechanism) -> Tally {
         if let Some(at) = touched
             && trial.space.classify(at.0, at.1) == Some(Classification::Contact)
         {
-            // On from the contact, any way.
+            // Continues from the contact in any direction.
             let other = m.somewhere(size, &mut rng);
             let rates = (share * (other.0 - at.0), share * (other.1 - at.1));
             trial.tally.from_contact += 1;
@@ -219,7 +218,7 @@ fn first_contacts_agree_with_brute_force() {
     assert!(sum.free > 200 && sum.leaves > 50 && sum.from_contact > 500);
 }
 
-/// Every point of a gap is free; where free space is, gaps are.
+/// Every point of a gap is free, and every free configuration is in a gap.
 #[test]
 fn gaps_are_free() {
     let mut rng = ChaCha8Rng::seed_from_u64(43);
@@ -242,7 +241,7 @@ fn gaps_are_free() {
             }
             let s = rng.random_range(0.01..0.99);
             let (u, v) = (a.0 + s * du, a.1 + s * dv);
-            // The strip drawn for a part that does not move stands for its coordinate 0.
+            // The strip drawn for a part that does not move represents its coordinate 0.
             let stays = |axis: &Axis| axis.motion == AxisMotion::Fixed;
             let u = if stays(&m.fixed_axis) { 0.0 } else { u };
             let v = if stays(&m.moving_axis) { 0.0 } else { v };
@@ -255,7 +254,7 @@ fn gaps_are_free() {
     }
 }
 
-/// Turns that are farther than an angle is known end in an answer, if the parts touch before, or in an error.
+/// Motions that turn farther than an angle is known give a result if the parts touch before, otherwise an error.
 #[test]
 fn motions_that_turn_too_far_end() {
     let disc = |x: f64, r: f64| cspace::Part::circle("disc", (x, 0.0), r).unwrap();

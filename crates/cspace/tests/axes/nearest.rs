@@ -1,4 +1,4 @@
-//! Nearest contacts of pairs on fixed axes: against first contacts to both sides, and against brute force on the way.
+//! Nearest contacts of pairs on fixed axes, compared with first contacts to both sides and with brute force in between.
 
 use core::f64::consts::{PI, TAU};
 
@@ -11,10 +11,10 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Configurations of each mechanism, and steps of brute force on the way to a contact.
+/// Configurations of each mechanism, and steps of brute force towards a contact.
 const ASKED: usize = 200;
 const STEPS: u32 = 40;
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
 
 #[derive(Default)]
@@ -25,7 +25,7 @@ struct Tally {
     wrong: Vec<String>,
 }
 
-/// How far a motion along one coordinate is free.
+/// Distance for which a motion along one coordinate is free.
 fn free_way(space: &FixedAxesSpace, from: (f64, f64), rates: (f64, f64), far: f64) -> Option<f64> {
     match space.first_contact(from, rates, far).unwrap() {
         AxesMotionOutcome::Contact(c) => Some(c.time),
@@ -61,7 +61,7 @@ fn try_mechanism(m: &Mechanism) -> Tally {
         let mut wrong = |what: String| tally.wrong.push(format!("{} ({u}, {v}): {what}", m.name));
         let Some(n) = space.nearest_contact(u, v) else {
             tally.none += 1;
-            // Nothing to touch on either side.
+            // No contact on either side.
             if class == Classification::Free {
                 for sign in [-1.0, 1.0] {
                     if let Some(t) = free_way(&space, (u, v), (sign * du, sign * dv), TAU) {

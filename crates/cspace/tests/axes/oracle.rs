@@ -1,8 +1,7 @@
-//! Fixed-axes pairs against brute force: is every (u, v) free or blocked as the parts' overlap says?
+//! Fixed-axes pairs compared with brute force: every (u, v) must be free or blocked according to the parts' overlap.
 //!
-//! The judge is the oracle, which knows no contact curves. Half of the configurations are moved by 1e-4 … 1e-9 of the
-//! size from contact, found by halving along random motions. A disagreement counts when the oracle is certain of its
-//! verdict by more than 1e-10 of the pair's size.
+//! The oracle does not use contact curves. Half of the configurations are at 1e-4 … 1e-9 of the size from contact, found by halving along
+//! random motions. A disagreement counts if the oracle's margin exceeds 1e-10 of the pair's size.
 
 use core::f64::consts::TAU;
 
@@ -15,18 +14,18 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;
-/// Arcs whose radius is so many times their length that their centres are not known well enough: a known gap.
+/// Pairs with arcs whose radius is so many times their length that their centres are not known well enough: a known gap.
 const TOO_FLAT: [&str; 1] = ["nearly straight arcs"];
-/// Configurations anywhere, and searches for contact.
+/// Numbers of arbitrary configurations, and of searches for contact.
 const FAR: usize = 300;
 const SEARCHES: usize = 1200;
 
-/// Marks pairs that may fit exactly: in these, chains may have to be judged cell by cell.
+/// Marker of pairs that may fit exactly: in these, chains may have to be decided cell by cell.
 const OF_ALL: &str = " of all";
 
-/// Where an axis takes its part.
+/// Placement of a part by its axis.
 struct Placing {
     turn: f64,
     shift: Vector,
@@ -49,7 +48,7 @@ fn place(axis: &Axis, t: f64) -> Placing {
     }
 }
 
-/// The relative configuration, written down anew.
+/// The relative configuration, computed independently.
 fn relative(m: &Mechanism, u: f64, v: f64) -> Configuration {
     let (a, b) = (place(&m.fixed_axis, u), place(&m.moving_axis, v));
     let back = Rotation::by(-a.turn) * (b.shift - a.shift);
@@ -77,9 +76,9 @@ fn ask(
     };
     let c = relative(m, at.0, at.1);
     let verdict = oracle.judge(c);
-    // Of a part drawn far away the test itself does not know better where it is.
+    // For a part drawn far away, the test's own positions have this rounding.
     let known = 64.0 * f64::EPSILON * c.x.abs().max(c.y.abs());
-    // Where a tie was broken, the resolution says how far parts were moved.
+    // Where a tie was broken, the resolution includes the displacement of the parts.
     let least = (CERTAIN * oracle.size()).max(space.resolution());
     if verdict.margin <= least + known {
         return;
@@ -112,7 +111,7 @@ fn try_mechanism(m: &Mechanism) -> (Tally, String) {
     let overlaps = |(u, v): (f64, f64)| oracle.judge(relative(m, u, v)).overlap;
     for _ in 0..SEARCHES {
         let from = m.somewhere(oracle.size(), &mut rng);
-        // A move along u, v, or both.
+        // A displacement along u, v, or both.
         let way = 10f64.powf(rng.random_range(-2.0..0.0));
         let other = m.somewhere(oracle.size(), &mut rng);
         let (mut du, mut dv) = (way * (other.0 - from.0), way * (other.1 - from.1));
@@ -164,7 +163,7 @@ fn try_mechanism(m: &Mechanism) -> (Tally, String) {
     (tally, line)
 }
 
-/// Tries all, and fails if any answer is wrong or too few are certain.
+/// Tests all mechanisms; fails if any answer is wrong or too few are certain.
 fn try_all(all: &[Mechanism], least: usize) {
     let tried: Vec<(Tally, String)> = all.par_iter().map(try_mechanism).collect();
     let mut wrong = Vec::new();
@@ -200,8 +199,8 @@ fn large_gears_agree_with_brute_force() {
     try_all(&all, 3_000);
 }
 
-/// The parts of all pairs of the oracle, each pair on axes of every combination: in the middle of the part, at a corner of
-/// the other's box, along a coordinate or aslant, with limits and without.
+/// The parts of all pairs of the oracle, each pair on axes of every combination: in the middle of the part, at a corner of the other's box,
+/// along a coordinate or oblique, with limits and without.
 #[test]
 fn all_pairs_of_parts_agree_with_brute_force() {
     let mut rng = ChaCha8Rng::seed_from_u64(23);
@@ -214,7 +213,7 @@ fn all_pairs_of_parts_agree_with_brute_force() {
         }
         let oracle = Oracle::new(&pair.fixed, &pair.moving);
         let size = oracle.size();
-        // The moving part is drawn where the parts just about meet.
+        // The moving part is drawn where the parts nearly touch.
         let angle = TAU * f64::from(rng.random_range(0..8)) / 8.0;
         let to = oracle.fixed_center() - oracle.moving_center()
             + Vector::from_angle(angle) * (size * rng.random_range(0.2..0.8));

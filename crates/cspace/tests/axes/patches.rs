@@ -1,4 +1,4 @@
-//! Contact curves of fixed-axes pairs: closed forms, sides, neighbours; and the same pairs as general pairs.
+//! Contact curves of fixed-axes pairs: closed forms, sides, neighbours; and comparison with general pairs.
 
 use core::f64::consts::TAU;
 
@@ -14,7 +14,7 @@ fn compute(m: &Mechanism) -> FixedAxesSpace {
     FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap()
 }
 
-/// Points of branches lie on their contact functions' zero, with free space on the right of travel, blocked on the left.
+/// Contact functions vanish at points of branches, with free space on the right of travel and blocked space on the left.
 #[test]
 fn branches_have_free_space_on_their_right() {
     let mut tried = 0;
@@ -25,7 +25,7 @@ fn branches_have_free_space_on_their_right() {
             AxisMotion::Prismatic { .. } => size,
             _ => 1.0,
         };
-        // Steps of one size in both coordinates.
+        // Steps of equal length in both coordinates.
         let (unit_u, unit_v) = (one(&m.fixed_axis), one(&m.moving_axis));
         for (i, b) in space.branches().iter().enumerate() {
             let (from, to) = match b.form {
@@ -46,7 +46,7 @@ fn branches_have_free_space_on_their_right() {
                 BranchForm::VOfU => (direction / unit_u, direction * slope / unit_v),
                 BranchForm::UOfV => (direction * slope / unit_u, direction / unit_v),
             };
-            // Not on an axis that does not move.
+            // Not along an axis that does not move.
             let step = 1e-7 / du.hypot(dv);
             let right = (u + step * dv * unit_u, v - step * du * unit_v);
             let left = (u - step * dv * unit_u, v + step * du * unit_v);
@@ -76,7 +76,7 @@ fn branches_have_free_space_on_their_right() {
 }
 
 /// A disc with a bore that turns on its own pivot, and a roller in line with it: every contact is at a joint of two arcs,
-/// so that each curve is there twice. It is told of which region, in the bore, left or right, all of them are.
+/// so that each curve exists twice. All of them bound the region on their free side: in the bore, left or right.
 #[test]
 fn curves_that_coincide_bound_the_region_on_their_free_side() {
     let circle = |x: f64, r: f64| vec![Vertex::new(x + r, 0.0, 1.0), Vertex::new(x - r, 0.0, 1.0)];
@@ -151,8 +151,8 @@ fn gradients_agree_with_differences() {
     }
 }
 
-/// Each patch is the next one of its previous one, begins where that ends, and bounds the same region. Those without
-/// neighbours end at a limit of motion.
+/// Each patch is the next one of its previous one, begins where that ends, and bounds the same region. Patches without neighbours end at a
+/// limit of motion.
 #[test]
 fn patches_follow_each_other() {
     for m in mechanisms() {
@@ -201,7 +201,7 @@ fn patches_follow_each_other() {
     }
 }
 
-/// The same answers as the general contact space of the pair gives at the relative configuration.
+/// Classes agree with those that the general contact space of the pair gives at the relative configuration.
 #[test]
 fn agrees_with_the_general_space() {
     let slow = ["gears", "escapement", "ratchet"];
@@ -237,7 +237,7 @@ fn agrees_with_the_general_space() {
     assert!(asked > 2000, "{asked}");
 }
 
-/// The torus's, the cylinder's and the strip's regions reach around as they should.
+/// Regions of the torus, the cylinder and the strip extend around the expected coordinates.
 #[test]
 fn regions_reach_around_where_parts_can_turn_for_ever() {
     let of = |name: &str| {
@@ -264,13 +264,13 @@ fn regions_reach_around_where_parts_can_turn_for_ever() {
     let cam = of("cam and round follower");
     assert_eq!(cam.len(), 2);
     assert!(cam.iter().all(|r| r.around_u && !r.around_v));
-    // A gear that is stopped has one region in each gap of its teeth.
+    // A stopped gear has one region in each gap of its teeth.
     let stopped = of("gear against a stop");
     assert_eq!(stopped.len(), 9);
     assert!(stopped.iter().all(|r| !r.around_u));
 }
 
-/// Saved and read again, a space answers the same; of another version it is refused.
+/// A space that was saved and read gives the same answers; data of another version are rejected.
 #[test]
 fn saved_spaces_answer_the_same() {
     let m = mechanisms().into_iter().next().unwrap();
@@ -302,7 +302,7 @@ fn threads_do_not_matter() {
     }
 }
 
-/// Axes that make no sense are refused, with a word on what to do.
+/// Invalid axes are rejected, with a hint in the message.
 #[test]
 fn axes_without_sense_are_refused() {
     let m = mechanisms().into_iter().next().unwrap();

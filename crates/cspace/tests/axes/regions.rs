@@ -1,9 +1,9 @@
-//! Free regions of pairs on fixed axes against a flood fill over a grid of (u, v).
+//! Free regions of pairs on fixed axes, compared with a flood fill over a grid of (u, v).
 //!
-//! The fill knows nothing but the oracle's verdicts. Two neighbours of the grid are joined when the way between them is
-//! free for certain: a step (Δu, Δv) moves no point of one part towards the other by more than the steps times the parts'
-//! reaches, and parts that move less than their clearance stay free. What the clearances at both ends do not cover is halved. So what
-//! the fill joins is joined in truth; it may only miss channels that are narrow compared to its steps.
+//! The fill uses only the oracle's verdicts. Two neighbours of the grid are joined if the motion between them is certainly free: a step
+//! (Δu, Δv) moves no point of one part towards the other by more than the steps times the parts' reaches, and parts that move less than
+//! their clearance stay free. Steps that the clearances at both ends do not cover are halved. So places that the fill joins are connected;
+//! it may only miss channels that are narrow compared with its steps.
 
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,22 +14,22 @@ use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
 use rayon::prelude::*;
 
-/// Values of each coordinate.
+/// Number of values of each coordinate.
 const VALUES: usize = 360;
-/// How often a step between neighbours is halved.
+/// Number of times that a step between neighbours is halved.
 const HALVINGS: u32 = 6;
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
-/// Places at which the clearance exceeds what a step moves, times this, must be joined by the fill if they are in one region:
-/// others may be in a cusp between two curves that no step leads out of.
+/// Ratio of the clearance to the displacement by a step from which places of one region must be joined by the fill: others may be in a cusp
+/// between two curves from which no step leads out.
 const GENEROUS: f64 = 0.5;
 
 /// The values of one coordinate.
 struct Values {
     at: Vec<f64>,
-    /// Whether the last is followed by the first.
+    /// Whether the first value follows the last one.
     around: bool,
-    /// The farthest any point of the part moves as the coordinate grows by one.
+    /// Largest displacement of a point of the part per unit of the coordinate.
     reach: f64,
 }
 
@@ -57,13 +57,13 @@ impl Values {
         }
     }
 
-    /// How far a point of the part moves at most from one value to the next.
+    /// Largest displacement of a point of the part from one value to the next.
     fn step(&self) -> f64 {
         self.after(0)
             .map_or(0.0, |(t, _)| (t - self.at[0]) * self.reach)
     }
 
-    /// The value after the k-th, past a turn if need be, and its index.
+    /// The value after the k-th, continued past a turn, and its index.
     fn after(&self, k: usize) -> Option<(f64, usize)> {
         match self.at.get(k + 1) {
             Some(&next) => Some((next, k + 1)),
@@ -72,7 +72,7 @@ impl Values {
         }
     }
 
-    /// The value before the k-th, past a turn if need be, and its index.
+    /// The value before the k-th, continued past a turn, and its index.
     fn before(&self, k: usize) -> Option<(f64, usize)> {
         match k.checked_sub(1) {
             Some(j) => Some((self.at[j], j)),
@@ -82,8 +82,8 @@ impl Values {
     }
 }
 
-/// A distance from a point that no point of the part exceeds: an arc of chord c and bulge b is within c/2 max(1, |b|) of
-/// the chord's middle.
+/// Upper bound of the distance of the part's points from a point: an arc of chord c and bulge b is within c/2 max(1, |b|) of the chord's
+/// middle.
 fn farthest(part: &Part, from: Point) -> f64 {
     part.edges()
         .map(|e| {
@@ -100,14 +100,14 @@ struct Fill<'a> {
 }
 
 impl Fill<'_> {
-    /// The clearance, if the parts are free of each other for certain.
+    /// The clearance, if the parts are certainly free of each other.
     fn clearance(&self, (u, v): (f64, f64)) -> Option<f64> {
         let verdict = self.oracle.judge(self.space.configuration(u, v));
         let certain = verdict.margin > CERTAIN * self.oracle.size();
         (certain && !verdict.overlap).then_some(verdict.margin)
     }
 
-    /// Whether the way from a to b is free for certain; `moved` is how far any point moves on it at most.
+    /// Whether the motion from a to b is certainly free; `moved` is a bound of the displacement of any point.
     fn joined(
         &self,
         a: ((f64, f64), f64),
@@ -139,7 +139,7 @@ fn root(of: &mut [usize], mut i: usize) -> usize {
     i
 }
 
-/// What is wrong with the regions of a mechanism, and a line about it.
+/// Errors in the regions of a mechanism, and a line of summary.
 fn compare(m: &Mechanism) -> (Vec<String>, String, usize) {
     let space = FixedAxesSpace::compute(&m.fixed, m.fixed_axis, &m.moving, m.moving_axis).unwrap();
     let oracle = Oracle::new(&m.fixed, &m.moving);
@@ -256,8 +256,8 @@ fn free_regions_agree_with_a_flood_fill() {
     assert!(joined > 50, "{joined}");
 }
 
-/// Two gears in mesh can be put together in as many ways that no motion joins as their numbers of teeth have for greatest
-/// common divisor: turning one of them on by a tooth leads to another way, and meshing on brings some of these together.
+/// The number of ways in which two gears can mesh, without a motion from one to another, is the greatest common divisor of their numbers of
+/// teeth: turning one of them by a tooth leads to another way, and turning both in mesh identifies some of these.
 #[test]
 fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
     for (n, m, ways) in [(10, 9, 1), (14, 12, 2), (9, 6, 3), (8, 8, 8), (6, 12, 6)] {
@@ -270,8 +270,8 @@ fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
     }
 }
 
-/// A region's sample is a configuration of it as any other: within the region's ranges and those of the motions, in the
-/// region by all queries, and free by the oracle.
+/// A region's sample is a configuration of the region: within the ranges of the region and of the motions, in the region according to all
+/// queries, and free according to the oracle.
 #[test]
 fn samples_lie_in_their_regions() {
     let (mut samples, mut unrolled) = (0, 0);

@@ -1,5 +1,5 @@
-//! Parts that are symmetric about their pivots are computed in one period of their motion and copied. With limits a full turn
-//! apart the same pair is computed over all of it, with no use of symmetry; every answer must be the same.
+//! Parts that are symmetric about their pivots are computed in one period of their motion and copied. With limits a full turn apart, the
+//! pair is computed over all of it without symmetry; every answer must be equal.
 
 use core::f64::consts::TAU;
 
@@ -41,14 +41,14 @@ fn names(s: &FixedAxesSpace) -> Vec<(FeatureName, FeatureName)> {
     names
 }
 
-/// How far all contact curves go along u and along v together: contact at the limits is no curve.
+/// Total lengths of all contact curves along u and along v: contact at the limits is not a curve.
 fn length(s: &FixedAxesSpace) -> f64 {
     (s.branches().iter())
         .map(|b| (b.end.0 - b.start.0).abs() + (b.end.1 - b.start.1).abs())
         .sum()
 }
 
-/// Compares the space of a mechanism with that without symmetry.
+/// Compares the space of a mechanism with that computed without symmetry.
 fn compare(m: &Mechanism) -> (FixedAxesSpace, FixedAxesSpace) {
     let (copied, whole) = (compute(m), whole(m));
     assert_eq!(names(&copied), names(&whole), "{}", m.name);
@@ -66,7 +66,7 @@ fn compare(m: &Mechanism) -> (FixedAxesSpace, FixedAxesSpace) {
         let (a, b) = (copied.classify(u, v), whole.classify(u, v));
         assert_eq!(a, b, "{}: {u} {v}", m.name);
     }
-    // The same curves, of the same features, where the others are.
+    // The curves are equal, with equal features, at the places of the others.
     let turned = |axis: &Axis, t: f64| {
         if unlimited(axis) {
             t.rem_euclid(TAU)
@@ -102,14 +102,14 @@ fn mechanisms_are_the_same_without_symmetry() {
     let mut copies = 0;
     for m in mechanisms().iter().filter(|m| turning(m)) {
         let (copied, whole) = compare(m);
-        // The tests of overlap tell that symmetry was used.
+        // The number of overlap tests shows that symmetry was used.
         let (a, b) = (copied.statistics().tests, whole.statistics().tests);
         copies += usize::from(4 * a < b);
     }
     assert!(copies >= 6, "{copies}");
 }
 
-/// A drawing's coordinates are rounded: the part computed is the nearest symmetric one, and the resolution tells how near.
+/// A drawing's coordinates are rounded: the part computed is the nearest symmetric one, and the resolution includes the deviation.
 #[test]
 fn a_drawing_with_nine_digits_is_symmetric_enough() {
     let m = gears(10, 9);
@@ -131,8 +131,8 @@ fn a_drawing_with_nine_digits_is_symmetric_enough() {
     assert!(copied.resolution() < whole.resolution() + 1e-8);
 }
 
-/// A bore of two half circles about the pivot does not spoil the symmetry of a wheel, and its contact is told by the two arcs
-/// as drawn. A pin in it swings about another pivot.
+/// A bore of two half circles about the pivot does not break the symmetry of a wheel, and its contact is reported with the two arcs as
+/// drawn. A pin in it swings about another pivot.
 #[test]
 fn a_bore_of_two_half_circles_is_no_hindrance() {
     let wheel = gear(10, 1.0);
@@ -155,11 +155,11 @@ fn a_bore_of_two_half_circles_is_no_hindrance() {
     let (copied, _) = compare(&m);
     let arcs: Vec<u32> = copied.patches().iter().map(|p| p.fixed.index).collect();
     assert!(arcs.contains(&0) && arcs.contains(&1), "{arcs:?}");
-    // Two arcs touch two half circles of the pin, on the way in and on the way out, once or twice each.
+    // Two arcs touch two half circles of the pin, at the entry and at the exit, once or twice each.
     assert!(arcs.len() <= 16, "{}", arcs.len());
 }
 
-/// Off its centre a part does not repeat itself, however little it is off.
+/// A part whose pivot is not its centre does not repeat itself, however small the distance.
 #[test]
 fn a_pivot_off_the_centre_is_not_taken_for_it() {
     let m = gears(10, 9);
@@ -169,7 +169,7 @@ fn a_pivot_off_the_centre_is_not_taken_for_it() {
             moving_axis: Axis::revolute(Point::new(9.55 + aside, 0.0)),
             ..m.clone()
         };
-        // Neither gear may be taken for symmetric: the other one's pivot is off as well.
+        // Neither gear may count as symmetric: the other one's pivot is displaced as well.
         let (copied, whole) = compare(&off);
         assert_eq!(copied.resolution(), whole.resolution());
     }

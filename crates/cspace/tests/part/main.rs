@@ -1,4 +1,4 @@
-//! What is a part, and what is none.
+//! Loops that make a part, and loops that are rejected.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod moments;
@@ -8,7 +8,7 @@ mod validation;
 
 use cspace::Vertex;
 
-/// The same loop given the other way around.
+/// The loop traversed in the other direction.
 fn backwards(vertices: &[Vertex]) -> Vec<Vertex> {
     let n = vertices.len();
     (0..n)

@@ -1,4 +1,4 @@
-//! Moments of areas against known figures, and against sums over a grid.
+//! Moments of areas, compared with known values and with sums over a grid.
 
 use core::f64::consts::PI;
 
@@ -45,7 +45,7 @@ fn half_disc() {
     let loops = vec![vec![Vertex::new(r, 0.0, 1.0), Vertex::line(-r, 0.0)]];
     let half = Part::new("half", loops).unwrap();
     let (area, y) = (PI * r * r / 2.0, 4.0 * r / (3.0 * PI));
-    // Half of the disc's about its centre, brought to the centroid.
+    // Half of the disc's moment about its centre, transformed to the centroid.
     let second = PI * r.powi(4) / 4.0 - area * y * y;
     is(&half, area, (0.0, y), second);
 }
@@ -100,7 +100,7 @@ fn circular_segments() {
         let m = part.moments();
         assert!((m.area - known.area).abs() < 1e-13 * known.area, "{h}");
         assert!(m.centroid.distance(known.centroid) < 1e-13 * r, "{h}");
-        // The known formula loses digits itself.
+        // The known formula itself loses digits.
         assert!(
             (m.second - known.second).abs() < 1e-11 * known.second,
             "{h}: {m:?} {known:?}"
@@ -108,8 +108,8 @@ fn circular_segments() {
     }
 }
 
-/// A nearly flat segment is nearly the piece of a parabola: with the chord L and the height h the area is 2 L h / 3, the centroid 2 h / 5 from the
-/// chord, the second moment L³ h / 30, each to a factor of 1 + O(h² / L²).
+/// A nearly flat segment is nearly the piece of a parabola: with the chord L and the height h the area is 2 L h / 3, the centroid is 2 h /
+/// 5 from the chord, and the second moment is L³ h / 30, each to a factor of 1 + O(h² / L²).
 #[test]
 fn flat_segments_keep_their_digits() {
     let (length, bulge) = (4.0, 1e-5);
@@ -143,7 +143,7 @@ fn far_from_the_origin() {
     assert!((far.centroid - near.centroid - cspace::Vector::new(4096.0, -8192.0)).length() < 1e-11);
 }
 
-/// Rows through the material of parts with arcs of all kinds, each row integrated between where it enters and leaves.
+/// Rows through the material of parts with arcs of all kinds, each row integrated between its entries and exits.
 #[test]
 fn against_a_sum_over_rows() {
     for seed in 0..6_u32 {
@@ -192,7 +192,7 @@ fn bumpy(seed: u32) -> Part {
     Part::new("bumpy", vec![outline, hole]).unwrap()
 }
 
-/// Where the line at height y is in the material, found by asking for points of it: brute force, without the edges.
+/// Intervals of the line at height y that are in the material, found by testing points: brute force, without the edges.
 fn inside(part: &Part, y: f64) -> Vec<(f64, f64)> {
     let (lo, hi) = (part.bounds().min.x - 0.1, part.bounds().max.x + 0.1);
     let steps = 400;

@@ -1,4 +1,4 @@
-//! Plain shapes and outlines drawn edge by edge, judged by geometry of their own: distances and walks along curves.
+//! Plain shapes and outlines drawn edge by edge, checked by independent geometry: distances and steps along curves.
 
 use core::f64::consts::{PI, TAU};
 
@@ -18,7 +18,7 @@ fn edge(start: Point, end: Point, bulge: f64) -> Edge {
     }
 }
 
-/// The edge that leaves the origin in a direction (radians) with a length and a sweep.
+/// The edge that starts at the origin in a direction (radians) with a length and a sweep.
 fn leaving(angle: f64, length: f64, sweep: f64) -> Edge {
     let half = 0.5 * sweep;
     let ratio = if half == 0.0 { 1.0 } else { half.sin() / half };
@@ -31,8 +31,8 @@ fn arriving(angle: f64, length: f64, sweep: f64) -> Edge {
     leaving(angle + PI, length, -sweep).reversed()
 }
 
-/// The centre of the circle of a radius on one side of the first edge that touches the second: the first found on the way
-/// back from the corner in small steps.
+/// The centre of the circle of a radius on one side of the first edge that touches the second: the first one found in small steps back from
+/// the corner.
 fn searched(before: &Edge, after: &Edge, radius: f64, side: f64) -> Option<(Point, Point)> {
     const STEPS: u32 = 4000;
     let touching = |u: f64| {
@@ -60,7 +60,7 @@ fn searched(before: &Edge, after: &Edge, radius: f64, side: f64) -> Option<(Poin
     None
 }
 
-/// Tangent to both edges where it joins them, and what is left of them is part of them.
+/// Checks that a fillet is tangent to both edges where it joins them, and that their remaining parts are parts of them.
 fn check_joins(before: &Edge, after: &Edge, radius: f64, rounded: &Fillet) {
     let arc = rounded.arc;
     assert!((arc.radius() / radius - 1.0).abs() < 1e-7);
@@ -84,7 +84,7 @@ fn check_joins(before: &Edge, after: &Edge, radius: f64, rounded: &Fillet) {
         };
         let at = if at_end { arc.start } else { arc.end };
         assert!(turned(from, at, to) < 1e-3, "{rest:?} {arc:?}");
-        // Half way along what is left lies on the edge as it was.
+        // The middle of the remaining part lies on the original edge.
         let whole = if at_end { before } else { after };
         assert!(whole.distance(rest.at(0.5)) < 1e-9);
     }
@@ -110,7 +110,7 @@ proptest! {
         let arc = edge(a, b, bulge);
         let size = 1.0 + if bulge == 0.0 { 0.0 } else { arc.radius().min(1e3) };
         prop_assert!(arc.distance(through) < 1e-9 * size);
-        // The other way around it is the same arc.
+        // Traversed backwards it is the same arc.
         let back = bulge_through(b, a, through).unwrap();
         prop_assert!((back + bulge).abs() <= 1e-9 * (1.0 + bulge * bulge));
     }
@@ -129,7 +129,7 @@ proptest! {
         let near = |bulge: f64, tolerance: f64| (bulge.atan() - wanted.atan()).abs() < tolerance;
         let by_center = bulge_about(a, b, center, direction).unwrap();
         prop_assert!(near(by_center, 1e-9));
-        // Near half a turn the radius says little.
+        // Near half a turn the arc depends little on the radius.
         prop_assert!(near(bulge_with_radius(a, b, radius, direction, size).unwrap(), 1e-6));
         prop_assert!(near(bulge_through(a, b, at(0.37)).unwrap(), 1e-9));
         let arc = edge(a, b, by_center);
@@ -168,7 +168,7 @@ proptest! {
         }
     }
 
-    /// With a little of everything, what is drawn makes a part, and no fillet moves an edge.
+    /// With a little of everything, the outline makes a part, and no fillet moves an edge.
     #[test]
     fn rounded_rectangles_have_the_area_known(
         width in 0.1..10.0, height in 0.1..10.0, share in 0.01..1.0, center in point(),
@@ -186,11 +186,11 @@ proptest! {
     }
 }
 
-/// The search itself is judged by a case that Pythagoras solves.
+/// The search itself is checked by a case that has a known solution.
 #[test]
 fn the_search_agrees_with_a_fillet_that_is_known() {
-    // A line along the x axis and the unit circle about (0, 1) meet at the origin in no corner; moved up by half, they
-    // have one at −√3 / 2.
+    // A line along the x axis and the unit circle about (0, 1) are tangent at the origin; with the line moved up by half, they have a
+    // corner at −√3 / 2.
     let x = -0.75_f64.sqrt();
     let corner = Point::new(x, 0.0);
     let before = edge(Point::new(-4.0, 0.0), corner, 0.0);
@@ -236,7 +236,7 @@ fn a_slot_is_a_rectangle_rounded_by_half_its_height() {
         .fillet(1.0)
         .close()
         .unwrap();
-    // The short sides are gone.
+    // The short sides vanish.
     assert_eq!(outline.len(), 6);
     let part = Part::new("slot", vec![outline]).unwrap();
     let slot = Part::slot("slot", [1.0, 0.0], [4.0, 0.0], 1.0).unwrap();
@@ -362,7 +362,7 @@ fn arithmetic_refuses_what_makes_no_arc() {
             "{refused:?}"
         );
     }
-    // A half circle whose ends and radius were rounded one by one.
+    // A half circle whose ends and radius were rounded separately.
     let drawn = |chord: f64| bulge_with_radius(o, [chord, 0.0], 0.707, left, ArcSize::Long);
     assert!((drawn(1.413999).unwrap() - 1.0).abs() < 2e-3);
     assert_eq!(drawn(1.414001), Ok(1.0));
@@ -370,7 +370,7 @@ fn arithmetic_refuses_what_makes_no_arc() {
         drawn(1.414002),
         Err(ArcError::RadiusTooSmall { .. })
     ));
-    // Any size of numbers is borne, if not drawn.
+    // Numbers of any magnitude are accepted by these functions, though not in a part.
     for scale in [1e-200, 1e200, 1e308] {
         let (a, b, c) = ([-scale, 0.0], [scale, 0.0], [0.0, scale]);
         assert!(bulge_through(a, b, c).is_ok_and(|b| (b + 1.0).abs() < 1e-9) || scale > 1e300);

@@ -1,4 +1,4 @@
-//! Random parts: what holds of all of them.
+//! Properties of random parts.
 
 use core::f64::consts::TAU;
 
@@ -7,11 +7,11 @@ use proptest::prelude::*;
 
 use crate::backwards;
 
-/// A loop around the origin: at each angle one vertex, between neighbours a line or an arc that
-/// bulges by little enough to stay in the sector of its two vertices.
+/// A loop around the origin: at each angle one vertex, between neighbours a line or an arc that bulges so little that it stays in the
+/// sector of its two vertices.
 ///
-/// Seen from the origin, an arc of sweep s meets its chord's end at the chord's angle less s / 2;
-/// so s / 2 is kept below the angles of the triangle of origin and chord.
+/// As seen from the origin, an arc of sweep s meets its chord's end at the chord's angle minus s / 2; so s / 2 is kept below the angles of
+/// the triangle of origin and chord.
 fn star_shaped() -> impl Strategy<Value = Vec<Vertex>> {
     (4..40_usize).prop_flat_map(|n| {
         let spoke = (0.5..1.5_f64, 0.1..0.9_f64, -0.9..0.9_f64, any::<bool>());
@@ -31,7 +31,7 @@ fn star_shaped() -> impl Strategy<Value = Vec<Vertex>> {
                     };
                     let (_, _, share, arc) = spokes[i];
                     let (a, b) = (corner(here, 1.0), corner(next, -1.0));
-                    // Outward the arc must stay out of the extended spokes, inward out of the spokes.
+                    // An outward arc must stay out of the extended spokes, an inward arc out of the spokes.
                     let room = a.min(b).min(TAU / 2.0 - a).min(TAU / 2.0 - b);
                     let bulge = if arc { (0.5 * share * room).tan() } else { 0.0 };
                     Vertex::new(here.x, here.y, bulge)
@@ -41,7 +41,7 @@ fn star_shaped() -> impl Strategy<Value = Vec<Vertex>> {
     })
 }
 
-/// The same loop turned by an angle, scaled and moved.
+/// The loop turned by an angle, scaled and moved.
 fn placed(vertices: &[Vertex], angle: f64, scale: f64, to: Point) -> Vec<Vertex> {
     let (sin, cos) = angle.sin_cos();
     vertices

@@ -1,4 +1,4 @@
-//! Which loops make a part, and what is said of those that do not.
+//! Loops that make a part, and the errors for those that do not.
 
 use core::f64::consts::{PI, TAU};
 
@@ -39,7 +39,7 @@ fn area_is(part: &Part, area: f64) {
     assert!((found - area).abs() <= 1e-13 * area, "{found} for {area}");
 }
 
-// What is refused.
+// Rejected loops.
 
 #[test]
 fn no_loops() {
@@ -425,7 +425,7 @@ fn messages_name_the_place_and_the_remedy() {
     assert!(message.contains("move"), "{message}");
 }
 
-// What is accepted.
+// Accepted loops.
 
 /// Checks the area, in both directions of every loop, and that material is on the left.
 fn is_part(loops: Vec<Loop>, area: f64) {
@@ -584,7 +584,7 @@ fn two_thousand_holes_at_many_depths() {
     area_is(&part, squares + 2000.0 * PI * 0.16);
 }
 
-// Large and hostile.
+// Large and difficult loops.
 
 fn star(n: usize, radius: impl Fn(usize) -> f64, bulge: f64) -> Loop {
     (0..n)
@@ -596,7 +596,7 @@ fn star(n: usize, radius: impl Fn(usize) -> f64, bulge: f64) -> Loop {
         .collect()
 }
 
-/// Numbers in [0, 1) without pattern.
+/// Pseudo-random numbers in [0, 1).
 fn noise(i: usize) -> f64 {
     let x = (i as u64)
         .wrapping_add(1)
@@ -650,7 +650,7 @@ fn a_star_of_crossing_edges() {
     ));
 }
 
-/// Neighbouring arcs of one circle meet nowhere else, whatever rounding makes of their second crossing.
+/// Consecutive arcs of one circle meet nowhere else, whatever the rounding of their second crossing.
 #[test]
 fn a_hole_may_be_drawn_in_six_arcs() {
     let plate = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];

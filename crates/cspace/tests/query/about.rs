@@ -10,7 +10,7 @@ use cspace_oracle::shapes::gear;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// A motion about a point, by its definition.
+/// A motion about a point, according to its definition.
 #[derive(Clone, Copy)]
 struct About {
     from: Configuration,
@@ -40,8 +40,8 @@ impl SmoothMotion for About {
     }
 }
 
-/// A pin 6 long and 0.5 wide, drawn from its end, turns about its middle while this moves towards a wall: it reaches 3 |cos θ| + 0.25 |sin θ|
-/// ahead of its middle.
+/// A pin 6 long and 0.5 wide, drawn from its end, turns about its middle while this moves towards a wall: it extends 3 |cos θ| + 0.25 |sin
+/// θ| ahead of its middle.
 #[test]
 fn a_pin_turns_about_its_middle_while_it_moves() {
     let wall = Part::rectangle("wall", (11.0, 0.0), 2.0, 60.0).unwrap();
@@ -81,7 +81,7 @@ fn a_pin_turns_about_its_middle_while_it_moves() {
     }
 }
 
-/// Beside steps of the clearance, which know nothing of contact functions along a motion.
+/// Compared with steps of the clearance, which do not use contact functions along a motion.
 #[test]
 fn motions_about_points_meet_what_steps_of_the_clearance_meet() {
     let fixed = gear(5, 1.0);
@@ -120,14 +120,14 @@ fn motions_about_points_meet_what_steps_of_the_clearance_meet() {
                 let (p, q) = (contact.configuration, motion.at(contact.time));
                 assert!(p.position().distance(q.position()) < 1e-12 * reach);
             }
-            // Steps end beside contact, where a motion passes at less than their tolerance.
+            // Steps end beside a contact that a motion passes at less than their tolerance.
             (_, SmoothOutcome::Grazes { .. }) => {}
             other => panic!("{other:?}"),
         }
     }
 }
 
-/// Many questions about contacts change how configurations are classified, not what they are.
+/// After many queries of contacts, configurations are classified by another method, with equal results.
 #[test]
 fn what_is_asked_often_is_classified_as_before() {
     let options = Options::default();
@@ -143,7 +143,7 @@ fn what_is_asked_often_is_classified_as_before() {
         let mut counts = [0; 3];
         for k in 0..6000 {
             let mut c = Configuration::new(any(reach), any(reach), any(PI));
-            // Half of them beside contact, by a little or by nothing.
+            // Half of them beside contact, at small distances or none.
             if k % 2 == 0 {
                 let Some(near) = often.nearest_contact(c) else {
                     continue;

@@ -1,4 +1,4 @@
-//! Answers are written and read back as they were.
+//! Answers that are written and read again are equal.
 
 use core::fmt::Debug;
 
@@ -11,7 +11,7 @@ use cspace::{
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// What is read from what was written, and the text.
+/// Text of an answer, from which the answer is read back.
 fn again<T: Serialize + DeserializeOwned + PartialEq + Debug>(answer: T) -> String {
     let text = serde_json::to_string(&answer).unwrap();
     assert_eq!(serde_json::from_str::<T>(&text).unwrap(), answer, "{text}");

@@ -1,4 +1,4 @@
-//! The classifier gives the answers of the space itself, and those of brute force.
+//! The classifier gives the answers of the space itself, and of brute force.
 
 use core::f64::consts::{PI, TAU};
 
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Too slow, or accepted with conflicts, where optimisation is off.
 const SLOW: [&str; 2] = ["gears 26 and 24", "crescents of equal arcs"];
 
-/// Pairs in which the space itself is wrong here and there, or contact is nearer than rounding tells.
+/// Pairs for which the space itself is wrong in a few places, or contact is nearer than rounding resolves.
 const INEXACT: [&str; 4] = [
     "crescents of equal arcs",
     // Arcs of radii about 1e9 times their length.
@@ -44,7 +44,7 @@ fn anywhere(oracle: &Oracle, rng: &mut impl Rng) -> Configuration {
     Configuration::new(at.x + share() - turned.x, at.y + share() - turned.y, theta)
 }
 
-/// What is wrong with the answer at a configuration, if anything.
+/// Message if the answer at a configuration is wrong.
 fn wrong(
     space: &ContactSpace,
     classifier: &Classifier<&ContactSpace>,
@@ -113,7 +113,7 @@ fn agrees_with_the_space_and_with_brute_force() {
     assert!(tried_at > 200_000, "{tried_at}");
 }
 
-/// Random configurations, some near contact; the classifier and the space must say the same of them, turned anyhow.
+/// Random configurations, some near contact; the classifier and the space must agree on them, also after whole turns.
 #[test]
 fn windows_and_turns() {
     for name in [
@@ -175,8 +175,8 @@ fn windows_and_turns() {
     }
 }
 
-/// Beside critical orientations, on the curves there and next to them. At an orientation itself, brought home by another
-/// number of turns than a patch was, rounding decides which patches are there.
+/// Configurations beside critical orientations, on the curves there and next to them. At a critical orientation itself, reduced by another
+/// number of turns than a patch was, rounding decides which patches exist.
 #[test]
 fn critical_orientations() {
     for name in [
@@ -226,7 +226,7 @@ fn positions_in_line_with_features() {
     }
 }
 
-/// Positions from which the first ray that is asked goes through a joint of two curves, where it might slip through.
+/// Positions from which the first ray passes through a joint of two curves, where it might miss both.
 #[test]
 fn rays_through_joints() {
     /// The direction of that ray.
@@ -266,8 +266,8 @@ fn rays_through_joints() {
     assert!(asked > 500, "{asked}");
 }
 
-/// Contact circles that hardly differ cross at places of which rounding, or an enclosure, leaves nothing: circles of one
-/// radius about places far nearer to each other than that.
+/// Contact circles that hardly differ cross at places that are lost in rounding, or in an enclosure: circles of one radius about centres
+/// far nearer to each other than that.
 #[test]
 fn circles_that_are_nearly_one() {
     let (mut asked, mut mistakes) = (0, Vec::new());
@@ -338,7 +338,7 @@ fn saved_spaces_and_what_is_no_configuration() {
     }
 }
 
-/// A part drawn elsewhere: it moves, and its symmetry is about another point.
+/// A part drawn elsewhere: its motion, and its centre of symmetry, change.
 fn moved(part: &Part, by: Vector) -> Part {
     let place = |v: &Vertex| Vertex {
         x: v.x + by.x,
@@ -350,9 +350,8 @@ fn moved(part: &Part, by: Vector) -> Part {
     Part::new(part.name(), loops.collect()).unwrap()
 }
 
-/// Symmetric pairs are looked up in one slab: everywhere else, either part symmetric or both, drawn anywhere, with
-/// configurations at contact, just beside it, at the ends of slabs and anywhere, the answers are those of the space, and of
-/// brute force.
+/// Symmetric pairs are looked up in one period. In the other periods, with either part symmetric or both, drawn anywhere, and for
+/// configurations at contact, just beside it, at the ends of periods and anywhere, the answers are those of the space, and of brute force.
 #[test]
 fn slabs_of_symmetric_pairs() {
     let (away, far) = (Vector::new(3.0, -2.0), Vector::new(-40.0, 7.0));
@@ -374,7 +373,7 @@ fn slabs_of_symmetric_pairs() {
             ..Options::default()
         };
         let general = ContactSpace::compute(&fixed, &moving, &general).unwrap();
-        // One slab is prepared, not all.
+        // Only one period is prepared.
         let bytes = general.classifier().bytes();
         assert!(
             10 * classifier.bytes() < 9 * bytes,
@@ -387,7 +386,7 @@ fn slabs_of_symmetric_pairs() {
         let period = TAU / f64::from(slabs);
         let mut configurations = Vec::new();
         for i in 0..slabs {
-            // Somewhere in the slab, next to its ends, and where patches begin, turned anyhow.
+            // Somewhere in the period, next to its ends, and where patches begin, after any number of turns.
             let begin = period * f64::from(i) - PI;
             let critical = space.critical_orientations();
             let critical = critical[rng.random_range(0..critical.len())];
@@ -429,7 +428,7 @@ fn slabs_of_symmetric_pairs() {
     assert!(asked.iter().all(|&n| n > 500), "{asked:?}");
 }
 
-/// A space that says it repeats is looked at: where its patches are not images of each other, all of them are prepared.
+/// A space that claims to repeat is checked: where its patches are not images of each other, all of them are prepared.
 #[test]
 fn slabs_that_are_none() {
     let (fixed, moving) = (ratchet(8), pawl());
@@ -444,7 +443,7 @@ fn slabs_that_are_none() {
         .clone();
     claimed.symmetry = space.symmetry();
     let mut shuffled = space.data().clone();
-    // Patches numbered otherwise: links and all.
+    // Patches with other numbers, also in links.
     let n = shuffled.patches.len() as u32;
     let number = |i: u32| (i + 3) % n;
     shuffled.patches.rotate_right(3);

@@ -1,4 +1,4 @@
-//! Contact functions of drawn features, against those of the spaces, against differences, and against the parts.
+//! Contact functions of drawn features, compared with those of spaces, with differences, and with the parts.
 
 use cspace::pair::PairMotion;
 use cspace::{
@@ -38,7 +38,7 @@ fn size(space: &PairSpace) -> f64 {
     space.fixed().size().max(space.moving().size())
 }
 
-/// How far a part reaches from its origin: what an orientation moves, and what rounding is relative to.
+/// Largest distance of a part from its origin: it determines the effect of the orientation, and of rounding.
 fn lever(space: &PairSpace) -> f64 {
     let reach = |part: &Part| {
         let ends = part.edges().map(|e| e.start.to_vector().length());
@@ -47,7 +47,7 @@ fn lever(space: &PairSpace) -> f64 {
     reach(space.fixed()).max(reach(space.moving()))
 }
 
-/// Configurations on a patch and beside it, at which one of its functions is asked.
+/// Configurations on a patch and beside it, at which one of its functions is evaluated.
 fn beside(space: &PairSpace, rng: &mut ChaCha8Rng) -> Vec<(FeatureContact, Coordinates)> {
     let mut all = Vec::new();
     for patch in space.patches().step_by(1 + space.patch_count() / 40) {
@@ -64,7 +64,7 @@ fn beside(space: &PairSpace, rng: &mut ChaCha8Rng) -> Vec<(FeatureContact, Coord
     all
 }
 
-/// The function of the drawing is that of the space, but for what parts are grown.
+/// The function of the drawing equals that of the space, except for growth.
 #[test]
 fn values_and_gradients_are_those_of_spaces() {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
@@ -88,7 +88,7 @@ fn values_and_gradients_are_those_of_spaces() {
                 "{name}: {} {value}",
                 f.value
             );
-            // Of circles that all but coincide the direction of the normal is known less well.
+            // For circles that almost coincide the direction of the normal is less accurate.
             let radius = f.hessian[0][0] + f.hessian[1][1];
             let known = 1e-8 + near * (1.0 + radius.abs());
             let gradient = of_space.gradient(c);
@@ -127,14 +127,14 @@ fn values_and_gradients_are_those_of_spaces() {
     }
 }
 
-/// Gradients and Hessians against differences, on both classes.
+/// Gradients and Hessians compared with differences, for both classes.
 #[test]
 fn derivatives_agree_with_differences() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     for (name, space) in planar() {
         let size = size(&space);
         if lever(&space) > 100.0 * size {
-            // Differences are lost in the rounding.
+            // Differences are lost in rounding.
             continue;
         }
         for (contact, at) in beside(&space, &mut rng) {
@@ -149,7 +149,7 @@ fn derivatives_agree_with_differences() {
             for i in 0..3 {
                 let h = if i == 2 { 1e-6 } else { 1e-6 * size };
                 let (lo, hi) = (by(i, -h), by(i, h));
-                // Near the centre of a small circle differences are none.
+                // Near the centre of a small circle differences are inaccurate.
                 if f.hessian[0][0].abs() + f.hessian[1][1].abs() > 100.0 / size {
                     continue;
                 }
@@ -233,7 +233,7 @@ fn derivatives_by_the_drawing_agree_with_other_drawings() {
                         contact.fixed = part.feature_shape(feature.name).unwrap();
                         contact.value(at).unwrap()
                     };
-                    // A line that bulges is an arc: another feature by name, the same by number.
+                    // A line that bulges is an arc: a feature with another name, but the same number.
                     let slope = (moved(h) - moved(-h)) / (2.0 * h);
                     assert!(
                         (slope - expected).abs() < 1e-6,
@@ -260,7 +260,7 @@ fn derivatives_by_the_drawing_agree_with_other_drawings() {
     }
 }
 
-/// Touching points are one point on a patch, on the boundary of both parts, with the normal of the fixed one.
+/// Touching points coincide on a patch, on the boundary of both parts, with the normal of the fixed one.
 #[test]
 fn touching_points_are_on_both_parts() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
@@ -288,7 +288,7 @@ fn touching_points_are_on_both_parts() {
     }
 }
 
-/// Of a point and an edge, from many points of the edge and their neighbours.
+/// Distance of a point and an edge, from many points of the edge and their neighbours.
 fn distance(e: &cspace::Edge, p: Point) -> f64 {
     let on = |s: f64| {
         if e.is_line() {
@@ -308,7 +308,7 @@ fn distance(e: &cspace::Edge, p: Point) -> f64 {
     on(0.5 * (lo + hi)).distance(p)
 }
 
-/// A configuration is where the parts say, and as far from contact as they are apart.
+/// Locations agree with the overlap of the parts, and clearances with their distance.
 #[test]
 fn places_and_clearances_are_those_of_the_parts() {
     let mut rng = ChaCha8Rng::seed_from_u64(4);
@@ -361,7 +361,7 @@ impl SmoothMotion for Straight {
     }
 }
 
-/// A straight motion told as a smooth one touches when the exact search says.
+/// A straight motion given as a smooth one touches at the time of the exact search.
 #[test]
 fn smooth_motions_touch_when_straight_ones_do() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
@@ -402,7 +402,7 @@ fn smooth_motions_touch_when_straight_ones_do() {
             let smooth = space.first_contact_along(&motion, 4.0, near).unwrap();
             match (exact, smooth) {
                 (PairMotion::Contact(c), SmoothOutcome::Contact { time, .. }) => {
-                    // Never later; earlier where the way grazes.
+                    // Never later; earlier where the motion grazes.
                     assert!(time <= c.time + 1e-9, "{name}: {} {time}", c.time);
                     touched += 1;
                     let still = space.clearance(motion.at(time)).unwrap_or_default();
@@ -410,7 +410,7 @@ fn smooth_motions_touch_when_straight_ones_do() {
                 }
                 (PairMotion::Free, SmoothOutcome::Free)
                 | (PairMotion::Leaves { .. }, SmoothOutcome::Leaves { .. }) => {}
-                // It goes past a contact more closely than the tolerance.
+                // The motion passes a contact more closely than the tolerance.
                 (_, SmoothOutcome::Contact { time, .. }) => {
                     assert!(space.clearance(motion.at(time)).unwrap() <= near, "{name}");
                 }
@@ -421,7 +421,7 @@ fn smooth_motions_touch_when_straight_ones_do() {
     assert!(touched > 30, "{touched}");
 }
 
-/// Between crossings a motion is free or blocked as their directions say.
+/// Between crossings a motion is free or blocked according to their directions.
 #[test]
 fn crossings_are_where_free_space_ends_and_begins() {
     let mut rng = ChaCha8Rng::seed_from_u64(6);

@@ -1,4 +1,4 @@
-//! Lower pairs: what a joint says is written down here anew, by the motion of points, and held against the pair.
+//! Lower pairs: the definition of a joint is written independently, by the motion of points, and compared with the pair.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -33,7 +33,7 @@ fn joints() -> [Joint; 3] {
     ]
 }
 
-/// Where a configuration takes a point of the moving part.
+/// Image of a point of the moving part at a configuration.
 fn placed(c: Configuration, q: Point) -> Point {
     c.position() + Rotation::by(c.theta) * q.to_vector()
 }
@@ -59,7 +59,7 @@ fn a_joint_moves_points_as_it_should() {
     }
 }
 
-/// The table of section 3.2: which contacts stand for which joint, and that they vanish on it and only there.
+/// The table of section 3.2: the contacts of each joint, which vanish on it and only there.
 #[test]
 fn permanent_contacts_vanish_on_the_joint_and_not_off_it() {
     use PermanentKind::{PointArc, PointLine};
@@ -79,8 +79,8 @@ fn permanent_contacts_vanish_on_the_joint_and_not_off_it() {
         for t in [-7.0, -1.0, 0.0, 0.25, 3.0] {
             let on = pair.configuration(t);
             assert!(most(on) < 1e-14 * (1.0 + t.abs()), "{joint:?} {t}");
-            // A step off the joint: across the line of sliding or anywhere, and by turning about a point that the joint
-            // does not turn about. It must show in first order.
+            // A step off the joint: across the line of sliding or anywhere, and by turning about a point other than the joint's. It must
+            // have a first-order effect.
             for step in [1e-9, 1e-3, 0.5] {
                 let away = ALONG.unit().left() * step;
                 let shifted = Configuration::new(on.x + away.x, on.y + away.y, on.theta);
@@ -93,7 +93,7 @@ fn permanent_contacts_vanish_on_the_joint_and_not_off_it() {
             }
             assert_eq!(pair.classify(on), Some(Classification::Contact));
         }
-        // Half a turn on: no configuration of a joint that does not turn, though points may be on their lines again.
+        // Half a turn further: not a configuration of a joint that does not turn, though points may be on their lines again.
         if !matches!(joint, Joint::Revolute { .. }) {
             let over = Configuration::new(0.0, 0.0, PI);
             assert_eq!(pair.classify(over), Some(Classification::Blocked));
@@ -152,7 +152,7 @@ fn limits_follow_from_the_ranges_of_the_parts() {
     assert_eq!(of(&revolute, &turning, &Axis::FIXED), Some((-2.0, 1.0)));
     let other = Axis::revolute(AT).within(0.0, 0.5);
     assert_eq!(of(&revolute, &turning, &other), Some((-2.0, 1.5)));
-    // Without a range, about another point, or of another kind: nothing follows.
+    // Without a range, about another point, or of another kind: no limits follow.
     for axis in [
         Axis::revolute(AT),
         Axis::revolute(Point::new(1.5, 0.0)).within(-1.0, 2.0),
@@ -160,7 +160,7 @@ fn limits_follow_from_the_ranges_of_the_parts() {
     ] {
         assert_eq!(of(&revolute, &Axis::FIXED, &axis), None, "{axis:?}");
     }
-    // The direction's length does not matter, its sense does.
+    // The direction's length does not matter, but its sense does.
     let sliding = |by: f64| Axis::prismatic(ALONG * by).within(-1.0, 2.0);
     assert_eq!(
         of(&prismatic, &Axis::FIXED, &sliding(7.0)),
@@ -173,7 +173,7 @@ fn limits_follow_from_the_ranges_of_the_parts() {
     assert_eq!(of(&rigid, &Axis::FIXED, &Axis::FIXED), None);
 }
 
-/// The joint by which a part moves relative to the ground makes the motion of its axis.
+/// The joint by which a part moves relative to the ground gives the motion of its axis.
 #[test]
 fn joints_with_the_ground_move_as_axes_do() {
     let (frame, arm) = (bar("frame", 4.0), bar("arm", 3.0));

@@ -1,4 +1,4 @@
-//! Questions to spaces, and to pairs of any class.
+//! Queries to spaces, and to pairs of any class.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod about;

@@ -1,4 +1,4 @@
-//! First contacts along motions, against closed forms and against brute force.
+//! First contacts along motions, compared with closed forms and with brute force.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2, TAU};
 
@@ -11,7 +11,7 @@ use cspace_oracle::{Oracle, Pair, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// Parts are grown by some 2⁻⁴⁰ of the pair's frame, so contact comes that much earlier.
+/// Displacement of contacts by growth, some 2⁻⁴⁰ of the pair's frame: contacts come that much earlier.
 const GROWN: f64 = 2e-11;
 
 fn space(fixed: &Part, moving: &Part) -> ContactSpace {
@@ -33,13 +33,13 @@ fn a_square_meets_a_square() {
     // Sides at ±1, so they meet at x = 2.
     let c = first(&space, at(7.0, 0.3, 0.0), [-2.0, 0.0, 0.0], 10.0);
     assert!((c.time - 2.5).abs() < GROWN, "{c:?}");
-    // Turned by an eighth, its corner leads, √2 from its middle.
+    // Turned by an eighth of a turn, its corner leads, √2 from its middle.
     let c = first(&space, at(7.0, 0.3, FRAC_PI_4), [-1.0, 0.0, 0.0], 10.0);
     assert!((c.time - (7.0 - 1.0 - SQRT_2)).abs() < GROWN, "{c:?}");
-    // It stops short.
+    // The motion ends before.
     let stops = space.first_contact(at(7.0, 0.3, 0.0), [-2.0, 0.0, 0.0], 2.4);
     assert_eq!(stops, Ok(MotionOutcome::Free));
-    // It passes by.
+    // The motion passes by.
     let passes = space.first_contact(at(7.0, 2.1, 0.0), [-2.0, 0.0, 0.0], 10.0);
     assert_eq!(passes, Ok(MotionOutcome::Free));
 }
@@ -62,7 +62,7 @@ fn a_bar_turns_to_a_wall() {
     // Its corner (−2, ±0.1) is √4.01 from the middle and meets the face when it is 1.5 to the left.
     let reach = 4.01_f64.sqrt();
     let turned = (1.5 / reach).acos() + (0.1_f64 / 2.0).atan();
-    // Turning by φ from upright, the corner that leads is at −2 sin φ − 0.1 cos φ = −reach · cos(π/2 − φ − atan …).
+    // Turning by φ from upright, the leading corner is at −2 sin φ − 0.1 cos φ = −reach · cos(π/2 − φ − atan …).
     let expected = FRAC_PI_2 - turned;
     let grown = space.resolution();
     for sign in [1.0, -1.0] {
@@ -72,14 +72,14 @@ fn a_bar_turns_to_a_wall() {
             assert!((angle - expected).abs() < grown, "{angle} {expected}");
         }
     }
-    // Farther away it turns forever.
+    // Farther away the bar turns without contact.
     let free = space.first_contact(at(4.0, 0.0, 1.0), [0.0, 0.0, 3.0], 1e6);
     assert_eq!(free, Ok(MotionOutcome::Free));
 }
 
 #[test]
 fn a_spinning_bar_comes_nearer() {
-    // It comes so slowly that it turns hundreds of times before it touches.
+    // The bar moves so slowly that it turns hundreds of times before it touches.
     let space = space(&rectangle(2.0, 40.0), &rectangle(4.0, 0.2));
     let (from, rates) = (at(3.5, 0.0, 0.0), [-0.001, 0.0, 10.0]);
     let c = first(&space, from, rates, 1e4);
@@ -98,10 +98,10 @@ fn starts_in_contact() {
     let start = patch.configuration;
     assert_eq!(space.classify(start), Some(Classification::Contact));
     let go = |rates, t| space.first_contact(start, rates, t).unwrap();
-    // Into it, at once.
+    // Into the wall, at once.
     let c = go([-1.0, 0.0, 0.0], 1.0).contact().unwrap();
     assert_eq!((c.time, c.configuration), (0.0, start));
-    // Away, and along the wall.
+    // Away from the wall, and along it.
     assert_eq!(go([1.0, 0.2, 0.0], 1.0), MotionOutcome::Free);
     assert_eq!(go([0.0, 1.0, 0.0], 1.0), MotionOutcome::Free);
     assert_eq!(go([0.0, 0.0, 0.0], 1.0), MotionOutcome::Free);
@@ -145,7 +145,7 @@ fn what_cannot_be_followed() {
     assert_eq!(go(free, [-1.0, 0.0, 0.0], 0.0), Ok(MotionOutcome::Free));
 }
 
-/// Motions that turn farther than an orientation is known end in an answer, if they touch before, or in an error.
+/// Motions that turn farther than an orientation is known give a result if the parts touch before, otherwise an error.
 #[test]
 fn motions_that_turn_too_far_end() {
     let space = space(&square(2.0), &square(2.0));
@@ -161,7 +161,7 @@ fn motions_that_turn_too_far_end() {
             space.crossings(at(2.6, 0.0, theta), [0.0; 3], 1.0),
             Err(MotionError::TurnsTooFar)
         );
-        // Out of reach of contact any orientation is as good.
+        // Out of reach of contact the orientation does not matter.
         let away = space.first_contact(from, [1.0, 0.0, 0.0], 1.0);
         assert_eq!(away, Ok(MotionOutcome::Free));
     }
@@ -173,14 +173,14 @@ fn motions_that_turn_too_far_end() {
             space.crossings(far, rates, 1e150),
             Err(MotionError::TurnsTooFar)
         );
-        // It touches within the first turn.
+        // The motion touches within the first turn.
         let touching = space.first_contact(near, rates, 1e150).unwrap().contact();
         assert!(
             touching.is_some_and(|c| c.configuration.theta.abs() < 1.6),
             "{rates:?}"
         );
     }
-    // In place only the first turn matters.
+    // For a motion that turns in place only the first turn matters.
     assert_eq!(
         space.first_contact(at(2.6, 0.0, 0.0), [0.0, 0.0, 1e12], 1e100),
         Ok(MotionOutcome::Free)
@@ -212,7 +212,7 @@ fn leaves_the_window() {
     let outcome = go(5.0, [0.0, 0.0, -2.0], 3.0);
     assert_eq!(outcome, Ok(MotionOutcome::LeavesWindow { time: 0.25 }));
     assert_eq!(go(5.0, [0.0, 0.0, -2.0], 0.2), Ok(MotionOutcome::Free));
-    // It touches before it leaves.
+    // The motion touches before it leaves.
     let c = go(2.2, [0.0, 0.0, 0.4], 9.0).unwrap().contact().unwrap();
     let theta = c.configuration.theta;
     assert!((theta.cos() + theta.sin() - 1.2).abs() < GROWN);
@@ -220,7 +220,7 @@ fn leaves_the_window() {
     assert_eq!(outside, Err(MotionError::StartsOutside));
 }
 
-/// What happens on random motions of a pair.
+/// Outcomes of random motions of a pair.
 #[derive(Default)]
 struct Tally {
     contacts: usize,
@@ -234,7 +234,7 @@ fn random_motions(pair: &Pair, n: usize, tally: &mut Tally) {
     let size = oracle.size();
     let mut rng = ChaCha8Rng::seed_from_u64(17);
     let (center, drawn) = (oracle.fixed_center(), oracle.moving_center());
-    // Coordinates of parts that are drawn far away are rounded, and where these turn they are fast.
+    // Coordinates of parts that are drawn far away are rounded, and where these turn, speeds are large.
     let coordinates = [center, drawn].map(|p| p.x.abs() + p.y.abs());
     let touching_gap = 1e-9 * size + 1e-14 * (coordinates[0] + coordinates[1]);
     for i in 0..n {
@@ -259,7 +259,7 @@ fn random_motions(pair: &Pair, n: usize, tally: &mut Tally) {
         let moved = |t: f64| at(x + t * rates[0], y + t * rates[1], theta + t * spin);
         let contact = outcome.contact();
         let until = contact.map_or(1.0, |c| c.time);
-        // Nothing overlaps before.
+        // No overlap before the contact.
         for k in 0..200 {
             let t = until * f64::from(k) / 200.0;
             let v = oracle.judge(moved(t));
@@ -299,7 +299,7 @@ fn agrees_with_brute_force() {
         let skipped = [
             // Slow.
             "gears 26 and 24",
-            // The space itself is wrong here and there.
+            // The space itself is wrong in a few places.
             "crescents of equal arcs",
             "nearly straight arcs",
         ];
@@ -350,7 +350,7 @@ fn agrees_with_the_classifier() {
     assert!(contacts > 100, "{contacts}");
 }
 
-/// Motions that begin far away meet what they meet: the rounding of far beginnings hides no contact.
+/// Motions that begin far away find the same contacts: the rounding at far beginnings hides no contact.
 #[test]
 fn motions_from_afar() {
     let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0).unwrap();

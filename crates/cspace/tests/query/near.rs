@@ -1,4 +1,4 @@
-//! Which features are near each other: against the parts' distance, dense points and closed forms.
+//! Near features, compared with the parts' distance, dense points and closed forms.
 
 use cspace::{
     Axis, Configuration, Coordinates, Edge, FeatureKind, FeatureName, NearFeatures, Options,
@@ -8,7 +8,7 @@ use cspace_oracle::pair;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// The edge of a feature, or the one that leaves its vertex, placed.
+/// The edge of a feature, or the one that starts at its vertex, placed.
 fn edge(part: &Part, name: FeatureName, at: Configuration) -> Edge {
     let mut edges = part.loops()[name.loop_index as usize].edges();
     let found = edges.find(|e| e.index == name.index as usize).unwrap();
@@ -19,7 +19,7 @@ fn edge(part: &Part, name: FeatureName, at: Configuration) -> Edge {
     }
 }
 
-/// Many points of a feature; of a vertex one.
+/// Many points of a feature; one for a vertex.
 fn points(part: &Part, name: FeatureName, at: Configuration) -> Vec<Point> {
     const COUNT: u32 = 200;
     if name.kind == FeatureKind::Vertex {
@@ -31,7 +31,7 @@ fn points(part: &Part, name: FeatureName, at: Configuration) -> Vec<Point> {
     (0..=COUNT).map(along).collect()
 }
 
-/// How far a point is from a feature.
+/// Distance of a point from a feature.
 fn off(part: &Part, name: FeatureName, at: Configuration, p: Point) -> f64 {
     if name.kind == FeatureKind::Vertex {
         return points(part, name, at)[0].distance(p);
@@ -48,8 +48,8 @@ fn names(near: &[NearFeatures]) -> Vec<String> {
     near.iter().map(name).collect()
 }
 
-/// Of parts that are apart: places on the features, distances not below the clearance and no larger than dense points have, and
-/// the nearest as far apart as the parts.
+/// Places on parts that are apart lie on the features; distances are not below the clearance and not above those of dense points; and the
+/// nearest equals the distance of the parts.
 #[test]
 fn distances_are_between_features() {
     let mut told = 0;
@@ -101,7 +101,7 @@ fn distances_are_between_features() {
                     along.distance(t.on_moving) <= slack,
                     "{name} at {c:?}: {n:?}"
                 );
-                // Both may turn away from each other and back; never are points nearby nearer.
+                // Both may curve away from each other and back; but points nearby are never nearer.
                 let close = 0.01 * size;
                 let around = |part, name, at, p: Point| {
                     let all = points(part, name, at).into_iter();
@@ -121,7 +121,7 @@ fn distances_are_between_features() {
     assert!(told > 200, "{told}");
 }
 
-/// Two triangles, one with a flat arc, whose nearest places are a vertex and a side; of circle and arc ends nothing is told.
+/// Two triangles, one with a flat arc, whose nearest places are a vertex and a side; extensions of lines and circles are not reported.
 #[test]
 fn lines_and_circles_end_with_their_features() {
     let fixed = vec![
@@ -146,7 +146,7 @@ fn lines_and_circles_end_with_their_features() {
     assert!(near.iter().all(|n| n.distance >= near[0].distance));
 }
 
-/// What is flush has both ends told; what is about one centre, every arc; corner on corner, both corners.
+/// Flush edges give both ends; concentric arcs give every arc; corner on corner gives both corners.
 #[test]
 fn places_that_are_not_alone() {
     let plate = Part::rectangle("plate", (0.0, 0.0), 4.0, 4.0).unwrap();
@@ -205,7 +205,7 @@ fn places_that_are_not_alone() {
     }
 }
 
-/// Where a part is in both sides of a concave corner by less than contacts are known to, its corner is beyond the ends of both.
+/// Where a part overlaps both sides of a concave corner by less than the resolution, its corner is beyond the ends of both.
 #[test]
 fn a_part_in_a_corner_touches_both_sides() {
     let corner = [
@@ -241,7 +241,7 @@ fn a_part_in_a_corner_touches_both_sides() {
     }
 }
 
-/// On fixed axes a length is a length, also where a part turns.
+/// On fixed axes distances are lengths, also where a part turns.
 #[test]
 fn lengths_are_no_angles() {
     let arm = Part::circle("arm", (10.0, 0.0), 1.0).unwrap();

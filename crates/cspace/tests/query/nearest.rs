@@ -1,4 +1,4 @@
-//! Classification and nearest contacts, against brute force and dense sampling.
+//! Classification and nearest contacts, compared with brute force and dense sampling.
 
 use core::f64::consts::TAU;
 
@@ -73,11 +73,11 @@ fn nearest_contacts_are_nearest_of_densely_sampled_ones() {
     }
 }
 
-/// Turns by which orientations are told, and how far from critical ones.
+/// Turns added to orientations, and distances from critical ones.
 const TURNS: [f64; 4] = [0.0, 1.0, -3.0, 100.0];
 const BESIDE: [f64; 9] = [-1e-3, -1e-7, -1e-10, -1e-15, 0.0, 1e-15, 1e-10, 1e-7, 1e-3];
 
-/// Near contacts as a look at every curve of the slice has them, to the last bit.
+/// Near contacts found by examining every curve of the slice, equal to the last bit.
 fn by_slice(space: &ContactSpace, c: Configuration) -> Vec<(f64, u32, Point)> {
     let slice = space.slice(c.theta);
     let mut all: Vec<(f64, u32, Point)> = (slice.curves.iter())
@@ -90,7 +90,7 @@ fn by_slice(space: &ContactSpace, c: Configuration) -> Vec<(f64, u32, Point)> {
     all
 }
 
-/// Orientations at which patches begin and end, are in doubt or the window ends, just beside these, and others.
+/// Orientations at which patches begin and end, are doubtful or the window ends, just beside these, and others.
 fn orientations(space: &ContactSpace, rng: &mut ChaCha8Rng) -> Vec<f64> {
     let window = space.window();
     let doubtful = space.doubtful_orientations().iter();
@@ -137,7 +137,7 @@ fn is_as_by_slice(name: &str, space: &ContactSpace) -> usize {
                 let mut within = expected.iter().filter(|e| e.0 <= tolerance);
                 let within: Vec<(u32, f64)> = within.by_ref().map(|e| (e.1, e.0)).collect();
                 assert_eq!(space.contacts(c, tolerance), within, "{name} at {c:?}");
-                // Asked of one patch: one of those within, and any.
+                // Queries of single patches: one of those within, and any other.
                 let any = rng.random_range(0..=space.patches().len() as u32);
                 for patch in within.first().map(|w| w.0).into_iter().chain([any]) {
                     let is_within = within.iter().any(|w| w.0 == patch);

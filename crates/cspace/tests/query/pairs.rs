@@ -1,4 +1,4 @@
-//! Questions to a pair of any class, where the answers are distances of circles.
+//! Queries to a pair of any class, with answers that are distances of circles.
 
 use cspace::pair::PairMotion;
 use cspace::{
@@ -10,7 +10,7 @@ use cspace::{
 /// Radii of the fixed and of the moving disc, and the distance of their centres in contact.
 const RADII: (f64, f64) = (2.0, 1.0);
 const TOUCHING: f64 = RADII.0 + RADII.1;
-/// Distances are known to a share of the size that growth has.
+/// Accuracy of distances, determined by growth, as a share of the size.
 const NEAR: f64 = 1e-10;
 
 fn disc(name: &str, radius: f64, x: f64) -> Part {
@@ -27,7 +27,7 @@ fn planar(window: Option<(f64, f64)>) -> PairSpace {
     PairSpace::compute(&a, &b, Relation::Planar, &options).unwrap()
 }
 
-/// The first disc turns about its own centre, the second slides through it from five to the right.
+/// The first disc turns about its own centre; the second slides through it from a distance of five to the right.
 fn sliding() -> PairSpace {
     let (a, b) = (disc("a", RADII.0, 0.0), disc("b", RADII.1, 5.0));
     let relation = Relation::Axes {
@@ -162,7 +162,7 @@ fn coordinates_of_another_class_are_refused() {
     assert_eq!((plane.fixed().name(), plane.moving().name()), ("a", "b"));
 }
 
-/// What comes after one patch comes before the other, and what is above below; links say the same.
+/// If one patch comes after another, the other comes before it; and likewise above and below; links agree.
 #[test]
 fn neighbours_are_mutual() {
     for space in [planar(None), planar(Some((-1.0, 1.0))), sliding()] {
@@ -237,7 +237,7 @@ fn axes_that_are_none_are_refused() {
     ));
 }
 
-/// Slides that meet a thousand million sizes away are refused, unless a range ends them or they are parallel.
+/// Slides that meet a thousand million sizes away are rejected, unless a range ends them or they are parallel.
 #[test]
 fn slides_that_are_all_but_parallel_are_refused() {
     let (a, b) = (disc("a", RADII.0, 0.0), disc("b", RADII.1, 5.0));

@@ -1,4 +1,4 @@
-//! Projections to patches, against dense sampling of the patches.
+//! Projections to patches, compared with dense sampling of the patches.
 
 use core::f64::consts::TAU;
 
@@ -11,20 +11,20 @@ use cspace_oracle::shapes::mechanisms::mechanisms;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// What a projection may be off the least, and off its patch, as a share of the size.
+/// Tolerance of a projection's distance, compared with the minimum, and of its distance from the patch, as shares of the size.
 const NEAR: f64 = 2e-11;
 const ON_PATCH: f64 = 1e-9;
-/// Configurations projected to each patch, and patches of each pair: of one in the plane fewer, for samples take long there.
+/// Configurations projected to each patch, and patches of each pair: fewer for a pair in the plane, because samples take long there.
 const ASKED: usize = 3;
 const PATCHES: usize = 8;
 const PATCHES_ON_AXES: usize = 60;
 
-/// Angles by the shorter way.
+/// Angles reduced to the shorter way around.
 fn turned(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// The least distance of samples of a patch, at orientations that get denser towards both ends and towards one within.
+/// The smallest distance of samples of a patch, at orientations that get denser towards both ends and towards one within.
 fn sampled(space: &ContactSpace, patch: u32, c: Configuration, rho: f64, about: f64) -> f64 {
     let data = space.patches()[patch as usize];
     let (lo, hi) = (data.lo, data.hi);
@@ -80,7 +80,7 @@ fn no_sample_of_a_patch_is_nearer() {
             let patch = (k * count / count.min(PATCHES)) as u32;
             let data = space.patches()[patch as usize];
             for asked in 0..ASKED {
-                // Anywhere, near the patch, and in between; a radian counts more or less.
+                // Anywhere, near the patch, and in between; with different weights of a radian.
                 let by = [1.5, 0.1, 1e-4][asked] * size;
                 let theta = rng.random_range(data.lo..=data.hi);
                 let curve = space.slice(theta).curves;
@@ -102,7 +102,7 @@ fn no_sample_of_a_patch_is_nearer() {
                     panic!("{at:?}")
                 };
                 let what = format!("{name}: {c:?} to {patch}, {rho}: {found:?} {distance}");
-                // As far as it says, and on the patch.
+                // At the reported distance, and on the patch.
                 let way = (found.position().distance(c.position()))
                     .hypot(rho * turned(found.theta - c.theta));
                 assert!(
@@ -141,7 +141,7 @@ fn no_sample_of_a_patch_is_nearer() {
     }
 }
 
-/// The least distance of samples of a patch, of which the distance is given.
+/// The smallest distance of samples of a patch, given a function for the distance.
 fn sampled_on_axes(space: &FixedAxesSpace, patch: u32, away: impl Fn((f64, f64)) -> f64) -> f64 {
     use cspace::fixed_axes::BranchForm;
     let mut least = f64::INFINITY;

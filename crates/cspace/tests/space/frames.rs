@@ -1,5 +1,5 @@
-//! What must not matter: which part is called the fixed one, where frames lie, which way loops are drawn, how many
-//! threads there are.
+//! Results do not depend on which part is called the fixed one, where frames lie, in which direction loops are drawn, or how many threads
+//! there are.
 
 use core::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! What the contact graph promises, checked on spaces of many kinds.
+//! Properties that the contact graph guarantees, checked on spaces of many kinds.
 
 use core::cell::RefCell;
 use core::f64::consts::{PI, TAU};
@@ -12,18 +12,18 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Large: gears are covered by the smaller pair.
+/// Excluded because it is large: gears are covered by the smaller pair.
 const LEFT_OUT: [&str; 1] = ["gears 26 and 24"];
 
-/// Pairs whose contact curves cross at angles of a millionth: their crossings are known to 10⁻¹³, divided by that.
+/// Pairs whose contact curves cross at angles of a millionth: their crossings are known to 10⁻¹³ divided by that angle.
 const GRAZING: [&str; 2] = [
     "pin in socket of equal radius",
     "peg in hole, clearance 1e-6",
 ];
 
-/// Lengths are compared to this share of the size.
+/// Tolerance of lengths, as a share of the size.
 const NEAR: f64 = 1e-9;
-/// Contact functions vanish on their patches to this share of the size.
+/// Tolerance of contact functions on their patches, as a share of the size.
 const ON_PATCH: f64 = 1e-10;
 
 struct Trial {
@@ -58,7 +58,7 @@ impl Trial {
     }
 }
 
-/// Runs a check on every pair and reports all that is wrong.
+/// Runs a check on every pair and reports all errors.
 fn on_all_pairs(check: impl Fn(&Trial) + Sync) {
     let wrong: Vec<Vec<String>> = pairs()
         .into_par_iter()
@@ -87,7 +87,7 @@ fn label(c: &SliceCurve) -> (FeatureName, FeatureName) {
     (c.fixed, c.moving)
 }
 
-/// The curves of a slice by label, each with its ends and its successor's label; what is too short to matter left out.
+/// The curves of a slice by label, each with its ends and its successor's label; negligibly short curves are left out.
 fn described(
     slice: &Slice,
     shortest: f64,
@@ -123,7 +123,7 @@ impl Key for (FeatureName, FeatureName) {
 fn same_slices(trial: &Trial, theta: f64) {
     let read = trial.space.slice(theta);
     let made = Slice::compute(&trial.pair.fixed, &trial.pair.moving, theta);
-    // Far from the origin positions are only as good as their rounding.
+    // Far from the origin positions are only as accurate as their rounding.
     let far = trial.space.fixed().bounds().center().to_vector().length()
         + trial.space.moving().bounds().center().to_vector().length();
     let shortest = NEAR * trial.size + 1e-14 * far;
@@ -183,7 +183,7 @@ fn slices_read_off_equal_slices_from_scratch() {
 
 #[test]
 fn slices_beside_critical_orientations_equal_slices_from_scratch() {
-    /// Within this of another, a critical orientation is not tried: the slice between them is another one.
+    /// Distance from another critical orientation below which one is not tested: the slice between them is a different one.
     const ALONE: f64 = 3e-7;
     on_all_pairs(|trial| {
         let all = trial.space.critical_orientations().to_vec();
@@ -207,12 +207,12 @@ fn slices_beside_critical_orientations_equal_slices_from_scratch() {
     });
 }
 
-/// Also where the orientation is given some turns further.
+/// Also where the orientation is some turns further.
 #[test]
 fn slices_at_critical_orientations_are_those_just_above() {
-    /// Within this of another, a critical orientation is not tried: the slice just above it may be another one.
+    /// Distance from another critical orientation below which one is not tested: the slice just above it may be a different one.
     const ALONE: f64 = 1e-8;
-    /// Less below than this, relative to orientations beyond one, is a critical orientation that rounding has moved.
+    /// Distance below a critical orientation, relative to orientations above one, that rounding may cause.
     const ROUNDING: f64 = 1e-15;
     on_all_pairs(|trial| {
         let all = trial.space.critical_orientations().to_vec();
@@ -239,7 +239,7 @@ fn slices_at_critical_orientations_are_those_just_above() {
     });
 }
 
-/// The same of a window, which is not turned.
+/// Slices at critical orientations, as above, for a window, which is not turned.
 #[test]
 fn slices_at_critical_orientations_of_a_window_are_those_just_above() {
     const ALONE: f64 = 1e-8;
@@ -264,7 +264,7 @@ fn slices_at_critical_orientations_of_a_window_are_those_just_above() {
                 tried += 1;
             }
         }
-        // Beyond the window nothing is asked for, at its end the last of it.
+        // Beyond the window there are no curves; at its end the last ones.
         assert!(patches(1.3 + 1e-9).is_empty());
         assert_eq!(patches(1.3), patches(1.3 - 1e-9), "{name}");
     }
@@ -326,7 +326,7 @@ fn side_links_lie_on_both_patches_and_cover_them() {
             for s in [0.02, 0.3, 0.5, 0.7, 0.98] {
                 let theta = l.lo + s * (l.hi - l.lo);
                 let (before, after) = (trial.patch(l.before), trial.patch(l.after));
-                // Into the interval of the patch after.
+                // Moved to the interval of the patch after.
                 let lo = after.data().lo;
                 let turned = theta + TAU * ((lo - theta) / TAU).ceil();
                 let (p, q) = (before.right().at(theta), after.left().at(turned));
@@ -337,9 +337,9 @@ fn side_links_lie_on_both_patches_and_cover_them() {
                 trial.check(values.iter().all(|v| v.abs() <= tolerance), || {
                     format!("{l:?} at {theta}: contact functions {values:?}")
                 });
-                // Where carriers are almost tangent, the same point is known less well from either side.
+                // Where carriers are almost tangent, the point is less accurate from either side.
                 let slope = before.right().derivative(theta).length();
-                // So is where carriers cross that are one circle at an end of the link: they part by the angle turned since.
+                // Likewise where the crossing carriers coincide at an end of the link: they separate with the angle turned since.
                 let since = (theta - l.lo).min(l.hi - theta);
                 let known = (1e-8 + 1e-14 / since) * trial.size + 1e-14 * slope;
                 trial.check(apart <= known, || {
@@ -362,7 +362,7 @@ fn side_links_lie_on_both_patches_and_cover_them() {
     });
 }
 
-/// The length of a curve of a slice that another curve, facing it, has come within `near` of.
+/// The length of a curve of a slice within `near` of another curve that faces it.
 fn pinched(slice: &Slice, curve: &SliceCurve, near: f64) -> f64 {
     let at = |i: u32| (f64::from(i) + 0.5) / f64::from(SAMPLES);
     let met = (0..SAMPLES).filter(|&i| {
@@ -375,14 +375,14 @@ fn pinched(slice: &Slice, curve: &SliceCurve, near: f64) -> f64 {
     curve.geometry.length() * met.count() as f64 / f64::from(SAMPLES)
 }
 
-/// Places at which a curve is looked at to see what faces it.
+/// Number of places at which the distance of facing curves is examined.
 const SAMPLES: u32 = 2000;
 
 #[test]
 fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
-    /// How far from its end a patch's curve is measured, in radians.
+    /// Distance from its end at which a patch's curve is measured, in radians.
     const INSIDE: f64 = 1e-11;
-    /// Three contacts are one circle at a critical orientation: which part of it is linked depends on the growth of the parts.
+    /// Three contacts lie on one circle at a critical orientation: the growth of the parts determines which part of it is linked.
     const ONE_CIRCLE: &str = "three pegs in three holes";
     on_all_pairs(|trial| {
         if trial.pair.name == ONE_CIRCLE {
@@ -415,12 +415,12 @@ fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
                     .filter(|l| if top { l.lower == i } else { l.upper == i })
                     .map(|l| l.overlap.length())
                     .sum();
-                // Ends that meet in a tangency grow with the square root of what is left of the orientation.
+                // Ends that meet in a tangency move with the square root of the remaining angle.
                 let tolerance = 3e-5 * trial.size;
                 if (length - linked).abs() <= tolerance {
                     continue;
                 }
-                // Where another curve faces this one without any distance, free space itself ends or begins.
+                // Where another curve faces this one at zero distance, free space itself ends or begins.
                 let met = curve.map_or(0.0, |c| pinched(&slice, c, 10.0 * INSIDE * trial.size));
                 let known = tolerance + 2.0 * length / f64::from(SAMPLES);
                 trial.check((length - linked - met).abs() <= known, || {
@@ -511,7 +511,7 @@ fn gradients_of_patches_agree_with_differences() {
             let dx = (f(l, 0.0, 0.0) - f(-l, 0.0, 0.0)) / (2.0 * l);
             let dy = (f(0.0, l, 0.0) - f(0.0, -l, 0.0)) / (2.0 * l);
             let far = (c.x.abs() + c.y.abs()) / size;
-            // A turn moves what is far away by much.
+            // A turn moves distant positions far.
             let turn = h / (1.0 + far);
             let dt = (f(0.0, 0.0, turn) - f(0.0, 0.0, -turn)) / (2.0 * turn);
             let off = (gx - dx)
@@ -531,9 +531,9 @@ fn gradients_of_patches_agree_with_differences() {
 fn known_pairs_have_their_numbers_of_regions() {
     for (name, regions) in [
         ("squares", 1),
-        // It can neither turn nor move: only the outside is left.
+        // It can neither turn nor move: only the outside remains.
         ("square in its square hole", 1),
-        // Four quarter turns, none of which it can leave.
+        // Four quarter turns, none of which has an exit.
         ("square in a larger hole", 5),
         ("square in a much larger hole", 2),
         // Six sixths of a turn.
@@ -542,13 +542,13 @@ fn known_pairs_have_their_numbers_of_regions() {
         ("disc in maze", 1),
         ("ball caged in a C", 2),
         ("ball free to leave a C", 1),
-        // The ring's hole is left by nothing: inside it, the disc in it, and the outside.
+        // The ring's hole has no exit: inside it, the disc in it, and the outside.
         ("disc in annulus of equal radius", 1),
         // A disc that hides a ring cannot be inside it.
         ("disc that hides a ring", 1),
         ("sector in a groove of the same arcs", 1),
         ("sector in a wider groove", 2),
-        // One pocket each way round, each through an orientation at which three circles are one.
+        // One pocket in each direction, each through an orientation at which three circles coincide.
         ("three pegs in three holes", 3),
     ] {
         let pair = pair(name);

@@ -1,4 +1,4 @@
-//! Cases that are known to be hard, each with what is true of it by reasoning.
+//! Cases that are known to be hard, each with properties known by reasoning.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 
 struct Expected {
     name: &'static str,
-    /// Regions, the unbounded one among them.
+    /// Number of regions, including the unbounded one.
     regions: usize,
     free: &'static [(f64, f64, f64)],
     blocked: &'static [(f64, f64, f64)],
@@ -59,7 +59,7 @@ macro_rules! case {
     };
 }
 
-// A side of 2 in a hole of 2 leaves nothing, at any orientation.
+// A side of 2 in a hole of 2 leaves no free space, at any orientation.
 case!(
     square_fills_its_hole,
     "square in its square hole",
@@ -67,7 +67,7 @@ case!(
     free & [(3.1, 0.0, 0.0)],
     blocked & [(0.0, 0.0, 0.0), (0.0, 0.0, FRAC_PI_2)]
 );
-// Its diagonal of 2.55 does not pass: four quarter turns, apart.
+// Its diagonal of 2.55 does not pass: four separate quarter turns.
 case!(
     square_in_larger_hole,
     "square in a larger hole",
@@ -195,8 +195,7 @@ case!(
     free & [(11.6, 0.0, 0.0)],
     blocked & [(5.0, 0.0, 0.0)]
 );
-// Half a turn brings the pegs into the same holes: two pockets, each one through the orientation at which all three circles
-// are one.
+// Half a turn moves the pegs into the same holes: two pockets, each through the orientation at which all three circles coincide.
 case!(
     three_pegs,
     "three pegs in three holes",

@@ -1,4 +1,4 @@
-//! Pairs of thousands of features: they are computed in time and memory in proportion to what there is to tell, or refused.
+//! Pairs of thousands of features: they are computed in time and memory in proportion to the result, or rejected.
 //!
 //! The largest are measured by hand, see the example `large` of `cspace-oracle`.
 
@@ -11,7 +11,7 @@ use cspace::{
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// A round saw with uneven teeth, each as deep as `depth` at most.
+/// A round saw with uneven teeth, at most `depth` deep.
 fn saw(name: &str, vertices: usize, radius: f64, depth: f64, seed: u64) -> Part {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let outline = (0..vertices).map(|i| {
@@ -28,15 +28,15 @@ fn triangle() -> Part {
     Part::new("wedge", vec![outline.to_vec()]).unwrap()
 }
 
-/// Places near the rim are told right, by a test of overlap that knows nothing of contacts: corners inside the other part, or
-/// edges that cross.
+/// Places near the rim are classified correctly, according to an overlap test without contacts: corners inside the other part, or edges
+/// that cross.
 #[test]
 fn thousands_of_teeth_are_told_right() {
     let (saw, wedge) = (saw("saw", 1500, 10.0, 0.3, 7), triangle());
     let space = ContactSpace::compute(&saw, &wedge, &Options::default()).unwrap();
     assert_eq!(space.statistics().conflicts, 0);
     assert_eq!(space.free_regions().len(), 1);
-    // Without leaving out what is blocked for certain there are some ten times as many branches as patches.
+    // Without excluding certainly blocked places there are some ten times as many branches as patches.
     let (branches, patches) = (space.statistics().branches, space.patches().len() as u64);
     assert!(branches < 4 * patches, "{branches} {patches}");
     let mut rng = ChaCha8Rng::seed_from_u64(1);
@@ -58,7 +58,7 @@ fn thousands_of_teeth_are_told_right() {
     assert!(seen.iter().all(|&n| n > 50), "{seen:?}");
 }
 
-/// Whether polygons overlap: the naive way.
+/// Naive overlap test of polygons.
 fn overlap(fixed: &Part, moving: &Part, c: Configuration) -> bool {
     let turn = cspace::Rotation::by(c.theta);
     let place = |p: Point| c.position() + (turn * p).to_vector();
@@ -103,7 +103,7 @@ fn every_hole_of_a_plate_is_a_region() {
     }
 }
 
-/// What has too many edges is refused before memory is spent.
+/// Parts with too many edges are refused before memory is spent.
 #[test]
 fn what_is_too_large_is_refused() {
     let compute = |fixed: &Part, moving: &Part| {

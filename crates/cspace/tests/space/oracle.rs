@@ -1,8 +1,7 @@
-//! Contact spaces against brute force: does every configuration lie where the parts' overlap says it does?
+//! Contact spaces compared with brute force: every configuration must be classified according to the parts' overlap.
 //!
-//! The judge is the oracle, which knows no contact curves: it cuts the boundaries of the two placed parts where they
-//! meet and asks on which side the pieces lie. A disagreement counts when it is certain of its verdict by more than
-//! 1e-10 of the pair's size.
+//! The oracle does not use contact curves: it cuts the boundaries of the two placed parts where they meet and determines on which side the
+//! pieces lie. A disagreement counts if the oracle's margin exceeds 1e-10 of the pair's size.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,10 +11,10 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Takes half a minute by itself; see `largest_gears_agree_with_brute_force`.
+/// Excluded because it takes half a minute; see `largest_gears_agree_with_brute_force`.
 const LARGEST: &str = "gears 26 and 24";
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-10;
 
 /// Distances from contact, as shares of the size.
@@ -64,7 +63,7 @@ impl Trial<'_> {
         }
     }
 
-    /// All orientations, and every other one about one of the configurations worth a look.
+    /// All orientations, and every other one near one of the pair's notable configurations.
     fn orientation(&mut self, i: usize) -> f64 {
         let notable = &self.pair.notable;
         if i % 2 == 1 && !notable.is_empty() {
@@ -88,7 +87,7 @@ impl Trial<'_> {
         STEPS[self.rng.random_range(0..STEPS.len())] * self.sign() * self.oracle.size()
     }
 
-    /// Positions anywhere the parts may meet, half of them about one worth a look.
+    /// Positions anywhere the parts may meet, half of them near a notable one.
     fn far(&mut self, slice: &Slice) {
         let size = self.oracle.size();
         let middle = carrying(
@@ -125,7 +124,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Positions in which a corner of one part is beside an edge of the other: the space is not asked where they are.
+    /// Positions in which a corner of one part is beside an edge of the other, found without the space.
     fn beside_contacts(&mut self, slice: &Slice) {
         for _ in 0..TOUCHING {
             let on_fixed = self.rng.random_bool(0.5);
@@ -153,7 +152,7 @@ fn some_edge(part: &Part, rng: &mut ChaCha8Rng) -> Edge {
     part.edges().nth(rng.random_range(0..n)).unwrap()
 }
 
-/// The position that takes a point of the moving part to one of the fixed part.
+/// The position that moves a point of the moving part to one of the fixed part.
 fn carrying(q: Point, to: Point, theta: f64) -> Point {
     let turned = Configuration::new(0.0, 0.0, theta).fixed_from_moving(q);
     Point::ORIGIN + (to - turned)
@@ -220,8 +219,8 @@ fn try_pair(pair: &Pair, orientations: usize) -> (Tally, String) {
     (tally, line)
 }
 
-/// Known gap: ends of arcs lie on their circles to 10⁻³² only, and two circles that grazing makes nearly one cross at an angle of
-/// 10⁻¹² there; what that moves is 10⁻²⁰, and events are 10⁻²² rad apart. Its orientations are in doubt, its answers are right.
+/// Known gap: ends of arcs lie on their circles only up to 10⁻³², and two circles that almost coincide after grazing cross at an angle of
+/// 10⁻¹² there; the resulting error is 10⁻²⁰, while events are 10⁻²² rad apart. Its orientations are doubtful, its answers are right.
 const CONTRADICTORY: &str = "half disc in socket of equal radius";
 
 #[test]

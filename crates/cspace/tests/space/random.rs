@@ -1,6 +1,6 @@
-//! Contact spaces of parts drawn at random, against brute force.
+//! Contact spaces of random parts, compared with brute force.
 //!
-//! About one pair in a thousand has a conflict; what is decided cell by cell then must be right as well.
+//! About one pair in a thousand has a conflict; cells that are then decided one by one must be right as well.
 
 use cspace::{ContactSpace, Options};
 use cspace_oracle::shapes::{random_part, random_ring, scaled};
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// How many pairs are drawn: `PROPTEST_CASES` if it is set.
+/// Number of pairs: `PROPTEST_CASES` if it is set.
 fn cases() -> u32 {
     std::env::var("PROPTEST_CASES")
         .ok()

@@ -1,17 +1,16 @@
-//! Free regions against a flood fill of (x, y, θ) in boxes of which brute force proves that they are free or blocked
-//! (`cspace_oracle::fill`).
+//! Free regions compared with a flood fill of (x, y, θ) in boxes that brute force proves to be free or blocked (`cspace_oracle::fill`).
 
 use cspace::{ContactSpace, Options, Window};
 use cspace_oracle::{Case, Fill, families, pairs};
 use rayon::prelude::*;
 
-/// Boxes are divided so often: 64 along x, y and θ, and 256 where that is enough to know the number of regions. 32 in
-/// families beyond their first values, where the clearance is less than any box anyway.
+/// Number of times that boxes are halved: to 64 along x, y and θ, and to 256 where that is enough to determine the number of regions. To 32
+/// in families beyond their first values, where the clearance is less than any box anyway.
 const DEPTH: u32 = 6;
 const FINE_DEPTH: u32 = 8;
 const ROUGH_DEPTH: u32 = 5;
 
-/// Pairs of which the boxes tell how many regions there are.
+/// Pairs whose number of regions is determined by the boxes.
 const WIDE: [(&str, usize); 8] = [
     ("annuli", 2),
     ("ball caged in a C", 2),
@@ -23,10 +22,10 @@ const WIDE: [(&str, usize); 8] = [
     ("square in a nearly full hole", 2),
 ];
 
-/// Larger pairs take the oracle too long.
+/// Number of edges above which the oracle takes too long.
 const MOST_EDGES: usize = 24;
 
-/// What is wrong, and how many configurations were asked.
+/// Errors, and the number of configurations compared.
 fn compare(name: &str, case: &Case, depth: u32) -> (Vec<String>, usize) {
     let options = Options {
         window: case.window,

@@ -1,4 +1,4 @@
-//! Slices computed from scratch, against brute force.
+//! Slices computed from scratch, compared with brute force.
 
 use cspace::{ContactSpace, Options, Slice, Slicer};
 use cspace_oracle::{Oracle, near_contact_about, pairs};
@@ -36,7 +36,7 @@ fn slices_agree_with_brute_force() {
 
 #[test]
 fn prepared_pairs_give_the_same_slices() {
-    /// Shorter curves may be there or not; ends are compared to this share of the size.
+    /// Length below which curves may be missing, and tolerance of ends, as a share of the size.
     const NEAR: f64 = 1e-9;
     for pair in pairs() {
         let size = pair.fixed.size().max(pair.moving.size());
@@ -61,7 +61,7 @@ fn prepared_pairs_give_the_same_slices() {
             all
         };
         let slicer = Slicer::new(&pair.fixed, &pair.moving);
-        // The last are about where the turn begins that slices of a prepared pair are taken from.
+        // The last ones are near the orientation at which the turn for slices of a prepared pair begins.
         let cut = -core::f64::consts::PI;
         let even = (0..12).map(|k| -3.0 + 0.7123 * f64::from(k));
         for theta in even.chain([-3e-7, -1e-9, 0.0, 1e-9].map(|d| cut + d)) {
@@ -78,12 +78,12 @@ fn prepared_pairs_give_the_same_slices() {
     }
 }
 
-/// At orientations at which lines are parallel, corners pass edges and curves begin or end: the slice just above.
+/// At orientations at which lines are parallel, corners pass edges and curves begin or end, the slice is that just above.
 #[test]
 fn slices_at_ties_agree_with_brute_force() {
     use cspace::Point;
     use rand::Rng;
-    /// Nearer to contact than this share of the size, the little by which the orientation is above may matter.
+    /// Distance from contact, as a share of the size, below which the difference of the orientation may matter.
     const CLEAR: f64 = 1e-6;
     let (mut checked, mut free, mut blocked) = (0, 0, 0);
     let mut bad = Vec::new();

@@ -1,17 +1,17 @@
-//! Parts and slits far thinner than they are long, down to what a part may have: against brute force.
+//! Parts and slits far thinner than they are long, down to the limits of parts, compared with brute force.
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
 use cspace_oracle::{Oracle, near_contact_about};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-/// Heights, of outlines that are 2 long.
+/// Heights of outlines that are 2 long.
 const HEIGHTS: [f64; 6] = [1e-6, 5e-8, 8e-9, 1e-9, 1e-10, 6e-11];
 
 /// Widths of slits in a part that is nearly 6 large, whose sides would touch if they were narrower.
 const WIDTHS: [f64; 4] = [1e-6, 5e-8, 8e-9, 4e-10];
 
-/// What is pointed at both ends.
+/// Outlines that are pointed at both ends.
 fn outlines(height: f64) -> [(&'static str, Vec<Vertex>); 3] {
     let line = |(x, y)| Vertex::line(x, y);
     let half = 0.5 * height;
@@ -89,7 +89,7 @@ fn slivers_are_not_passed_through() {
     }
 }
 
-/// A slit in a plate, and a notch from its side, take in nothing.
+/// A slit in a plate, and a notch from its side, admit no part.
 #[test]
 fn slits_let_nothing_in() {
     let block = part(vec![square(0.3)]);

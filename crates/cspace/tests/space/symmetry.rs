@@ -1,4 +1,4 @@
-//! A contact space computed with symmetry is the one computed without.
+//! A contact space computed with symmetry equals the one computed without.
 
 use core::f64::consts::TAU;
 
@@ -12,10 +12,10 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Orientations are compared to this, radians.
+/// Tolerance of orientations, radians.
 const SAME: f64 = 1e-9;
 
-/// The same where a pin fills its socket: what sets in with the square of the orientation is known to the root of the rounding.
+/// Tolerance where a pin fills its socket: quantities that grow with the square of the orientation are known to the root of the rounding.
 const SAME_AT_TIES: f64 = 1e-7;
 
 fn tolerance(name: &str) -> f64 {
@@ -30,7 +30,7 @@ fn computed(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> [Contact
     })
 }
 
-/// What a patch is, without the numbers: features, kinds of bounds, and whether it goes around the turn.
+/// Identity of a patch without its numbers: features, kinds of bounds, and whether it goes around the turn.
 type Label = (FeatureName, FeatureName, BoundaryKind, BoundaryKind, bool);
 
 fn label(space: &ContactSpace, i: u32) -> Label {
@@ -46,9 +46,9 @@ fn label(space: &ContactSpace, i: u32) -> Label {
     (fixed, moving, p.left().kind(), p.right().kind(), around)
 }
 
-/// For every patch of one space the same patch of the other.
+/// For every patch of one space, the equal patch of the other.
 ///
-/// Same are two patches with one label, over the same orientations up to whole turns, whose middles are one place.
+/// Patches are equal if they have one label, over equal orientations up to whole turns, and their middles coincide.
 fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
     let sorted = |space: &ContactSpace| {
         let mut all: Vec<(Label, u32)> = (0..space.patches().len() as u32)
@@ -84,7 +84,7 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
                 let q = b.patches()[j as usize];
                 let off = |x: f64, y: f64| (x - y - TAU * ((x - y) / TAU).round()).abs();
                 let times = label.4 || (off(p.lo, q.lo) <= known_to && off(p.hi, q.hi) <= known_to);
-                // Curves that are one at a critical orientation cross at small angles while such a patch lasts.
+                // Curves that coincide at a critical orientation cross at small angles during such a patch.
                 let known = 1e-8 + 1e-13 / (p.hi - p.lo);
                 times && middle(a, i, theta).distance(middle(b, j, theta)) <= known * size
             };
@@ -96,9 +96,9 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
     to
 }
 
-/// Links of one space as links of the other, by the same patches; those of patches that go around may be cut elsewhere.
+/// Checks that links of one space are links of the other, between the same patches; those of patches that go around may be cut elsewhere.
 fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
-    // Three contacts are one circle at a critical orientation: what follows what there depends on the growth of the parts.
+    // Three contacts lie on one circle at a critical orientation: the links there depend on the growth of the parts.
     if name.starts_with("three pegs") {
         return;
     }
@@ -140,7 +140,7 @@ fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
     same_within_one(&v, &w, &format!("{name}: vertical"));
 }
 
-/// The same links, with orientations that differ by at most one unit.
+/// Checks that links are equal, except that orientations may differ by one unit.
 fn same_within_one(a: &[(u32, u32, i64)], b: &[(u32, u32, i64)], name: &str) {
     assert_eq!(a.len(), b.len(), "{name} links");
     for (x, y) in a.iter().zip(b) {
@@ -183,7 +183,7 @@ fn same_regions(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
     }
 }
 
-/// Both spaces say the same at random, and near contact what brute force says.
+/// Checks that both spaces agree at random, and near contact with brute force.
 fn same_answers(a: &ContactSpace, b: &ContactSpace, n: usize, name: &str) {
     let oracle = Oracle::new(a.fixed(), a.moving());
     let mut rng = ChaCha8Rng::seed_from_u64(7);
@@ -198,7 +198,7 @@ fn same_answers(a: &ContactSpace, b: &ContactSpace, n: usize, name: &str) {
         let c = Configuration::new(at.x + share() - turned.x, at.y + share() - turned.y, theta);
         assert_eq!(one.classify(c), other.classify(c), "{name} {c:?}");
     }
-    // A search for contact may end within the resolution of it; then free and blocked may both be contact.
+    // A search for contact may end within the resolution; then free and blocked may both be contact.
     let mut touching = 0;
     for near in near_contact(&oracle, &mut rng, n / 2) {
         let c = near.configuration;
@@ -258,7 +258,7 @@ fn same_spaces(a: &ContactSpace, b: &ContactSpace, name: &str) {
     same_regions(a, b, &to, name);
 }
 
-/// A disc with slots from its rim, `n` of them, and a pin on an arm for it.
+/// A disc with `n` slots from its rim, and a pin on an arm for it.
 fn geneva(n: u32) -> (Part, Part) {
     let step = TAU / f64::from(n);
     let (rim, depth, half) = (5.0_f64, 2.0, 0.3);
@@ -341,7 +341,7 @@ fn wheels_with_bores_and_holes() {
         all.extend_from_slice(holes);
         together("wheel", &all)
     };
-    // Nothing gets into the holes, so that it does not matter how they are drawn.
+    // No part enters the holes, so it does not matter how they are drawn.
     let bore = turned(&circle(0.3), 0.7);
     let ring: Vec<Part> = (0..6)
         .map(|i| {
@@ -358,7 +358,7 @@ fn wheels_with_bores_and_holes() {
     );
     compare("pawl, bored", &pawl(), &holed(&[bore]), None, 12);
     compare("holed", &holed(&ring), &pawl(), None, 6);
-    // A pin does: then the circle is left as it was drawn.
+    // A pin enters: then the circle is left as drawn.
     let wheel = holed(&[circle(0.9)]);
     compare("pin in a bore", &wheel, &rectangle(0.4, 0.3), None, 2);
 }
@@ -380,7 +380,7 @@ fn windows() {
     }
     let hole = plate(8.0, &[&regular_polygon(3, 3.0)]);
     compare("in a triangle", &hole, &square(1.0), Some((1.0, 4.0)), 4);
-    // A circular corner turns in a circular one: patches that go around the turn.
+    // A circular corner turns in a circular one: patches go around the turn.
     compare(
         "discs",
         &rounded_rectangle(2.0, 1.0, 0.4),
@@ -390,7 +390,7 @@ fn windows() {
     );
 }
 
-/// The work, counted and not timed: a slab of k has a k-th of the cells and branches, and what its cuts add.
+/// Amount of work, counted and not timed: one of k periods has a k-th of the cells and branches, plus those added by its cuts.
 #[test]
 fn a_slab_is_a_share_of_the_work() {
     for (fixed, moving) in [
@@ -425,7 +425,7 @@ fn long_arcs() {
     compare("other, ring", &other, &ring, Some((-5.0, 1.2)), 2);
 }
 
-/// Coordinates written with nine decimals: the nearest symmetric wheel is computed, and its distance told.
+/// Coordinates written with nine decimals: the nearest symmetric wheel is computed, and its deviation reported.
 #[test]
 fn rounded_drawings() {
     let drawn = ratchet(20);

@@ -1,4 +1,4 @@
-//! Windows that end at critical orientations, or just beside them: what holds there must hold at the very end.
+//! Windows that end at critical orientations, or just beside them: all properties must hold also at the very end.
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Point, Slicer, Vector};
 use cspace_oracle::{Oracle, Pair, pair};
@@ -17,15 +17,15 @@ const PAIRS: [&str; 8] = [
     "hexagon in a hexagonal hole",
 ];
 
-/// From a critical orientation to the end of the window, radians.
+/// Distance from a critical orientation to the end of the window, radians.
 const BESIDE: [f64; 13] = [
     -3e-6, -3e-7, -1e-9, -1e-11, -1e-13, -1e-16, 0.0, 1e-16, 1e-13, 1e-11, 1e-9, 3e-7, 3e-6,
 ];
 
-/// What the margin of a verdict must exceed to count, as a share of the size.
+/// Minimum margin of an oracle's verdict for it to count, as a share of the size.
 const CERTAIN: f64 = 1e-9;
 
-/// Critical orientations tried of each pair.
+/// Number of critical orientations tested for each pair.
 const TRIED: usize = 6;
 
 fn wrong_at_the_end(

@@ -1,4 +1,4 @@
-//! Conditions against the distances that they say vanish.
+//! Conditions compared with the distances that they represent.
 
 use super::super::locus::SheetKind;
 use super::super::locus::tests::{exact, geometry, pairs};
@@ -48,7 +48,8 @@ fn off(p: Point, sheet: &Sheet, turn: Rotation) -> f64 {
     }
 }
 
-/// All that vanishes where crossings come or go: ends on carriers, unless they are shared, and carriers that are tangent.
+/// All distances that vanish where crossings appear or disappear: of ends from carriers, unless they are shared, and of carriers from
+/// tangency.
 fn vanishing(f: &Sheet, g: &Sheet, shared: [bool; 2], turn: Rotation) -> Vec<f64> {
     let mut all = Vec::new();
     let [end, start] = shared;
@@ -94,7 +95,7 @@ fn conditions_vanish_where_distances_do() {
             conditions(&f.locus, &g.locus, corners, |_| true, |_, t| found.push(t));
             let zero = vanishing(f, g, corners, Rotation::IDENTITY);
             assert_eq!(found.len(), zero.len());
-            // Where one changes its sign, so does the other: each condition has the roots of a distance of its own.
+            // Where one changes its sign, so does the other: each condition has the roots of its distance.
             const STEPS: usize = 2000;
             let turns: Vec<Rotation> = (0..=STEPS)
                 .map(|k| Rotation::by(core::f64::consts::TAU * k as f64 / STEPS as f64))
@@ -121,8 +122,7 @@ fn conditions_vanish_where_distances_do() {
     assert!(seen > 100, "{seen}");
 }
 
-/// The largest and the least value are A + γ and γ − A, known to a small multiple of rounding, and the scale bounds
-/// the coefficients.
+/// The largest and the smallest value are A + γ and γ − A, known to a small multiple of rounding, and the scale bounds the coefficients.
 #[test]
 fn extremes_are_known_from_lengths() {
     let sheets = sheets();
@@ -154,7 +154,7 @@ fn extremes_are_known_from_lengths() {
     }
 }
 
-/// Twice the lengths have twice the error, and their squares four times; rounding of every length is in it.
+/// Lengths twice as large have twice the error, and their squares four times; the rounding of every length is included.
 #[test]
 fn errors_grow_with_lengths() {
     let scaled = |s: Spiral, by: f64| Spiral::new(Point::ORIGIN + s.u.to_vector() * by, s.w * by);
@@ -175,7 +175,7 @@ fn errors_grow_with_lengths() {
         for (known, of) in [
             (a, lengths),
             (b, lengths),
-            // One rounding for every length, of a square beside the other length.
+            // One rounding for every length, from a square beside the other length.
             (c, lengths * c.0.abs().sqrt()),
             (d, lengths * d.0.abs().sqrt()),
         ] {
@@ -188,11 +188,11 @@ fn errors_grow_with_lengths() {
     for (i, times) in [2.0, 2.0, 4.0, 4.0].into_iter().enumerate() {
         assert!((two.0[i] / one.0[i] - times).abs() < 1e-9, "{i}");
     }
-    // A height is a length, what a distance vanishes with a square.
+    // A height is a length; a condition of distance is a square.
     assert_eq!(two.1, [2.0 * one.1[0], 4.0 * one.1[1]]);
 }
 
-/// Absolute values that are added up in a coefficient, at their largest and where lengths are alike.
+/// Sums of absolute values in a coefficient, at their largest and where lengths are similar.
 #[test]
 fn scales_bound_what_is_added_up() {
     for (a, b, d) in [
@@ -213,7 +213,7 @@ fn scales_bound_what_is_added_up() {
     }
 }
 
-/// Conditions in double-double have the roots of those in doubles, by their numbers too; and the same roots are found from those.
+/// Conditions in double-double have the roots of those in f64, also by their numbers; and these roots are found by refinement.
 #[test]
 fn exact_conditions_are_those_of_doubles() {
     let geometry = geometry();
@@ -245,7 +245,7 @@ fn exact_conditions_are_those_of_doubles() {
                     let turns = ((theta.to_f64() - mid) / core::f64::consts::TAU).round();
                     ours.push((theta - Dd::TAU * turns, error));
                 });
-                // What is known well, and not at the very end, is found by both.
+                // Roots that are known well, and not at the very end, are found by both.
                 let known = theirs[number]
                     .iter()
                     .filter(|e| e.error < 1e-10 && (e.theta - mid).abs() < half - 1e-8);
@@ -274,7 +274,7 @@ fn exact_conditions_are_those_of_doubles() {
         let asked: Vec<usize> = (0..theirs.len()).filter(|&n| n != 1).collect();
         assert_eq!(taken, asked);
     }
-    // Of large circles about their centres doubles know little.
+    // For large circles about their centres f64 has few digits.
     assert!(compared > 400 && flat > 200, "{compared} {flat}");
 }
 
@@ -319,10 +319,10 @@ fn value(c: &Trig<Dd>, theta: Dd) -> Dd {
     c.alpha * cos + c.beta * sin + c.gamma
 }
 
-/// A condition passes zero within the error that is told, which beside a double root is the square root of the rounding.
+/// A condition passes zero within the reported error, which beside a double root is the square root of the rounding.
 #[test]
 fn roots_are_where_they_are_told_to_be() {
-    // 1 − h, and the least and the largest error to be expected, in units of rounding.
+    // 1 − h, and the smallest and the largest expected error, in units of rounding.
     for (less, least, largest) in [
         (0.7, 1.0, 1e3),
         (1.9, 1.0, 1e3),
@@ -340,12 +340,12 @@ fn roots_are_where_they_are_told_to_be() {
             let units = error / Dd::EPSILON;
             assert!((least..largest).contains(&units), "{less} {units}");
         }
-        // As far from a quarter turn on one side as on the other.
+        // The roots are at equal distances from a quarter turn.
         let sum = (roots[0].0 + roots[1].0 - Dd::PI).to_f64();
         let turns = (sum / (2.0 * PI)).round();
         assert!((sum - 2.0 * PI * turns).abs() < 1e-15, "{less} {sum}");
     }
-    // What stays clear of the line, or only touches it, has none, nor what does not move.
+    // A point that stays clear of the line, or only touches it, has no root, and neither has one that does not move.
     for h in [1.0, -1.0, 1.0 + 1e-12, -1.0 - 1e-9, 1.5] {
         assert!(roots_of(&high(1.0, Dd::from(h))).is_empty(), "{h}");
     }
@@ -354,8 +354,8 @@ fn roots_are_where_they_are_told_to_be() {
     }
 }
 
-/// A point at a distance of one that goes around is at a distance from another as the sides of a triangle tell; and of circles of
-/// nearly one radius the differences of lengths are known.
+/// A point at a distance of one that moves on a circle is at a distance from another according to the triangle of the three; and for
+/// circles of nearly one radius the differences of lengths are accurate.
 #[test]
 fn distances_are_known_as_lengths_are() {
     let spiral = |u: (f64, f64), w: (f64, f64)| exact_spiral(exactly(u.0, u.1), exactly(w.0, w.1));
@@ -374,7 +374,7 @@ fn distances_are_known_as_lengths_are() {
             assert!(error < 1e-24, "{error}");
         }
     }
-    // The centres 2 d apart at most, and the distance d, wherever the centres are.
+    // The centres are at most 2 d apart, with the distance d, wherever the centres are.
     let d = 1e-12;
     let (p, q) = (
         spiral((0.7, 0.3), (d, 0.0)),
@@ -383,16 +383,16 @@ fn distances_are_known_as_lengths_are() {
     let roots = roots_of(&apart(&p, &q, (Dd::from(0.7 + d) - 0.7).abs()));
     assert_eq!(roots.len(), 2);
     for (theta, error) in roots {
-        // A sixth of a turn, as far as d is known.
+        // A sixth of a turn, to the accuracy of d.
         assert!((theta.to_f64().cos() - 0.5).abs() < 1e-3, "{theta:?}");
         assert!(error < 1e-15, "{error}");
     }
 }
 
-/// From where doubles tell a root the same root is found; what is near a double root, or off, is not told by them.
+/// A root found in f64 is refined to the exact one; near a double root, or off the root, it is rejected.
 #[test]
 fn a_root_is_refined_where_it_is_simple() {
-    /// How far off doubles are, at most (radians).
+    /// Largest error of a root in f64 (radians).
     const NEAR: f64 = 1e-11;
     for less in [0.3, 1.0, 1.7] {
         let c = high(1.0, Dd::ONE - less);
@@ -414,7 +414,7 @@ fn a_root_is_refined_where_it_is_simple() {
             .all(|r| !c.is_simple(r.0.to_f64(), NEAR))
     );
     assert!(!high(1.0, Dd::ONE).is_simple(FRAC_PI_2, NEAR));
-    // Little that moves beside much that does not is known to less.
+    // A small moving term beside a large constant one has a larger error.
     let c = high(1e-6, Dd::ZERO);
     assert!(c.is_simple(0.0, NEAR));
     let far = exact_spiral(exactly(3.0, 1.0), exactly(0.0, 0.0));

@@ -1,4 +1,4 @@
-//! Sheets of small pairs, against what their curves are at one orientation and another.
+//! Sheets of small pairs, compared with their curves at several orientations.
 
 use core::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::{Part, Vertex};
 
-/// A square turned by an angle, with corners rounded by arcs that go on smoothly.
+/// A square turned by an angle, with corners rounded by tangent arcs.
 fn rounded(name: &str, half: f64, radius: f64, turned: f64) -> Part {
     let turn = Rotation::by(turned);
     let outline = (0..4)
@@ -31,14 +31,14 @@ fn curve(sheet: &Sheet, theta: f64) -> Curve {
     sheet.curve(theta, Rotation::by(theta))
 }
 
-/// Whether one curve goes on into the other without a bend.
+/// Whether one curve continues the other without a bend.
 fn goes_on(before: &Curve, after: &Curve) -> bool {
     let bend = before.normal(before.end) - after.normal(after.start);
     before.end.distance(after.start) < 1e-12 && bend.length() < 1e-12
 }
 
-/// Between a line of one part and one of the other, against rounded corners, there is a circle at all orientations at
-/// which both are there, or at some, or at none.
+/// Between a line of one part and one of the other, against rounded corners, there is a circle at all orientations at which both exist, or
+/// at some, or at none.
 #[test]
 fn lines_are_bridged_if_a_circle_is_always_between() {
     let geometry = Geometry::new(
@@ -87,7 +87,7 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
         }
     }
     assert!(bridged > 0 && never > 0, "{bridged} {at_times} {never}");
-    // What is not a line of either part is computed.
+    // Pairs other than two lines of different kinds are not bridged.
     for f in sheets {
         let others = sheets
             .iter()
@@ -104,8 +104,8 @@ fn goes_on_ever(f: &Sheet, g: &Sheet, at: [f64; 4]) -> bool {
     })
 }
 
-/// Where two arcs follow each other the circle of the first lies between a line and that of the second, which is a curve to
-/// be computed as any other.
+/// Where two arcs follow each other, the circle of the first lies between a line and the circle of the second, which is a curve that must
+/// be searched as any other.
 #[test]
 fn a_line_and_a_circle_are_not_bridged() {
     // Each corner is an eighth of a turn with one radius and then one with another.
@@ -184,8 +184,8 @@ fn lines_touch_what_is_convex() {
     assert!(kinds.into_iter().all(|n| n > 0));
 }
 
-/// Wherever two arcs touch, their centres are as far apart as both radii together, concave ones negative; and the curve's normal
-/// is that of the fixed arc.
+/// Where two arcs touch, the distance of their centres is the sum of both radii, concave ones negative; and the curve's normal is that of
+/// the fixed arc.
 #[test]
 fn centres_of_arcs_that_touch_are_their_radii_apart() {
     let geometry = bulging();
@@ -213,10 +213,10 @@ fn centres_of_arcs_that_touch_are_their_radii_apart() {
     assert!(kinds.into_iter().all(|n| n > 0), "{kinds:?}");
 }
 
-/// An arc in a fillet goes around a circle if it has play there, however little, and is no contact if it is too large.
+/// An arc in a fillet moves on a circle if it has play there, however little, and has no contact if it is too large.
 #[test]
 fn arcs_with_play_go_around_a_circle() {
-    /// Much more than what the parts are grown by and moved.
+    /// Much more than growth and perturbation.
     const LIMIT: f64 = SMALLEST_CIRCLE;
     for (radius, sweep) in [(0.5, 1.5), (0.5, 0.95 * PI)] {
         for play in [-10.0, -0.5, 0.5, 10.0] {
@@ -249,7 +249,7 @@ fn arcs_with_play_go_around_a_circle() {
                 &geometry.fixed.features[ia as usize],
                 &geometry.moving.features[ib as usize],
             );
-            // Drawn at half the size, and grown by a little.
+            // The pair is drawn at half the size, and grown a little.
             let less = -(a.radius() + b.radius());
             assert!((less / LIMIT - play).abs() < 0.3, "{} {play}", less / LIMIT);
             let circles = contacts.sheets.iter();
@@ -259,8 +259,8 @@ fn arcs_with_play_go_around_a_circle() {
     }
 }
 
-/// Of all curves of a pair: what is walked along one is in its box, and of a flat arc no further from the chord than its sheet says;
-/// nor is the box of a flat arc much larger.
+/// For every curve of a pair: points on the curve are in its box, and those of a flat arc are no farther from the chord than its sheet
+/// states; nor is the box of a flat arc much too large.
 #[test]
 fn curves_are_in_their_boxes() {
     let geometry = bulging();

@@ -1,4 +1,4 @@
-//! Crossings are on both cycles, named and directed as they are said to be.
+//! Crossings lie on both cycles, and have the names and directions documented.
 
 use super::super::curve::tests::{circle, height, line};
 use super::super::cycle::Cycle;

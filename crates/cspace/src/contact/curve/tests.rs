@@ -1,4 +1,4 @@
-//! Places, normals, boxes and rays, against points computed from angles.
+//! Places, normals, boxes and rays, compared with points computed from angles.
 
 use core::f64::consts::PI;
 
@@ -12,7 +12,7 @@ pub(in crate::contact) fn line(through: Point, angle: f64) -> Curve {
     Curve::new(Cycle::line(start, travel.right()), ends, [0.0; 2])
 }
 
-/// An arc by its normals; one of negative radius is travelled clockwise.
+/// An arc given by its normals; if the radius is negative it is traversed clockwise.
 pub(in crate::contact) fn circle(center: Point, radius: f64, mid_angle: f64, half: f64) -> Curve {
     let end = |turn: f64| center + Vector::from_angle(mid_angle + turn * radius.signum()) * radius;
     let ends = [end(-half), end(half)];
@@ -20,7 +20,7 @@ pub(in crate::contact) fn circle(center: Point, radius: f64, mid_angle: f64, hal
     Curve::new(Cycle::round(center, radius), ends, angles)
 }
 
-/// How far a point is on the free side of a curve's line or circle.
+/// Signed distance of a point from a curve's line or circle, positive on the free side.
 pub(in crate::contact) fn height(curve: &Curve, p: Point) -> f64 {
     let Cycle {
         through,
@@ -42,7 +42,7 @@ fn curves() -> Vec<Curve> {
         line(p(-0.3, 0.1), 2.5),
         line(p(0.0, 0.0), -2.0),
     ];
-    // Arcs about every direction, short ones and such as pass several of the axes, of both signs.
+    // Arcs about every direction, short ones and some that pass several of the axes, of both signs.
     for k in 0..12 {
         let mid = -3.0 + 0.53 * f64::from(k);
         for half in [0.2, 0.8, 1.7, 2.9] {
@@ -74,7 +74,7 @@ fn places_are_lengths_of_travel_from_the_middle() {
     }
 }
 
-/// The box holds a curve's points, and is no larger than theirs but for what lies between two of them.
+/// The box contains the curve's points, and is no larger than theirs, up to the step between two points.
 #[test]
 fn boxes_are_tight() {
     const STEPS: i32 = 2000;
@@ -97,7 +97,7 @@ fn boxes_are_tight() {
     }
 }
 
-/// The first meeting of a ray with a curve, found by walking along the curve and looking where it changes sides.
+/// The first meeting of a ray with a curve, found by stepping along the curve and detecting changes of side.
 fn first_by_walking(c: &Curve, p: Point, d: Vector) -> Option<f64> {
     const STEPS: i32 = 500;
     let at = |k: i32| c.point(c.half * f64::from(k) / f64::from(STEPS)) - p;
@@ -136,7 +136,7 @@ fn rays_meet_what_is_first() {
     assert!(met > 400 && missed > 400, "{met} {missed}");
 }
 
-/// Distances are more than nothing and less than the limit.
+/// Distances of hits are positive and below the limit.
 #[test]
 fn a_ray_does_not_meet_what_it_starts_on_or_what_is_at_the_limit() {
     let (p, up) = (Point::new(0.5, 0.0), Vector::new(0.0, 1.0));
@@ -150,7 +150,7 @@ fn a_ray_does_not_meet_what_it_starts_on_or_what_is_at_the_limit() {
     }
 }
 
-/// Where one curve ends and the next begins, neither may be met but for rounding.
+/// A ray through the joint of two curves must meet at least one of them, whatever the rounding.
 #[test]
 fn rays_do_not_slip_through_joints() {
     let mut slipped = 0;

@@ -1,4 +1,4 @@
-//! Cycles against lines and circles by their centres, in every arithmetic; crossings, and how far rounding moves them.
+//! Cycles compared with lines and circles by their centres, in every arithmetic; crossings, and their rounding errors.
 
 use super::super::curve::tests::{circle, line};
 use super::super::{ContactFunction, Spiral};
@@ -6,7 +6,7 @@ use super::*;
 use crate::contact::crossing::crossing;
 use crate::number::{Ball, Dd, Dual};
 
-/// A circle about a centre, written by the place at an angle.
+/// A circle about a centre, written by the point at an angle.
 fn flat(center: Point, radius: f64, angle: f64) -> Cycle {
     let n = Vector::from_angle(angle);
     Cycle::flat(center + n * radius, n, 1.0 / radius)
@@ -17,7 +17,7 @@ fn off(center: Point, radius: f64, p: Point) -> f64 {
     (p.distance(center) - radius.abs()) * radius.signum()
 }
 
-/// Levels, gradients, distances and normals are those of the same circle by its centre; in double-double, too.
+/// Levels, gradients, distances and normals equal those of the circle written by its centre, also in double-double.
 #[test]
 fn a_circle_is_the_same_by_its_centre_and_by_a_place() {
     let center = Point::new(0.3, -3.0);
@@ -73,7 +73,7 @@ fn places_grow_with_travel() {
     }
 }
 
-/// Lines, large circles and circles by their centres in general position: crossings are on both, and go the way they say.
+/// Crossings of lines, large circles and circles by their centres, in general position, lie on both cycles, and have the stated directions.
 #[test]
 fn crossings_are_on_both() {
     let p = Point::new;
@@ -107,7 +107,7 @@ fn crossings_are_on_both() {
                 if f.is_line() && g.is_line() && (g.normal.dot(f.normal.left()) > 0.0) == enters {
                     continue;
                 }
-                // The same circle, written twice.
+                // One circle, written twice.
                 if f.is_one_with(g, 1e-12) {
                     continue;
                 }
@@ -124,14 +124,14 @@ fn crossings_are_on_both() {
     assert!(seen > 60, "{seen}");
 }
 
-/// A line at a slant crosses a circle that is nearly one where it crosses the tangent, but for second order; and rays meet it.
+/// A slanted line crosses a very large circle where it crosses the tangent, up to second order; and rays meet it.
 #[test]
 fn crossings_are_exact_however_large_the_radius() {
     for radius in [1e3, 1e6, 1e9, -1e9] {
         let arc = Cycle::flat(Point::new(0.2, 0.1), Vector::new(0.0, 1.0), 1.0 / radius);
         let fall = |d: f64| d * d / (radius + (radius * radius - d * d).sqrt() * radius.signum());
         for (angle, enters) in [(0.4_f64, true), (-0.4, false)] {
-            // Through a point 0.7 to the left of the one that the circle is written by.
+            // A line through a point 0.7 to the left of the one by which the circle is written.
             let (sin, cos) = angle.sin_cos();
             let through = Point::new(0.2 - 0.7, 0.1);
             let line = Cycle::line(through, Vector::new(sin, cos));
@@ -176,7 +176,7 @@ fn circles_that_just_touch_are_told_from_those_that_do_not() {
     }
 }
 
-/// Lines and circles are one if doubles could just tell them apart, and else not.
+/// Lines and circles are one if f64 could hardly separate them, and otherwise not.
 #[test]
 fn cycles_are_one_within_little() {
     const SAME: f64 = 1e-14;
@@ -198,7 +198,7 @@ fn cycles_are_one_within_little() {
     assert!(!is_one(first, line(0.0, 0.0, 0.0)));
 }
 
-/// One of each kind, all of which cross each other at orientation 0.3.
+/// One function of each kind; all of them cross each other at orientation 0.3.
 fn functions() -> [ContactFunction; 6] {
     let spiral = |x: f64, y: f64, a: f64, b: f64| Spiral::new(Point::new(x, y), Vector::new(a, b));
     [
@@ -233,7 +233,7 @@ fn functions() -> [ContactFunction; 6] {
     ]
 }
 
-/// What is said of cycles, and of two of them, in one arithmetic: places at which they cross first.
+/// Results of all formulas for cycles and pairs of them in one arithmetic, beginning with places at which they cross.
 fn formulas<T: Real>(turn: Rotation<T>) -> Vec<Vector<T>> {
     let all = functions().map(|f| f.cycle(turn));
     let p = (turn * Vector::new(0.4, -0.3).map(T::constant)).map(|x| x + T::constant(0.2));
@@ -260,7 +260,7 @@ fn formulas<T: Real>(turn: Rotation<T>) -> Vec<Vector<T>> {
                     Vector::new(f.still_about(g, p), f.total(g)),
                     f.between(g),
                 ]);
-                // Two lines have a common normal where they are parallel.
+                // Two lines have a common normal only where they are parallel.
                 if !(f.is_line() && g.is_line()) {
                     let unit = f.common_normal(g);
                     let supports = Vector::new(f.beside(g, unit), f.support(p, unit));
@@ -341,7 +341,7 @@ fn errors_of_places_grow_as_crossings_get_flat() {
             let place = f.cycle.root(&g.cycle, root, false);
             let sine = f.normal(at).cross(g.normal(at)).abs();
             let error = f.cycle.place_error(&g.cycle, place);
-            // The place is on the circle but for rounding.
+            // The place is on the circle up to rounding.
             assert!((error * sine / PLACE_ERROR - 1.0).abs() < 0.1);
         }
     }

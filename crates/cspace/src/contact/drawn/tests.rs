@@ -1,4 +1,4 @@
-//! Contact functions in doubles against the same in double-double, with their derivatives.
+//! Contact functions in f64 compared with double-double, with their derivatives.
 
 use super::*;
 use crate::number::{Dd, SecondOrder};
@@ -18,7 +18,7 @@ fn edge(middle: (f64, f64), normal: f64, length: f64, bulge: f64) -> FeatureShap
     }
 }
 
-/// The value and all derivatives of a contact function by the position and orientation of the moving part, as doubles.
+/// The value and all derivatives of a contact function by the position and orientation of the moving part, in f64.
 fn derived<T: Real>(
     fixed: &FeatureShape<f64>,
     moving: &FeatureShape<f64>,
@@ -35,11 +35,11 @@ fn derived<T: Real>(
     all
 }
 
-/// Nearly parallel features of radii up to 1e9, whose normals oppose each other but for an angle.
+/// Nearly parallel features of radii up to 1e9, whose normals oppose each other up to a small angle.
 #[test]
 fn doubles_are_as_good_as_double_double() {
-    /// Errors of values, gradients and Hessians, relative to 1 at least. Where a radius of 1e9 turns, an orientation that is rounded
-    /// by 1e-16 moves it by 1e-7.
+    /// Limits of the errors of values, gradients and Hessians, relative to max(1, value). Where a radius of 1e9 turns, an orientation that
+    /// is rounded by 1e-16 moves it by 1e-7.
     const LIMITS: [f64; 3] = [1e-12, 1e-7, 1e-13];
     let mut worst = [0.0_f64; 3];
     let bulges = [0.0, 1e-9, 1e-7, 1e-5, -1e-5, 1e-3, -1e-3, 0.1, -0.1];

@@ -1,4 +1,4 @@
-//! Names against the triples that they stand for.
+//! Names compared with the triples that they represent.
 
 use std::collections::BTreeSet;
 

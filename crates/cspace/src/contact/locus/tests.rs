@@ -1,4 +1,4 @@
-//! Loci, curves and crossings in double-double against the same in doubles.
+//! Loci, curves and crossings in double-double compared with those in f64.
 
 use core::f64::consts::PI;
 
@@ -63,10 +63,10 @@ pub(in crate::contact) fn pairs(geometry: &Geometry) -> Vec<Together<'_>> {
     pairs
 }
 
-/// Curves are where doubles tell, and their ends on them to the rounding of double-double.
+/// Curves agree with those in f64, and their ends lie on them to the rounding of double-double.
 #[test]
 fn curves_are_those_of_doubles() {
-    /// Distances, as far as doubles tell them of the largest circles, and rounding of double-double.
+    /// Tolerance of distances, given the accuracy of f64 for the largest circles; and rounding of double-double.
     const NEAR: f64 = 1e-11;
     const NONE: f64 = 1e-26;
     let geometry = geometry();
@@ -119,7 +119,7 @@ fn length_of(v: Vector<Dd>) -> f64 {
     v.length().to_f64()
 }
 
-/// What is told of a crossing by its name: where it is, and which curve enters; and what orders crossings along a curve.
+/// A crossing's place and which curve enters, in double-double and in f64; also its place along both curves.
 #[test]
 fn crossings_are_those_of_doubles() {
     let geometry = geometry();

@@ -1,4 +1,4 @@
-//! What sheets know of each other without computing, against distances at many orientations.
+//! Relations between sheets that are known without computing, compared with distances at many orientations.
 
 use super::super::spiral::Spiral;
 use super::*;
@@ -8,7 +8,7 @@ fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
     Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
 }
 
-/// A sheet with names of its own, made from four times `number` on.
+/// A sheet with its own end names, starting at four times `number`.
 fn sheet(locus: Locus, number: u32) -> Sheet {
     Sheet {
         locus,
@@ -43,7 +43,7 @@ pub(in crate::contact) fn round(number: u32, u: (f64, f64), w: (f64, f64), radiu
     sheet(locus, number)
 }
 
-/// A line through a spiral, whose normal has an angle in the fixed part's frame or in the moving one's.
+/// A line through a spiral, whose normal has a given angle in the fixed or in the moving part's frame.
 pub(in crate::contact) fn straight(
     number: u32,
     kind: SheetKind,
@@ -61,7 +61,7 @@ pub(in crate::contact) fn straight(
     sheet(locus, number)
 }
 
-/// How far the carriers of two sheets are from being tangent, or one, at the worst of many orientations.
+/// Largest deviation of the carriers of two sheets from being tangent, or one, over many orientations.
 fn furthest_from_tangent(f: &Sheet, g: &Sheet) -> f64 {
     let off = |turn: Rotation| match (f.is_circle(), g.is_circle()) {
         (true, true) => {
@@ -93,7 +93,7 @@ fn what_is_always_tangent_is_told() {
     let seen_turning = spiral((0.3, -0.1), here);
     let mut told = [0, 0];
     for (f, g) in [
-        // Two circles whose centres differ by what stays, or by what turns, or by both.
+        // Two circles whose centres differ by a constant vector, by a turning one, or by both.
         (
             round(0, here, (0.3, 0.0), 0.5),
             round(1, beside(0.8), (0.3, 0.0), 0.3),
@@ -124,7 +124,7 @@ fn what_is_always_tangent_is_told() {
             round(0, here, (0.3, 0.0), 0.5),
             round(1, beside(0.8 + 1e-9), (0.3, 0.0), 0.3),
         ),
-        // A line of either kind, and a circle at its distance that moves as it does, or not.
+        // A line of either kind, and a circle at its distance that moves with it, or not.
         (
             straight(0, line, 0.7, still),
             round(1, beside(0.5), (0.3, -0.1), 0.5),
@@ -222,7 +222,7 @@ fn shared_ends_are_those_with_one_name() {
     let shared = |g: &Sheet, first_vertex| f.shared_ends(g, first_vertex);
     assert_eq!(shared(&g, 0).corners, [false; 2]);
     assert!(!shared(&g, 0).tangent);
-    // The end of f is the start of g; then the start of f the end of g; then both.
+    // First the end of f is the start of g; then the start of f the end of g; then both.
     for (g, corners) in [
         (with(1, 9), [true, false]),
         (with(9, 0), [false, true]),
@@ -233,7 +233,7 @@ fn shared_ends_are_those_with_one_name() {
         let smooth = shared(&g, 2);
         assert_eq!((smooth.tangent, smooth.corners), (true, [false; 2]));
     }
-    // Names from the first vertex's on are vertices'.
+    // Names from the first vertex name on belong to vertices.
     assert!(shared(&with(1, 9), 2).tangent && !shared(&with(1, 9), 1).tangent);
     let same_features = Sheet {
         fixed: f.fixed,
@@ -247,7 +247,7 @@ fn shared_ends_are_those_with_one_name() {
     );
 }
 
-/// The curve lies where the contact function vanishes, and its free side is where that is positive.
+/// The curve lies where the contact function vanishes, with its free side where the function is positive.
 #[test]
 fn curves_are_zeros_of_the_contact_function() {
     let through = spiral((0.1, 0.2), (0.3, -0.1));
@@ -270,7 +270,7 @@ fn curves_are_zeros_of_the_contact_function() {
     }
     for radius in [0.5, -0.5] {
         let mut s = round(0, (0.1, 0.2), (0.3, -0.1), radius);
-        // Travel is clockwise about what is concave.
+        // Travel is clockwise about a concave arc.
         let (low, high) = (
             EndAngle {
                 offset: 0.2,
@@ -301,7 +301,7 @@ fn curves_are_zeros_of_the_contact_function() {
     }
 }
 
-/// Seen from one of two centres that are nearly one, the way to the other is known to its own last bits.
+/// For almost concentric circles, the vector from one centre to the other is known to its own last bits.
 #[test]
 fn close_circles_are_seen_from_one_of_them() {
     let f = round(1, (0.7, 0.3), (3e-9, 0.0), -0.25);
@@ -317,7 +317,7 @@ fn close_circles_are_seen_from_one_of_them() {
     let ends = g.locus.about(&origin).start.at(turn)
         - (g.locus.start.at(turn) - origin.at(turn).to_vector());
     assert!(ends.length() < 1e-15);
-    // One centre, centres far apart, or a line.
+    // Equal centres, distant centres, or a line.
     assert_eq!(f.close_to(&f), None);
     assert_eq!(f.close_to(&round(2, (0.7, 0.3), (0.1, 0.0), -0.25)), None);
     let line = straight(3, SheetKind::LineRound, 0.1, spiral((0.0, 0.0), (0.0, 0.0)));

@@ -1,4 +1,4 @@
-//! Where the turn is cut, for squares whose normals oppose each other at known orientations.
+//! Cuts of the turn, for squares whose normals oppose each other at known orientations.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -7,7 +7,7 @@ use super::*;
 use crate::geometry::{Point, Vector};
 use crate::part::{Part, Vertex};
 
-/// A square whose normals have that angle, and quarter turns more.
+/// A square whose normals have the given angle, and that plus quarter turns.
 fn square(name: &str, angle: f64) -> Part {
     let corner = |k: u32| {
         let angle = angle + FRAC_PI_2 * (f64::from(k) + 0.5);
@@ -24,7 +24,7 @@ fn the_turn_is_cut_where_no_normals_oppose_each_other() {
         let (a, b) = (square("a", 0.0), square("b", angle));
         Geometry::new(&a, &b, None, usize::MAX).contacts.span
     };
-    // Turned by θ, the second square's normals oppose the first's where its angle and θ are a quarter turn, or none.
+    // Turned by θ, the second square's normals oppose the first's where its angle and θ differ by a multiple of a quarter turn.
     for (angle, lo) in [
         (0.3, FIRST),
         (-FIRST, FIRST + 0.000_761_3),
@@ -48,7 +48,7 @@ fn a_slab_is_a_share_of_the_turn() {
     assert!((slab.hi - slab.lo - FRAC_PI_2).abs() < 1e-15);
 }
 
-/// A triangle about the unit circle, by its normals.
+/// A triangle about the unit circle, given by its normals.
 fn triangle(name: &str, angles: [f64; 3]) -> Part {
     let corner = |k: usize| {
         let (a, b) = (angles[k], angles[(k + 1) % 3]);
@@ -59,7 +59,7 @@ fn triangle(name: &str, angles: [f64; 3]) -> Part {
     Part::new(name, vec![(0..3).map(corner).collect()]).unwrap()
 }
 
-/// Angles of normals are in (−π, π]: two may oppose each other at an orientation that their difference is a turn from.
+/// Angles of normals are in (−π, π]: two normals may oppose each other at an orientation that is a turn from their difference.
 #[test]
 fn normals_oppose_each_other_whatever_turn_they_are_in() {
     const FIRST: f64 = -PI + 0.01234;

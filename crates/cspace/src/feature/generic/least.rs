@@ -5,14 +5,14 @@ use crate::number::Dd;
 
 use super::side::{Knot, Side};
 
-/// Pivots that are this much smaller than the diagonal are of rows that depend on others.
+/// Ratio of a pivot to the diagonal below which its row depends on others.
 const DEPENDENT: f64 = 1e-26;
 /// Derivatives of the directions in which an edge leaves and arrives.
 struct Slopes {
-    /// By the move of its start and of its end.
+    /// Derivatives by the displacements of its start and of its end.
     leave: [Vector; 2],
     arrive: [Vector; 2],
-    /// By its sagitta; the other way for leaving.
+    /// Derivative by its sagitta for arriving; with the opposite sign for leaving.
     sagitta: f64,
 }
 
@@ -35,14 +35,14 @@ impl Slopes {
     }
 }
 
-/// How the residuals of some joints depend on one unknown.
+/// Dependence of the residuals of some joints on one unknown.
 struct Column<const N: usize> {
     joints: [usize; N],
     slopes: [f64; N],
     weight: f64,
 }
 
-/// The columns of the Jacobian: two of each vertex, and one of each sagitta.
+/// The columns of the Jacobian: two for each vertex, and one for each sagitta.
 fn columns(slopes: &[Slopes], knots: &[Knot]) -> impl Iterator<Item = ([Column<3>; 2], Column<2>)> {
     let n = knots.len();
     (0..n).map(move |i| {
@@ -79,7 +79,7 @@ impl<const N: usize> Column<N> {
         }
     }
 
-    /// The change of the unknown.
+    /// The change of the unknown, for the given multipliers.
     fn change(&self, multipliers: &[Dd]) -> f64 {
         let mut sum = Dd::ZERO;
         for (&j, &slope) in self.joints.iter().zip(&self.slopes) {
@@ -89,7 +89,7 @@ impl<const N: usize> Column<N> {
     }
 }
 
-/// W Jᵀ λ with (J W Jᵀ) λ = −ρ.
+/// The displacements W Jᵀ λ with (J W Jᵀ) λ = −ρ.
 pub(super) fn least_moves(sides: &[Side], knots: &[Knot], residuals: &[Dd]) -> Vec<[f64; 3]> {
     let slopes: Vec<Slopes> = sides.iter().map(Slopes::new).collect();
     let mut band = Band::new(sides.len());
@@ -111,9 +111,9 @@ pub(super) fn least_moves(sides: &[Side], knots: &[Knot], residuals: &[Dd]) -> V
         .collect()
 }
 
-/// A symmetric matrix that couples each of a closed chain of n unknowns with two on either side.
+/// A symmetric matrix that couples each of a cyclic chain of n unknowns with two on either side.
 ///
-/// It is in double-double, since a line of many pieces makes it as ill-conditioned as the fourth power of their number.
+/// It is in double-double, because a line of many pieces makes it as ill-conditioned as the fourth power of their number.
 struct Band {
     /// Row p, column p − HALF + k is at `[p][k]`.
     rows: Vec<[Dd; HALF + 1]>,
@@ -129,7 +129,7 @@ impl Band {
         }
     }
 
-    /// The place of an unknown in the order 0, n−1, 1, n−2, …
+    /// Index of an unknown in the order 0, n−1, 1, n−2, …
     fn place(&self, i: usize) -> usize {
         let n = self.rows.len();
         if 2 * i < n {
@@ -139,7 +139,7 @@ impl Band {
         }
     }
 
-    /// Adds to row j, column k; what is above the diagonal is left out.
+    /// Adds to row j, column k; entries above the diagonal are ignored.
     fn add(&mut self, j: usize, k: usize, value: Dd) {
         let (p, q) = (self.place(j), self.place(k));
         if q <= p {
@@ -148,10 +148,10 @@ impl Band {
         }
     }
 
-    /// The solution of a consistent system; 0 for unknowns whose rows depend on those before.
+    /// The solution of a consistent system; 0 for unknowns whose rows depend on previous ones.
     fn solved(mut self, right: &[Dd]) -> Vec<Dd> {
         let n = self.rows.len();
-        // 1/D, with 0 of dependent rows.
+        // 1/D, with 0 for dependent rows.
         let mut inverse = vec![Dd::ZERO; n];
         for p in 0..n {
             let first = p.saturating_sub(HALF);
@@ -160,7 +160,7 @@ impl Band {
             for q in first..p {
                 let mut sum = row[HALF + q - p];
                 for m in first.max(q.saturating_sub(HALF))..q {
-                    // row[m] is still L D there.
+                    // There row[m] is still L D.
                     sum = sum - row[HALF + m - p] * self.rows[q][HALF + m - q];
                 }
                 row[HALF + q - p] = sum;

@@ -1,8 +1,7 @@
-//! Loops whose smooth joints are exactly smooth, and which are like no other loop.
+//! Makes loops generic: smooth joints exactly smooth, and no coincidences with other loops.
 //!
-//! A drawing has its smooth joints to the rounding of its numbers, and lengths that are equal by design. [`made_generic`]
-//! moves the vertices and arcs of a loop by lengths that are asked for, and then by as little as makes its joints smooth to
-//! double-double.
+//! In a drawing, smooth joints are smooth up to the rounding of its numbers, and lengths are equal by design. [`made_generic`] moves the
+//! vertices and arcs of a loop by requested lengths, and then by the smallest displacements that make its joints smooth in double-double.
 //!
 //! # Unknowns
 //!
@@ -17,14 +16,14 @@
 //!
 //! # Equations
 //!
-//! The chord of edge i has direction θᵢ; the edge leaves along θᵢ − hᵢ and arrives along θᵢ + hᵢ. At a smooth joint
-//! ρᵢ = (θᵢ − hᵢ) − (θᵢ₋₁ + hᵢ₋₁) is none. Sliding a vertex by t turns ρᵢ by (κᵢ − κᵢ₋₁) t, and no other joint: what a kink δ
-//! of a line and an arc of radius r needs is a slide of r δ, which changes the outline by r δ²/2 only. Moving across instead
-//! would change it by δ times the length of an edge. Therefore slides are cheap.
+//! The chord of edge i has direction θᵢ; the edge leaves along θᵢ − hᵢ and arrives along θᵢ + hᵢ. At a smooth joint the residual ρᵢ = (θᵢ −
+//! hᵢ) − (θᵢ₋₁ + hᵢ₋₁) is zero. Sliding a vertex by t changes ρᵢ by (κᵢ − κᵢ₋₁) t, and no other residual: a kink δ of a line and an arc of
+//! radius r needs a slide of r δ, which changes the outline by r δ²/2 only. A lateral displacement instead would change it by δ times the
+//! length of an edge. Therefore slides are cheap.
 //!
-//! The smallest change is W Jᵀ λ with (J W Jᵀ) λ = −ρ, where J has the derivatives of ρ and W the weights. Joint i is coupled
-//! with joints i ± 1 and i ± 2; in the order 0, n−1, 1, n−2, … a closed loop is a band of half width 4, which is factored as
-//! L D Lᵀ. Rows that depend on others are left out: two arcs that make a circle are smooth at both joints or at none.
+//! The smallest change is W Jᵀ λ with (J W Jᵀ) λ = −ρ, where J has the derivatives of ρ and W the weights. Joint i is coupled with joints i
+//! ± 1 and i ± 2; in the order 0, n−1, 1, n−2, … a closed loop is a band of half width 4, which is factored as L D Lᵀ. Dependent rows are
+//! left out: two arcs that make a circle are smooth at both joints or at neither.
 
 mod least;
 mod side;
@@ -39,22 +38,22 @@ use least::least_moves;
 pub(crate) use side::ExactVertex;
 use side::{Knot, Side, between, knots, sides, vector};
 
-/// Residuals below this are none (2⁻⁹⁹ ≈ 1.6e-30), but for what the rounding of coordinates makes of them.
+/// Residual below which a joint is smooth (2⁻⁹⁹ ≈ 1.6e-30), apart from the rounding of coordinates.
 const RESIDUAL: f64 = 1.0 / (1u128 << 99) as f64;
 /// The rounding of a coordinate, relative to the largest (2⁻¹⁰⁷).
 const ROUNDING: f64 = 1.0 / (1u128 << 107) as f64;
-/// Steps of Newton's rule.
+/// Maximum number of steps of Newton's method.
 const MOST_STEPS: usize = 16;
 
-/// Moves a closed loop by a generic small amount so that its smooth joints are exactly smooth (to double-double).
+/// Moves a closed loop by a generic small amount so that its smooth joints are exactly smooth (in double-double).
 ///
-/// `drawn[i]` is the start of edge i and its bulge; 0 for a line, which stays a line. `smooth[i]` tells whether edges i − 1
-/// and i meet smoothly there. `wish[i]` has lengths by which vertex i (x, y) and the sagitta of arc i should be moved; of edges
-/// that are short, and of arcs that hardly bend, they are lessened.
+/// `drawn[i]` is the start of edge i and its bulge; 0 for a line, which remains a line. `smooth[i]` states whether edges i − 1 and i meet
+/// smoothly there. `wish[i]` has the requested displacements of vertex i (x, y) and of the sagitta of arc i; they are reduced for short
+/// edges, and for arcs with little curvature.
 ///
-/// `None` if that is no loop (fewer than two edges, or one without length), if no smooth loop is found beside it, if a vertex
-/// would move by more than 1/32 of an edge, or if the outline would move across by more than wished: by four times the longest
-/// wish, 1.1e-13, what sliding changes in the second order, and what pieces of one line are off it.
+/// `None` if the input is not a loop (fewer than two edges, or one without length), if no smooth loop is found nearby, if a vertex would
+/// move by more than 1/32 of an edge, or if the outline would move laterally by more than admitted: four times the longest requested
+/// displacement, 1.1e-13, the second-order change by sliding, and the deviation of the pieces of one line from it.
 pub(crate) fn made_generic(
     drawn: &[ExactVertex],
     smooth: &[bool],
@@ -71,7 +70,7 @@ pub(crate) fn made_generic(
     is_near(drawn, &sides, &knots, &result, wish).then_some(result)
 }
 
-/// Wishes as unknowns of the equations, none of them too long for its edges.
+/// Requested displacements as unknowns of the equations, limited by the lengths of the edges.
 fn lessened(wish: &[[f64; 3]], sides: &[Side], knots: &[Knot]) -> Vec<[f64; 3]> {
     let part = |wished: f64, most: f64| {
         if wished > most { most / wished } else { 1.0 }
@@ -88,11 +87,10 @@ fn lessened(wish: &[[f64; 3]], sides: &[Side], knots: &[Knot]) -> Vec<[f64; 3]> 
         .collect()
 }
 
-/// Vertices moved by unknowns.
+/// Vertices moved by the unknowns.
 ///
-/// Sliding is along the carriers, to the second order: a smooth vertex moves by t along a circle of the mean curvature, and
-/// the sweep of an edge grows by κ times the length it grows by, x = κ (T₁·d₁ − T₀·d₀) / 4 being what is added to a fourth of
-/// it: b' = (b + tan x) / (1 − b tan x).
+/// Sliding is along the carriers, to second order: a smooth vertex moves by t along a circle of the mean curvature, and the sweep of an
+/// edge grows by κ times its growth in length; x = κ (T₁·d₁ − T₀·d₀) / 4 is added to a quarter of it: b' = (b + tan x) / (1 − b tan x).
 fn moved(
     vertices: &[ExactVertex],
     sides: &[Side],
@@ -129,9 +127,9 @@ fn moved(
         .collect()
 }
 
-/// Makes the smooth joints of a loop exactly smooth, by Newton's rule; and how many steps that takes.
+/// Makes the smooth joints of a loop exactly smooth, by Newton's method; also returns the number of steps.
 fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<ExactVertex>, usize)> {
-    // More steps gain nothing where rounding is all that is left.
+    // Residual, in units of the admitted one, from which further steps gain nothing, because only rounding is left.
     const LEFT: f64 = 32.0;
     let size = vertices.iter().fold(0.0_f64, |size, v| {
         size.max(v.x.to_f64().abs()).max(v.y.to_f64().abs())
@@ -141,7 +139,7 @@ fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<Exac
         let sides = sides(&vertices)?;
         let knots = knots(&sides, smooth);
         let residuals = residuals(&sides, smooth)?;
-        // The largest, in units of what is none.
+        // The largest residual, in units of the admitted one.
         let worst = residuals.iter().zip(&knots).fold(0.0_f64, |worst, (r, k)| {
             worst.max(r.to_f64().abs() / (RESIDUAL + ROUNDING * size / k.shortest))
         });
@@ -158,7 +156,7 @@ fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<Exac
     None
 }
 
-/// The sine of the angle at every smooth joint, 0 at the others; `None` if one is turned around.
+/// The sine of the angle at every smooth joint, 0 at the others; `None` if one turns by more than a quarter turn.
 fn residuals(sides: &[Side], smooth: &[bool]) -> Option<Vec<Dd>> {
     let n = sides.len();
     (0..n)
@@ -175,7 +173,7 @@ fn residuals(sides: &[Side], smooth: &[bool]) -> Option<Vec<Dd>> {
         .collect()
 }
 
-/// Whether a loop is no farther from the drawn one than wished.
+/// Whether a loop is no farther from the drawn one than admitted.
 fn is_near(
     drawn: &[ExactVertex],
     sides: &[Side],
@@ -188,7 +186,7 @@ fn is_near(
         longest.max(w[0].hypot(w[1])).max(w[2].abs())
     });
     let allowed = MOST_WISHES * longest + SAME_CARRIER + bent_pieces(sides, knots);
-    // What sliding changes in the second order.
+    // Second-order change by sliding.
     let mut slides = vec![0.0; n];
     for i in 0..n {
         let (before, after, knot) = (&sides[(i + n - 1) % n], &sides[i], &knots[i]);
@@ -225,14 +223,14 @@ fn is_near(
     })
 }
 
-/// How far off a circle of curvature κ is what is at v from a point on it, where it runs along T: with
-/// f = T×v − κ v²/2 that is 2 f / (1 + √(1 − 2 κ f)).
+/// Distance from a circle of curvature κ of the point at v from a point on the circle, where the circle has the direction T: with f = T×v −
+/// κ v²/2 it is 2 f / (1 + √(1 − 2 κ f)).
 fn off_circle(v: Vector, way: Vector, bend: f64) -> f64 {
     let f = way.cross(v) - 0.5 * bend * v.length_squared();
     (2.0 * f / (1.0 + (1.0 - 2.0 * bend * f).max(0.0).sqrt())).abs()
 }
 
-/// Points of an arc at a fourth, half and three fourths of it, and the direction of travel there.
+/// Points of an arc at a quarter, half and three quarters of it, and the direction of travel there.
 fn inner_points(start: &ExactVertex, end: &ExactVertex) -> [(ExactVertex, Vector); 3] {
     // Half an arc has the bulge b / (1 + √(1 + b²)).
     let halved = |b: Dd| b / ((b * b + 1.0).sqrt() + 1.0);
@@ -251,10 +249,10 @@ fn inner_points(start: &ExactVertex, end: &ExactVertex) -> [(ExactVertex, Vector
     [middle(start, &half.0, b), half, middle(&half.0, end, b)]
 }
 
-/// How far the pieces of one line are off the line, at most: they meet at angles below twice [`STRAIGHT`], and no slide makes
-/// them straight. Pieces of one circle are alike.
+/// Upper bound of the distance of the pieces of one line from the line: they meet at angles below twice [`STRAIGHT`], and no slide makes
+/// them straight. Pieces of one circle are treated alike.
 ///
-/// A chain of length l with kinks δ is off its chord by at most Σ δ l / 4.
+/// A chain of length l with kinks δ is at most Σ δ l / 4 away from its chord.
 fn bent_pieces(sides: &[Side], knots: &[Knot]) -> f64 {
     let n = sides.len();
     let long = |side: &Side| side.chord + 2.0 * side.sagitta();

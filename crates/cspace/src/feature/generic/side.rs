@@ -7,25 +7,25 @@ use crate::number::Dd;
 /// An edge of a loop in double-double: it starts here, and ends where the next one starts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ExactVertex {
-    /// Where the edge starts.
+    /// Start of the edge.
     pub(crate) x: Dd,
-    /// Where the edge starts.
+    /// Start of the edge.
     pub(crate) y: Dd,
     /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
     pub(crate) bulge: Dd,
 }
 
-/// The way from one vertex to another.
+/// The vector from one vertex to another.
 pub(super) fn between(from: &ExactVertex, to: &ExactVertex) -> Vector<Dd> {
     Vector::new(to.x - from.x, to.y - from.y)
 }
 
-/// In doubles.
+/// A vector in f64.
 pub(super) fn vector(v: Vector<Dd>) -> Vector {
     v.map(Dd::to_f64)
 }
 
-/// What the equations need of an edge.
+/// Data of an edge that the equations need.
 pub(super) struct Side {
     /// Unit directions of travel at both ends.
     pub(super) exact_leave: Vector<Dd>,
@@ -43,7 +43,7 @@ pub(super) struct Side {
 }
 
 impl Side {
-    /// `None` if the edge has no length.
+    /// The data of an edge; `None` if it has no length.
     fn new(start: &ExactVertex, end: &ExactVertex) -> Option<Self> {
         let chord = between(start, end);
         let length = chord.length();
@@ -85,8 +85,8 @@ impl Side {
         0.5 * self.chord * self.bulge.abs()
     }
 
-    /// How far the ends of an arc of almost the whole circle may be moved, when by 1 those of a lesser one: the arc moves
-    /// sideways by as much as they move across, over sin h.
+    /// Ratio by which the ends of an arc of almost the whole circle may be moved less than those of a shorter arc: the arc moves sideways
+    /// by their lateral displacement over sin h.
     fn opening(&self) -> f64 {
         if self.half.0 < 0.0 {
             (2.0 * self.half.1.abs()).min(1.0)
@@ -104,17 +104,17 @@ pub(super) fn sides(vertices: &[ExactVertex]) -> Option<Vec<Side>> {
         .collect()
 }
 
-/// What the equations need of a vertex.
+/// Data of a vertex that the equations need.
 pub(super) struct Knot {
     pub(super) smooth: bool,
-    /// Directions of its two unknowns: those of travel and to the left of it where it is smooth, of x and y elsewhere.
+    /// Directions of its two unknowns: along travel and to the left of it if the vertex is smooth, otherwise x and y.
     pub(super) axes: [Vector; 2],
     pub(super) weights: [f64; 2],
-    /// Of the arc that starts here; 0 of a line.
+    /// Weight of the sagitta of the arc that starts here; 0 for a line.
     pub(super) sagitta_weight: f64,
     /// The shorter chord of its edges.
     pub(super) shortest: f64,
-    /// The lesser opening of its edges.
+    /// The smaller opening of its edges.
     pub(super) opening: f64,
     /// The mean of the curvatures of its edges, and their difference.
     pub(super) bend: f64,

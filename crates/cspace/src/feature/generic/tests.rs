@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 const WISH: f64 = 1e-12;
 
-/// A loop as it is drawn: x, y, bulge, and whether it is smooth there.
+/// A loop as drawn: x, y, bulge, and whether it is smooth there.
 type Drawn = Vec<(f64, f64, f64, bool)>;
 
 fn exact(drawn: &Drawn) -> (Vec<ExactVertex>, Vec<bool>) {
@@ -18,7 +18,7 @@ fn exact(drawn: &Drawn) -> (Vec<ExactVertex>, Vec<bool>) {
     (vertices, drawn.iter().map(|v| v.3).collect())
 }
 
-/// Numbers in (−1, 1) that are as good as random.
+/// Pseudo-random numbers in (−1, 1).
 struct Numbers(u64);
 
 impl Numbers {
@@ -38,7 +38,7 @@ fn wishes(n: usize, size: f64, seed: u64) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Coordinates rounded to 9 decimals; bulges stay.
+/// The loop with coordinates rounded to 9 decimals; bulges are unchanged.
 fn rounded(drawn: Drawn) -> Drawn {
     let round = |x: f64| (x * 1e9).round() / 1e9;
     (drawn.into_iter())
@@ -46,7 +46,7 @@ fn rounded(drawn: Drawn) -> Drawn {
         .collect()
 }
 
-/// Turned and moved, so that no number is simple.
+/// The loop turned and moved, so that no number is simple.
 fn placed(drawn: Drawn, angle: f64) -> Drawn {
     let (sin, cos) = angle.sin_cos();
     (drawn.into_iter())
@@ -118,7 +118,7 @@ fn circle(arcs: usize, radius: f64) -> Drawn {
         .collect()
 }
 
-/// A comb with a bar below and teeth of one height, whose tips are rounded.
+/// A comb with a bar below and teeth of one height, with rounded tips.
 fn comb(teeth: usize, radius: f64) -> Drawn {
     let pitch = 1.0 / teeth as f64;
     let mut corners = vec![(0.0, -0.2, 0.0), (1.0, -0.2, 0.0)];
@@ -167,7 +167,7 @@ fn biarcs(points: usize, waves: [f64; 4]) -> Drawn {
     drawn
 }
 
-/// How far a place is off the carrier of a drawn edge, from its centre and radius.
+/// Distance of a place from the carrier of a drawn edge, from its centre and radius.
 fn off(from: &ExactVertex, to: &ExactVertex, place: Point<Dd>) -> f64 {
     let chord = between(from, to);
     let to_place = place - Point::new(from.x, from.y);
@@ -182,10 +182,10 @@ fn off(from: &ExactVertex, to: &ExactVertex, place: Point<Dd>) -> f64 {
         .abs()
 }
 
-/// A place of an arc, a fraction of it from its start.
+/// A point of an arc at a fraction of its length from its start.
 fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Point<Dd> {
     let chord = between(from, to);
-    // tan of a part of a half of the sweep; the chord's part and its rise, of the triangle with angles at both ends.
+    // tan of a fraction of half the sweep; position along the chord and rise above it, from the triangle with angles at both ends.
     let sweep = Dd::atan2(from.bulge, Dd::ONE) * 4.0;
     let (s, c) = (sweep * (0.5 * (1.0 - fraction))).sin_cos();
     let (first, _) = (sweep * (0.5 * fraction)).sin_cos();
@@ -196,7 +196,7 @@ fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Point<Dd> {
 
 struct Told {
     residual: f64,
-    /// What the rounding of coordinates may leave of it: of edges of length l, 2⁻¹⁰⁵ / l.
+    /// Residual that rounding of coordinates may leave: for edges of length l, 2⁻¹⁰⁵ / l.
     rounding: f64,
     off: f64,
     slide: f64,
@@ -249,7 +249,7 @@ fn told(drawn: &Drawn, result: &[ExactVertex], wish: &[[f64; 3]]) -> Told {
     told
 }
 
-/// Moves a loop, sees that it is smooth and that it is near, and gives what it has become.
+/// Moves a loop, checks that it is smooth and near the drawn one, and returns it.
 #[track_caller]
 fn checked(name: &str, drawn: &Drawn, seed: u64, most_off: f64) -> Vec<ExactVertex> {
     let (vertices, smooth) = exact(drawn);
@@ -291,7 +291,7 @@ fn opposite_sides_of_a_rounded_rectangle_are_no_longer_parallel() {
         for angle in [0.0, 0.4] {
             let drawn = placed(rounded_rectangle(1.2, 0.8, radius), angle);
             let result = checked("rectangle", &drawn, 1, 4.0 * WISH);
-            // Lines are the odd ones; no two arcs have one radius.
+            // Lines have odd numbers; no two arcs have equal radii.
             assert!(sine(&result, 1, 5) > 1e-14 && sine(&result, 3, 7) > 1e-14);
             let radii = [0, 2, 4, 6].map(|i| 1.0 / sides(&result).unwrap()[i].bend);
             for (k, r) in radii.iter().enumerate() {
@@ -342,7 +342,7 @@ fn circles_stay_tangent_arcs() {
             });
         }
     }
-    // A circle in a half and two fourths, a small rest, and as drawn with bulges that do not add up.
+    // A circle as one half and two quarters, a small remainder, and as drawn with bulges that do not add up.
     let quarter = (PI / 8.0).tan();
     let drawn = vec![
         (1.0, 0.0, 1.0, true),
@@ -364,7 +364,7 @@ fn a_circle_of_which_almost_all_is_one_arc_stays_near() {
             (u, v, (0.25 * (TAU - rest)).tan(), true),
         ];
         checked("two parts", &drawn, 10, 1e-11);
-        // A keyhole: not smooth where the line begins.
+        // A keyhole: it is not smooth where the line begins.
         let drawn = vec![
             (u, v, (0.25 * (TAU - rest)).tan(), false),
             (x, y, 0.0, false),
@@ -379,7 +379,7 @@ fn a_circle_of_which_almost_all_is_one_arc_stays_near() {
 fn tops_of_a_comb_are_no_longer_on_one_line() {
     let drawn = placed(comb(4, 0.02), 0.2);
     let result = checked("comb", &drawn, 12, 4.0 * WISH);
-    // Tops are lines of the drawn height: those whose direction is that of the bar, backwards.
+    // Tops are lines of the drawn height: those whose direction is opposite to that of the bar.
     let n = drawn.len();
     let tops: Vec<usize> = (0..n)
         .filter(|&i| {
@@ -431,7 +431,7 @@ fn a_loop_of_corners_is_only_moved() {
         assert!((by.x - wish[i][0]).abs() < 1e-24 && (by.y - wish[i][1]).abs() < 1e-24);
     }
     checked("corners", &drawn, 15, 4.0 * WISH);
-    // Nothing wished is nothing done.
+    // Without a request nothing is changed.
     let none = vec![[0.0; 3]; 4];
     assert_eq!(made_generic(&vertices, &smooth, &none), Some(vertices));
 }
@@ -450,7 +450,7 @@ fn rounded_drawings_are_mended_by_sliding() {
         }
     }
     for points in [5, 9, 20] {
-        // Curvatures of neighbours differ by little at some joints.
+        // Curvatures of neighbours differ little at some joints.
         let drawn = rounded(biarcs(points, [0.05, 0.02, -0.03, 0.01]));
         checked("rounded biarcs", &drawn, 16, 4.0 * WISH);
     }
@@ -458,7 +458,7 @@ fn rounded_drawings_are_mended_by_sliding() {
 
 #[test]
 fn kinks_of_short_edges_turn_them() {
-    // Fillets whose ends are off along a circle, so that their kinks are 1e-8 at both ends.
+    // Fillets whose ends are displaced along a circle, so that they have kinks of 1e-8 at both ends.
     for radius in [0.3, 1e-2, 1e-4, 1e-6, 1e-8, 2e-9] {
         let mut drawn = rounded_rectangle(1.2, 0.8, radius);
         let mut numbers = Numbers(17);
@@ -482,7 +482,7 @@ fn pieces_of_one_line_stay_on_one_line() {
     for pieces in [2, 3, 10, 300, 2000] {
         let mut drawn = rounded_rectangle(1.2, 0.8, 0.1);
         let mut numbers = Numbers(20);
-        // The first line is in pieces, of which some are short, that meet at up to 3e-10.
+        // The first line is in pieces, some of them short, that meet at up to 3e-10.
         let (from, to) = (drawn[1], drawn[2]);
         for k in 1..pieces {
             let s = (k as f64 + 0.4 * numbers.next()) / pieces as f64;
@@ -496,7 +496,7 @@ fn pieces_of_one_line_stay_on_one_line() {
 
 #[test]
 fn what_cannot_be_mended_is_told() {
-    // No loop, no length, no agreement.
+    // Invalid input: no loop, no length, or lists of different lengths.
     let (vertices, smooth) = exact(&circle(3, 1.0));
     let wish = wishes(3, WISH, 22);
     assert!(made_generic(&vertices[..1], &smooth[..1], &wish[..1]).is_none());
@@ -504,7 +504,7 @@ fn what_cannot_be_mended_is_told() {
     assert!(made_generic(&vertices, &smooth, &wish[..2]).is_none());
     let twice = [vertices[0], vertices[0], vertices[2]];
     assert!(made_generic(&twice, &smooth, &wish).is_none());
-    // Corners that are said to be smooth: a square of lines, a half disc, and a cusp.
+    // Corners that are marked as smooth: a square of lines, a half disc, and a cusp.
     let square = vec![
         (0.0, 0.0, 0.0, true),
         (1.0, 0.0, 0.0, true),
@@ -542,7 +542,7 @@ fn large_loops_take_few_steps() {
     }
 }
 
-/// The outcome is a function of what is given.
+/// The result depends only on the input.
 #[test]
 fn the_same_drawing_gives_the_same_loop() {
     let (vertices, smooth) = exact(&biarcs(9, [0.05, 0.02, -0.03, 0.01]));
@@ -574,7 +574,7 @@ proptest! {
             corners[sharp].2 = 0.0;
         }
         let drawn = filleted(&corners);
-        // Rounding makes kinks of the shortest edges that are larger than those of smooth joints.
+        // For the shortest edges, rounding would make kinks larger than those of smooth joints.
         let shortest = sides(&exact(&drawn).0).unwrap().iter().fold(1.0, |l, s| s.chord.min(l));
         let drawn = if round && shortest > 1e-3 { rounded(drawn) } else { drawn };
         checked("polygon", &drawn, seed, 4.0 * WISH);

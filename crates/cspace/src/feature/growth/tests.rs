@@ -1,4 +1,4 @@
-//! Rings, whose sums are known.
+//! Growths of rings with known sums.
 
 use super::super::tolerance::SAME_CARRIER;
 use super::*;
@@ -28,8 +28,8 @@ fn loops(outline: &Outline, features: (u32, u32)) -> (u32, u32) {
     (of(features.0), of(features.1))
 }
 
-/// Material within 0.5 and from 1.5 to 2, against material from 0.75 to 1.25 and from 2.25 to 2.5: inside, between and
-/// outside there is as much room.
+/// Material within 0.5 and from 1.5 to 2, against material from 0.75 to 1.25 and from 2.25 to 2.5: the clearances inside, between and
+/// outside are equal.
 #[test]
 fn rings_of_equal_room_have_equal_sums() {
     let fixed = outline(&[2.0, 1.5, 0.5], GROWTH);
@@ -54,7 +54,7 @@ fn rings_of_equal_room_have_equal_sums() {
     assert!(touch((1, 2), (2, 3)));
     let (f, m) = Growths::new(&fixed, &moving);
     assert!(!are_even(&f) && are_even(&m));
-    // As they are grown then, no sums are equal.
+    // As grown then, no sums are equal.
     let [fixed, moving] =
         [(vec![2.0, 1.5, 0.5], f), (vec![2.5, 2.25, 1.25, 0.75], m)].map(|(radii, growths)| {
             let part = Part::new("rings", radii.into_iter().map(circle).collect()).unwrap();
@@ -74,7 +74,7 @@ fn what_has_no_equal_sums_is_grown_evenly() {
     assert_eq!([m.of(1), m.greatest()], [MOVING_GROWTH; 2]);
 }
 
-/// As many levels as there are, and none for loops that are alike.
+/// As many levels are used as there are; loops that are alike get none.
 #[test]
 fn loops_that_are_listed_together_get_different_levels() {
     let rings = outline(&[2.0, 1.5, 1.0, 0.5, 0.25], GROWTH);
@@ -88,7 +88,7 @@ fn loops_that_are_listed_together_get_different_levels() {
     assert_eq!(of(&all.collect::<Vec<_>>()), [0, 0, 2, 1, 0]);
 }
 
-/// Three rings' pieces that a third of a turn takes to each other stay alike.
+/// Pieces of three rings that a third of a turn maps to each other are grown alike.
 #[test]
 fn copies_are_grown_alike() {
     let piece = |k: u8| {

@@ -1,9 +1,9 @@
-//! Which sheets can cross, and when.
+//! Pairs of sheets that may cross, with the orientations at which they may.
 //!
-//! Orientations are cut into slots of equal width, more of them the more sheets there are. In every slot each sheet has
-//! boxes in the plane of positions; sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions are blocked for
-//! certain, and pieces of a sheet's curves that lie there are left out: crossings in blocked space change nothing about
-//! what is free. They only divide gaps that are blocked on both sides of them.
+//! Orientations are cut into intervals (slots) of equal width; their number grows with the number of sheets. In every interval each sheet
+//! has boxes in the plane of positions; sheets whose boxes do not meet do not cross. Where inscribed discs of the parts overlap, positions
+//! are certainly blocked, and pieces of a sheet's curves that lie there are left out: crossings in blocked space do not change free space.
+//! They only divide gaps that are blocked on both sides of them.
 
 use core::f64::consts::TAU;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -17,23 +17,23 @@ use crate::general::broad::discs::{Cores, Layout};
 use crate::general::broad::uncovered::{BlockedDiscs, Uncovered};
 use crate::general::limits::{MOST_CROSSING, MOST_IN_SLOT, MOST_MEETINGS, MOST_SHEETS};
 
-/// A turn with n sheets has `SLOTS_SCALE` n ^ `SLOTS_POWER` slots: more leave fewer crossings, and each costs as much as a
+/// For n sheets a turn has `SLOTS_SCALE` n ^ `SLOTS_POWER` intervals: more intervals leave fewer crossings, but each costs as much as a
 /// small pair.
 const SLOTS_SCALE: f64 = 0.35;
 const SLOTS_POWER: f64 = 0.75;
 
-/// The fewest and the most slots of a turn by that.
+/// Minimum and maximum number of intervals per turn by that formula.
 const SLOTS: (f64, f64) = (8.0, 300.0);
 
-/// There are more where sheets are many and do not last: so many to what a sheet lasts in the mean, for then each is looked at
-/// in few of them, and the narrower they are the fewer boxes meet. The keys have room for no more than the most.
+/// Number of intervals per mean duration of a sheet, used where sheets are many and short: then each sheet is examined in few intervals,
+/// and the narrower these are the fewer boxes meet. The maximum is given by the bits of the keys.
 const SLOTS_IN_A_LIFE: f64 = 2.0;
 const MOST_SLOTS: f64 = ((1 << SLOT_BITS) - 2) as f64;
 
-/// Slots looked at together first, for the sheets that are blocked in all of them.
+/// Number of intervals examined together first, for the sheets that are blocked in all of them.
 const TOGETHER: usize = 4;
 
-/// So many of these are looked at before, for the sheets that the largest disc alone covers: most of what is covered at all.
+/// Number of such groups examined before, for the sheets that the largest disc alone covers: most of those covered at all.
 const LARGE: usize = 4;
 
 /// Two sheets that may cross at orientations from `lo` to `hi`.
@@ -45,30 +45,30 @@ pub(crate) struct PairRun {
     pub(crate) hi: Exact,
 }
 
-/// An interval of orientations in which a sheet is not known to be blocked.
+/// An interval of orientations in which a sheet may be free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SheetRun {
     pub(crate) sheet: u32,
     pub(crate) lo: Exact,
     pub(crate) hi: Exact,
-    /// Whether the run ends there because the sheet is blocked beyond.
+    /// Whether the run begins, or ends, because the sheet is blocked beyond.
     pub(crate) lo_blocked: bool,
     pub(crate) hi_blocked: bool,
 }
 
-/// What is to be looked at.
+/// Pairs of sheets that may cross, and the runs of orientation in which sheets are to be examined.
 #[derive(Debug)]
 pub(crate) struct Candidates {
-    /// Bounds of the slots.
+    /// Bounds of the intervals of orientation (slots).
     pub(crate) slots: Vec<f64>,
     pub(crate) pairs: Vec<PairRun>,
     /// Sorted by sheet, then by orientation.
     pub(crate) sheets: Vec<SheetRun>,
-    /// For every slot the sheets that are not known to be blocked in it, the leftmost box first.
+    /// For every interval, the sheets not known to be blocked in it, ordered by the left side of their boxes.
     by_slot: Vec<Vec<Boxed>>,
 }
 
-/// A sheet and a box that it does not leave in a slot.
+/// A sheet and a box that contains it throughout an interval.
 #[derive(Debug, Clone, Copy)]
 struct Boxed {
     sheet: u32,
@@ -92,7 +92,7 @@ impl Boxed {
 }
 
 impl Candidates {
-    /// `None` if more sheets may cross than a computation has room for.
+    /// Finds the candidates; `None` if more sheets may cross than the limit.
     pub(crate) fn find(geometry: &Geometry, cores: &Cores) -> Option<Self> {
         let span = geometry.contacts.span;
         let sheets = &geometry.contacts.sheets;
@@ -109,7 +109,7 @@ impl Candidates {
         slots.push(span.hi);
         let slot_of = |theta: f64| slots.partition_point(|&s| s <= theta).clamp(1, count) - 1;
 
-        // Some slots, by the first of them, with the sheets that exist there.
+        // Groups of intervals, by the first of each, with the sheets that exist there.
         let large = LARGE * TOGETHER;
         let mut in_slots: Vec<(usize, Vec<u32>)> =
             ((0..count).step_by(large).map(|first| (first, Vec::new()))).collect();
@@ -167,7 +167,7 @@ impl Candidates {
             };
             (*first..last).map(look).collect::<Vec<_>>()
         });
-        // Whichever slot was last to be looked at: all of them together have too many.
+        // The count is that of all intervals, whichever was examined last.
         if meetings.into_inner() > MOST_MEETINGS {
             return None;
         }
@@ -179,7 +179,7 @@ impl Candidates {
             alive.extend(a.iter().map(|b| u64::from(b.sheet) << SLOT_BITS | slot));
             by_slot.push(a);
         }
-        // Sheets of several pieces come several times.
+        // Sheets of several pieces occur several times.
         parallel::sort_unstable_by(&mut pairs, u64::cmp);
         pairs.dedup();
         parallel::sort_unstable_by(&mut alive, u64::cmp);
@@ -236,8 +236,8 @@ impl Candidates {
         })
     }
 
-    /// The sheets that may pass within `reach` of a point at an orientation, but for those known to be blocked there; some
-    /// may not exist there.
+    /// The sheets that may pass within `reach` of a point at an orientation, without those known to be blocked there; some may not exist
+    /// there.
     pub(crate) fn around(&self, theta: f64, p: Point, reach: f64) -> impl Iterator<Item = u32> {
         let slot = self.slots.partition_point(|&s| s <= theta);
         let corner = Vector::new(reach, reach);
@@ -250,15 +250,15 @@ impl Candidates {
     }
 }
 
-/// Bits of a sheet's number, and of a slot's: two sheets and a slot make one sortable key.
+/// Bits of a sheet's number; two sheets and an interval make one sortable key.
 const SHEET_BITS: u32 = 26;
 const SHEET_MASK: u64 = (1 << SHEET_BITS) - 1;
 const SLOT_BITS: u32 = 12;
 
-// The keys have room for all sheets there may be.
+// The keys have room for the largest number of sheets.
 const _: () = assert!(MOST_SHEETS < 1 << SHEET_BITS);
 
-/// Runs of consecutive slots with one key: (key, first slot, last slot).
+/// Runs of consecutive intervals with one key: (key, first interval, last interval).
 fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
     let mut at = 0;
     core::iter::from_fn(move || {
@@ -276,10 +276,10 @@ fn runs(sorted: &[u64]) -> impl Iterator<Item = (u64, usize, usize)> + '_ {
     })
 }
 
-/// Drops the sheets that are blocked for certain wherever they exist between two orientations, but for those that do not last:
-/// they are looked at once or twice more, and that is all.
+/// Drops the sheets that are certainly blocked wherever they exist between two orientations, except for short ones, which are examined only
+/// once or twice more.
 fn drop_covered(sheets: &[Sheet], layout: &Layout, list: &mut Vec<u32>, (from, to): (f64, f64)) {
-    /// This share of the interval is not long.
+    /// Share of the interval below which a sheet is short.
     const SHORT: f64 = 0.25;
     let discs = BlockedDiscs::new(layout, 0.5 * (from + to), 0.5 * (to - from));
     let mut work = Uncovered::default();
@@ -349,7 +349,7 @@ fn look_at_slot(
 
 /// A box that contains a range of the sheet's curves at all orientations within `half` of the middle one.
 fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (Point, Point) {
-    /// Rounding is far below this, in the pair's frame.
+    /// A length far above rounding, in the pair's frame.
     const MARGIN: f64 = 1e-10;
     // |R w − R₀ w| along an axis is at most the velocity's share times h, plus |w| h² / 2.
     let grow = |w: Vector| {
@@ -367,7 +367,7 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
         return (lo + (-g), hi + g);
     }
     if sheet.is_flat() {
-        // A curve is within its height of its chord, and moves no faster than the ends do.
+        // A curve is within its height of its chord, and moves no faster than its ends do.
         let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
         let (s, e) = (start.lerp(end, from), start.lerp(end, to));
         let (g, h) = (

@@ -1,17 +1,17 @@
-//! Which of many intervals hold a place, asked for one place after another in rising order.
+//! Stabbing queries on intervals: which of them contain a place, for places in rising order.
 
-/// Intervals, and those among them that the last place asked for may lie in.
+/// Intervals, and those among them that may contain the current place.
 #[derive(Debug)]
 pub(crate) struct Covering {
-    /// Ends, and numbers: by the lower ends.
+    /// Ends and numbers, sorted by the lower ends.
     by_start: Vec<(f64, f64, usize)>,
     begun: usize,
-    /// Numbers and upper ends, by number.
+    /// Numbers and upper ends of the current intervals, sorted by number.
     now: Vec<(usize, f64)>,
 }
 
 impl Covering {
-    /// Of intervals by their ends, numbered from 0.
+    /// Covering by intervals given by their ends, numbered from 0.
     pub(crate) fn new(intervals: impl Iterator<Item = (f64, f64)>) -> Self {
         let mut by_start: Vec<_> = (0..).zip(intervals).map(|(i, (a, b))| (a, b, i)).collect();
         by_start.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
@@ -22,7 +22,7 @@ impl Covering {
         }
     }
 
-    /// Goes on to a place. Places must come in rising order.
+    /// Advances to a place. Places must come in rising order.
     pub(crate) fn go_to(&mut self, place: f64) {
         self.now.retain(|n| n.1 >= place);
         while let Some(&(start, end, i)) = self.by_start.get(self.begun) {
@@ -37,7 +37,7 @@ impl Covering {
         }
     }
 
-    /// The numbers of those that hold the place gone to, in rising order.
+    /// The numbers of the intervals that contain the current place, in rising order.
     pub(crate) fn here(&self) -> impl Iterator<Item = usize> + '_ {
         self.now.iter().map(|n| n.0)
     }

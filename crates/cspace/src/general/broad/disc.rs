@@ -1,11 +1,11 @@
-//! Discs of positions that are blocked for certain.
+//! Discs of positions that are certainly blocked.
 
 use crate::geometry::{Point, Vector};
 
-/// Of curves that reach further than this from their middle, discs that cover an end may be missed.
+/// Half the extent of a curve above which discs that cover only an end of it may be missed.
 pub(crate) const LONG: f64 = 0.06;
 
-/// Positions blocked for certain at one orientation; they move as it changes.
+/// Disc of positions that are certainly blocked at one orientation; it moves with the orientation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Disc {
     pub(crate) center: Point,
@@ -15,14 +15,14 @@ pub(crate) struct Disc {
 }
 
 impl Disc {
-    /// A disc about what it has outside another: centre and radius; `None` if that is nothing.
+    /// A disc that contains the part of this disc outside another: centre and radius; `None` if that part is empty.
     pub(crate) fn outside(&self, other: &Self) -> Option<(Point, f64)> {
         let off = self.center - other.center;
         let (d, r, s) = (off.length(), self.reach, other.reach);
         if d + r <= s {
             return None;
         }
-        // Their circles cross at this share of the way from the other's centre, if they do.
+        // Share of the distance from the other's centre at which the circles cross, if they do.
         let along = 0.5 * (1.0 + (s - r) * (s + r) / (d * d));
         let half_chord = (s * s - along * along * d * d).max(0.0).sqrt();
         let height = d + r - along * d;

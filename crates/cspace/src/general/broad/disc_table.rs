@@ -1,9 +1,9 @@
-//! Where the finer of two parts has material: for pairs so large that it pays to know that near every place.
+//! Table of discs inside the part with more edges, for pairs so large that this pays.
 //!
-//! A disc inside one part and a disc inside the other block positions, and a few of each leave out most of what is blocked. Of
-//! a part with thousands of edges a few discs say too little. A table has, for every square of a grid over it, a disc of its
-//! material near the middle of the square: about the middle if that is inside, otherwise the nearest place of the boundary, a
-//! disc of radius 0. For a disc of the other part, wherever it is, the table then has the disc that overlaps it most, nearly.
+//! A disc inside one part and a disc inside the other block positions, and a few discs of each part exclude most of what is blocked. For a
+//! part with thousands of edges a few discs are not enough. The table has, for every square of a grid over the part, a disc of its material
+//! near the middle of the square: about the middle if that is inside, otherwise the nearest place of the boundary, a disc of radius 0. For
+//! a disc of the other part, wherever it is, the table then has the disc that overlaps it most, approximately.
 
 use crate::parallel::prelude::*;
 
@@ -17,12 +17,12 @@ use crate::general::broad::disc::Disc;
 /// The table, and the discs of the other part that are looked up in it.
 #[derive(Debug)]
 pub(crate) struct Anchors {
-    /// Whether the table is of the moving part.
+    /// Whether the table is for the moving part.
     of_moving: bool,
     /// Discs of the other part, the largest first.
     others: Vec<(Point, f64)>,
     corner: Point,
-    /// Squares per unit of length, and their numbers.
+    /// Squares per unit of length; columns and rows of the table.
     scale: f64,
     columns: usize,
     rows: usize,
@@ -30,22 +30,22 @@ pub(crate) struct Anchors {
     table: Vec<(Point, f64)>,
 }
 
-/// Squares for each sheet, and the most: what a lookup saves grows with the number of sheets. At the most the table takes
-/// 6 MB and some tenths of a second.
+/// Number of squares per sheet, and maximum: the saving of a lookup grows with the number of sheets. At the maximum the table takes 6 MB
+/// and some tenths of a second.
 const SQUARES_PER_SHEET: usize = 4;
 const MOST_SQUARES: usize = 1 << 18;
 
-/// So many discs are looked up: smaller ones add little.
+/// Number of discs of the other part that are looked up: smaller ones add little.
 const OTHERS: usize = 24;
 
-/// Places of the boundary are nearest but for this share of their distance.
+/// Lower bound of the ratio of the smallest distance to that of the place found: the search for the nearest place is approximate.
 const NEARLY: f64 = 0.95;
 
-/// Discs of material are made smaller by this: rounding is far below it, in the pair's frame.
+/// Length by which discs are shrunk: far above rounding, in the pair's frame.
 const ALLOWANCE: f64 = 1e-9;
 
 impl Anchors {
-    /// Of the part with more edges, for `fixed` and `moving` discs inside the parts, the largest first.
+    /// Anchors on the part with more edges, for `fixed` and `moving` discs inside the parts, the largest first.
     pub(crate) fn new(
         geometry: &Geometry,
         fixed: &[(Point, f64)],
@@ -74,16 +74,16 @@ impl Anchors {
                     this.corner
                         + Vector::new((column as f64 + 0.5) * step, (row as f64 + 0.5) * step)
                 };
-                // What is nearer than the boundary is on the same side of it.
+                // A point nearer than the boundary is on the same side of it.
                 let (mut beside, mut inside, mut nearest) = (0.0, false, None);
                 let mut line = Vec::with_capacity(columns);
                 for p in (0..columns).map(middle) {
-                    // The boundary is within the unit disc, and so is the square: nothing is farther than this.
+                    // The boundary is within the unit disc, and so is the square: no distance exceeds this.
                     const FARTHEST: f64 = 4.0;
                     let within = nearest.map_or(FARTHEST, |d: f64| (d + 2.0 * step) / NEARLY);
                     let closest = material.closest(p, within, NEARLY);
                     nearest = closest.map(|c| c.1);
-                    // What is no place overlaps nothing.
+                    // A disc at an undefined place overlaps nothing.
                     let nowhere = (Point::new(f64::NAN, f64::NAN), 0.0);
                     let (q, distance) = closest.unwrap_or(nowhere);
                     if beside * NEARLY <= step + ALLOWANCE {
@@ -104,10 +104,10 @@ impl Anchors {
         Some(this)
     }
 
-    /// A table without entries of about so many squares over a box.
+    /// An empty table of about `squares` squares over a box.
     fn over(bounds: Bounds, squares: usize) -> Self {
         let (width, height) = (bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
-        // Not so thin that one side has more squares than there are.
+        // Limits the aspect ratio, so that one side does not have more squares than requested.
         let longer = width.max(height).max(f64::MIN_POSITIVE);
         let thin = longer / squares as f64;
         let scale = (squares as f64 / (width.max(thin) * height.max(thin))).sqrt();
@@ -123,7 +123,7 @@ impl Anchors {
         }
     }
 
-    /// For a position the pairs of discs that overlap there, as far as the table knows: for each disc of the other part one.
+    /// The pairs of discs that overlap at a position, according to the table: one for each disc of the other part.
     pub(crate) fn at(&self, p: Point, turn: Rotation) -> impl Iterator<Item = Disc> + '_ {
         let back = turn.inverse();
         (self.others.iter()).filter_map(move |&(center, radius)| {
@@ -147,7 +147,7 @@ impl Anchors {
         })
     }
 
-    /// The table's disc near a place: of places beyond the grid, of the nearest square.
+    /// The table's disc near a place; for places beyond the grid, that of the nearest square.
     fn near(&self, p: Point) -> (Point, f64) {
         let v = (p - self.corner) * self.scale;
         // Negative coordinates become 0.

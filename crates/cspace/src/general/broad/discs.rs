@@ -1,4 +1,4 @@
-//! Where positions are blocked for certain: discs inside the two parts overlap.
+//! Certainly blocked positions: those at which discs inside the two parts overlap.
 
 use core::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ use crate::general::broad::grid::Grid;
 #[derive(Debug)]
 pub(crate) struct Cores {
     pairs: Vec<DiscPair>,
-    /// Only of large pairs.
+    /// Table for large pairs; `None` for others.
     anchors: Option<Anchors>,
 }
 
@@ -39,7 +39,7 @@ impl Cores {
         let most = 1 + (in_turn / SHEETS_PER_DISC) as usize;
         type Discs = Vec<(Point, f64)>;
         let all = |part: &Part, center: Point, disc: Option<(Point, f64)>, fold: u32| -> Discs {
-            // Of small pairs one disc of each part is all that is kept.
+            // For small pairs only one disc of each part is kept.
             if most == 1 && disc.is_some() {
                 return disc.into_iter().collect();
             }
@@ -76,7 +76,7 @@ impl Cores {
         }
     }
 
-    /// The largest disc of each part alone.
+    /// Only the largest disc of each part.
     pub(crate) fn single(geometry: &Geometry) -> Self {
         let both = geometry.fixed_disc.zip(geometry.moving_disc);
         Self {
@@ -85,7 +85,7 @@ impl Cores {
         }
     }
 
-    /// The largest of them alone, which costs little to ask.
+    /// Layout of the largest pair of discs alone, which is cheap to test.
     pub(crate) fn largest(&self) -> Layout<'_> {
         Layout {
             largest: self.pairs.first().copied(),
@@ -95,7 +95,7 @@ impl Cores {
         }
     }
 
-    /// Where they are about an orientation.
+    /// Layout of all pairs of discs about an orientation.
     pub(crate) fn about(&self, theta: f64) -> Layout<'_> {
         let turn = Rotation::by(theta);
         let mut pairs = self.pairs.iter();
@@ -119,7 +119,7 @@ impl Cores {
 }
 
 impl DiscPair {
-    /// Of a disc in each part, by their centres and radii.
+    /// Pair of a disc in each part, given by centres and radii.
     fn new(fixed: (Point, f64), moving: (Point, f64)) -> Self {
         Self {
             fixed: fixed.0,
@@ -137,29 +137,29 @@ impl DiscPair {
     }
 }
 
-/// One more disc for so many sheets in a turn: asking more costs small pairs more than they save.
+/// Number of sheets in a turn per additional disc: for small pairs, testing more discs costs more than it saves.
 const SHEETS_PER_DISC: f64 = 64.0;
 
-/// With more sheets than this the time goes into crossings in blocked space, and many discs save more than they cost.
+/// Number of sheets above which crossings in blocked space dominate, so that many discs save more than they cost.
 const MANY_SHEETS: usize = 8192;
 
-/// So many discs are asked one by one faster than they are put into a grid.
+/// Number of discs up to which they are tested one by one, which is faster than a grid.
 const FEW: usize = 16;
 
-/// The discs in a grid, as they are about some orientation: it tells which of them are worth a look.
+/// The discs near some orientation, in a grid that finds those worth testing.
 #[derive(Debug)]
 pub(crate) struct Layout<'a> {
-    /// The largest, which covers most that is covered at all.
+    /// The largest disc, which covers most of what is covered at all.
     pub(crate) largest: Option<DiscPair>,
-    /// The others, each with a disc about what it has outside the largest.
+    /// The other discs, each with a disc that contains its part outside the largest one.
     pub(crate) others: Vec<(DiscPair, (Point, f64))>,
-    /// Unless they are few.
+    /// Grid of the other discs, unless they are few.
     grid: Option<Grid>,
     pub(crate) anchors: Option<&'a Anchors>,
 }
 
 impl Layout<'_> {
-    /// Which of the other discs may cover some of a curve that lies within `reach` of a place.
+    /// The other discs that may cover a piece of a curve that lies within `reach` of a place.
     pub(crate) fn near(&self, middle: Point, reach: f64) -> impl Iterator<Item = usize> + '_ {
         let close = move |i: &usize| {
             let (center, radius) = self.others[*i].1;

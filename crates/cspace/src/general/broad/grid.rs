@@ -1,4 +1,4 @@
-//! A grid over the plane of positions that tells which of many discs may come near a place.
+//! A grid over the plane of positions that finds which of many discs may come near a place.
 
 use crate::geometry::Point;
 use crate::grouped::Grouped;
@@ -14,7 +14,7 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Of discs given by centres and radii, to be asked for those within `reach`.
+    /// Grid of discs given by centres and radii, for queries of the discs within `reach` of a place.
     pub(crate) fn new(discs: impl Iterator<Item = (Point, f64)> + Clone, reach: f64) -> Self {
         let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
         for (c, r) in discs.clone() {
@@ -42,10 +42,10 @@ impl Grid {
     }
 }
 
-/// A square of squares; what is beyond counts to those at its edges.
+/// A square grid of squares; places beyond it belong to the squares at its edges.
 #[derive(Debug, Clone, Copy)]
 struct Squares {
-    /// Least coordinate (length).
+    /// Smallest coordinate (length).
     lo: f64,
     /// Squares per unit of length.
     scale: f64,

@@ -1,7 +1,7 @@
-//! Broad phase: which sheets may cross at all.
+//! Broad phase: which sheets may cross.
 //!
-//! A disc inside the fixed part and a disc inside the moving part overlap at all positions within a disc. Of a contact curve
-//! only what no such disc covers can bound free space:
+//! A disc inside the fixed part and a disc inside the moving part overlap at all positions within a disc. Only the pieces of a contact
+//! curve that no such disc covers can bound free space:
 //!
 //! ```text
 //!        ╭───────╮
@@ -9,8 +9,8 @@
 //!        ╰───────╯
 //! ```
 //!
-//! `discs.rs` and `disc_table.rs` make the discs, `uncovered.rs` finds what is left of a curve over an interval of orientations, and
-//! `candidates.rs` gathers the pairs of sheets whose open pieces come near each other.
+//! `discs.rs` and `disc_table.rs` make the discs, `uncovered.rs` finds the uncovered pieces of a curve over an interval of orientations,
+//! and `candidates.rs` collects the pairs of sheets whose uncovered pieces come near each other.
 
 pub(crate) mod candidates;
 pub(crate) mod covering;

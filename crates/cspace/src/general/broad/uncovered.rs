@@ -1,4 +1,4 @@
-//! The parts of contact curves that are not in blocked space for certain: what discs of blocked positions do not cover.
+//! Pieces of contact curves that may be free: those that discs of blocked positions do not cover.
 
 use crate::contact::Sheet;
 use crate::geometry::{Point, Rotation, Vector};
@@ -6,7 +6,7 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::general::broad::disc::Disc;
 use crate::general::broad::discs::Layout;
 
-/// The discs of blocked positions about one orientation.
+/// The discs of blocked positions near one orientation.
 #[derive(Debug)]
 pub(crate) struct BlockedDiscs<'a> {
     pub(crate) theta: f64,
@@ -17,10 +17,10 @@ pub(crate) struct BlockedDiscs<'a> {
     pub(crate) layout: &'a Layout<'a>,
 }
 
-/// How often the middles of what is left open are looked up.
+/// Number of rounds in which the middles of the remaining pieces are looked up.
 const ROUNDS: usize = 3;
 
-/// What is not covered between two parameters.
+/// Collects in `open` the parts of a parameter range that `covered` leaves uncovered.
 fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<(f64, f64)>) {
     covered.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     open.clear();
@@ -36,19 +36,19 @@ fn left_open(covered: &mut [(f64, f64)], (from, to): (f64, f64), open: &mut Vec<
     }
 }
 
-/// The work of [`BlockedDiscs::uncovered`], kept for the next time.
+/// Buffers of [`BlockedDiscs::uncovered`], kept for the next call.
 #[derive(Debug, Default)]
 pub(crate) struct Uncovered {
     covered: Vec<(f64, f64)>,
-    /// What no disc covers: ranges of the parameter.
+    /// Ranges of the parameter that no disc covers.
     pub(crate) open: Vec<(f64, f64)>,
 }
 
-/// Rounding of places is far below this, in the pair's frame.
+/// A length far above the rounding of places, in the pair's frame.
 const MARGIN: f64 = 1e-10;
 
 impl<'a> BlockedDiscs<'a> {
-    /// The discs as they are at an orientation, for orientations within `half` of it.
+    /// The discs at an orientation, for orientations within `half` of it.
     pub(crate) fn new(layout: &'a Layout<'a>, theta: f64, half: f64) -> Self {
         let turn = Rotation::by(theta);
         Self {
@@ -61,11 +61,11 @@ impl<'a> BlockedDiscs<'a> {
         }
     }
 
-    /// The parts of a sheet's curves that no disc covers at all orientations from `lo` to `hi`, which lie within `half`
-    /// of the middle one: ranges of the share of the way along a line, or of the angle of the normal on a circle.
+    /// The pieces of a sheet's curves that no disc covers at all orientations from `lo` to `hi`, which lie within `half` of the middle one:
+    /// ranges of the fraction along a line, or of the angle of the normal on a circle.
     ///
-    /// At one share or angle, a point of the curve is P + R w. Relative to a disc about a − R b it moves by R (w + b), so
-    /// that it is inside at all orientations if it is by |w + b| times `half` at the middle one.
+    /// At one fraction or angle, a point of the curve is P + R w. Relative to a disc about a − R b it moves by R (w + b), so it is inside
+    /// at all orientations if at the middle one it is inside by |w + b| times `half`.
     pub(crate) fn uncovered(&self, sheet: &Sheet, lo: f64, hi: f64, work: &mut Uncovered) {
         let Uncovered { covered, open } = work;
         covered.clear();
@@ -79,7 +79,7 @@ impl<'a> BlockedDiscs<'a> {
             for angle in ends.iter().flat_map(|e| [e.at(lo), e.at(hi)]) {
                 half_angle = (angle - middle).abs().max(half_angle);
             }
-            // Sines tell angles up to a quarter turn; what reaches further is seldom covered.
+            // Sines are monotonous up to a quarter turn; longer arcs are seldom covered.
             if half_angle > 1.5 {
                 open.push((middle - half_angle, middle + half_angle));
                 return;
@@ -135,12 +135,12 @@ impl<'a> BlockedDiscs<'a> {
 /// A sheet's curve at the middle orientation.
 struct Path {
     shape: Shape,
-    /// Its w at both ends.
+    /// The spiral's w at both ends.
     ends: (Vector, Vector),
-    /// All of it lies within `reach` of the middle.
+    /// Disc that contains the curve: its middle and radius.
     middle: Point,
     reach: f64,
-    /// How far the curve may be off the shape.
+    /// Largest distance of the curve from the shape.
     off: f64,
 }
 
@@ -149,7 +149,7 @@ enum Shape {
         start: Point,
         along: Vector,
     },
-    /// `mid` is the normal in the middle.
+    /// Circle; `mid` is the normal in the middle.
     Circle {
         center: Point,
         radius: f64,
@@ -205,8 +205,8 @@ impl Path {
         }
     }
 
-    /// The range of the parameter in which the curve is in a disc for certain: on a line the share of the way, on a
-    /// circle the sine of the angle from the middle.
+    /// The range of the parameter in which the curve is certainly in a disc: the fraction along a line, or on a circle the sine of the
+    /// angle from the middle.
     fn within(&self, disc: &Disc, half: f64) -> Option<(f64, f64)> {
         let speed = (self.ends.0 + disc.moving)
             .length_squared()
@@ -273,7 +273,7 @@ mod tests {
     use crate::general::broad::discs::Cores;
     use crate::part::{Part, Vertex};
 
-    /// A wheel with teeth and a round bump between any two.
+    /// A wheel with teeth and a round bump between any two of them.
     fn wheel(teeth: u32, bulge: f64) -> Part {
         let step = core::f64::consts::TAU / f64::from(teeth);
         let at = |k: u32, share: f64, r: f64, bulge: f64| {
@@ -291,12 +291,12 @@ mod tests {
         Part::new("wheel", vec![outline.collect()]).unwrap()
     }
 
-    /// What is covered is blocked, at any orientation of the interval; and a good deal is covered.
+    /// Covered places are blocked, at any orientation of the interval; and a good deal is covered.
     #[test]
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
-        // Few sheets, of each orientation all; and so many that places are looked up.
+        // Few sheets, all of them at each orientation; and so many sheets that the table is used.
         for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((60, 20), 0.3, 97)] {
             let (a, b) = (wheel(teeth.0, bulge), wheel(teeth.1, -bulge));
             let geometry = Geometry::new(&a, &b, None, usize::MAX);

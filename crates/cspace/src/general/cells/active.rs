@@ -1,4 +1,4 @@
-//! The branches on a sheet that exist between two clusters, kept while going through the clusters in order.
+//! The branches on a sheet that exist between two clusters, updated from cluster to cluster in order.
 
 use crate::general::events::branch::Branch;
 
@@ -6,9 +6,9 @@ use crate::general::events::branch::Branch;
 #[derive(Debug)]
 pub(crate) struct Active<'a> {
     branches: &'a [Branch],
-    /// All of the sheet, by the clusters they begin at.
+    /// All branches of the sheet, sorted by the clusters at which they begin.
     by_start: Vec<u32>,
-    /// How many of them have begun.
+    /// Number of these that have begun.
     begun: usize,
     now: Vec<u32>,
 }
@@ -25,7 +25,7 @@ impl<'a> Active<'a> {
         }
     }
 
-    /// Those that exist just after a cluster, in the order of their indices. Clusters must come in order.
+    /// Branches that exist just after a cluster, in the order of their indices. Clusters must come in order.
     pub(crate) fn after(&mut self, cluster: u32) -> &[u32] {
         let branches = self.branches;
         self.now.retain(|&b| branches[b as usize].to > cluster);

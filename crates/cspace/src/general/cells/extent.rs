@@ -1,4 +1,4 @@
-//! How far cells reach along their contact curves where they meet a cluster of events, and what two of them share.
+//! Extents of cells along their contact curves where they meet a cluster of events, and the pieces that two cells share.
 
 use crate::contact::{Exact, Geometry, Orientation, PLACE_ERROR};
 use crate::feature::tolerance::SHORTEST_OVERLAP;
@@ -17,17 +17,17 @@ pub(crate) struct Extent {
     pub(crate) hi_error: f64,
 }
 
-/// What two cells share of one curve.
+/// Piece of a curve that two cells share.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shared {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it is longer than the errors of its ends.
+    /// Whether the piece is certainly longer than the errors of its ends.
     pub(crate) certain: bool,
 }
 
 impl Extent {
-    /// The common range as measured, if there is one.
+    /// The common range as measured, if it is long enough.
     pub(crate) fn shared_with(&self, other: &Self) -> Option<Shared> {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         (hi - lo > SHORTEST_OVERLAP).then(|| Shared {
@@ -37,9 +37,9 @@ impl Extent {
         })
     }
 
-    /// Whether they share a range, if the errors of their ends leave no doubt.
+    /// Whether the two share a range; `None` if the errors of their ends leave this open.
     fn overlaps(&self, other: &Self) -> Option<bool> {
-        // The longest range and the shortest.
+        // The longest and the shortest range that the errors admit.
         let length = |sign: f64| {
             let end = |place: f64, error: f64| place + sign * error;
             let hi = end(self.hi, self.hi_error).min(end(other.hi, other.hi_error));
@@ -56,7 +56,7 @@ impl Extent {
     }
 }
 
-/// On which side of a cluster a cell lies that ends or begins there.
+/// Side of a cluster on which a cell lies that ends or begins there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Side {
     Below,
@@ -65,9 +65,8 @@ pub(crate) enum Side {
 
 /// Measures cells of one sheet where they meet a cluster.
 ///
-/// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the
-/// cluster; what that may change is bounded by the sharpness of the crossing, or, towards a tangency, seen by measuring
-/// again at both edges of the cluster.
+/// A place is measured at the cluster's orientation. The event that ends or begins the cell may happen anywhere in the cluster; the
+/// resulting change is bounded by the sharpness of the crossing, or, towards a tangency, measured at both edges of the cluster.
 pub(crate) struct CellExtents<'a> {
     geometry: &'a Geometry,
     sheet: u32,
@@ -80,15 +79,15 @@ pub(crate) struct CellExtents<'a> {
     half: f64,
     /// The largest speed of an end or a crossing, to be divided by the sine, in the pair's frame per radian.
     speed: f64,
-    /// The bounds measured so far: most are asked for again, by the cell on their other side.
+    /// Bounds measured so far: most are needed again, by the cell on their other side.
     known: Vec<((u32, Side), (f64, f64))>,
-    /// The same as far as doubles tell.
+    /// Bounds measured in f64.
     rough: Vec<(u32, (f64, f64))>,
-    /// The cluster's orientation in double-double, once it is asked for.
+    /// The cluster's orientation in double-double, once it is needed.
     turn: Option<Orientation<Exact>>,
-    /// The curve in double-double at the orientations asked for so far, with the places of its ends.
+    /// The curve in double-double at the orientations used so far, with the places of its ends.
     exact: Vec<(Exact, Placing<'a, Exact>, (Exact, Exact))>,
-    /// What is known better than this is known well enough (length).
+    /// Accuracy that is good enough (length): a bound known this well in f64 is not measured again.
     good: f64,
 }
 
@@ -131,12 +130,12 @@ impl<'a> CellExtents<'a> {
         }
     }
 
-    /// The same, measured no better than to this (length), where doubles tell as much.
+    /// Extents measured only to this accuracy (length), where f64 reaches it.
     pub(crate) fn measured_within(self, good: f64) -> Self {
         Self { good, ..self }
     }
 
-    /// What a cell that ends at the cluster shares with one that begins there: by doubles if these decide whether there is anything.
+    /// Piece of curve shared by a cell that ends at the cluster and one that begins there: in f64 if that decides whether they share any.
     pub(crate) fn shared(&mut self, lower: &Cell, upper: &Cell) -> Option<Shared> {
         let one = |a: u32, b: u32| a != END && a == b;
         if one(lower.right, upper.left) || one(upper.right, lower.left) {
@@ -157,7 +156,7 @@ impl<'a> CellExtents<'a> {
         extent([(cell.left, -1.0), (cell.right, 1.0)].map(|(b, end)| self.bound(b, end, side)))
     }
 
-    /// The place of a bound and its error. Places beyond the curve's ends are at its ends.
+    /// The place of a bound and its error. Places beyond the curve's ends are moved to its ends.
     fn bound(&mut self, branch: u32, end: f64, side: Side) -> (f64, f64) {
         let rough = self.rough(branch, end);
         if rough.1 <= self.good {
@@ -176,7 +175,7 @@ impl<'a> CellExtents<'a> {
         measured
     }
 
-    /// The same as far as doubles tell; an infinite error where they do not.
+    /// A bound and its error, as [`bound`](Self::bound) but in f64 only; the error is infinite where f64 decides nothing.
     fn rough(&mut self, branch: u32, end: f64) -> (f64, f64) {
         if branch == END {
             let moved = self.speed * (self.width + TURN_ERROR);
@@ -198,20 +197,21 @@ impl<'a> CellExtents<'a> {
         measured
     }
 
-    /// The place in double-double, a little aside: where two lines become one, their crossing is undefined, yet it has a limit.
+    /// The place in double-double, slightly beside the cluster: where two lines become one, their crossing is undefined, but it has a
+    /// limit.
     ///
-    /// Near to the cluster the place has hardly moved, but curves that become one cross at an angle so small that their rounding
-    /// is much of it; farther aside it is the other way round. The best that is found counts.
+    /// Near the cluster the place has hardly moved, but curves that become one cross at an angle so small that rounding dominates; farther
+    /// from it the displacement dominates. The most accurate of several tries is used.
     fn approached(&mut self, b: &Branch, side: Side) -> (f64, f64) {
-        /// How far aside, radians: above the rounding of orientations, and far below what moves places.
+        /// Distances from the cluster, radians: above the rounding of orientations, and far below those that move places.
         const ASIDE: [f64; 3] = [1e-20, 1e-17, 1e-14];
-        /// Rounding is told to this factor: where a place moves by more than that times its rounding, it does move.
+        /// Factor to which rounding is estimated: where a place moves by more than that times its rounding, it does move.
         const TOLD: f64 = 1e3;
         let mut best = (0.0, f64::INFINITY);
         let mut near = [None; ASIDE.len()];
         for (near, aside) in near.iter_mut().zip(ASIDE) {
             let found = self.place_aside(b, side, aside);
-            // Where rounding alone is too much, it may be less farther aside.
+            // Where rounding alone is too large, it may be smaller farther from the cluster.
             if found.1 > self.good && aside < ASIDE[ASIDE.len() - 1] {
                 *near = Some(found);
                 continue;
@@ -238,7 +238,7 @@ impl<'a> CellExtents<'a> {
         best
     }
 
-    /// The edge of the cluster on a side, and how far from it one is that is at most so far aside and within the slab there.
+    /// The edge of the cluster on a side, and a step from it of at most `aside` that stays before the next cluster.
     fn step(&self, side: Side, aside: f64) -> (Exact, f64) {
         let (lo, hi) = self.clusters.exact_ends(self.cluster);
         let (edge, slab) = match side {
@@ -248,7 +248,7 @@ impl<'a> CellExtents<'a> {
         (edge, ((slab - edge).to_f64() * 0.5).clamp(-aside, aside))
     }
 
-    /// The place so far aside, and its rounding.
+    /// The place at a distance of at most `aside` from the cluster, and its rounding.
     fn place_aside(&mut self, b: &Branch, side: Side, aside: f64) -> (f64, f64) {
         let (edge, step) = self.step(side, aside);
         let half = self.half;
@@ -257,7 +257,7 @@ impl<'a> CellExtents<'a> {
         (from_nearer_end(place, ends, half), ROUNDING + rounding)
     }
 
-    /// The place on a side of the cluster and its error, by that at most so far aside and its rounding.
+    /// The place on a side of the cluster and its error, from the place at a distance of at most `aside` and its rounding.
     fn approached_to(
         &mut self,
         b: &Branch,
@@ -265,14 +265,14 @@ impl<'a> CellExtents<'a> {
         aside: f64,
         (near, rounding): (f64, f64),
     ) -> (f64, f64) {
-        /// How much further than from near to far the place may move to the other edge of a cluster: towards a tangency, where
-        /// places move with the square root of the orientation, the worst there is, (1 + 2^½) times as far to this edge, and 2^½ times
-        /// that to the other edge of a cluster as wide as the step.
+        /// Ratio of the displacement towards the other edge of a cluster to that from the near to the far orientation: towards a tangency,
+        /// where places move with the square root of the orientation, the worst case, it is (1 + 2^½) for this edge, and 2^½ times that for
+        /// the other edge of a cluster as wide as the step.
         const FURTHER: f64 = 4.0;
         let (edge, step) = self.step(side, aside);
         let far = self.exact_place(b, edge + step * 2.0);
         let mut moved = FURTHER * (far - near).abs();
-        // What ends or begins the cell may happen anywhere in the cluster.
+        // The event that ends or begins the cell may happen anywhere in the cluster.
         if self.width > step.abs() {
             let (lo, hi) = self.clusters.exact_ends(self.cluster);
             let other = if side == Side::Below { hi } else { lo };
@@ -305,7 +305,7 @@ impl<'a> CellExtents<'a> {
     }
 }
 
-/// A place that is no further than the ends of its curve, from the nearer of these as in doubles, in which the curve has half a length.
+/// A place limited to the ends of its curve, measured from the nearer end as in f64, in which the curve has half the length `half`.
 fn from_nearer_end(place: Exact, (from, to): (Exact, Exact), half: f64) -> f64 {
     let place = if place < from { from } else { place };
     let place = if place > to { to } else { place };
@@ -318,7 +318,7 @@ fn from_nearer_end(place: Exact, (from, to): (Exact, Exact), half: f64) -> f64 {
 
 /// The extent between two places with their errors.
 fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
-    /// Errors are estimates, of events and of places; this much worse they may be.
+    /// Errors of events and places are estimates; this is the factor by which they may be too small.
     const MARGIN: f64 = 2.0;
     Extent {
         lo,
@@ -331,7 +331,7 @@ fn extent([(lo, lo_error), (hi, hi_error)]: [(f64, f64); 2]) -> Extent {
 /// See [`CellExtents::good`].
 const GOOD: f64 = 1e-12;
 
-/// Rounding of an orientation and its rotation in doubles, radians.
+/// Rounding of an orientation and its rotation in f64, radians.
 const TURN_ERROR: f64 = 4.0 * f64::EPSILON;
 
 /// Rounding of a place that was found in double-double (length).

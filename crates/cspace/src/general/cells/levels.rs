@@ -1,10 +1,9 @@
 //! Sheets that share one curve at one orientation, and how free space continues across it.
 //!
-//! Where the orientations of sheets begin and end (two lines parallel, an end normal reached), and where curves of
-//! other sheets happen to lie on one carrier (two vertices of the moving part on one line of the fixed part), several
-//! sheets lie on top of each other at one orientation. Just below it one of them is outermost at every place of the
-//! curve, just above it maybe another: these two continue each other there. A sheet that faces the other way and is
-//! passed leaves no room: nothing continues.
+//! Where intervals of sheets begin and end (two lines parallel, an end normal reached), and where curves of other sheets happen to lie on
+//! one carrier (two vertices of the moving part on one line of the fixed part), several sheets lie on top of each other at one orientation.
+//! Just below it one of them is outermost at every place of the curve, just above it maybe another: these two continue each other there. A
+//! sheet that faces the other way and is passed leaves no room: no cell continues there.
 
 use core::cell::LazyCell;
 use core::ops::Deref;
@@ -29,10 +28,10 @@ pub(crate) struct Levels<'a> {
     pub(crate) clusters: &'a Clusters,
     pub(crate) branches: &'a [Branch],
     pub(crate) cells: &'a Cells,
-    /// Which cells are free, once that is known.
+    /// Whether each cell is free, once this is known.
     ///
-    /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a
-    /// free cell can be continued by a free cell only.
+    /// Among all cells on a level it is not certain which are outermost. Once the others are known to be blocked, a free cell can be
+    /// continued by a free cell only.
     pub(crate) free: Option<&'a [bool]>,
 }
 
@@ -42,35 +41,35 @@ struct Stretch {
     upper: u32,
     from: f64,
     to: f64,
-    /// Whether some of it is certainly covered by both.
+    /// Whether a part of it is certainly covered by both.
     certain: bool,
 }
 
-/// Groups of sheets that lie on one level are handled so many at a time by one thread.
+/// Number of groups of sheets on one level that a thread handles at a time.
 const CHUNK: usize = 16;
 
-/// A sheet that lies on a level; those on one level have one number.
+/// A sheet that lies on a level; sheets on one level have one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Level {
     number: u32,
-    /// The cluster at which that is.
+    /// The cluster of the level.
     at: u32,
     sheet: u32,
 }
 
-/// What is kept from level to level, for its room.
+/// Buffers that are reused from level to level.
 #[derive(Default)]
 struct Work {
-    /// Cells that end on the level, and those that begin.
+    /// Cells that end on the level, and cells that begin there.
     ending: Vec<u32>,
     beginning: Vec<u32>,
-    /// The same as pieces of the track.
+    /// Pieces of the track covered by these cells.
     below: Vec<Piece>,
     above: Vec<Piece>,
     /// The ends of all pieces, in order.
     marks: Vec<f64>,
-    /// Stretches of the track with the cells that continue each other there, on its face along the normal and on the other;
-    /// neighbours of one pair of cells are one.
+    /// Stretches of the track with the cells that continue each other there, on the face along the track's normal and on the other face;
+    /// adjacent stretches of one pair of cells are merged.
     stretches: [Vec<Stretch>; 2],
 }
 
@@ -175,7 +174,7 @@ impl Levels<'_> {
                 }
             }
         }
-        // What is blocked below and above is so anyway.
+        // Cells that are blocked below and above need no contacts.
         let matters = |&i: &u32| !self.cells.cells[i as usize].blocked;
         let none_matters = !ending.iter().chain(&*beginning).any(matters);
         if ending.is_empty() || beginning.is_empty() || none_matters {
@@ -195,7 +194,7 @@ impl Levels<'_> {
         marks.extend(track.cuts().into_iter().flatten());
         marks.sort_unstable_by(f64::total_cmp);
         let (just_below, just_above) = self.clusters.exactly_beside(at);
-        // Most often one piece covers a place, and none is asked how high it is.
+        // Most often one piece covers a place, and its height is not needed.
         let turn_below = LazyCell::new(|| Orientation::by(just_below));
         let turn_above = LazyCell::new(|| Orientation::by(just_above));
         let (mut near_below, mut near_above) = (track.covering(below), track.covering(above));
@@ -238,7 +237,7 @@ impl Levels<'_> {
             }
         }
         out.extend(stretches.iter().flatten().map(|s| {
-            // Along the lower cell's own curve, from its middle.
+            // Range along the lower cell's own curve, from its middle.
             let curve = self.curve(self.sheet_of(s.lower), at);
             let middle = track.point(0.5 * (s.from + s.to));
             let place = curve.position(middle);
@@ -266,7 +265,7 @@ impl Levels<'_> {
         }
     }
 
-    /// The same, of one sheet.
+    /// Appends the pieces of a track that are cells of one sheet.
     fn pieces_of_sheet(
         &self,
         cells: &[u32],
@@ -298,7 +297,7 @@ impl Levels<'_> {
         }
     }
 
-    /// The pieces that face free space at a place, just off the level, on the face of the track along its normal and on the other.
+    /// The pieces that face free space at a place, just beside the level, on the face of the track along its normal and on the other face.
     fn outermost<'p>(
         &self,
         pieces: impl Iterator<Item = &'p Piece>,
@@ -309,7 +308,7 @@ impl Levels<'_> {
         let mut covering = pieces.filter(|q| q.covers(track, place.coordinate));
         let (first, second) = (covering.next(), covering.next());
         if second.is_none() {
-            // One alone is outermost, however high it is.
+            // A single piece is outermost, whatever its height.
             return [true, false].map(|along| first.filter(|q| q.along == along));
         }
         let mut highest: Option<(Exact, &Piece)> = None;
@@ -322,20 +321,20 @@ impl Levels<'_> {
                 lowest = Some((h, q));
             }
         }
-        // What faces each other leaves no room unless it is apart.
+        // Pieces that face each other leave no room unless they are apart.
         match (highest, lowest) {
             (Some(a), Some(b)) if a.0 >= b.0 => [None; 2],
             _ => [highest, lowest].map(|outer| outer.map(|o| o.1)),
         }
     }
 
-    /// How far outward from a point the line or circle of a cell's sheet lies.
+    /// Signed distance, outward from a point, of the line or circle of a cell's sheet.
     fn height(&self, cell: u32, p: Point, outward: Vector, turn: &Orientation<Exact>) -> Exact {
         (self.geometry.curve(self.sheet_of(cell), turn))
             .height(p.map(Exact::from), outward.map(Exact::from))
     }
 
-    /// Cells that continue each other at the two ends of a full turn, which are one orientation.
+    /// Connects cells that continue each other at the two ends of a full turn, which are one orientation.
     pub(crate) fn connect_wraps(&self, out: &mut Vec<VerticalContact>) {
         let sheets = &self.geometry.contacts.sheets;
         let mut groups: BTreeMap<Seam, (Vec<u32>, Vec<u32>)> = BTreeMap::new();

@@ -9,9 +9,9 @@
 //!             branch
 //! ```
 //!
-//! `sweep.rs` cuts, with the branches that are there at the moment (`active.rs`) in their order on the curve (`gaps.rs`). Where
-//! sheets lie on each other at one orientation, `levels.rs` and `track.rs` find which cells share a stretch of the curve;
-//! `extent.rs` measures what they share.
+//! `sweep.rs` cuts, using the branches that exist at the moment (`active.rs`) in their order on the curve (`gaps.rs`). Where sheets lie on
+//! each other at one orientation, `levels.rs` and `track.rs` find which cells share a stretch of the curve; `extent.rs` measures the shared
+//! pieces.
 
 pub(crate) mod active;
 pub(crate) mod cell;

@@ -1,4 +1,4 @@
-//! Cutting each sheet into cells by a sweep over orientation.
+//! Cuts each sheet into cells by a sweep over orientation.
 
 use crate::contact::Geometry;
 use crate::grouped::{Grouped, starts};
@@ -13,7 +13,7 @@ use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::events::pinches::{Pinch, pinches_of};
 
-/// Everything a sweep reads.
+/// Input of a sweep.
 pub(crate) struct Sweep<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) clusters: &'a Clusters,
@@ -23,7 +23,7 @@ pub(crate) struct Sweep<'a> {
     pub(crate) passings: &'a [(u32, u32)],
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
     pub(crate) splits: &'a [(u32, u32)],
-    /// Sheets of which some comes behind another, sorted: cells that do end there.
+    /// Sheets of which a piece comes behind another sheet, sorted: cells in that piece end there.
     pub(crate) pinches: &'a [Pinch],
 }
 
@@ -39,36 +39,37 @@ fn listed(list: &[(u32, u32)], sheet: u32) -> impl Iterator<Item = u32> + '_ {
 /// Sheets swept at a time by one thread.
 const CHUNK: usize = 32;
 
-/// What is kept from sheet to sheet, for its room.
+/// Buffers that are reused from sheet to sheet.
 #[derive(Default)]
 struct Work {
     /// Clusters at which cells of the sheet may begin or end.
     times: Vec<u32>,
-    /// Those at which all do.
+    /// Clusters at which all cells of the sheet end.
     splits: Vec<u32>,
     /// Cells that have begun and not ended, in order of travel.
     open: Vec<u32>,
-    /// What bounds those of the next interval.
+    /// Bounds (left and right branch) of the cells of the next interval.
     keys: Vec<(u32, u32)>,
     /// Cells that end where the interval begins.
     closing: Vec<u32>,
-    /// Of each cell of the sheet whether it is shut: what bounds it on both sides blocks it.
+    /// For each cell of the sheet, whether it is closed: the branches that bound it block it from both sides.
     shut: Vec<bool>,
-    /// The number of each cell once those that nothing asks for are dropped.
+    /// New number of each cell after the cells that nothing needs are dropped.
     moved: Vec<u32>,
 }
 
-/// In place of a number: none.
+/// Placeholder for a number.
 const NONE: u32 = u32::MAX;
 
-/// The cells of all sheets, sorted by sheet, and which continue each other within a sheet; without shut cells that none continues.
+/// The cells of all sheets, sorted by sheet, and the contacts by which they continue each other within a sheet; without closed cells that
+/// continue nothing.
 #[derive(Debug, Default)]
 pub(crate) struct Cells {
     pub(crate) cells: Vec<Cell>,
     pub(crate) vertical: Vec<VerticalContact>,
     /// The cells of sheet i are `cells[first[i]..first[i + 1]]`.
     pub(crate) first: Vec<u32>,
-    /// How many were dropped.
+    /// Number of cells dropped.
     pub(crate) dropped: u64,
 }
 
@@ -106,7 +107,7 @@ impl Sweep<'_> {
         all
     }
 
-    /// Adds the cells of a sheet.
+    /// Appends the cells of a sheet.
     fn sheet(&self, run: &SheetRun, work: &mut Work, out: &mut Cells) {
         let Work {
             times,
@@ -221,12 +222,12 @@ impl Sweep<'_> {
         CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
     }
 
-    /// Whether a place of a sheet's curve comes behind another or out from there, of those that have some that do.
+    /// Whether a place of a sheet's curve comes behind another sheet, or out from behind it, given the sheet's pinches.
     fn moves(&self, pinches: &[Pinch], place: f64) -> bool {
         (pinches.iter()).any(|p| p.moves(self.geometry, self.clusters, place))
     }
 
-    /// Cells that end and cells that begin at one cluster continue each other where they overlap.
+    /// Connects cells that end and cells that begin at one cluster, where they overlap.
     fn connect(
         &self,
         sheet: u32,
@@ -238,7 +239,7 @@ impl Sweep<'_> {
         let Cells {
             cells, vertical, ..
         } = out;
-        // What is blocked below and above is so anyway.
+        // Cells that are blocked below and above need no contacts.
         let matters = |i: u32| !cells[i as usize].blocked;
         let any_matters = closing.iter().copied().chain(opening.clone()).any(matters);
         if closing.is_empty() || opening.is_empty() || !any_matters {
@@ -266,10 +267,10 @@ impl Sweep<'_> {
     }
 }
 
-/// Drops shut cells of a sheet, those from a first one, with the first of its contacts.
+/// Drops the closed cells of a sheet, from `first_cell` on, whose contacts begin at `first_contact`.
 ///
-/// Nothing follows a shut cell. Unless it continues another, or begins or ends on a level, where the sheet lies on others,
-/// nothing asks for it: of parts with many teeth most cells are deep in blocked space.
+/// Nothing follows a closed cell. Unless it continues another, or begins or ends on a level, where the sheet lies on others, it is not
+/// needed: for parts with many teeth most cells are deep in blocked space.
 fn drop_shut(
     out: &mut Cells,
     (first_cell, first_contact): (usize, usize),

@@ -8,11 +8,11 @@ use crate::geometry::{Point, Rotation, Vector, wrap};
 
 use crate::general::broad::covering::Covering;
 
-/// The common curve, all of a line or circle, with the coordinate along it.
+/// The common line or circle, with the coordinate along it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Track {
     cycle: Cycle,
-    /// The direction of the coordinate 0 from the centre, radians; only of a circle by its centre.
+    /// Direction of the coordinate 0 from the centre, radians; only for a circle given by its centre.
     zero: f64,
 }
 
@@ -24,7 +24,7 @@ pub(crate) struct Piece {
     pub(crate) half: f64,
     /// Errors of its ends, in the order of the coordinate.
     pub(crate) errors: (f64, f64),
-    /// Whether its free side is that of the track.
+    /// Whether its free side is the track's.
     pub(crate) along: bool,
 }
 
@@ -52,7 +52,7 @@ impl Piece {
         track.difference(place, self.mid).abs() < self.half
     }
 
-    /// Whether it covers a place with more to spare than its errors.
+    /// Whether it covers a place with a margin above the errors of its ends.
     pub(crate) fn certainly_covers(&self, track: &Track, place: f64) -> bool {
         let off = track.difference(place, self.mid);
         off - self.errors.0 > -self.half && off + self.errors.1 < self.half
@@ -64,7 +64,7 @@ impl Track {
     pub(crate) fn of(sheet: &Sheet, turn: Rotation) -> Self {
         let cycle: Cycle = sheet.cycle(turn);
         if cycle.is_line() {
-            // Coordinates on lines through one place are those of one line.
+            // Lines through different points of one line get the same coordinates.
             let foot = Point::ORIGIN + cycle.normal * -cycle.level(Point::ORIGIN);
             return Self {
                 cycle: Cycle::line(foot, cycle.normal),
@@ -75,7 +75,7 @@ impl Track {
         Self { cycle, zero }
     }
 
-    /// Half of all of a circle by its centre; infinite of what is open.
+    /// Half the length of a circle given by its centre; infinite for an open curve.
     fn half(&self) -> f64 {
         if self.cycle.is_centred() {
             PI * self.cycle.size
@@ -84,14 +84,14 @@ impl Track {
         }
     }
 
-    /// The coordinates at which a circle is cut open, where they jump.
+    /// The coordinates at which a circle is cut, where they jump.
     pub(crate) fn cuts(&self) -> Option<[f64; 2]> {
         let half = self.half();
         half.is_finite().then_some([-half, half])
     }
 
-    /// Of a sheet on it with a normal at a point: whether its free side is that of the track, and whether its travel goes
-    /// with the coordinate. On a line that does if the normals agree, on a circle if the radius is positive.
+    /// Two flags for a sheet on the track with a given normal at a point: whether its free side is the track's, and whether its direction
+    /// of travel is that of the coordinate. On a line, both hold if the normals agree; on a circle, the second if the radius is positive.
     pub(crate) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
         if self.cycle.is_centred() {
             let forward = sheet.locus.radius > 0.0;
@@ -122,9 +122,9 @@ impl Track {
         self.cycle.normal_at(p)
     }
 
-    /// Which pieces may cover a place. One that reaches over the place where a circle is cut open may cover any.
+    /// Index of the pieces that may cover a place. A piece across the cut of a circle may cover any place.
     pub(crate) fn covering(&self, pieces: &[Piece]) -> Covering {
-        /// Rounding of an end, of a piece or of the circle: pieces cover a little less than this makes them.
+        /// Rounding of an end of a piece or of the circle: pieces are extended by this.
         const SLACK: f64 = SHORTEST_OVERLAP;
         let highest = self.half() - SLACK;
         let lowest = -highest;

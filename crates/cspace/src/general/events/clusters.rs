@@ -1,8 +1,7 @@
-//! Events gathered into critical orientations.
+//! Clusters: events gathered into critical orientations.
 //!
-//! Every event is known within an error. Events whose intervals overlap make one cluster: one candidate for a critical
-//! orientation. From here on orientations are counted in clusters, and structure is only ever looked at half way between two of
-//! them, away from every event.
+//! Every event is known within an error. Events whose intervals overlap make one cluster: one candidate for a critical orientation. From
+//! here on orientations are counted in clusters, and structure is determined only half way between two of them, away from every event.
 
 use crate::contact::Exact;
 use crate::feature::tolerance::NARROWEST_BAND;
@@ -26,29 +25,29 @@ impl From<Event> for Moment {
     }
 }
 
-/// Disjoint intervals of orientation, sorted; between two of them nothing happens.
+/// Disjoint intervals of orientation, sorted; between two of them there is no event.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Clusters {
     lo: Vec<Exact>,
     hi: Vec<Exact>,
-    /// The event of each that is known best: the orientation at which curves and places are measured.
+    /// The most accurate event of each: the orientation at which curves and places are measured.
     best: Vec<Moment>,
-    /// The rotations by their orientations.
+    /// The rotations by these orientations.
     turns: Vec<Rotation>,
 }
 
-/// How far beside a cluster is just beside it, radians: carriers that were one at the cluster are apart by more than
-/// rounding, and what their motion bends, by its square, is less than that.
+/// Maximum distance from a cluster of an orientation just beside it, radians: there, carriers that coincide at the cluster are apart by
+/// more than rounding, and the quadratic part of their motion is smaller than that.
 const BESIDE: f64 = 1.0 / (1u64 << 20) as f64;
 
-/// Clusters nearer to each other than this (radians) are close: what is decided between them is decided in double-double.
+/// Distance of clusters (radians) below which they are close: then double-double is used between them.
 const CLOSE: f64 = 1e-5;
 
-/// Orientations nearer to each other than this (radians) are one: it is above the rounding of double-double, and below what
-/// a generic drawing has. What vertices moved by 10⁻¹³ tell apart is as near as the square of that.
+/// Distance of orientations (radians) below which they are one: above the rounding of double-double, and below the distances in a generic
+/// drawing. Events separated by vertices moved by 10⁻¹³ are as near as the square of that.
 pub(crate) const SAME: f64 = 1e-28;
 
-/// Added to the errors of events found between clusters, radians, where it is asked which event is known best.
+/// Added to the errors of events found between clusters, radians, when the most accurate event is chosen.
 const BETWEEN: f64 = 1.0;
 
 impl Clusters {
@@ -59,7 +58,7 @@ impl Clusters {
         })
     }
 
-    /// From what has intervals with the best-known event in each: they are many, and events alone are small.
+    /// Gathers clusters from items that have intervals with their most accurate event: items are many, and single events are small.
     fn gather<T: Send>(
         mut all: Vec<T>,
         interval: impl Fn(&T) -> (Exact, Exact, Moment) + Sync,
@@ -94,10 +93,10 @@ impl Clusters {
         this
     }
 
-    /// These clusters with more events that were found between them, and where each of the old ones went.
+    /// These clusters with more events that were found between them, and the new number of each old cluster.
     ///
-    /// Where such an event is at the very end of a cluster, it is what is seen there of what happens within it: an event of
-    /// the cluster is known better, however small the other's error looks.
+    /// Such an event at the very end of a cluster is a trace of an event within the cluster: an event of the cluster counts as more
+    /// accurate, however small the other's error is.
     pub(crate) fn with(&self, more: Vec<Moment>) -> (Self, Vec<u32>) {
         let mut intervals: Vec<_> = more
             .into_iter()
@@ -115,7 +114,7 @@ impl Clusters {
         (merged, moved)
     }
 
-    /// These clusters with each of some runs, from a first to a last, as one; and where each of the old ones went.
+    /// These clusters with each of some runs, from a first to a last, merged; and the new number of each old cluster.
     pub(crate) fn contracted(&self, runs: &[(u32, u32)]) -> (Self, Vec<u32>) {
         let mut this = Self::default();
         let mut moved = Vec::with_capacity(self.len());
@@ -141,7 +140,7 @@ impl Clusters {
         self.lo.len()
     }
 
-    /// Those that are wider than the narrowest band.
+    /// Clusters wider than the narrowest band.
     pub(crate) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
         (0..self.len() as u32).filter(|&i| self.width(i) > NARROWEST_BAND)
     }
@@ -151,12 +150,12 @@ impl Clusters {
         self.lo.partition_point(|&lo| lo <= theta).max(1) as u32 - 1
     }
 
-    /// The orientation in the cluster at which an event is known best to happen.
+    /// The orientation in the cluster whose event is known best.
     pub(crate) fn at(&self, i: u32) -> f64 {
         self.exact_at(i).to_f64()
     }
 
-    /// The same in double-double.
+    /// The orientation [`at`](Self::at) in double-double.
     pub(crate) fn exact_at(&self, i: u32) -> Exact {
         self.best[i as usize].theta
     }
@@ -166,22 +165,22 @@ impl Clusters {
         self.turns[i as usize]
     }
 
-    /// Where the cluster begins.
+    /// Beginning of the cluster.
     pub(crate) fn lo(&self, i: u32) -> f64 {
         self.lo[i as usize].to_f64()
     }
 
-    /// Where it ends.
+    /// End of the cluster.
     pub(crate) fn hi(&self, i: u32) -> f64 {
         self.hi[i as usize].to_f64()
     }
 
-    /// Where it ends and where another begins, in double-double.
+    /// End of a cluster, and beginning of another, in double-double.
     pub(crate) fn exactly_between(&self, i: u32, j: u32) -> (Exact, Exact) {
         (self.hi[i as usize], self.lo[j as usize])
     }
 
-    /// From the end of one cluster to the beginning of another, radians.
+    /// Distance from the end of one cluster to the beginning of another, radians.
     pub(crate) fn duration(&self, i: u32, j: u32) -> f64 {
         (self.lo[j as usize] - self.hi[i as usize]).to_f64()
     }
@@ -191,17 +190,17 @@ impl Clusters {
         self.duration(i, j) < CLOSE
     }
 
-    /// Half way from one cluster to another.
+    /// Middle between one cluster and another.
     pub(crate) fn between(&self, i: u32, j: u32) -> f64 {
         self.exact_between(i, j).to_f64()
     }
 
-    /// The same in double-double.
+    /// The middle [`between`](Self::between) two clusters in double-double.
     pub(crate) fn exact_between(&self, i: u32, j: u32) -> Exact {
         (self.hi[i as usize] + self.lo[j as usize]).scaled(0.5)
     }
 
-    /// How wide the cluster is, radians.
+    /// Width of the cluster, radians.
     pub(crate) fn width(&self, i: u32) -> f64 {
         (self.hi[i as usize] - self.lo[i as usize]).to_f64()
     }
@@ -216,12 +215,12 @@ impl Clusters {
         )
     }
 
-    /// Half way to the cluster before, or at the cluster if there is none.
+    /// Middle between the cluster and the one before, or at the cluster if there is none.
     pub(crate) fn exact_below(&self, i: u32) -> Exact {
         self.exact_between(i.max(1) - 1, i)
     }
 
-    /// Half way to the cluster after, or at the cluster if there is none.
+    /// Middle between the cluster and the one after, or at the cluster if there is none.
     pub(crate) fn exact_above(&self, i: u32) -> Exact {
         self.exact_between(i, (i + 1).min(self.len() as u32 - 1))
     }

@@ -1,4 +1,4 @@
-//! The orientations at which crossings of two sheets come and go: in doubles first, then in double-double.
+//! The orientations at which crossings of two sheets appear and disappear: by an f64 filter, then in double-double.
 
 use crate::contact::{Exact, Geometry, Precision, conditions};
 use crate::number::Event;
@@ -14,7 +14,7 @@ const CHUNK: usize = 256;
 #[derive(Debug, Default)]
 pub(crate) struct PairEvents {
     pub(crate) events: Vec<Moment>,
-    /// For every pair how many there are of it and those before.
+    /// For every pair, the number of events up to and including it.
     until: Vec<usize>,
 }
 
@@ -46,22 +46,22 @@ pub(crate) fn pair_events(geometry: &Geometry, pairs: &[PairRun]) -> PairEvents 
     all
 }
 
-/// What doubles find of the roots of a condition.
+/// Result of the f64 filter for the roots of a condition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Rough {
-    /// There is none.
+    /// There is no root.
     None,
-    /// There are these, to within [`Rough::ERROR`].
+    /// The roots, to within [`Rough::ERROR`].
     At([Option<f64>; 2]),
     /// Nothing is certain.
     Unknown,
 }
 
 impl Rough {
-    /// Roots that are known worse are not certain (radians).
+    /// Error above which roots are not certain (radians).
     const ERROR: f64 = 1e-11;
 
-    /// With one more root.
+    /// The result with one more root.
     fn and(self, root: Event) -> Self {
         match self {
             _ if root.error > Self::ERROR => Self::Unknown,
@@ -72,7 +72,7 @@ impl Rough {
     }
 }
 
-/// The events of one pair in double-double, of those conditions that have any as far as doubles tell.
+/// The events of one pair in double-double, from the conditions that may have roots according to the f64 filter.
 fn events_of(
     geometry: &Geometry,
     run: &PairRun,

@@ -8,7 +8,7 @@ use crate::general::events::pinches::Pinch;
 use crate::general::events::trace::{Coincidence, Traced};
 use crate::general::events::triple::Triples;
 
-/// What happens between sheets, and at which clusters.
+/// All events between sheets, by clusters.
 pub(crate) struct Gathered {
     pub(crate) clusters: Clusters,
     pub(crate) branches: Vec<Branch>,
@@ -19,12 +19,12 @@ pub(crate) struct Gathered {
     pub(crate) passings: Vec<(u32, u32)>,
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
     pub(crate) splits: Vec<(u32, u32)>,
-    /// Sheets of which some comes behind another, sorted: cells that do end there.
+    /// Sheets of which a piece comes behind another sheet, sorted: cells in that piece end there.
     pub(crate) pinches: Vec<Pinch>,
 }
 
 impl Gathered {
-    /// Adds the events of three sheets to the clusters of those of two, and numbers all by the clusters that come of it.
+    /// Adds the events of three sheets to the clusters of the events of two, and renumbers everything by the resulting clusters.
     pub(crate) fn new(
         traced: Traced,
         on_sheet: Grouped,
@@ -71,7 +71,7 @@ impl Gathered {
     }
 }
 
-/// All of them in order, each once.
+/// All items in order, each once.
 fn sorted<T: Ord>(all: impl Iterator<Item = T>) -> Vec<T> {
     let mut all: Vec<T> = all.collect();
     all.sort_unstable();

@@ -1,11 +1,11 @@
-//! Which sheets can have points in common: three sheets meet only where every two of them do.
+//! Pairs of sheets that can have points in common: three sheets meet only where every two of them do.
 
 use crate::contact::Geometry;
 use crate::grouped::starts;
 
 use crate::general::events::trace::Encounter;
 
-/// Which sheets cross or touch, and when.
+/// Encounters of sheets: which pairs cross or touch, and when.
 pub(crate) struct Meetings<'a> {
     geometry: &'a Geometry,
     encounters: &'a [Encounter],
@@ -26,7 +26,7 @@ impl<'a> Meetings<'a> {
 
     /// Whether two sheets may have a point in common between two clusters: three sheets meet only where every two do.
     ///
-    /// Sheets that share an end or a carrier have that in common without crossing.
+    /// Sheets that share an end or a carrier have points in common without crossing.
     pub(crate) fn may_meet(&self, f: u32, g: u32, from: u32, to: u32) -> bool {
         if f == g {
             return false;

@@ -1,4 +1,4 @@
-//! Events: the critical orientations, or what may be one.
+//! Events: critical orientations, and orientations that may be critical.
 //!
 //! ```text
 //!   θ ↑        ╲ ╱      ← passing: branches a and b exchange their order on a sheet, where three sheets meet
@@ -7,11 +7,10 @@
 //!     │  ─────●───┼────  ← event of a pair: the crossing a comes to be
 //! ```
 //!
-//! `coming.rs` finds where crossings of two sheets come and go (roots of α cos θ + β sin θ + γ), and `trace.rs` follows the branches
-//! between.
-//! `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events that cannot be told apart,
-//! `gathered.rs` all that happens at them.
-//! `placing.rs` says where on its curve a branch is, and `order.rs` in which order branches are.
+//! `coming.rs` finds where crossings of two sheets appear and disappear (roots of α cos θ + β sin θ + γ), and `trace.rs` follows the
+//! branches between. `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events whose order is not
+//! known, `gathered.rs` collects everything that happens at them. `placing.rs` computes the place of a branch on its curve, and `order.rs`
+//! the order of branches.
 
 pub(crate) mod branch;
 pub(crate) mod clusters;

@@ -1,5 +1,4 @@
-//! The order of branches along a curve, decided with certainty: in doubles where their errors leave no doubt, otherwise in
-//! double-double.
+//! The order of branches along a curve, decided with certainty: in f64 where the errors admit only one order, otherwise in double-double.
 
 use crate::contact::{Cycle, Exact, Geometry, Orientation};
 use crate::geometry::{Rotation, Vector};
@@ -8,13 +7,13 @@ use crate::number::Real;
 use crate::general::events::branch::Branch;
 use crate::general::events::placing::{Placing, Rank, rounding};
 
-/// Errors of places are estimates; this much worse they may be.
+/// Errors of places are estimates; this is the factor by which they may be too small.
 const MARGIN: f64 = 8.0;
 
-/// Sorts branches along curves; its lists are used again.
+/// Sorts branches along curves; its buffers are reused.
 #[derive(Debug, Default)]
 pub(crate) struct Order {
-    /// In doubles.
+    /// Ranks in f64.
     rough: Vec<(Rank, u32)>,
     exact: Vec<(Exact, u32)>,
 }
@@ -61,7 +60,7 @@ impl Order {
     }
 }
 
-/// How far the first of two branches is before the second along a sheet's curve (length), with a sign that is certain.
+/// Distance along a sheet's curve from the first of two branches to the second (length), with a certain sign.
 pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: Exact) -> Exact {
     if !is_small(
         geometry,
@@ -76,7 +75,7 @@ pub(crate) fn apart(geometry: &Geometry, sheet: u32, pair: [&Branch; 2], theta: 
     exactly_apart(geometry, sheet, pair, theta).0
 }
 
-/// As [`apart`], to all digits, and how far rounding may have moved the two places (length).
+/// As [`apart`], in double-double, with the rounding error of the two places (length).
 pub(crate) fn exactly_apart(
     geometry: &Geometry,
     sheet: u32,
@@ -95,19 +94,19 @@ pub(crate) fn exactly_apart(
     (between(&cycle, p, q), e + f)
 }
 
-/// Whether doubles cannot tell places on one of some sheets.
+/// Whether f64 cannot resolve places on one of the sheets.
 fn is_small(geometry: &Geometry, mut sheets: impl Iterator<Item = u32>) -> bool {
     sheets.any(|s| geometry.contacts.sheets[s as usize].is_small())
 }
 
-/// How far a place in doubles is before another, if that is more than their errors.
+/// Distance from one place to another in f64; `None` if it is not larger than the errors.
 fn certainly_apart(cycle: &Cycle, (p, e): (Vector, f64), (q, f): (Vector, f64)) -> Option<f64> {
     let apart = between(cycle, p, q);
     (apart.abs() > MARGIN * (e + f)).then_some(apart)
 }
 
-/// How far one place on a cycle is before another: on a line a difference of lengths; on a circle by its centre the sine of the
-/// angle between them, times the radius, and beyond quarter turns what goes on from that.
+/// Distance from one place on a cycle to another: on a line a difference of lengths; on a circle given by its centre the sine of the angle
+/// between them times the radius, continued monotonously beyond a quarter turn.
 fn between<T: Real>(cycle: &Cycle<T>, p: Vector<T>, q: Vector<T>) -> T {
     if !cycle.is_centred() {
         return p.x - q.x;

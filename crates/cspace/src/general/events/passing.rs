@@ -1,8 +1,8 @@
 //! The orientations at which two branches on one sheet pass each other, because three sheets meet.
 //!
-//! Where three cycles meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It
-//! is smooth where places are not (at tangencies), and its roots are isolated with a bound on its third derivative.
-//! At each root the places of the two branches tell whether it is they that pass each other.
+//! Where three cycles meet, a trigonometric polynomial of degree four vanishes, whichever of their crossings meet. It is smooth where
+//! places are not (at tangencies), and its roots are isolated with a bound on its third derivative. At each root the places of the two
+//! branches show whether these are the crossings that meet.
 
 use crate::contact::{Cycle, Exact, Geometry, Sheet};
 use crate::feature::tolerance::LONGEST;
@@ -14,13 +14,13 @@ use crate::general::events::clusters::Moment;
 use crate::general::events::order::{apart, exactly_apart};
 use crate::general::events::placing::Placing;
 
-/// Pieces narrower than this are not halved further (radians).
+/// Width (radians) below which intervals are not halved further.
 ///
-/// Two roots within such a piece leave the order as it was; between them the places differ by no more than
-/// h² |d″| / 8, some 1e-17, which is below rounding.
+/// Two roots within such an interval leave the order as it was; between them the places differ by no more than h² |d″| / 8, some 1e-17,
+/// which is below rounding.
 const NARROWEST: f64 = 1e-8;
 
-/// In intervals narrower than this (radians) doubles are not asked.
+/// Width of an interval (radians) below which f64 is not used.
 const NARROW: f64 = 1e-6;
 
 /// As [`NARROWEST`] in double-double.
@@ -28,15 +28,15 @@ const NARROWEST_EXACT: f64 = 1e-18;
 
 /// A function without roots or divisions that vanishes where the three sheets meet.
 ///
-/// The most curved of the three, its level F = n·v + λ (v² − c) / 2 at p = P + v, makes lines of the others: with μ the ratio of
-/// the weights, F′ − μ F is linear in v, so that a·v = e with a = ∇F′(P) − μ n and e = −(F′(P) + λ′ c / 2). Two circles so make
-/// their radical line. With d = a₁ × a₂ and w = d v, which is right(a₂) e₁ − right(a₁) e₂, d² F = d n·w + λ (w² − c d²) / 2. For three
-/// lines n·p = e it is the determinant of the three.
+/// The most curved of the three, with its level F = n·v + λ (v² − c) / 2 at p = P + v, reduces the others to lines: with μ the ratio of the
+/// weights, F′ − μ F is linear in v, so that a·v = e with a = ∇F′(P) − μ n and e = −(F′(P) + λ′ c / 2). For two circles this is their
+/// radical line. With d = a₁ × a₂ and w = d v, which is right(a₂) e₁ − right(a₁) e₂, d² F = d n·w + λ (w² − c d²) / 2. For three lines n·p
+/// = e it is the determinant of the three.
 ///
-/// A large circle is written by a point near the parts, and in the frame of its normal no term has a higher degree than about a
-/// centre: it is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
+/// A large circle is written by a point near the parts, and in the frame of its normal no term has a higher degree than about a centre: it
+/// is a trigonometric polynomial of degree four at most. Returned with the size of its terms.
 pub(crate) fn concurrency<T: Real>(mut three: [Cycle<T>; 3]) -> (T, f64) {
-    // What is written by its centre may be as small as a point.
+    // A circle written by its centre may be as small as a point.
     let bend = |c: &Cycle<T>| {
         if c.is_centred() {
             f64::INFINITY
@@ -53,7 +53,7 @@ pub(crate) fn concurrency<T: Real>(mut three: [Cycle<T>; 3]) -> (T, f64) {
     });
     three.swap(0, most);
     let size = |v: Vector<T>| v.x.value().hypot(v.y.value());
-    // Terms of a length near the parts are as those of size one; what turns with a long arm is far at other orientations.
+    // Lengths near the parts count as one; a point with a long arm is far away at other orientations.
     let far = |length: f64| (length / LONGEST).max(1.0);
     let base = &three[0];
     if base.is_line() {
@@ -99,16 +99,16 @@ pub(crate) struct Passing<'a> {
     pub(crate) y: &'a Branch,
 }
 
-/// Where a branch is along its sheet's curve at the beginning, in the middle and at the end of a narrow interval.
+/// Places of a branch along its sheet's curve at the beginning, in the middle and at the end of a narrow interval.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sample {
     places: [Exact; 3],
-    /// Bound on what the parabola through these leaves out.
+    /// Bound on the deviation from the parabola through these.
     rest: f64,
 }
 
 impl Sample {
-    /// Of a branch on a sheet; `None` where its crossing is too blunt for the interval.
+    /// Samples a branch on a sheet; `None` where it crosses at too small an angle for the interval.
     pub(crate) fn new(
         geometry: &Geometry,
         sheet: u32,
@@ -116,10 +116,10 @@ impl Sample {
         b: &Branch,
         length: f64,
     ) -> Option<Self> {
-        /// How fast the square of the sine of the angle of crossing changes at most, per radian, times the least radius: where
-        /// it vanishes places are singular.
+        /// Bound, per radian, on the rate of change of the squared sine of the angle of crossing, times the smallest radius: where the sine
+        /// vanishes, places are singular.
         const SPEED: f64 = 16.0;
-        /// The largest share of that which the interval may be.
+        /// Largest admissible length of the interval as a share of the distance to such a singularity.
         const NARROW: f64 = 1e-2;
         let sheets = &geometry.contacts.sheets;
         let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
@@ -132,7 +132,8 @@ impl Sample {
         })
     }
 
-    /// Whether the order of two branches changes once in the interval, or never; `None` if that is not certain.
+    /// Whether the order of two branches changes once in the interval (`Some(true)`) or never (`Some(false)`); `None` if that is not
+    /// certain.
     fn change(&self, other: &Self) -> Option<bool> {
         let d = [0, 1, 2].map(|i| (self.places[i] - other.places[i]).to_f64());
         let rest = self.rest + other.rest;
@@ -154,7 +155,8 @@ impl Sample {
 }
 
 impl Passing<'_> {
-    /// The same as [`isolate`](Self::isolate) in a narrow interval, if samples of both branches there are enough to tell.
+    /// Finds passings as [`isolate`](Self::isolate) does, in a narrow interval, from samples of both branches. Returns whether the samples
+    /// decide.
     pub(crate) fn told_by(
         &self,
         [x, y]: [&Sample; 2],
@@ -174,8 +176,8 @@ impl Passing<'_> {
         }
     }
 
-    /// Finds every orientation at which the two branches pass each other, and tells in how many parts of the interval the
-    /// polynomial told nothing. `f` is it in doubles; `None` where these are not asked.
+    /// Finds every orientation at which the two branches pass each other. Returns the number of parts of the interval in which the sign of
+    /// the polynomial is not known. `f` is the polynomial in f64; `None` if f64 is not to be used.
     pub(crate) fn isolate(
         &self,
         f: Option<&TrigPolynomial>,
@@ -183,13 +185,13 @@ impl Passing<'_> {
         hi: Exact,
         found: &mut impl FnMut(Moment),
     ) -> u64 {
-        /// How far around a meeting that doubles tell, at least (radians).
+        /// Minimum distance around a meeting at which f64 decides (radians).
         const AROUND: f64 = 1e-7;
-        // Where doubles tell nothing.
+        // Intervals in which f64 decides nothing.
         let mut unclear: Vec<(Exact, Exact)> = Vec::new();
         let mut vague: Vec<(Exact, Exact)> = Vec::new();
         let (first, last) = (lo.to_f64(), hi.to_f64());
-        // The ends are not rounded: there may be a meeting between an end and the double that is nearest to it.
+        // The ends are not rounded: there may be a meeting between an end and the nearest double.
         let exactly = |t: f64| match t {
             _ if t <= first => lo,
             _ if t >= last => hi,
@@ -206,7 +208,7 @@ impl Passing<'_> {
                     &mut |a, b| unclear.push((exactly(a), exactly(b))),
                 );
                 for (a, b) in brackets {
-                    // Which side of zero the value is on at an end may be beyond doubles, too.
+                    // The sign at an end may be unknown in f64, too.
                     let told = |t: f64| f.at(t).0.abs() > f.error();
                     if b - a <= 2.0 * NARROWEST || !told(a) || !told(b) {
                         unclear.push((exactly(a), exactly(b)));
@@ -247,14 +249,15 @@ impl Passing<'_> {
         count
     }
 
-    /// Where the two branches pass each other between two orientations, if their order changes: by secants, from where doubles
-    /// tell that it may be, halving where a secant leaves the interval or does not shorten it.
+    /// The orientation between two others at which the two branches pass each other, if their order changes: by secants, started where f64
+    /// indicates the root, and by halving where a secant leaves the interval or does not shorten it.
     ///
-    /// Where several crossings of the three carriers meet within little, the polynomial vanishes to a higher order than this does.
+    /// Where several crossings of the three carriers meet within a short interval, the polynomial vanishes to a higher order than the
+    /// difference of places does.
     fn change_of_order(&self, lo: Exact, hi: Exact, near: Option<f64>) -> Option<Moment> {
-        /// Smaller ones are rounding (length): where three carriers always share a point.
+        /// Length below which a difference is rounding: where three carriers always share a point.
         const NONE: f64 = 1e-29;
-        /// Two values that differ by more than so many times what rounding may have moved them determine a slope.
+        /// Ratio of the difference of two values to their rounding above which they determine a slope.
         const MARGIN: f64 = 16.0;
         let both = [self.x, self.y];
         let at = |theta: Exact| {
@@ -265,11 +268,11 @@ impl Passing<'_> {
         if at_a.is_negative() == at_b.is_negative() {
             return None;
         }
-        // The secant through the ends, and where it is zero.
+        // The secant through the ends, and its zero.
         let mut slope = (at_b - at_a) / (b - a);
         let mut c = near.map_or_else(|| a - at_a / slope, Exact::from);
         let mut last: Option<(Exact, Exact)> = None;
-        // The longest step that counts as one of a secant.
+        // The longest step that counts as a secant step.
         let mut longest = (b - a).to_f64();
         for _ in 0..MOST_STEPS {
             if (b - a).to_f64() <= SAME_EXACT {
@@ -284,8 +287,7 @@ impl Passing<'_> {
             } else {
                 b = c;
             }
-            // The difference of two values that are rounding is no slope: where lines all but parallel cross, the places have few
-            // digits.
+            // The difference of two values that are rounding is not a slope: where almost parallel lines cross, the places have few digits.
             if let Some((before, at_before)) = last
                 && at_before.to_f64().abs() > MARGIN * NONE
                 && (at_c - at_before).to_f64().abs() > MARGIN * rounding
@@ -308,18 +310,18 @@ impl Passing<'_> {
         }
         let theta = (a + b).scaled(0.5);
         let (_, at_last) = last?;
-        // Places on opposite sides of a circle change their order, too.
+        // Places on opposite sides of a circle also change their order.
         if at_last.to_f64().abs() > NEAR {
             return None;
         }
         let error = (b - a).to_f64() + exact_error(NONE, slope.to_f64());
-        // It is between the orientations at which the order is known.
+        // The orientation is between those at which the order is known.
         let error = error.min((hi - lo).to_f64());
         Some(Moment { theta, error })
     }
 
-    /// What vanishes where the three carriers meet; `None` with a large arc: what turns with its radius leaves doubles few digits, and
-    /// places on it are not known in them.
+    /// The function that vanishes where the three carriers meet, in f64; `None` if a large arc is involved: terms that turn with its radius
+    /// leave few digits in f64, and places on it are not known in f64.
     pub(crate) fn rough_polynomial(&self) -> Option<TrigPolynomial> {
         let sheets = &self.geometry.contacts.sheets;
         let three = self.sheets().map(|s| &sheets[s as usize]);
@@ -327,13 +329,13 @@ impl Passing<'_> {
         (!flat).then(|| TrigPolynomial::sampled(|turn| concurrency(three.map(|s| s.cycle(turn)))))
     }
 
-    /// The same in double-double.
+    /// The function that vanishes where the three carriers meet, in double-double.
     fn polynomial(&self) -> TrigPolynomial<Exact> {
         let three = self.sheets();
         TrigPolynomial::sampled(|turn| concurrency(three.map(|s| self.geometry.cycle(s, turn))))
     }
 
-    /// The sheet and those of both branches.
+    /// The sheet, and the other sheets of both branches.
     fn sheets(&self) -> [u32; 3] {
         [
             self.sheet,
@@ -365,16 +367,15 @@ impl Passing<'_> {
         }
     }
 
-    /// The root in an interval in which there is one, by Newton's rule within a bracket; `None` if the two branches are apart
-    /// there.
+    /// The root in an interval that contains one, by Newton's method within a bracket; `None` if the two branches are apart there.
     fn refine(&self, f: &TrigPolynomial, mut lo: f64, mut hi: f64) -> Option<Event> {
-        /// Steps shorter than this are rounding, radians.
+        /// Length of a step below which it is rounding, radians.
         const SAME: f64 = 1e-15;
-        /// Rounding of an orientation, and what steps leave of it, radians.
+        /// Error of a root from rounding of the orientation and from the last step, radians.
         const ROOT_ERROR: f64 = 8.0 * SAME;
         let at_lo = f.at(lo).0;
         let mut theta = 0.5 * (lo + hi);
-        // Halving the bracket where a step leaves it or does not shorten it enough.
+        // The bracket is halved where a step leaves it or does not shorten it enough.
         let mut width = hi - lo;
         for _ in 0..100 {
             let (value, slope) = f.at(theta);
@@ -394,23 +395,23 @@ impl Passing<'_> {
             theta = next;
         }
         let d = self.gap(theta);
-        // How far the root is known, and with it the places: of lines that are nearly parallel these move fast.
+        // Accuracy of the root, and of the places there: for lines that are nearly parallel, places move fast.
         let off = f.error() / f.at(theta).1.abs() + ROOT_ERROR;
         let near = d.value.abs() <= NEAR + off * d.slope[0].abs();
         (near || d.value.is_nan()).then(|| event(theta, d.value, d.slope[0]))
     }
 }
 
-/// Branches further apart than this (length) where their order changes are not those that meet.
+/// Distance of branches (length), where their order changes, above which they are not the crossings that meet.
 const NEAR: f64 = 1e-4;
 
-/// Steps shorter than this are rounding in double-double, radians.
+/// Length of a step below which it is rounding in double-double, radians.
 const SAME_EXACT: f64 = 1e-30;
 
-/// Steps towards a meeting, at most.
+/// Maximum number of steps towards a meeting.
 const MOST_STEPS: usize = 200;
 
-/// Error of a root of a function that is known up to an error and has a slope there.
+/// Error of a root of a function, given the error of the function and its slope there.
 fn exact_error(error: f64, slope: f64) -> f64 {
     error / slope.abs().max(f64::MIN_POSITIVE) + SAME_EXACT
 }
@@ -420,7 +421,7 @@ fn exact_error(error: f64, slope: f64) -> f64 {
 fn event(theta: f64, off: f64, slope: f64) -> Event {
     /// Rounding of a place, in the pair's frame.
     const PLACE_ERROR: f64 = 64.0 * f64::EPSILON;
-    /// No larger error is reported, radians.
+    /// Largest error that is reported, radians.
     const LARGEST_ERROR: f64 = 1e-9;
     let error = (off.abs() + PLACE_ERROR) / slope.abs().max(f64::MIN_POSITIVE);
     let error = if error.is_nan() {

@@ -1,16 +1,16 @@
-//! Curves that face each other and pass each other along a piece, within one cluster of events.
+//! Curves that face each other and pass through each other along a piece, within one cluster of events.
 //!
-//! Two opposite sides of a pocket that closes are lines, and become one all along (`levels.rs`); or nearly so, as where one of
-//! them is slightly bowed. Then they cross, but the crossing runs through all that faces each other while the orientation changes
-//! by less than is told apart, so that there is none before and none after. What was in front of the other curve is behind it
-//! then: a cell that is there does not go on.
+//! Two opposite sides of a pocket that closes may be lines, which coincide along a piece (`levels.rs`), or nearly so, as where one of them
+//! is slightly bowed. Then they cross, but the crossing runs through the whole piece while the orientation changes by less than can be
+//! resolved, so that there is no crossing before and none after. The piece that was in front of the other curve is then behind it: a cell
+//! there must not be continued.
 
 use crate::contact::{Curve, Exact, Geometry, Orientation};
 use crate::geometry::Point;
 
 use crate::general::events::clusters::Clusters;
 
-/// A sheet of which some has come behind another sheet, within a cluster.
+/// A sheet of which a piece has come behind another sheet, within a cluster.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Pinch {
     pub(crate) sheet: u32,
@@ -18,14 +18,14 @@ pub(crate) struct Pinch {
     pub(crate) other: u32,
 }
 
-/// Those of a sheet at a cluster, of a sorted list.
+/// Pinches of a sheet at a cluster, from a sorted list.
 pub(crate) fn pinches_of(all: &[Pinch], sheet: u32, at: u32) -> &[Pinch] {
     let from = all.partition_point(|p| (p.sheet, p.at) < (sheet, at));
     let count = all[from..].partition_point(|p| (p.sheet, p.at) == (sheet, at));
     &all[from..from + count]
 }
 
-/// Whether of two sheets that do not cross just below and just above a cluster one comes behind the other where both are.
+/// Whether, of two sheets that do not cross just below and just above a cluster, one comes behind the other in the range where both exist.
 pub(crate) fn pinched(
     geometry: &Geometry,
     sheets: (u32, u32),
@@ -43,8 +43,8 @@ pub(crate) fn pinched(
         .any(|end| passes(&f, &g, end) || passes(&g, &f, end))
 }
 
-/// One of two sheets whose curves do not cross just below and just above a cluster, that is on different sides of the other
-/// then: all of it has passed in between.
+/// The sheet, of two whose curves do not cross just below and just above a cluster, that is on different sides of the other below and
+/// above: all of it has passed through in between.
 pub(crate) fn swallowed(
     geometry: &Geometry,
     (f, g): (u32, u32),
@@ -68,18 +68,18 @@ impl Pinch {
     }
 }
 
-/// Just below and just above a cluster.
+/// Orientations just below and just above a cluster.
 pub(crate) fn turns_beside(clusters: &Clusters, at: u32) -> [Orientation<Exact>; 2] {
     let (below, above) = clusters.exactly_beside(at);
     [below, above].map(Orientation::by)
 }
 
-/// A sheet's curves at two orientations.
+/// The curves of a sheet at two orientations.
 fn placed(geometry: &Geometry, sheet: u32, turns: &[Orientation<Exact>; 2]) -> [Curve<Exact>; 2] {
     [0, 1].map(|k: usize| geometry.curve(sheet, &turns[k]))
 }
 
-/// Whether a curve passes a point that is beside it before and after.
+/// Whether a curve passes a point that is beside it at both orientations.
 fn is_passed(curve: &[Curve<Exact>; 2], point: [Point<Exact>; 2]) -> bool {
     let sides = [0, 1].map(|k: usize| curve[k].is_free(point[k]));
     matches!(sides, [Some(a), Some(b)] if a != b)

@@ -1,4 +1,4 @@
-//! Where branches lie along the contact curve of a sheet at one orientation.
+//! Places of branches along the contact curve of a sheet at one orientation.
 
 use crate::contact::{Curve, Cycle, Exact, Geometry, Orientation, Precision};
 use crate::geometry::{Point, Vector};
@@ -6,7 +6,7 @@ use crate::number::Real;
 
 use crate::general::events::branch::Branch;
 
-/// A sheet at one orientation, able to place branches along its curve.
+/// A sheet at one orientation, prepared for placing branches along its curve.
 pub(crate) struct Placing<'a, T = f64> {
     geometry: &'a Geometry,
     index: u32,
@@ -14,7 +14,7 @@ pub(crate) struct Placing<'a, T = f64> {
     curve: Curve<T>,
 }
 
-/// Where a branch comes among those on a curve.
+/// Rank of a branch among those on a curve.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rank {
     pub(crate) rank: f64,
@@ -39,25 +39,25 @@ impl<'a, T: Precision> Placing<'a, T> {
         }
     }
 
-    /// The place of a branch: length of travel from about the middle of the curve. Where the crossing is just lost, the
-    /// nearest place to one.
+    /// The place of a branch: length of travel from about the middle of the curve. Where the crossing has just disappeared, the nearest
+    /// place to one.
     pub(crate) fn place(&self, b: &Branch) -> T {
         self.curve.length_to(self.crossed_by(b).1)
     }
 
-    /// What orders branches by their places, as the places themselves would, at less cost: see [`Cycle::rank`].
+    /// Value that orders branches as their places do, at less cost: see [`Cycle::rank`].
     pub(crate) fn rank(&self, b: &Branch) -> T {
         self.curve.rank(self.crossed_by(b).1)
     }
 
-    /// What a branch crosses the curve with, and at which place of its cycle.
+    /// The curve that a branch crosses this one with, and the place of the crossing on its cycle.
     fn crossed_by(&self, b: &Branch) -> (Cycle<T>, Vector<T>) {
         let other = self.geometry.cycle(b.other(self.index), self.at.turn);
         let place = (self.curve.cycle).root(&other, b.root, b.second == self.index);
         (other, place)
     }
 
-    /// The sine of the angle at which a branch crosses the curve, about.
+    /// Approximate sine of the angle at which a branch crosses the curve.
     pub(crate) fn sharpness(&self, b: &Branch) -> f64 {
         let (other, v) = self.crossed_by(b);
         sharpness(&self.curve.cycle, &other, v)
@@ -81,8 +81,8 @@ fn sharpness<T: Real>(cycle: &Cycle<T>, other: &Cycle<T>, place: Vector<T>) -> f
     m.cross(n).value().abs()
 }
 
-/// How far rounding in double-double may have moved the place where two sheets cross, on the cycle of the first (length): circles are
-/// known by their centres, and the larger they are and the blunter they cross, the worse a place is known.
+/// Bound, in double-double, of the rounding of the place where two sheets cross, on the cycle of the first (length): circles are given by
+/// their centres, and the larger they are and the smaller the angle, the larger the error of a place.
 pub(super) fn rounding(
     geometry: &Geometry,
     sheets: [u32; 2],
@@ -95,7 +95,7 @@ pub(super) fn rounding(
 }
 
 impl Placing<'_, Exact> {
-    /// The place of a branch, and how far [rounding] may have moved it (length).
+    /// The place of a branch, and its [rounding] (length).
     pub(crate) fn place_and_rounding(&self, b: &Branch) -> (Exact, f64) {
         let (other, v) = self.crossed_by(b);
         let sheets = [self.index, b.other(self.index)];
@@ -122,9 +122,9 @@ impl Placing<'_> {
         self.curve.half
     }
 
-    /// How fast the ends move, and what they cross there (length per radian).
+    /// Largest speed of the ends, and of the crossings there (length per radian).
     pub(crate) fn speed(&self) -> f64 {
-        /// The largest speed of what is told about a centre near the parts.
+        /// Largest speed of points given relative to a centre near the parts.
         const SPEED: f64 = 4.0;
         let sheet = &self.geometry.contacts.sheets[self.index as usize];
         if !sheet.is_flat() {
@@ -134,7 +134,7 @@ impl Placing<'_> {
         SPEED + ends[0].max(ends[1])
     }
 
-    /// Where a branch crosses the cycle, and the rounding error of the place; infinite where it is not known, and of large circles.
+    /// Place where a branch crosses the cycle, and its rounding error; infinite where the place is not known, and for large circles.
     pub(crate) fn place_and_error(&self, b: &Branch) -> (Vector, f64) {
         let (other, place) = self.crossed_by(b);
         let cycle = &self.curve.cycle;
@@ -144,7 +144,7 @@ impl Placing<'_> {
         (place, cycle.place_error(&other, place))
     }
 
-    /// The place, not beyond the ends of the curve, and its rounding error.
+    /// The place, limited to the ends of the curve, and its rounding error.
     pub(crate) fn within(&self, b: &Branch) -> (f64, f64) {
         let (v, error) = self.place_and_error(b);
         if !error.is_finite() {
@@ -154,7 +154,7 @@ impl Placing<'_> {
         (self.curve.length_to(v).clamp(-half, half), error)
     }
 
-    /// What orders branches by their places; with the place on the cycle, and its error.
+    /// Value that orders branches as their places do, with the place on the cycle and its error.
     pub(crate) fn ranking(&self, b: &Branch) -> Rank {
         let (place, error) = self.place_and_error(b);
         let rank = self.curve.rank(place);

@@ -1,4 +1,4 @@
-//! The branches of crossings of two sheets, between the events at which crossings come and go.
+//! Branches of crossings of two sheets, between the events at which crossings appear and disappear.
 
 use crate::contact::{Exact, Geometry, Orientation, Sheet, crossings};
 use crate::geometry::Rotation;
@@ -10,7 +10,7 @@ use crate::general::events::clusters::{Clusters, Moment};
 use crate::general::events::coming::PairEvents;
 use crate::general::events::pinches::{Pinch, pinched, swallowed, turns_beside};
 
-/// Two sheets whose curves lie on one carrier at one orientation, not before and not after.
+/// Two sheets whose curves lie on one carrier at one orientation, but not before and after.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coincidence {
     pub(crate) first: u32,
@@ -18,7 +18,7 @@ pub(crate) struct Coincidence {
     pub(crate) at: u32,
 }
 
-/// When two sheets may cross or touch at all: from the first cluster at which something happens between them to the last.
+/// Clusters between which two sheets may cross or touch: from their first common event to the last.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Encounter {
     pub(crate) first: u32,
@@ -27,21 +27,21 @@ pub(crate) struct Encounter {
     pub(crate) to: u32,
 }
 
-/// What there is between two sheets.
+/// Branches and events between pairs of sheets.
 #[derive(Debug, Default)]
 pub(crate) struct Traced {
-    /// Sorted by their sheets and then by orientation.
+    /// Branches, sorted by their sheets and then by orientation.
     pub(crate) branches: Vec<Branch>,
     pub(crate) coincidences: Vec<Coincidence>,
-    /// Sheets so short that they pass another within one cluster, and where: what they are does not go on beyond.
+    /// Pairs (sheet, cluster): the sheet crosses another one completely within the cluster, so it must not be continued past it.
     pub(crate) swallowed: Vec<(u32, u32)>,
-    /// Sheets of which some comes behind another within one cluster.
+    /// Sheets of which a piece passes behind another sheet within one cluster.
     pub(crate) pinches: Vec<Pinch>,
-    /// Sorted like the branches.
+    /// Encounters, sorted like the branches.
     pub(crate) encounters: Vec<Encounter>,
 }
 
-/// All branches, coincidences and encounters.
+/// Finds all branches, coincidences and encounters.
 pub(crate) fn branches(
     geometry: &Geometry,
     pairs: &[PairRun],
@@ -89,7 +89,7 @@ impl Tracer<'_> {
         self.times
             .extend(events.iter().map(|e| clusters.index(e.theta)));
         self.times.sort_unstable();
-        /// A short curve passes another with both its ends at once.
+        /// A short curve passes another one with both its ends at once.
         const ENDS: usize = 2;
         let passing: Vec<u32> = (self.times.chunk_by(|a, b| a == b))
             .filter(|c| c.len() >= ENDS)
@@ -100,7 +100,7 @@ impl Tracer<'_> {
         let at_once = (self.times.chunk_by(|a, b| a == b))
             .filter(|c| c.len() >= EVENTS_AT_ONCE)
             .map(|c| c[0]);
-        // A curve of a line comes and goes with all its length; some of the four may then be just beyond.
+        // A curve on a line appears and disappears with all its length; some of the four events may then be just beyond.
         let sheets = &self.geometry.contacts.sheets;
         let (f, g) = (&sheets[run.first as usize], &sheets[run.second as usize]);
         let begins = run.lo <= f.from || run.lo <= g.from;
@@ -186,21 +186,21 @@ impl Tracer<'_> {
 
 /// Whether the curves of two sheets lie on one line or circle at an orientation.
 fn coincide(geometry: &Geometry, run: &PairRun, theta: Exact) -> bool {
-    /// Orientations at which circles become one are known to the square root of the rounding (length, and sine of an angle).
+    /// Tolerance for carriers that coincide: the orientation is known to the square root of the rounding (length, and sine of an angle).
     const SAME: f64 = 1e-14;
     let turn = Rotation::by(theta);
     let [f, g] = [run.first, run.second].map(|s| geometry.cycle(s, turn));
     f.is_one_with(&g, SAME)
 }
 
-/// For each root whether the curves cross there in double-double, and if so whether the first enters.
+/// For each root, whether the curves cross there in double-double, and if so whether the first enters the blocked side of the second.
 fn exact_crossings_between(geometry: &Geometry, run: &PairRun, theta: Exact) -> [Option<bool>; 2] {
     let at = Orientation::by(theta);
     let [f, g] = [run.first, run.second].map(|s| geometry.curve(s, &at));
     crossings(&f, &g, corners(geometry, run))
 }
 
-/// The same as [`exact_crossings_between`] in doubles.
+/// Computes [`exact_crossings_between`] in f64.
 fn crossings_between(geometry: &Geometry, run: &PairRun, theta: f64) -> [Option<bool>; 2] {
     let [f, g] = [run.first, run.second].map(|s| &geometry.contacts.sheets[s as usize]);
     let at = Orientation::by(theta);

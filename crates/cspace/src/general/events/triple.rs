@@ -1,7 +1,7 @@
 //! Orientations at which three sheets meet: two branches on a sheet pass each other.
 //!
-//! On every sheet, between two clusters in which the same branches exist, those pairs are looked at whose passing could
-//! change which gaps bound free space.
+//! On every sheet, between two clusters in which the same branches exist, the pairs of branches are examined whose passing could change
+//! which gaps bound free space.
 
 use std::collections::HashMap;
 
@@ -19,13 +19,13 @@ use crate::general::events::passing::{Passing, Sample};
 use crate::general::events::placing::Placing;
 use crate::general::events::trace::Traced;
 
-/// In intervals narrower than this (radians) samples of branches tell which of them pass each other.
+/// Width of an interval (radians) below which samples of branches decide which of them pass each other.
 const NARROW: f64 = 1e-5;
 
 /// Sheets searched at a time by one thread.
 const CHUNK: usize = 32;
 
-/// All orientations at which branches pass each other on a sheet where that can matter, with the sheet.
+/// All orientations at which branches pass each other on a sheet, where this can matter, with the sheet.
 pub(crate) fn triple_events(
     geometry: &Geometry,
     traced: &Traced,
@@ -38,7 +38,7 @@ pub(crate) fn triple_events(
         let mut all = Triples::default();
         for sheet in (first as u32..).take(sheets.len()) {
             let list = on_sheet.of(sheet);
-            // Two branches at least, that pass each other.
+            // At least two branches are needed.
             if list.len() < 2 {
                 continue;
             }
@@ -74,13 +74,13 @@ pub(crate) struct Meeting {
     pub(crate) event: Moment,
 }
 
-/// What was found, and how.
+/// Events found, and counts of how they were decided.
 #[derive(Debug, Default)]
 pub(crate) struct Triples {
     pub(crate) events: Vec<Meeting>,
     /// Intervals in which two branches may pass each other.
     pub(crate) isolated: u64,
-    /// Parts of them in which the polynomial tells nothing.
+    /// Parts of these intervals in which the sign of the polynomial cannot be determined.
     pub(crate) by_places: u64,
 }
 
@@ -91,10 +91,10 @@ impl Triples {
         self.by_places += other.by_places;
     }
 
-    /// Where three sheets meet, branches pass each other on each of them. That is one event: each is made to cover what was
-    /// found on the others, which differs by more than its own rounding where the sheets are all but tangent.
+    /// Unifies events of the same three sheets: where three sheets meet, branches pass each other on each of them. Each event is extended
+    /// to cover those found on the others, which differ by more than their own rounding where the sheets are almost tangent.
     fn agree(&mut self) {
-        /// Meetings of the same three sheets that are nearer than this (radians) are one.
+        /// Distance (radians) below which meetings of the same three sheets are one.
         const SAME_MEETING: f64 = 1e-20;
         let order = |a: &Meeting, b: &Meeting| {
             (a.three.cmp(&b.three))
@@ -125,8 +125,8 @@ struct Search<'a> {
     clusters: &'a Clusters,
     sheet: u32,
     gaps: Gaps,
-    /// What vanishes in doubles where two branches pass each other, for pairs already looked at; `None` for pairs that never do, or
-    /// within that if a large arc is involved, of which doubles tell nothing.
+    /// Polynomials, in f64, that vanish where two branches pass each other, by pair of branches. `None` for pairs that never do;
+    /// `Some(None)` until computed; `Some(Some(None))` if a large arc is involved, for which f64 decides nothing.
     concurrencies: HashMap<(u32, u32), Option<Option<Option<TrigPolynomial>>>>,
     found: Triples,
 }
@@ -139,9 +139,9 @@ struct Window<'w, 'a> {
     hi: Exact,
     /// For every two of its branches, by their indices, the events found: a range of the list of events.
     found: Vec<Option<(u32, u32)>>,
-    /// Where branches are, in a narrow window: of each that was asked for, if it can be told.
+    /// Samples of branches in a narrow window: for each one requested, if it can be sampled.
     samples: Vec<Option<Option<Sample>>>,
-    /// The sheet at the beginning, in the middle and at the end of a narrow window.
+    /// Placings of the sheet at the beginning, in the middle and at the end of a narrow window.
     placings: Option<[Placing<'a, Exact>; 3]>,
 }
 
@@ -175,7 +175,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at a part of a window, and again at its pieces if some branches pass each other.
+    /// Searches a part of a window, and recursively its pieces if some branches pass each other.
     fn slab(&mut self, window: &mut Window<'_, 'a>, lo: Exact, hi: Exact) {
         let mut gaps = core::mem::take(&mut self.gaps);
         gaps.arrange(
@@ -220,7 +220,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Where a branch of a narrow window, given by its index there, is at its beginning, in the middle and at its end.
+    /// Samples a branch of a narrow window, given by its index there, at the window's beginning, middle and end.
     fn sample(&self, window: &mut Window<'_, 'a>, index: usize, b: &Branch) -> Option<Sample> {
         let (lo, hi) = (window.lo, window.hi);
         let length = (hi - lo).to_f64();

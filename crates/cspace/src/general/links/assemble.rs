@@ -1,4 +1,4 @@
-//! From free cells to the contact graph: chains of cells become patches, and patches are copied from slab to slab.
+//! Builds the contact graph from free cells: chains of cells become patches, and patches are copied to all periods.
 
 use std::collections::BTreeSet;
 
@@ -22,20 +22,20 @@ use crate::space::{
     Boundary, FreeRegion, Patch, SideLink, Surface, VerticalLink, Walk, Window, bands,
 };
 
-/// Everything the graph is made from. It is large, and each part of it goes when it is not needed any more.
+/// Input of the graph. It is large, and each part is dropped when it is no longer needed.
 pub(crate) struct Assembler<'a> {
     pub(crate) geometry: &'a Geometry,
     pub(crate) clusters: Clusters,
     pub(crate) branches: Vec<Branch>,
     pub(crate) cells: Vec<Cell>,
     pub(crate) shells: Shells,
-    /// Orientations that are in doubt in the slab that was computed.
+    /// Doubtful orientations of the period that was computed.
     pub(crate) doubtful: Vec<(f64, f64)>,
     pub(crate) window: Window,
     pub(crate) names: &'a Names,
 }
 
-/// Patches and links, which do not know their regions yet.
+/// Patches and links, before regions are assigned.
 pub(crate) struct Linked {
     window: Window,
     critical_orientations: Vec<f64>,
@@ -47,7 +47,7 @@ pub(crate) struct Linked {
     copying: Copying,
 }
 
-/// The contact graph: all of a contact space that is found by computing.
+/// The contact graph: the computed part of a contact space.
 pub(crate) struct Graph {
     pub(crate) critical_orientations: Vec<f64>,
     pub(crate) patches: Vec<Patch>,
@@ -83,11 +83,11 @@ impl Assembler<'_> {
             })
     }
 
-    /// `None` if there are more patches than a contact space has room for.
+    /// Links the cells; `None` if there are more patches than the limit.
     pub(crate) fn link(mut self) -> Option<Linked> {
         self.drop_blocked();
         let mut chains = self.linker().chains(&self.shells);
-        // Chains are made of contacts in the order in which they were found; links come in that of orientations.
+        // Chains are made from contacts in the order in which they were found; links come in order of orientation.
         parallel::sort_by(&mut self.shells.vertical, |a, b| a.at.cmp(&b.at));
         let steps = self.geometry.contacts.period.steps;
         let repeats = self.geometry.contacts.span.full;
@@ -141,7 +141,7 @@ impl Assembler<'_> {
         })
     }
 
-    /// Patches are made of free cells: others, most of all, and what they touch are not asked for any more.
+    /// Drops the cells that are blocked, which are the most, and their contacts: patches are made of free cells.
     fn drop_blocked(&mut self) {
         let shells = &mut self.shells;
         let free = core::mem::take(&mut shells.free);
@@ -177,9 +177,9 @@ impl Assembler<'_> {
         shells.side.shrink_to_fit();
     }
 
-    /// Every copy of every chain.
+    /// Patches of all copies of all chains.
     fn patches(&self, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Patch> {
-        /// A thread is given so many patches at least.
+        /// Minimum number of patches per thread.
         const PATCHES: usize = 256;
         let period = &self.geometry.contacts.period;
         let fixed = Images::new(&self.geometry.fixed, &period.fixed.features);
@@ -203,7 +203,7 @@ impl Assembler<'_> {
         })
     }
 
-    /// The patch of a chain in the slab of its first cell.
+    /// The patch of a chain in the period of its first cell.
     fn patch(&self, linker: &Linker<'_>, chain: &Chain) -> Patch {
         let cell = &linker.cells[chain.first as usize];
         let sheet = linker.sheet(chain.first);
@@ -234,7 +234,7 @@ impl Assembler<'_> {
 }
 
 impl Linked {
-    /// The slice at an orientation of the window, as positions at another that differs from it by whole turns.
+    /// The slice at `theta`, an orientation of the window, with positions given at `asked`, which differs from it by whole turns.
     pub(crate) fn slice(&self, theta: f64, asked: f64, frame: &PairFrame) -> Slice {
         let walk = Walk::new(self.patches.len(), &self.side_links, &self.vertical_links);
         let surface = Surface {
@@ -249,7 +249,7 @@ impl Linked {
         surface.slice_of(theta, asked, 0..self.patches.len() as u32)
     }
 
-    /// The graph: what follows from the links, and the regions.
+    /// Completes the graph by critical orientations and regions.
     pub(crate) fn graph(self, frame: &PairFrame) -> Graph {
         let Self {
             window,
@@ -288,7 +288,7 @@ impl Linked {
     }
 }
 
-/// The shell of each patch, unless an end of the window cuts it: what hangs together beyond does not count.
+/// The shell of each patch, unless an end of the window cuts it: connections beyond the window do not count.
 fn shells_of_patches(all: &Shells, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Option<u32>> {
     let shell = |c: &Chain| all.shell[c.first as usize];
     let cut: BTreeSet<u32> = ((0u32..).zip(&chains.chains))
@@ -307,7 +307,7 @@ fn shells_of_patches(all: &Shells, chains: &Chains, lifts: &Lifts<'_>) -> Vec<Op
     shells
 }
 
-/// A patch's surface and bounds some slabs further.
+/// A patch moved up by some periods: its surface and bounds.
 fn copied(patch: &Patch, motion: &SlabMotion) -> Patch {
     let boundary = |b: Boundary| match b {
         Boundary::End { spiral } => Boundary::End {
@@ -326,17 +326,17 @@ fn copied(patch: &Patch, motion: &SlabMotion) -> Patch {
     }
 }
 
-/// Where the features of a part are after some slabs: going around, each comes back to where it was.
+/// Images of the features of a part after some periods: each feature returns to itself after one cycle of the permutation.
 struct Images<'a> {
     outline: &'a Outline,
-    /// Rounds of features, one after the other.
+    /// Cycles of the permutation, one after the other.
     rounds: Vec<u32>,
-    /// For each feature where its round begins, how long it is, and where in it the feature is.
+    /// For each feature, the beginning of its cycle, the cycle's length, and the feature's position in it.
     places: Vec<[u32; 3]>,
 }
 
 impl<'a> Images<'a> {
-    /// From where one slab takes each feature.
+    /// Images from the permutation of the features by one period.
     fn new(outline: &'a Outline, one_slab: &[u32]) -> Self {
         const NONE: [u32; 3] = [u32::MAX; 3];
         let mut rounds = Vec::with_capacity(one_slab.len());

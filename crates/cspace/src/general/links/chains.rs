@@ -1,4 +1,4 @@
-//! Chains of free cells that continue each other with nothing changed: each makes a patch, and all its copies.
+//! Chains of free cells that continue each other without a change of bounds: each makes a patch, and all its copies.
 
 use core::f64::consts::TAU;
 
@@ -9,8 +9,7 @@ use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::verdict::shells::Shells;
 
-/// What a bound of a cell is, in terms that do not depend on how sheets were cut: an end of features, or a crossing
-/// with a feature pair.
+/// Bound of a cell, in terms that do not depend on how sheets were cut: an end of features, or a crossing with a feature pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum BoundKey {
     End(u32),
@@ -22,7 +21,7 @@ enum BoundKey {
     },
 }
 
-/// A cluster seen from some number of slabs below.
+/// A cluster, and the number of periods by which it lies above the reference period.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Place {
     pub(crate) cluster: u32,
@@ -34,26 +33,26 @@ pub(crate) struct Place {
 pub(crate) struct Chain {
     pub(crate) first: u32,
     pub(crate) last: u32,
-    /// Where it begins, in the slab of its first cell, and where it ends.
+    /// Beginning, in the period of its first cell, and end.
     pub(crate) from: Place,
     pub(crate) to: Place,
-    /// The same in radians.
+    /// Orientations of both ends, in radians.
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether it goes around the whole turn and continues itself.
+    /// Whether the chain goes around the whole turn and continues itself.
     pub(crate) closed: bool,
 }
 
-/// The chain a cell is in.
+/// The chain of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Member {
     pub(crate) chain: u32,
-    /// How many slabs above the chain's first cell.
+    /// Number of periods above the chain's first cell.
     pub(crate) slabs: i32,
 }
 
 impl Member {
-    /// In place of a member: the cell is in no chain.
+    /// Placeholder: the cell is in no chain.
     const NONE: Self = Self {
         chain: NONE,
         slabs: 0,
@@ -63,7 +62,7 @@ impl Member {
         self.chain != NONE
     }
 
-    /// How many slabs above the chain's first cell.
+    /// Number of periods above the chain's first cell.
     pub(crate) fn slabs(self) -> i64 {
         i64::from(self.slabs)
     }
@@ -73,11 +72,11 @@ impl Member {
 #[derive(Debug)]
 pub(crate) struct Chains {
     pub(crate) chains: Vec<Chain>,
-    /// For every cell its chain, if it is free.
+    /// For every cell its chain, if the cell is free.
     pub(crate) members: Members,
 }
 
-/// The chains of cells.
+/// For every cell its chain.
 #[derive(Debug, Default)]
 pub(crate) struct Members(Vec<Member>);
 
@@ -88,7 +87,7 @@ impl Members {
     }
 }
 
-/// What chains are made of.
+/// Data from which chains are linked.
 #[derive(Clone, Copy)]
 pub(crate) struct Linker<'a> {
     pub(crate) geometry: &'a Geometry,
@@ -97,7 +96,7 @@ pub(crate) struct Linker<'a> {
     pub(crate) cells: &'a [Cell],
 }
 
-/// In place of a cell: none.
+/// Placeholder for a cell.
 const NONE: u32 = u32::MAX;
 
 impl<'a> Linker<'a> {
@@ -111,12 +110,12 @@ impl<'a> Linker<'a> {
         (self.geometry).rounded_curve(self.cells[cell as usize].sheet, theta, turn)
     }
 
-    /// Whether a cell ends where the slab does, and goes on at its beginning.
+    /// Whether a cell ends at the end of the period, and continues at its beginning.
     pub(crate) fn is_wrap(&self, lower: u32) -> bool {
         matches!(self.sheet(lower).top, Seam::Wrap(..)) && self.cells[lower as usize].at_top
     }
 
-    /// The name of a branch's root as seen from one of its sheets: sides are exchanged between two circles, and with a large one.
+    /// The number of a branch's root as seen from one of its sheets: sides are exchanged between two circles, and with a large circle.
     pub(crate) fn own_root(&self, b: &Branch, sheet: u32) -> u8 {
         let sheets = &self.geometry.contacts.sheets;
         let (f, g) = (&sheets[b.first as usize], &sheets[b.second as usize]);
@@ -128,7 +127,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    /// What bounds a cell; `below` asks for what does so one slab lower.
+    /// Bounds of a cell; with `below`, the corresponding bounds one period lower.
     fn keys(&self, cell: u32, below: bool) -> [BoundKey; 2] {
         let c = &self.cells[cell as usize];
         let sheet = self.sheet(cell);
@@ -158,7 +157,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    /// Whether the upper cell is the lower one once more: the same features between the same bounds.
+    /// Whether the upper cell continues the lower one without a change: the same features between the same bounds.
     fn same(&self, lower: u32, upper: u32) -> bool {
         let below = self.is_wrap(lower);
         self.pair(self.sheet(lower), below) == self.pair(self.sheet(upper), false)
@@ -177,9 +176,9 @@ impl<'a> Linker<'a> {
             }
         }
         let mut members = vec![Member::NONE; n];
-        // Chains with the smallest cell of each.
+        // Chains, with the smallest cell of each.
         let mut found: Vec<(u32, Chain)> = Vec::new();
-        // First the chains with a first cell; what is left goes around.
+        // First the chains with a first cell; the remaining ones go around the turn.
         for first in [true, false] {
             for i in 0..n as u32 {
                 let free = shells.free[i as usize] && !members[i as usize].is_some();
@@ -189,7 +188,7 @@ impl<'a> Linker<'a> {
                 }
             }
         }
-        // In the order of their smallest cells, whichever way they were found.
+        // Chains are in the order of their smallest cells, however they were found.
         let mut order: Vec<u32> = (0..found.len() as u32).collect();
         order.sort_by_key(|&c| found[c as usize].0);
         let mut rank = vec![0u32; found.len()];
@@ -206,7 +205,7 @@ impl<'a> Linker<'a> {
         }
     }
 
-    /// Follows cells upwards as long as they are new, and for no more than a turn.
+    /// Follows cells upwards as long as they are in no chain, and for at most a turn.
     fn follow(&self, first: u32, chain: u32, up: &[u32], members: &mut [Member]) -> (u32, Chain) {
         let steps = &self.geometry.contacts.period.steps;
         let from = Place {

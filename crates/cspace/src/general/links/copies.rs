@@ -1,4 +1,4 @@
-//! From one slab to all orientations: which copies of every patch there are, and where.
+//! Copies of every patch of one period over all orientations.
 
 use core::f64::consts::{PI, TAU};
 use core::ops::Range;
@@ -11,7 +11,7 @@ use crate::general::events::clusters::Clusters;
 use crate::general::links::chains::{Chain, Place};
 use crate::space::Window;
 
-/// The copies of one chain: patches numbered on from `base`, the first of them `first` slabs up.
+/// The copies of one chain: patches with consecutive numbers from `base`, the first of them moved up by `first` periods.
 #[derive(Debug, Clone, Copy)]
 struct Copies {
     base: u32,
@@ -20,18 +20,19 @@ struct Copies {
     closed: bool,
 }
 
-/// Copies of chains shifted by whole slabs (figure 4 of Sacks 1999), as far as the window has room for them.
+/// Copies of chains shifted by whole periods (figure 4 of Sacks 1999), as far as they overlap the window.
 pub(crate) struct Lifts<'a> {
     pub(crate) steps: Steps,
     window: Window,
-    /// Whether the chains are those of a slab that repeats.
+    /// Whether the chains are those of a period that repeats.
     repeats: bool,
     clusters: &'a Clusters,
     copies: Vec<Copies>,
 }
 
 impl<'a> Lifts<'a> {
-    /// `repeats` tells that the chains are those of a full turn or a slab of it, not those of a window and a little more.
+    /// Copies of the chains in a window. `repeats`: the chains are those of a full turn or a period of it, not those of a window with its
+    /// margin.
     pub(crate) fn new(
         chains: &[Chain],
         window: Window,
@@ -71,7 +72,8 @@ impl<'a> Lifts<'a> {
             .map_or(0, |c| (c.base.saturating_add(c.count)) as usize)
     }
 
-    /// The shifts, in slabs, with which an interval has more than the narrowest band in the window: first and number.
+    /// The shifts, in periods, with which an interval has more than the narrowest band, or than half of the window if that is less, in the
+    /// window: first and number.
     fn within(&self, lo: f64, hi: f64) -> (i64, u32) {
         let least = NARROWEST_BAND.min(0.5 * (self.window.hi - self.window.lo));
         if !self.repeats {
@@ -84,7 +86,7 @@ impl<'a> Lifts<'a> {
         (first as i64, (last - first + 1.0).max(0.0) as u32)
     }
 
-    /// The shifts with which an interval of the slab is to be looked at.
+    /// The shifts with which an interval of the period must be examined.
     pub(crate) fn shifts(&self, lo: f64, hi: f64) -> Range<i64> {
         let (first, count) = if self.window.full_turn {
             (0, self.steps.slabs)
@@ -94,7 +96,7 @@ impl<'a> Lifts<'a> {
         first..first + i64::from(count)
     }
 
-    /// All shifts, if every interval has the same.
+    /// All shifts, if they are equal for every interval.
     pub(crate) fn all_slabs(&self) -> Option<Range<i64>> {
         (self.window.full_turn).then(|| 0..i64::from(self.steps.slabs))
     }
@@ -105,15 +107,15 @@ impl<'a> Lifts<'a> {
         (c.first..).zip(c.base..c.base + c.count)
     }
 
-    /// The chain of a patch, and by how many slabs it is shifted.
+    /// The chain of a patch, and the number of periods by which it is shifted.
     pub(crate) fn chain_of(&self, patch: u32) -> (u32, i64) {
-        // A chain without patches has the number of the next one's first.
+        // A chain without patches has the number of the next chain's first patch.
         let chain = self.copies.partition_point(|c| c.base <= patch) - 1;
         let c = self.copies[chain];
         (chain as u32, c.first + i64::from(patch - c.base))
     }
 
-    /// The patch that a chain shifted by some slabs is, if the window has it.
+    /// The patch of a chain shifted by some periods, if it is in the window.
     pub(crate) fn patch(&self, chain: u32, slabs: i64) -> Option<u32> {
         let c = self.copies[chain as usize];
         let i = if self.around(c.closed) {
@@ -126,20 +128,20 @@ impl<'a> Lifts<'a> {
             .then(|| c.base + i as u32)
     }
 
-    /// Whether shifts by a whole turn are the same copy.
+    /// Whether shifts by a whole turn give the same copy.
     fn around(&self, closed: bool) -> bool {
         self.repeats && (self.window.full_turn || closed)
     }
 
-    /// The orientation of a place shifted by some slabs: in [−π, π) for a full turn. The same orientation always gives
-    /// the same number, whichever slab it is seen from.
+    /// The orientation of a place shifted by some periods: in [−π, π) for a full turn. One orientation always gives the same number,
+    /// whichever period it is counted from.
     pub(crate) fn orientation(&self, place: Place, slabs: i64) -> f64 {
         if !self.repeats {
             return self.clusters.at(place.cluster);
         }
         let mut slabs = slabs + i64::from(place.slabs);
         let mut cluster = place.cluster;
-        // The end of the slab is the beginning of the next.
+        // The end of a period is the beginning of the next.
         if cluster as usize + 1 == self.clusters.len() {
             (cluster, slabs) = (0, slabs + 1);
         }
@@ -152,7 +154,7 @@ impl<'a> Lifts<'a> {
         }
     }
 
-    /// The orientations of a chain shifted by some slabs, as far as they are in the window.
+    /// The orientations of a chain shifted by some periods, limited to the window.
     pub(crate) fn interval(&self, chain: &Chain, slabs: i64) -> (f64, f64) {
         if self.around(false) {
             let lo = self.orientation(chain.from, slabs);
@@ -169,7 +171,7 @@ impl<'a> Lifts<'a> {
         self.clipped(self.orientation(lo, slabs), self.orientation(hi, slabs))
     }
 
-    /// The part of an interval that is in the window, if the window is not the turn; what ends within the narrowest band
+    /// The part of an interval that is in the window, if the window is not the full turn; an interval that ends within the narrowest band
     /// of the window's end ends there.
     pub(crate) fn clipped(&self, lo: f64, hi: f64) -> (f64, f64) {
         if self.window.full_turn {
@@ -190,19 +192,19 @@ impl<'a> Lifts<'a> {
         )
     }
 
-    /// Whether something happens at an orientation of the window, and not at its end.
+    /// Whether an orientation of an event is inside the window, not at its end.
     pub(crate) fn is_inside(&self, theta: f64) -> bool {
         let Window { lo, hi, full_turn } = self.window;
         full_turn || (lo + NARROWEST_BAND < theta && theta < hi - NARROWEST_BAND)
     }
 
-    /// Whether the window holds a chain as a whole.
+    /// Whether the window contains a chain as a whole.
     pub(crate) fn is_whole(&self, chain: &Chain, slabs: i64) -> bool {
         let inside = |place| self.is_inside(self.orientation(place, slabs));
         self.window.full_turn || (!chain.closed && inside(chain.from) && inside(chain.to))
     }
 
-    /// An orientation brought by whole turns to where it is expected.
+    /// An orientation moved by whole turns near an expected one.
     pub(crate) fn near(&self, theta: f64, expected: f64) -> f64 {
         if self.around(false) {
             turned_near(theta, expected)
@@ -213,7 +215,7 @@ impl<'a> Lifts<'a> {
 
     /// Orientations, other than the window's own ends, at which a patch begins or ends.
     pub(crate) fn critical_orientations(&self, chains: &[Chain]) -> Vec<f64> {
-        // Each place once: of a full turn they are the same in all slabs.
+        // Places, each once: for a full turn they are the same in all periods.
         let mut places: Vec<(u32, i64)> = Vec::new();
         for (i, chain) in (0u32..).zip(chains).filter(|(_, c)| !c.closed) {
             let ends = [chain.from, chain.to];
@@ -244,7 +246,7 @@ impl<'a> Lifts<'a> {
         all
     }
 
-    /// How many bands were computed: those of one slab, if the space repeats.
+    /// Number of bands computed: those of one period, if the space repeats.
     pub(crate) fn computed_bands(&self, chains: &[Chain], bands: usize) -> usize {
         if !self.repeats {
             return bands;
@@ -259,11 +261,10 @@ impl<'a> Lifts<'a> {
     }
 }
 
-/// Orientations nearer than this, radians, are one that rounding has split.
+/// Distance of orientations, radians, below which they are one that was split by rounding.
 const SAME_ORIENTATION: f64 = 8.0 * f64::EPSILON;
 
-/// Brings an orientation to [−π, π); half a turn is −π, whichever side of it rounding or the perturbation of the
-/// parts has it on.
+/// Reduces an orientation to [−π, π); half a turn gives −π, on whichever side of it rounding or the perturbation of the parts has put it.
 pub(crate) fn normalized(theta: f64) -> f64 {
     let t = theta - TAU * ((theta + PI) / TAU).floor();
     if (t - PI).abs() <= NARROWEST_BAND || (t + PI).abs() <= NARROWEST_BAND {

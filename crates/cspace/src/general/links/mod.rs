@@ -1,4 +1,4 @@
-//! Links: chains of free cells become patches, with their neighbours.
+//! Links: chains of free cells become patches with neighbours.
 //!
 //! ```text
 //!   θ ↑      ┌─────────┐
@@ -8,8 +8,8 @@
 //!     │  └──────┴────────┘
 //! ```
 //!
-//! `chains.rs` puts cells together, `neighbours.rs` links patches, `copies.rs` repeats the slab of a symmetric pair (Figure 4 of Sacks
-//! 1999), `assemble.rs` makes the space and `regions.rs` finds which patches bound one region of free space.
+//! `chains.rs` joins cells, `neighbours.rs` links patches, `copies.rs` repeats the period of a symmetric pair (Figure 4 of Sacks 1999),
+//! `assemble.rs` makes the space and `regions.rs` finds which patches bound one region of free space.
 
 pub(crate) mod assemble;
 pub(crate) mod chains;

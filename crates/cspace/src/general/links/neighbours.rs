@@ -1,4 +1,4 @@
-//! Neighbours of patches: contacts of cells in one slab, copied to all.
+//! Neighbours of patches: contacts of cells in one period, copied to all.
 
 use crate::contact::Curve;
 use crate::parallel;
@@ -20,7 +20,7 @@ pub(crate) struct Links<'a> {
     pub(crate) lifts: &'a Lifts<'a>,
 }
 
-/// Two chains that follow each other, the second shifted by some slabs, over orientations seen from the first's slab.
+/// Two chains that follow each other, the second shifted by some periods, over orientations counted in the first chain's period.
 #[derive(Clone, Copy)]
 struct Following {
     before: u32,
@@ -30,7 +30,7 @@ struct Following {
     to: Place,
 }
 
-/// Clusters are at least the narrowest band apart; brought home by turns they differ by rounding, in radians.
+/// Tolerance for equal orientations, radians: clusters are at least the narrowest band apart; reduced by turns they differ by rounding.
 const SAME: f64 = crate::feature::tolerance::NARROWEST_BAND / 4.0;
 
 impl Links<'_> {
@@ -40,7 +40,7 @@ impl Links<'_> {
 
     /// Neighbours along the boundary, in order of the patch before and of orientation.
     pub(crate) fn side(&self) -> Vec<SideLink> {
-        // The copies of a chain are numbered on, so that what is made chain by chain is in order.
+        // The copies of a chain have consecutive numbers, so that links made chain by chain are in order.
         let following = self.following();
         let groups: Vec<&[Following]> = following.chunk_by(|a, b| a.before == b.before).collect();
         let parts = parallel::chunks(&groups, CHUNK, |_, groups| {
@@ -67,7 +67,7 @@ impl Links<'_> {
             let (Some(before), Some(after)) = (before, after) else {
                 continue;
             };
-            // Into the interval of the patch before.
+            // The orientation in the interval of the patch before.
             let (start, _) = self.lifts.interval(chain, slabs);
             let bring = |place: Place, theta: f64| {
                 let at = self.lifts.orientation(place, slabs);
@@ -88,7 +88,7 @@ impl Links<'_> {
         self.linker.clusters.at(place.cluster) + self.lifts.steps.period(i64::from(place.slabs))
     }
 
-    /// Side contacts of free cells, those that hang together as one.
+    /// Side contacts of free cells, with consecutive ones joined.
     fn following(&self) -> Vec<Following> {
         let mut pieces: Vec<Following> = (self.shells.side.iter())
             .filter_map(|s| {
@@ -123,8 +123,8 @@ impl Links<'_> {
         pieces
     }
 
-    /// Neighbours across critical orientations. Contacts are in order of their clusters: copied slab by slab, links are in order of
-    /// orientation but for few.
+    /// Neighbours across critical orientations. Contacts are in order of their clusters: copied period by period, links are nearly in order
+    /// of orientation.
     pub(crate) fn vertical(&self) -> Vec<VerticalLink> {
         let contacts = &self.shells.vertical;
         let pieces = |slabs: Option<i64>| contacts.chunks(CHUNK).map(move |c| (slabs, c));
@@ -144,21 +144,21 @@ impl Links<'_> {
         links
     }
 
-    /// The links that a contact of two cells makes, in one slab or in all.
+    /// The links that a contact of two cells makes, in one period or in all.
     fn lifted(&self, v: &VerticalContact, one: Option<i64>, links: &mut Vec<VerticalLink>) {
         let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
             return;
         };
-        // Seen from the lower cell's slab.
+        // Place of the contact in the lower cell's period.
         let shift = i64::from(self.linker.is_wrap(v.lower));
         let place = Place {
             cluster: v.at,
             slabs: 0,
         };
         let theta = self.linker.clusters.at(v.at);
-        // Within one chain nothing happens, so that most contacts need no curve.
+        // Contacts within one chain make no link, so most contacts need no curve.
         let mut curve = None;
-        // A little more than there are: rounding is not to lose one.
+        // A slightly larger range than necessary, so that rounding does not lose a link.
         let all = || self.lifts.shifts(theta - 0.1, theta + 0.1);
         for slabs in one.map_or_else(all, |slabs| slabs..slabs + 1) {
             let at = self.lifts.orientation(place, slabs);
@@ -170,7 +170,7 @@ impl Links<'_> {
             let (Some(below), Some(above)) = (below, above) else {
                 continue;
             };
-            // Unless a chain meets itself around the turn without being closed, nothing happens within it.
+            // Contacts within one chain make no link, unless a chain meets itself around the turn without being closed.
             let chain = &self.chains.chains[lower.chain as usize];
             if below == above && (chain.closed || chain.last != v.lower) {
                 continue;
@@ -185,7 +185,7 @@ impl Links<'_> {
         }
     }
 
-    /// What two cells share of their curve, some slabs further.
+    /// Piece of curve that two cells share, moved up by a number of periods.
     fn overlap(&self, curve: &Curve, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
         let steps = &self.lifts.steps;
         let curve = steps.motion(slabs).curve(curve);
@@ -193,7 +193,7 @@ impl Links<'_> {
     }
 }
 
-/// The links of one chain in order of the patch before, of orientation, and of the patch after; those that hang together are one.
+/// Sorts the links of one chain by the patch before, the orientation, and the patch after; joins links that are connected.
 fn joined(own: &mut Vec<SideLink>) {
     if own.len() < 2 {
         return;
@@ -203,7 +203,7 @@ fn joined(own: &mut Vec<SideLink>) {
             .cmp(&(b.before, b.after))
             .then(a.lo.total_cmp(&b.lo))
     });
-    // Where a patch goes around the turn, what a window cuts from several copies hangs together.
+    // Where a patch goes around the turn, pieces that a window cuts from several copies are connected.
     own.dedup_by(|next, last| {
         let joined =
             (last.before, last.after) == (next.before, next.after) && next.lo - last.hi <= SAME;
@@ -220,7 +220,7 @@ fn joined(own: &mut Vec<SideLink>) {
     });
 }
 
-/// All parts in one list. Each is dropped when it is in it, so that not all of them are held twice.
+/// Concatenates lists. Each is dropped when it has been appended, so that they are not all in memory twice.
 fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
     let mut all = Vec::with_capacity(parts.iter().map(Vec::len).sum());
     for part in parts {
@@ -229,7 +229,7 @@ fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
     all
 }
 
-/// What vertical links are sorted by, and their number, by which equal ones keep their order.
+/// Sort key of a vertical link, and the link's number, by which equal links keep their order.
 #[derive(Clone, Copy)]
 struct Key {
     theta: f64,
@@ -238,8 +238,7 @@ struct Key {
     number: u32,
 }
 
-/// Sorts by orientation and patches. Links are large, so that what they are sorted by is sorted, and the links put in that order
-/// in place.
+/// Sorts by orientation and patches. Links are large, so the keys are sorted, and then the links are permuted in place.
 fn sort_vertical(links: &mut [VerticalLink]) {
     let mut keys: Vec<Key> = ((0u32..).zip(&*links))
         .map(|(number, l)| Key {
@@ -253,7 +252,7 @@ fn sort_vertical(links: &mut [VerticalLink]) {
         (a.theta.total_cmp(&b.theta))
             .then((a.lower, a.upper, a.number).cmp(&(b.lower, b.upper, b.number)))
     });
-    // Round by round; a number that is its own place is done.
+    // Permutes cycle by cycle; a number that is its own place is done.
     for start in 0..links.len() {
         let (first, mut place) = (links[start], start);
         loop {

@@ -1,8 +1,8 @@
 //! Free regions: the connected components of free space.
 //!
-//! Patches that are linked bound one region. Shells that are not linked bound one region if one lies within the other
-//! in some slice; a slice through each shell tells: going right from the rightmost point of a loop that has its free
-//! space outside, the next contact curve bounds the same free space, and if there is none, it is the unbounded one.
+//! Patches that are linked bound one region. Shells that are not linked bound one region if one lies within the other in some slice. A
+//! slice through each shell decides this: on a ray to the right from the rightmost point of a loop that has its free space outside, the
+//! next contact curve bounds the same free space; if there is none, this is the unbounded region.
 
 use std::collections::BTreeMap;
 
@@ -16,18 +16,18 @@ use crate::union_find::UnionFind;
 use crate::general::links::copies::normalized;
 use crate::space::{FreeRegion, Surface, VerticalLink};
 
-/// How the patches of a space are copies of each other.
+/// Relation of the patches of a space as copies of each other.
 pub(crate) enum Copying {
-    /// They are not; but those of one shell hang together, and this is each patch's shell where that is known.
+    /// Patches are not copies; but those of one shell are connected, and this is each patch's shell where it is known.
     None { shells: Vec<Option<u32>> },
-    /// Every patch is there once in every slab, and the copies of one patch are numbered on.
+    /// Every patch has one copy in every period, and the copies of one patch have consecutive numbers.
     Slabs(Steps),
     /// Some copies are cut off.
     Some,
 }
 
 impl Copying {
-    /// By how many slabs the whole can be shifted.
+    /// Number of periods by which the whole can be shifted.
     fn shifts(&self) -> u32 {
         match self {
             Self::Slabs(steps) => steps.slabs,
@@ -35,7 +35,7 @@ impl Copying {
         }
     }
 
-    /// The copy of a patch some slabs further; what is far away is everywhere.
+    /// The copy of a patch some periods further; the member for the unbounded region is its own copy.
     fn copy(&self, patch: u32, slabs: u32, far: u32) -> u32 {
         let n = self.shifts();
         if patch == far {
@@ -44,7 +44,7 @@ impl Copying {
         patch - patch % n + (patch % n + slabs) % n
     }
 
-    /// A configuration shifted by some slabs.
+    /// A configuration shifted by some periods.
     fn configuration(&self, frame: &PairFrame, c: Configuration, slabs: u32) -> Configuration {
         match self {
             Self::Slabs(steps) if slabs > 0 => {
@@ -58,28 +58,28 @@ impl Copying {
     }
 }
 
-/// So many shells get a slice each.
+/// Number of shells up to which each gets a slice of its own.
 const FEW_SHELLS: usize = 64;
 
-/// How far from its ends a slice must pass a patch to stand for its shell, as a share of its orientations.
+/// Distance of a slice from the ends of a patch, as a share of the patch's orientations, that is enough to represent its shell.
 const WELL_AWAY: f64 = 0.25;
 
 /// The free regions that a surface bounds.
 pub(crate) struct Regions {
-    /// The unbounded one first.
+    /// The regions, the unbounded one first.
     pub(crate) regions: Vec<FreeRegion>,
     /// The region of each patch.
     pub(crate) of_patches: Vec<u32>,
 }
 
-/// Numbers the regions, and tells each patch its own.
+/// Numbers the regions, and assigns one to each patch.
 pub(crate) fn find_regions(
     surface: &Surface<'_>,
     vertical_links: &[VerticalLink],
     copying: &Copying,
 ) -> Regions {
     let n = surface.patches.len();
-    // One more member stands for all that is far away.
+    // One additional member represents the unbounded region.
     let far = n as u32;
     let joint = surface.frame.outer_length(JOINT);
     let mut sets = UnionFind::new(n + 1);
@@ -98,21 +98,21 @@ pub(crate) fn find_regions(
             }
         }
     }
-    // One slice through each shell, at the middle of its longest-lived patch; shells that are copies have copies of one.
+    // One slice through each shell, at the middle of its longest patch; shells that are copies use copies of one slice.
     const NONE: u32 = u32::MAX;
     let life = |i: u32| surface.patches[i as usize].hi - surface.patches[i as usize].lo;
     let shell: Vec<u32> = (0..n as u32).map(|i| sets.find(i)).collect();
     let mut longest = vec![NONE; n];
     for (i, &s) in (0u32..).zip(&shell) {
         let best = &mut longest[s as usize];
-        // Copies live equally long, but for rounding.
+        // Copies have equal durations, up to rounding.
         if *best == NONE || life(i) > life(*best) * (1.0 + 1e-9) {
             *best = i;
         }
     }
     let mut samples: Vec<(u32, Configuration)> = Vec::new();
     let mut done = vec![false; n];
-    // Of many shells those that a slice passes well away from their ends need no slice of their own.
+    // If there are many shells, those that a slice passes well away from their ends need no slice of their own.
     let shared = longest.iter().filter(|&&i| i != NONE).count() > FEW_SHELLS;
     let mut passed: Vec<Option<(u32, Configuration)>> = vec![None; if shared { n } else { 0 }];
     let mut take = |i: u32, inside: Configuration, done: &mut [bool]| {
@@ -183,7 +183,7 @@ pub(crate) fn find_regions(
     }
     let mut of_patches = Vec::with_capacity(n);
     for i in 0..n as u32 {
-        // Every patch is in a shell through which a slice was made, and has a number.
+        // Every patch is in a shell with a slice, and so has a number.
         let region = match number[sets.find(i) as usize] {
             NONE => 0,
             region => region,
@@ -197,10 +197,10 @@ pub(crate) fn find_regions(
     }
 }
 
-/// Joins every loop with free space outside to what surrounds it.
+/// Joins every loop with free space outside to the region that surrounds it.
 fn nest(slice: &Slice, far: u32, joint: f64, mut join: impl FnMut(u32, u32)) {
     for l in &slice.loops {
-        // The loop's rightmost point is on its curve furthest right.
+        // The rightmost point of the loop is on the curve that extends furthest right.
         let Some((curve, p)) = l
             .iter()
             .map(|&c| (c, rightmost(&slice.curves[c as usize].geometry)))
@@ -245,7 +245,7 @@ fn rightmost(g: &CurveGeometry) -> Point {
         return Point::new(center.x + radius, center.y);
     }
     if let Some(e) = g.edge() {
-        // The same of a large arc: where it heads up or down.
+        // For a large arc, points at which it heads up or down.
         let headings = [Vector::new(0.0, 1.0), Vector::new(0.0, -1.0)];
         let turning = headings.iter().filter_map(|&h| e.fraction_heading(h));
         return turning
@@ -255,7 +255,7 @@ fn rightmost(g: &CurveGeometry) -> Point {
     end
 }
 
-/// Twice the area a loop goes around, counter-clockwise positive.
+/// Twice the signed area of a loop, positive if counter-clockwise.
 fn signed_area(slice: &Slice, l: &[u32]) -> f64 {
     let Some(&first) = l.first() else { return 0.0 };
     let origin = slice.curves[first as usize].geometry.point(0.0);

@@ -7,7 +7,7 @@ fn polygon(corners: &[(f64, f64)]) -> Part {
     Part::polygon("polygon", corners).unwrap()
 }
 
-/// A part turned and moved, as one that is drawn so.
+/// A part redrawn at a configuration.
 fn drawn_at(part: &Part, (x, y, theta): (f64, f64, f64)) -> Part {
     let at = Configuration::new(x, y, theta);
     let moved = Part::assembled("moved", &[(part, at)]);
@@ -122,7 +122,7 @@ fn slots_of_the_parts_width() {
     ]);
     let fits = NoFit::within(&keyhole, &disc).at(0.0);
     assert_eq!(fits.loops.len(), 1, "{fits:?}");
-    // Around the chamber for a centre, but for the neck, of which the corners are rounded, and along the neck twice.
+    // Expected length: around the chamber for a centre, except for the neck, whose corners are rounded, and along the neck twice.
     let around = 3.0 * 2.5 + 0.75 + 1.25 + 0.25 * PI + 2.0 * 1.75;
     assert!(
         (length(&fits) - around).abs() < 1e-9,
@@ -242,7 +242,7 @@ fn beside_parts_that_touch() {
     );
 }
 
-/// With play both ways of asking agree, and what does not fit has no position.
+/// With play, both methods agree, and a part that does not fit has no position.
 #[test]
 fn with_play_it_is_the_slice() {
     let plate = Part::new(

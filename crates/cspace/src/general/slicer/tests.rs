@@ -1,17 +1,17 @@
-//! Slices of small pairs whose free space is known by reasoning.
+//! Slices of small pairs whose free space is known in advance.
 
 use super::*;
 use crate::geometry::Point;
 use crate::part::Vertex;
 
-/// From one angle on a circle to another, counter-clockwise, with the bulge of that arc.
+/// Vertex at the beginning of an arc from one angle to another on a circle, counter-clockwise, with the arc's bulge.
 fn arc(center: (f64, f64), radius: f64, from: f64, to: f64) -> Vertex {
     let (sin, cos) = from.sin_cos();
     let bulge = (0.25 * (to - from)).tan();
     Vertex::new(center.0 + radius * cos, center.1 + radius * sin, bulge)
 }
 
-/// A disc of one arc all but a little, and a little one.
+/// A disc whose outline is one arc of almost the whole circle, and a small one.
 fn disc(center: (f64, f64), radius: f64, gap: f64) -> Vec<Vertex> {
     vec![
         arc(center, radius, gap, 2.0 * PI - gap),
@@ -19,9 +19,9 @@ fn disc(center: (f64, f64), radius: f64, gap: f64) -> Vec<Vertex> {
     ]
 }
 
-/// A block with a room that is an arc of 300° and its chord, and in the room a column near the arc. From where the column
-/// cuts the arc, its longer pieces see each other across the room: what is free beside them is told within the room, however
-/// small it is beside the block.
+/// A block with a room bounded by an arc of 300° and its chord, and in the room a column near the arc. The column cuts the contact arc, and
+/// the longer pieces face each other across the room: the free space beside them must be found within the room, however small it is
+/// compared with the block.
 #[test]
 fn rooms_of_one_arc_are_free() {
     for size in [0.3, 0.05, 2e-4] {
@@ -61,7 +61,7 @@ fn rooms_of_one_arc_are_free() {
                 let p = Point::new(x * size, y * size);
                 assert_eq!(slice.is_free(p), free, "{size} {theta} {p:?}");
             }
-            // The block, and the room with the column at its side.
+            // One loop for the block, and one for the room with the column at its side.
             assert_eq!(slice.loops.len(), 2, "{size} {theta}");
         }
     }
@@ -71,7 +71,7 @@ fn square(r: f64) -> Part {
     Part::rectangle("square", (0.1, 0.0), r, r).unwrap()
 }
 
-/// The loops of a slice as rounded places, whichever curve comes first.
+/// The loops of a slice as rounded places, independent of which curve comes first.
 fn corners(slice: &Slice) -> Vec<(i64, i64)> {
     let rounded = |x: f64| (x * 1e6).round() as i64;
     let mut all: Vec<_> = (slice.curves.iter())
@@ -82,7 +82,7 @@ fn corners(slice: &Slice) -> Vec<(i64, i64)> {
     all
 }
 
-/// At any number of turns from where slices are computed, and beside the ends of that turn.
+/// Slices agree at any number of turns from the computed turn, and beside the ends of that turn.
 #[test]
 fn slices_some_turns_further_are_the_same() {
     let (fixed, moving) = (square(2.0), square(1.0));
@@ -102,7 +102,7 @@ fn slices_some_turns_further_are_the_same() {
     }
 }
 
-/// Where sides are parallel, the slice just above: sides of one square meet corners of the other one after the other.
+/// Where sides are parallel, the slice is that just above: sides of one square meet corners of the other one after the other.
 #[test]
 fn slices_at_a_critical_orientation_are_those_just_above() {
     let slicer = Slicer::new(&square(2.0), &square(1.0));

@@ -1,9 +1,9 @@
-//! The structure of the drawing from that of the perturbed parts: what lasts less than the narrowest band is contracted.
+//! Contracts structures of the perturbed parts that last less than the narrowest band, which are not those of the drawing.
 //!
-//! Where the drawing has one critical orientation, the perturbed parts have a run of them, nearer to each other than
-//! [`NARROWEST_BAND`], and between these cells of which the drawing knows nothing. All clusters of a run become one. Cells that begin
-//! and end in it go away; those that end in it are continued by those that begin in it where both lie on one place of one curve and
-//! hang together by what went away. Shells stay as they are, so that regions keep their connections.
+//! Where the drawing has one critical orientation, the perturbed parts have a run of them, nearer to each other than [`NARROWEST_BAND`],
+//! with cells between that do not exist in the drawing. All clusters of a run are merged. Cells that begin and end in it are removed; cells
+//! that end in it are continued by cells that begin in it where both lie at one place of one curve and are connected by removed cells.
+//! Shells are unchanged, so that regions keep their connections.
 
 use std::collections::BTreeMap;
 
@@ -21,32 +21,32 @@ use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::verdict::shells::Shells;
 
-/// A thread is given so many runs at least.
+/// Minimum number of runs per thread.
 const RUNS: usize = 16;
 
-/// Curves nearer than this to each other are one where a run is contracted (length).
+/// Distance of curves below which they are one where a run is contracted (length).
 const ONE_CURVE: f64 = 1e-9;
 
-/// What two cells share where a run is contracted is longer than this (length), or than a quarter of the shorter: places move
-/// while it lasts.
+/// Minimum length of the piece of curve that two cells share where a run is contracted; for short cells, a quarter of the shorter one:
+/// places move during the run.
 const SHARED: f64 = 1e-8;
 
-/// It is longer than this (length) in any case: what growth and perturbation leave within the narrowest band is shorter.
+/// Minimum length in any case: pieces that growth and perturbation leave within the narrowest band are shorter.
 const SHORTEST: f64 = 4.0 * NARROWEST_BAND;
 
-/// Ends are measured to this (length): well below what two cells must share.
+/// Accuracy to which ends are measured (length): well below the length that two cells must share.
 const MEASURED: f64 = SHORTEST / 64.0;
 
-/// Ends of cells that share some of a curve come nearer to each other than this (length): far above [`ONE_CURVE`].
+/// Distance within which the ends of cells that share a piece of a curve must come to each other (length): far above [`ONE_CURVE`].
 const NEAR: f64 = 1e-6;
 
-/// So many ends are compared one by one faster than they are looked for by their places.
+/// Number of ends up to which they are compared one by one, which is faster than a search by place.
 const FEW: usize = 8;
 
-/// In place of the number of a run: none.
+/// Placeholder for the number of a run.
 const NONE: u32 = u32::MAX;
 
-/// Contracts clusters that are nearer to each other than the narrowest band; of those, only where free cells begin or end count.
+/// Contracts clusters that are nearer to each other than the narrowest band; only clusters at which free cells begin or end count.
 pub(crate) fn contract(
     geometry: &Geometry,
     branches: &[Branch],
@@ -87,9 +87,9 @@ pub(crate) fn contract(
     Some(contracted)
 }
 
-/// Which clusters make one.
+/// Runs of clusters to be merged.
 struct Runs {
-    /// The first cluster and the last of each.
+    /// First and last cluster of each run.
     all: Vec<(u32, u32)>,
     number: Vec<u32>,
 }
@@ -102,7 +102,7 @@ impl Runs {
             used[c.from as usize] = true;
             used[c.to as usize] = true;
         }
-        // The ends of the window, or of a slab, stay.
+        // The ends of the window, or of a period, are kept.
         let inner = (1..count.saturating_sub(1) as u32).filter(|&i| used[i as usize]);
         let inner: Vec<u32> = inner.collect();
         let near = |a: &u32, b: &u32| clusters.duration(*a, *b) < NARROWEST_BAND;
@@ -130,12 +130,12 @@ struct Contraction<'a> {
     runs: &'a Runs,
 }
 
-/// What a run touches.
+/// Cells that end or begin in a run.
 #[derive(Default)]
 struct Touched {
     ending: Vec<u32>,
     beginning: Vec<u32>,
-    /// Cells that hang together within the run.
+    /// Cells that are connected within the run.
     joined: Vec<(u32, u32)>,
 }
 
@@ -175,7 +175,7 @@ impl Contraction<'_> {
         all.into_iter().flatten().collect()
     }
 
-    /// The runs in which two cells follow each other for a while, and one of them begins or ends: each once, and none in place of others.
+    /// The runs in which two cells follow each other for a while, and one of them begins or ends: each once, and [`NONE`] for missing ones.
     fn runs_within(&self, s: &SideContact) -> [u32; 4] {
         let [a, b] = [s.before, s.after].map(|c| &self.cells[c as usize]);
         let mut runs = [a.from, a.to, b.from, b.to].map(|at| self.runs.of(at));
@@ -247,7 +247,7 @@ impl Contraction<'_> {
             .curve(self.clusters.at(end.at), self.clusters.turn(end.at))
     }
 
-    /// A box that holds a cell's end: places on it are no further from its middle than along the curve.
+    /// A box that contains a cell's end: places on it are no further from its middle than along the curve.
     fn bounds(&self, end: &End) -> Bounds {
         let Extent { lo, hi, .. } = end.extent;
         let middle = self.curve(end).point(0.5 * (lo + hi));
@@ -256,7 +256,7 @@ impl Contraction<'_> {
         Bounds::of(middle + -corner, middle + corner)
     }
 
-    /// The places that two ends share, along the curve of the first.
+    /// The range of places that two ends share, along the curve of the first.
     fn shared(&self, below: &End, above: &End) -> Option<(f64, f64)> {
         let (c, d) = (
             &self.cells[below.cell as usize],
@@ -274,17 +274,17 @@ impl Contraction<'_> {
             other = (f.position(points[0]), f.position(points[2]));
         }
         let (lo, hi) = (below.extent.lo.max(other.0), below.extent.hi.min(other.1));
-        // Cells of small pockets are short themselves.
+        // Cells of small pockets are themselves short.
         let shorter = (below.extent.hi - below.extent.lo).min(other.1 - other.0);
         (hi - lo > SHARED.min(0.25 * shorter).max(SHORTEST)).then_some((lo, hi))
     }
 }
 
-/// The ends of cells that begin in a run and hang together: of a symmetric drawing whose symmetry is not used there may be
-/// thousands, and each shares its curve with few.
+/// The ends of cells that begin in a run and are connected: for a symmetric drawing whose symmetry is not used there may be thousands, and
+/// each shares its curve with few.
 struct Above {
     ends: Vec<End>,
-    /// Where they are, unless they are few.
+    /// Tree of their boxes, unless they are few.
     places: Option<Boxes>,
 }
 
@@ -302,7 +302,7 @@ impl Above {
         }
     }
 
-    /// Those that may share some of a curve with an end below, in their order.
+    /// Ends that may share a piece of a curve with an end below, in their order.
     fn near(&self, within: &Contraction<'_>, below: &End) -> impl Iterator<Item = &End> {
         let mut near: Vec<u32> = Vec::new();
         match &self.places {
@@ -328,7 +328,7 @@ fn meet(a: &Bounds, b: &Bounds) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
-/// Ends that were measured in a run: cells beside each other share bounds, and most are asked for again.
+/// Ends measured in a run: adjacent cells share bounds, and most are needed again.
 #[derive(Default)]
 struct Ends<'a> {
     extents: BTreeMap<(u32, u32), CellExtents<'a>>,
@@ -359,7 +359,7 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// Where a cell ends or begins in a run.
+/// The end or beginning of a cell in a run.
 #[derive(Clone, Copy)]
 struct End {
     cell: u32,

@@ -1,8 +1,7 @@
-//! Orientations at which the patches are not relied upon alone.
+//! Doubtful orientations, at which the patches alone do not decide.
 //!
-//! Structure is decided between events, and events have errors; where many things happen at nearly one orientation, links
-//! may be wrong. Such places are known, and are told, so that a question about one configuration can be answered by the
-//! parts themselves.
+//! Structure is determined between events, and events have errors; where many events occur at nearly one orientation, links may be wrong.
+//! Such orientations are known and reported, so that a query of one configuration can be answered by a test of the parts themselves.
 
 use core::f64::consts::TAU;
 
@@ -14,10 +13,10 @@ use crate::general::links::copies::Lifts;
 use crate::general::verdict::shells::Shells;
 use crate::space::{Patch, SideLink, Window, in_window, union};
 
-/// Bands narrower than this (radians) are in doubt: doubles do not tell places on curves that cross there at as small an angle.
+/// Width (radians) below which bands are doubtful: f64 does not resolve places on curves that cross there at as small an angle.
 const NARROW: f64 = 2.0 * NARROWEST_BAND;
 
-/// Where cells are in doubt: within clusters that are known to less than the narrowest band, and where shells were in conflict.
+/// Orientations at which cells are doubtful: within clusters wider than the narrowest band, and where shells were in conflict.
 pub(crate) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> Vec<(f64, f64)> {
     let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
     let in_conflict = (cells.iter().zip(&shells.in_conflict))
@@ -26,8 +25,8 @@ pub(crate) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> 
     union(rough.chain(in_conflict).collect())
 }
 
-/// Where the patches of a computation are in doubt: within clusters that are known to less than the narrowest band, where
-/// shells were in conflict, in narrow bands, and where a patch is followed by none.
+/// Orientations at which the patches of a computation are doubtful: within clusters wider than the narrowest band, where shells were in
+/// conflict, in narrow bands, and where a patch has no successor.
 pub(crate) fn doubts(
     doubtful: &[(f64, f64)],
     lifts: &Lifts<'_>,
@@ -55,7 +54,7 @@ pub(crate) fn doubts(
     in_window(copies.chain(narrow).chain(open), window)
 }
 
-/// The orientations at which a patch is followed by none. Side links are in order of the patch before and of orientation.
+/// The orientations at which a patch has no successor. Side links are in order of the patch before and of orientation.
 fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
     let mut links = side_links.iter().peekable();
     let mut open = Vec::new();

@@ -1,4 +1,4 @@
-//! Shells: cells that hang together, and whether they bound free space.
+//! Shells: connected cells, and whether they bound free space.
 
 use crate::contact::{Curve, Cycle, Exact, Geometry, Orientation};
 use crate::geometry::{Point, Rotation, Vector};
@@ -15,36 +15,36 @@ use crate::general::events::clusters::Clusters;
 use crate::general::events::placing::Placing;
 use crate::general::events::trace::Coincidence;
 
-/// Contacts between cells, and the verdict on each cell.
+/// Contacts between cells, and the class of each cell.
 #[derive(Debug, Default)]
 pub(crate) struct Shells {
     pub(crate) side: Vec<SideContact>,
     pub(crate) vertical: Vec<VerticalContact>,
     pub(crate) free: Vec<bool>,
-    /// For every cell whether it is where a shell's bounds and tests tell different things.
+    /// For every cell, whether a shell's bounds and tests contradict each other there.
     pub(crate) in_conflict: Vec<bool>,
-    /// For every cell the smallest cell of its shell.
+    /// For every cell, the smallest cell of its shell.
     pub(crate) shell: Vec<u32>,
-    /// How many configurations were tested for overlap.
+    /// Number of configurations tested for overlap.
     pub(crate) tests: usize,
-    /// Shells with cells that what bounds them leaves open.
+    /// Number of shells with cells whose bounds leave them open.
     pub(crate) judged: usize,
-    /// Pieces of curve that cells share, and how many of them are not certainly longer than the errors of their ends.
+    /// Number of pieces of curve that cells share, and of those that are not certainly longer than the errors of their ends.
     pub(crate) overlaps: (u64, u64),
-    /// Shells whose bounds and tests told different things; their rings, or else their cells, were tested one by one.
+    /// Number of shells whose bounds and tests contradicted each other; their rings, or else their cells, were tested one by one.
     pub(crate) conflicts: usize,
 }
 
-/// How many cells of longest duration are looked at for one to test.
+/// Number of cells of longest duration from which the one to be tested is chosen.
 const TRIED: usize = 8;
 
-/// Durations below this are short, radians: critical orientations that growth alone tells apart are so near to each other.
+/// Duration below which cells are short, radians: critical orientations that are separated only by growth are so near to each other.
 const NARROW: f64 = 1e-5;
 
-/// Where curves are nearer to each other than this (length), doubles do not tell what is free between them.
+/// Distance of curves (length) below which f64 does not decide what is free between them.
 const TELLING: f64 = 2e-12;
 
-/// A cell that what bounds it leaves open, in its shell and its ring.
+/// A cell whose bounds leave it open, in its shell and its ring.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Member {
     shell: u32,
@@ -52,9 +52,9 @@ struct Member {
     cell: u32,
 }
 
-/// What a shell was found to be.
+/// Classification of a shell.
 struct Verdict {
-    /// For each of its members.
+    /// Class of each of its members.
     free: Vec<bool>,
     tests: usize,
     conflict: bool,
@@ -69,7 +69,7 @@ pub(crate) struct ShellFinder<'a> {
 }
 
 impl ShellFinder<'_> {
-    /// The contacts within sheets become those of the shells: the cells have none any more.
+    /// Finds the shells; the contacts within sheets are moved there from the cells.
     pub(crate) fn find(&self, cells: &mut Cells) -> Shells {
         let mut vertical = core::mem::take(&mut cells.vertical);
         let cells = &*cells;
@@ -109,8 +109,8 @@ impl ShellFinder<'_> {
             conflicts: 0,
         };
         self.judge(&cells.cells, &mut shells);
-        // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So
-        // what may be too short to join shells is still the best there is to link patches by.
+        // Every top of a free cell is continued over its whole length, unless a curve that faces the other way meets it. So overlaps that
+        // may be too short to join shells are still the best available for linking patches.
         shells.vertical.truncate(without_levels);
         let levels = Levels {
             free: Some(&shells.free),
@@ -120,7 +120,7 @@ impl ShellFinder<'_> {
         shells
     }
 
-    /// Cells that follow each other at shared ends and at branches, unless both are blocked anyway.
+    /// Contacts of cells that follow each other at shared ends and at branches, unless both are blocked anyway.
     fn side_contacts(&self, all: &Cells) -> Vec<SideContact> {
         let contacts = &self.geometry.contacts;
         let cells = &all.cells;
@@ -150,7 +150,7 @@ impl ShellFinder<'_> {
                 }
             }
         }
-        // At a branch the outer piece of the sheet that enters is followed by the outer piece of the other.
+        // At a branch, the outer piece of the sheet that enters is followed by the outer piece of the other sheet.
         let starts_outside =
             |c: &Cell| c.left != END && !self.branches[c.left as usize].enters(c.sheet);
         let starting = (0u32..).zip(cells).filter(|(_, c)| starts_outside(c));
@@ -165,12 +165,11 @@ impl ShellFinder<'_> {
         side
     }
 
-    /// Decides each shell by what bounds its cells and by honest tests.
+    /// Decides each shell by the bounds of its cells and by exact tests.
     ///
-    /// Cells that follow each other are on the boundary of free space together or not at all, so of each ring of cells those
-    /// that what bounds them leaves open are tested for themselves: rings are few. That what continues or follows them has
-    /// blocked cells does not count against it, for with many curves through one point that may be a false link: a pocket
-    /// of which nothing else tells would be lost.
+    /// Cells that follow each other are on the boundary of free space together or not at all, so in each ring of cells those whose bounds
+    /// leave them open are tested separately: rings are few. Blocked cells among those that continue or follow them do not count against
+    /// them, because with many curves through one point that may be a false link: a pocket that has no other evidence would be lost.
     fn judge(&self, cells: &[Cell], shells: &mut Shells) {
         let mut rings = UnionFind::new(cells.len());
         for s in &shells.side {
@@ -209,8 +208,8 @@ impl ShellFinder<'_> {
         shells.in_conflict = Self::contradicting(shells, conflict);
     }
 
-    /// The cells in shells with a conflict that are linked to cells of the other verdict: what is wrong is there. All cells
-    /// of a shell without such, of which tests alone contradict each other.
+    /// The cells in shells with a conflict that are linked to cells of the other class: the error is there. All cells of a shell that has
+    /// none, in which tests alone contradict each other.
     fn contradicting(shells: &Shells, conflict: Vec<bool>) -> Vec<bool> {
         let mut contradicting = vec![false; conflict.len()];
         if !conflict.contains(&true) {
@@ -233,8 +232,8 @@ impl ShellFinder<'_> {
         contradicting
     }
 
-    /// Judges a shell by its cells, of which what bounds them leaves all open. `blocked` tells whether it has others, which
-    /// are blocked, and `blocked_ring` which rings have: those do not hang together as they should.
+    /// Classifies a shell by the cells whose bounds leave it open. `blocked` states whether the shell has other cells, which are blocked,
+    /// and `blocked_ring` which rings have: those are not connected as they should be.
     fn judge_shell(
         &self,
         cells: &[Cell],
@@ -242,7 +241,7 @@ impl ShellFinder<'_> {
         blocked: bool,
         blocked_ring: &[bool],
     ) -> Verdict {
-        // What a test says of each ring, where doubles can tell.
+        // Result of a test for each ring, where f64 decides.
         let lasting = |ring: &[Member]| {
             let duration = |m: &Member| {
                 let c = &cells[m.cell as usize];
@@ -257,7 +256,7 @@ impl ShellFinder<'_> {
             })
             .collect();
         if !blocked && rings.iter().all(|r| r.1.is_none()) {
-            // A pocket that does not last is tested where it lasts longest.
+            // A short pocket is tested where it lasts longest.
             let by_duration = |a: &usize, b: &usize| {
                 let [a, b] = [a, b].map(|&i| lasting(rings[i].0));
                 b.total_cmp(&a)
@@ -293,12 +292,12 @@ impl ShellFinder<'_> {
         }
     }
 
-    /// From the end of one cluster to the beginning of another, radians.
+    /// Distance from the end of one cluster to the beginning of another, radians.
     fn duration(&self, from: u32, to: u32) -> f64 {
         self.clusters.duration(from, to)
     }
 
-    /// The cell that has most room of those of longest duration.
+    /// The largest of the cells of longest duration.
     fn largest(&self, cells: &[Cell], ring: &[Member]) -> u32 {
         let longest = self.longest(cells, ring, |_| 0.0);
         let mut largest = longest[0].1;
@@ -315,7 +314,7 @@ impl ShellFinder<'_> {
         largest
     }
 
-    /// Some cells of longest duration with it, of those that last as long the ones with the largest `rank`.
+    /// Some cells of longest duration; among equally long ones those with the largest `rank`.
     fn longest(
         &self,
         cells: &[Cell],
@@ -359,9 +358,9 @@ impl ShellFinder<'_> {
         )
     }
 
-    /// The point of a cell by its share of the length, in the middle of its duration.
+    /// The point of a cell at a share of its length, in the middle of its duration.
     ///
-    /// Curves cross at small angles near the orientation at which they are one: there places are found in double-double.
+    /// Curves cross at small angles near the orientation at which they coincide: there places are found in double-double.
     fn point(&self, cell: &Cell, share: f64, curve: &Curve) -> Point {
         if self.duration(cell.from, cell.to) > NARROW {
             let (lo, hi) = self.range(cell, self.middle(cell));
@@ -371,7 +370,7 @@ impl ShellFinder<'_> {
         placing.point(place)
     }
 
-    /// The same place along the curve in double-double.
+    /// Placing of the curve, and the place as in [`point`](Self::point), in double-double.
     fn exact_place(&self, cell: &Cell, share: f64) -> (Placing<'_, Exact>, Exact) {
         let turn = Orientation::by(self.clusters.exact_between(cell.from, cell.to));
         let placing = Placing::new(self.geometry, cell.sheet, turn);
@@ -387,7 +386,7 @@ impl ShellFinder<'_> {
         (placing, lo + (hi - lo) * share)
     }
 
-    /// What a test beside its largest cell says, or where doubles tell nothing there, beside others: in a slice all last as long, and
+    /// Tests beside the largest cell of a ring; where f64 decides nothing there, beside others: in a slice all cells last equally long, and
     /// the first may be arcs of 1e-12.
     fn ring_is_free(&self, cells: &[Cell], ring: &[Member]) -> Option<bool> {
         let is_free = |c: u32| self.is_free(&cells[c as usize]);
@@ -405,17 +404,17 @@ impl ShellFinder<'_> {
         })
     }
 
-    /// An honest test beside a place of a cell; `None` if curves that face it are so near to all places that doubles do not tell.
+    /// Exact test beside a place of a cell; `None` if curves that face it are so near at all places tried that f64 does not decide.
     fn is_free(&self, cell: &Cell) -> Option<bool> {
         [0.5, 0.27, 0.81]
             .iter()
             .find_map(|&share| self.is_free_at(cell, share))
     }
 
-    /// An honest test beside a place of a cell, by its share of the length: half way to the next contact curve on its free
-    /// side, the parts must not overlap.
+    /// Exact test beside the place at a share of a cell's length: half way to the next contact curve on its free side, the parts must not
+    /// overlap.
     fn is_free_at(&self, cell: &Cell, share: f64) -> Option<bool> {
-        /// How far the free side is looked at, in the pair's frame.
+        /// Largest distance searched on the free side, in the pair's frame.
         const STEP: f64 = 1.0 / 256.0;
         let theta = self.middle(cell);
         let turn = Rotation::by(theta);
@@ -446,7 +445,7 @@ impl ShellFinder<'_> {
                     if !one_circle || other.normal(p).dot(normal) < 0.0 {
                         return None;
                     }
-                    // They lie on each other and face the same way. What lies behind changes nothing, what lies in front blocks.
+                    // The curves lie on each other and face the same way. A curve behind changes nothing, a curve in front blocks.
                     let (placing, place) = self.exact_place(cell, share);
                     if placing.is_covered_by(place, other_sheet, normal) {
                         return Some(false);

@@ -1,4 +1,4 @@
-//! Checks of single values, which know what is checked.
+//! Checks of single values of an item.
 
 use crate::fixed_axes::{Axis, AxisMotion};
 
@@ -11,7 +11,7 @@ pub(super) fn stands_still(axis: Option<Axis>) -> bool {
     axis.is_some_and(|x| x.motion == AxisMotion::Fixed)
 }
 
-/// What is checked.
+/// Item that is checked.
 #[derive(Clone, Copy)]
 pub(super) struct At(pub(super) DynamicsItem);
 
@@ -67,7 +67,7 @@ impl At {
         }
     }
 
-    /// Whether a part moves in the plane, or along an axis.
+    /// Checks that a part moves in the plane, or along an axis.
     pub(super) fn moves_as(
         self,
         key: &'static str,

@@ -1,4 +1,4 @@
-//! Whether what makes a mechanism move makes sense.
+//! Checks of the dynamic data of a mechanism.
 
 use std::collections::HashSet;
 
@@ -11,10 +11,10 @@ use super::mass::Mass;
 use super::motion::{Drive, DriveMotion, PartPosition, PartVelocity};
 
 impl Dynamics {
-    /// Whether all of it makes sense for a mechanism of these parts and pairs.
+    /// Checks the data for a mechanism of these parts and pairs.
     ///
     /// # Errors
-    /// The first thing that is wrong, in the order of the fields.
+    /// The first fault, in the order of the fields.
     pub fn check(&self, mechanism: &Mechanism) -> Checked {
         let parts = &mechanism.parts;
         let whole = At(DynamicsItem::Mechanism);
@@ -46,7 +46,7 @@ impl Dynamics {
         Ok(())
     }
 
-    /// A driven part has its rate, and by a table its start, from the drive.
+    /// Checks that the rate of a driven part, and with a table its start, are given only by the drive.
     fn not_said_twice(&self, index: usize, drive: &Drive) -> Checked {
         let part = self.part(drive.part);
         let at = At(DynamicsItem::Part(drive.part));
@@ -62,7 +62,7 @@ impl Dynamics {
     }
 }
 
-/// The part of an index that entries of [`Dynamics::parts`] have.
+/// The part that an index in [`Dynamics::parts`] refers to.
 fn entry(parts: &[PartEntry], part: usize) -> Result<&PartEntry, DynamicsError> {
     parts.get(part).ok_or(DynamicsError {
         item: DynamicsItem::Part(part),
@@ -116,13 +116,13 @@ impl PartDynamics {
     }
 }
 
-/// Two parts, whichever is named first.
+/// Two indices in ascending order.
 fn ordered((a, b): (usize, usize)) -> (usize, usize) {
     (a.min(b), a.max(b))
 }
 
 impl PairSurface {
-    /// `listed` are the pairs of the mechanism, `known` those that came before this one.
+    /// Checks the entry; `listed` are the pairs of the mechanism, `known` those of previous entries.
     fn check(
         &self,
         listed: &HashSet<(usize, usize)>,

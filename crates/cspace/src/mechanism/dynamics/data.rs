@@ -1,4 +1,4 @@
-//! All that makes a mechanism move, beside its parts.
+//! Dynamic data of a mechanism, in addition to its parts.
 
 use crate::geometry::{Point, Vector};
 
@@ -6,9 +6,9 @@ use super::force::{Load, Spring};
 use super::mass::Mass;
 use super::motion::{Drive, PartPosition, PartVelocity};
 
-/// What makes a mechanism move: masses, gravity, drives, loads, springs, and what happens where parts touch.
+/// Data for the motion of a mechanism: masses, gravity, drives, loads, springs, and the surfaces of pairs.
 ///
-/// Parts are referred to by index. Nothing of it enters configuration spaces.
+/// Parts are referred to by index. Configuration spaces do not depend on any of these data.
 ///
 /// ```
 /// use cspace::mechanism::{Drive, DriveMotion, Mass, Mechanism, PartDynamics, PartEntry};
@@ -29,13 +29,13 @@ use super::motion::{Drive, PartPosition, PartVelocity};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Dynamics {
-    /// The acceleration of everything that falls, in the assembly's frame, unit/s².
+    /// The acceleration of gravity, in the assembly's frame, unit/s².
     pub gravity: Vector,
     /// The coefficient of friction of pairs that have none of their own: 0 or more.
     pub friction: f64,
     /// The coefficient of restitution of pairs that have none of their own: from 0, no bounce, to 1, no loss.
     pub restitution: f64,
-    /// What each part has, in the order of the parts; those beyond the end have nothing.
+    /// Dynamic data of the parts, in their order; parts beyond the end have none.
     pub parts: Vec<PartDynamics>,
     /// Pairs with a friction or restitution of their own.
     pub pairs: Vec<PairSurface>,
@@ -47,7 +47,7 @@ pub struct Dynamics {
     pub springs: Vec<Spring>,
 }
 
-/// The mass of a part, and how it moves at the start.
+/// The mass of a part, and its motion at the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
@@ -58,13 +58,13 @@ pub struct PartDynamics {
     pub inertia: Option<f64>,
     /// The centre of mass in the part's frame; the outline's centroid if there is none.
     pub center_of_mass: Option<Point>,
-    /// Where the part is at the start; at zero motion if it is not given.
+    /// Position of the part at the start; at zero motion if it is not given.
     pub start: Option<PartPosition>,
-    /// How fast it moves at the start; it rests if that is not given.
+    /// Velocity of the part at the start; zero if it is not given.
     pub rate: Option<PartVelocity>,
 }
 
-/// What happens where the parts of a pair touch.
+/// Friction and restitution of a pair's contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PairSurface {
@@ -77,17 +77,17 @@ pub struct PairSurface {
 }
 
 impl Dynamics {
-    /// Whether there is nothing: the mechanism is one of shapes alone.
+    /// Whether there are no dynamic data.
     pub fn is_none(&self) -> bool {
         *self == Self::default()
     }
 
-    /// What a part has, by its index.
+    /// Dynamic data of a part, by its index.
     pub fn part(&self, part: usize) -> PartDynamics {
         self.parts.get(part).copied().unwrap_or_default()
     }
 
-    /// The same, to be changed.
+    /// Dynamic data of a part, mutable; the list is extended if necessary.
     pub fn part_mut(&mut self, part: usize) -> &mut PartDynamics {
         if self.parts.len() <= part {
             self.parts.resize(part + 1, PartDynamics::default());
@@ -117,7 +117,7 @@ impl Dynamics {
             .unwrap_or(self.restitution)
     }
 
-    /// What two parts have of their own where they touch.
+    /// Friction and restitution that two parts have of their own.
     pub fn surface(&self, a: usize, b: usize) -> Option<&PairSurface> {
         (self.pairs.iter()).find(|s| s.parts == (a, b) || s.parts == (b, a))
     }

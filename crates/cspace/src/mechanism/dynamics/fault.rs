@@ -1,28 +1,28 @@
-//! What can be wrong with what makes a mechanism move.
+//! Faults in the dynamic data of a mechanism.
 
 use core::fmt;
 
-/// Something wrong: where it is, and what it is. [`help`](DynamicsFault::help) of the fault says what to do.
+/// A fault: the item, the key, and what is wrong. [`help`](DynamicsFault::help) of the fault says what to do.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{item}, {key}: {fault}; {}", fault.help())]
 pub struct DynamicsError {
-    /// What it is wrong of.
+    /// Item that has the fault.
     pub item: DynamicsItem,
-    /// What of that: the key of a model file.
+    /// Key of the value, as in a model file.
     pub key: &'static str,
-    /// What is wrong.
+    /// Kind of fault.
     pub fault: DynamicsFault,
 }
 
-/// What a mechanism has that can be wrong, by index.
+/// Item of a mechanism that can have a fault, by index.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum DynamicsItem {
-    /// Something of the mechanism as a whole.
+    /// The mechanism as a whole.
     Mechanism,
     /// A part.
     Part(usize),
-    /// What two parts have where they touch.
+    /// Contact data of two parts.
     Pair(usize, usize),
     /// A drive.
     Drive(usize),
@@ -32,11 +32,11 @@ pub enum DynamicsItem {
     Spring(usize),
 }
 
-/// What is wrong with a value.
+/// Kind of fault of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DynamicsFault {
-    /// A number is infinite or none.
+    /// A number is infinite or NaN.
     NotFinite,
     /// A number that must be positive is not.
     NotPositive(f64),
@@ -44,24 +44,24 @@ pub enum DynamicsFault {
     Negative(f64),
     /// A coefficient of restitution is not between 0 and 1.
     NotUpToOne(f64),
-    /// The inertia of a part without mass.
+    /// An inertia is given for a part without mass.
     NoMass,
-    /// An index is no part's.
+    /// No part has this index.
     NoSuchPart {
         /// The index.
         part: usize,
-        /// How many parts there are.
+        /// Number of parts.
         parts: usize,
     },
-    /// The part stands still.
+    /// The part cannot move.
     StandsStill,
     /// The part moves freely, so it cannot be driven along an axis.
     MovesFreely,
-    /// Three numbers for a part on an axis.
+    /// Three numbers are given for a part on an axis.
     OnAnAxis,
-    /// One number for a part that moves freely.
+    /// One number is given for a part that moves freely.
     InThePlane,
-    /// A position along an axis is outside of the range of the part's motion.
+    /// A position along an axis is outside the range of the part's motion.
     OutOfRange {
         /// The position.
         value: f64,
@@ -75,32 +75,32 @@ pub enum DynamicsFault {
         /// The earlier drive.
         first: usize,
     },
-    /// The start or the rate of a part that a drive already says.
+    /// The start or the rate is given for a part whose drive already gives it.
     Driven {
         /// The drive.
         drive: usize,
     },
-    /// A table of fewer than two points.
+    /// A table has fewer than two points.
     ShortTable {
-        /// How many it has.
+        /// Number of points.
         points: usize,
     },
-    /// A time of a table is not after the one before.
+    /// A time of a table is not after the previous one.
     TimeOrder {
         /// The later point.
         point: usize,
         /// Its time.
         time: f64,
-        /// The time before.
+        /// The previous time.
         before: f64,
     },
-    /// Two parts have a friction or restitution of their own and are no pair of the mechanism.
+    /// Two parts have a friction or restitution of their own but are not a pair of the mechanism.
     NoPair,
-    /// Two parts have a friction or restitution of their own twice.
+    /// Two parts have two entries for their own friction or restitution.
     PairTwice,
-    /// A spring between a part and itself.
+    /// A spring connects a part to itself.
     OnePart,
-    /// A spring without stiffness and damping.
+    /// A spring has neither stiffness nor damping.
     Idle,
 }
 
@@ -159,7 +159,7 @@ impl fmt::Display for DynamicsFault {
 }
 
 impl DynamicsFault {
-    /// What to do about it.
+    /// Text that says how to correct the fault.
     pub const fn help(&self) -> &'static str {
         match self {
             Self::NotFinite => "give finite numbers",

@@ -2,18 +2,18 @@
 
 use crate::geometry::Point;
 
-/// How much mass a part has.
+/// The mass of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Mass {
-    /// All of it, in kg.
+    /// Total mass, in kg.
     Total(f64),
-    /// So much on a unit of area, in kg per square of the model's unit of length.
+    /// Mass per unit of area, in kg per square of the model's unit of length.
     Density(f64),
 }
 
-/// The mass of a part and how it is spread.
+/// The mass of a part and its distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MassProperties {
@@ -26,7 +26,7 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// The moment of inertia about another point p of the part's frame: J + m |p − c|², c the centre of mass.
+    /// The moment of inertia about another point p of the part's frame: J + m |p − c|², where c is the centre of mass.
     pub fn inertia_about(&self, p: Point) -> f64 {
         self.inertia + self.mass * (p - self.center).length_squared()
     }

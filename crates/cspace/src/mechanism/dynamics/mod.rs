@@ -1,4 +1,4 @@
-//! What makes a mechanism move: masses, gravity, drives, loads and springs.
+//! Dynamic data of a mechanism: masses, gravity, drives, loads and springs.
 //!
 //! Lengths are in the model's unit, times in seconds, masses in kg, angles in radians; so forces are in kg·unit/s², torques
 //! and the stiffness of torsion springs in kg·unit²/s².

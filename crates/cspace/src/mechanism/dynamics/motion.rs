@@ -1,31 +1,31 @@
-//! Where parts start, how fast, and which are driven.
+//! Initial positions and velocities of parts, and prescribed motions.
 
 use crate::geometry::{Configuration, Vector};
 
-/// Where a part is at the start.
+/// Position of a part at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PartPosition {
-    /// Of a part without an axis of its own: its frame as seen from the assembly's.
+    /// Position of a part without an axis of its own: its frame as seen from the assembly's.
     Planar(Configuration),
-    /// Of a part that turns or slides: how far along its axis, radians or the model's unit of length.
+    /// Position of a part that turns or slides, along its axis: radians or the model's unit of length.
     Axis(f64),
 }
 
-/// How fast a part moves at the start: the derivative of its [`PartPosition`] by time.
+/// Velocity of a part at the start: the derivative of its [`PartPosition`] by time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PartVelocity {
-    /// Of a part without an axis of its own.
+    /// Velocity of a part without an axis of its own.
     Planar {
         /// The velocity of the origin of the part's frame, in the assembly's frame, unit/s.
         linear: Vector,
         /// The angular velocity, rad/s.
         angular: f64,
     },
-    /// Of a part that turns or slides: rad/s or unit/s.
+    /// Velocity of a part that turns or slides: rad/s or unit/s.
     Axis(f64),
 }
 
@@ -35,17 +35,17 @@ pub enum PartVelocity {
 pub struct Drive {
     /// The index of the part, which turns or slides.
     pub part: usize,
-    /// How it moves along its axis.
+    /// Motion of the part along its axis.
     pub motion: DriveMotion,
 }
 
-/// How a driven part moves along its axis; its coordinate u is in radians or the model's unit of length.
+/// Motion of a driven part along its axis; its coordinate u is in radians or the model's unit of length.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum DriveMotion {
-    /// From where the part starts, at a constant rate: rad/s or unit/s.
+    /// Motion at a constant rate from the part's start: rad/s or unit/s.
     Rate(f64),
-    /// Along a cubic spline through all points (t, u); t in seconds, increasing.
+    /// Motion along a cubic spline through all points (t, u); t in seconds, increasing.
     Table(Vec<(f64, f64)>),
 }

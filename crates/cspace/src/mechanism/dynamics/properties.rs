@@ -1,4 +1,4 @@
-//! Mass properties of parts: what is given, and the rest from the outline.
+//! Mass properties of parts: as given, or computed from the outline.
 
 use crate::geometry::Point;
 use crate::part::Part;
@@ -8,10 +8,10 @@ use super::data::PartDynamics;
 use super::mass::{Mass, MassProperties};
 
 impl PartDynamics {
-    /// Mass, centre of mass and inertia of a part; none of a part without mass.
+    /// Mass, centre of mass and inertia of a part; `None` for a part without mass.
     ///
-    /// What is not given comes from the outline, as if the mass were spread over it evenly: with the area A, the centroid
-    /// g and the polar second moment I about it ([`Part::moments`]),
+    /// Values that are not given follow from the outline, as if the mass were spread over it evenly: with the area A, the centroid g and
+    /// the polar second moment I about it ([`Part::moments`]),
     ///
     /// - a density ρ makes the mass m = ρ A,
     /// - the centre of mass is c = g,
@@ -44,15 +44,15 @@ impl PartDynamics {
         })
     }
 
-    /// The centre of mass in the part's frame: the one given, or the centroid of the outline. Parts without mass have one,
-    /// too: it is where a load acts that names no point.
+    /// The centre of mass in the part's frame: as given, or the centroid of the outline. It is also defined for parts without mass: a load
+    /// without a point acts there.
     pub fn center_of_mass(&self, part: &Part) -> Point {
         (self.center_of_mass).unwrap_or_else(|| part.moments().centroid)
     }
 }
 
 impl Mechanism {
-    /// Mass, centre of mass and inertia of a part; none of a part without mass, and of an index that is no part's.
+    /// Mass, centre of mass and inertia of a part; `None` for a part without mass, and if no part has this index.
     pub fn mass_properties(&self, part: usize) -> Option<MassProperties> {
         let entry = self.parts.get(part)?;
         self.dynamics.part(part).mass_properties(&entry.part)

@@ -105,7 +105,7 @@ fn masses_come_from_the_outline_where_not_given() {
     assert_eq!(even.center, Point::new(0.0, 9.0));
     mechanism.dynamics.part_mut(3).mass = Some(Mass::Total(0.5));
     assert_eq!(of(&mechanism), even);
-    // About another centre it is that of the outline about there.
+    // About another centre of mass, it is the outline's inertia about that.
     let end = Point::new(1.0, 9.0);
     mechanism.dynamics.part_mut(3).center_of_mass = Some(end);
     let off = of(&mechanism);
@@ -417,7 +417,7 @@ fn loads_and_springs() {
         "parts",
         Fault::NoSuchPart { part: 4, parts: 4 },
     );
-    // Between the ground and what stands on it.
+    // A spring between the ground and a part that does not move.
     let still = Spring {
         part: 0,
         other: None,

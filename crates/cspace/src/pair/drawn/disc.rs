@@ -1,11 +1,11 @@
-//! Discs about edges: what cannot touch is told from them.
+//! Discs about edges, by which pairs of edges that cannot touch are excluded.
 
 use crate::contact::{FeatureShape, Placement};
 use crate::number::Enclosure;
 
 use super::{DrawnEdge, DrawnPair};
 
-/// A disc in which an edge lies, in all drawings: about the middle of its chord, as large as half the chord or the height of the arc.
+/// A disc that contains an edge in all drawings: its centre is the middle of the chord, its radius half the chord or the height of the arc.
 pub(super) struct Disc<T> {
     center: [T; 2],
     radius: f64,
@@ -29,28 +29,28 @@ impl<T: Enclosure> Disc<T> {
     }
 }
 
-/// How far the middles of two discs are apart, anywhere in an enclosure.
+/// Distance between the centres of two discs, over a whole enclosure.
 pub(super) struct Apart {
     distance: f64,
     spread: f64,
-    /// Both radii together.
+    /// Sum of both radii.
     touching: f64,
 }
 
 impl Apart {
-    /// Whether the discs do not meet.
+    /// Whether the discs certainly do not meet.
     pub(super) fn is_certain(&self) -> bool {
         self.distance > (self.touching + self.spread) * (1.0 + 1e-9)
     }
 
-    /// Whether a narrower enclosure would tell much more.
+    /// Whether a narrower enclosure would decide much more.
     pub(super) fn is_vague(&self) -> bool {
         self.spread > self.touching || self.spread.is_nan()
     }
 }
 
 impl<T: Enclosure> Disc<T> {
-    /// How far this disc of the fixed part and one of the moving part are apart.
+    /// Distance of this disc of the fixed part from a disc of the moving part.
     pub(super) fn apart(&self, moving: &Self, facing: &Placement<T>) -> Apart {
         let [x, y] = facing.point(moving.center);
         let [x, y] = [x - self.center[0], y - self.center[1]].map(T::ball);

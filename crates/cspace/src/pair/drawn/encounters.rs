@@ -1,25 +1,25 @@
-//! When features may touch along a motion, for all numbers of enclosures at once.
+//! Times at which features may touch along a motion, for all drawings that the numbers enclose.
 
 use crate::number::{Dual, Enclosure, Real};
 
 use super::disc::Disc;
 use super::{DrawnContact, DrawnPair};
 
-/// Contact functions are evaluated so often for a motion, at most: beyond it, parts slide along each other all the time.
+/// Maximum number of evaluations of contact functions for a motion: above it, parts slide along each other all the time.
 const MOST: usize = 200_000;
 
-/// A motion is looked at first up to its end halved so often.
+/// Number of times that the end of the motion is halved to get the first interval that is searched.
 const DOUBLINGS: i32 = 10;
 
-/// Times nearer to each other than this, relative to the motion's end, are not told apart.
+/// Times closer together than this, relative to the motion's end, are not separated.
 const NARROWEST: f64 = 1e-14;
 
 /// A motion of constant rates from a configuration: (x, y, θ), or (u, v, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg<T> {
-    /// Where it begins.
+    /// Configuration at the start.
     pub from: [T; 3],
-    /// The rates, per unit of time.
+    /// Rates of the coordinates, per unit of time.
     pub rates: [T; 3],
 }
 
@@ -38,24 +38,24 @@ impl<T: Real> Leg<T> {
     }
 }
 
-/// Times within which a contact may come about.
+/// Interval of time within which a contact may begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Encounter {
-    /// The features.
+    /// Features of the contact.
     pub contact: DrawnContact,
     /// The first time.
     pub lo: f64,
     /// The last time.
     pub hi: f64,
-    /// Whether the features approach each other all the while, so that every drawing has one contact at most within these times.
+    /// Whether the features approach each other during the whole interval, so that every drawing has at most one contact in it.
     pub approaching: bool,
-    /// Whether they touch within these times, at a place that lies on both, in every drawing of which the parts do not overlap where the motion
-    /// begins.
+    /// Whether the features touch in the interval, at a place that lies on both, in every drawing in which the parts do not overlap where
+    /// the motion begins.
     pub certain: bool,
 }
 
 impl Encounter {
-    /// A contact of which nothing is known until a time.
+    /// A contact about which nothing is known until a time.
     pub fn unknown(contact: DrawnContact, until: f64) -> Self {
         Self {
             contact,
@@ -67,19 +67,19 @@ impl Encounter {
     }
 }
 
-/// All encounters of a motion, up to the first that is certain.
+/// All encounters of a motion, up to the first certain one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Encounters {
-    /// In the order of their first times.
+    /// Encounters in the order of their first times.
     pub list: Vec<Encounter>,
-    /// Whether they are all: otherwise there was too much to search.
+    /// Whether the list is complete: otherwise the search was stopped because it took too long.
     pub complete: bool,
 }
 
 impl<T: Enclosure> DrawnPair<T> {
-    /// Where the features of the parts may touch along a motion until a time, of all drawings enclosed: outside of the encounters no two
-    /// boundaries touch. The search ends where a contact is certain. Where `among` is given, only its contacts are sought, within its times: those
-    /// of a larger set of drawings, in the order of their first times.
+    /// Times at which the features of the parts may touch along a motion up to a time, for all enclosed drawings: outside the encounters no
+    /// two boundaries touch. The search ends where a contact is certain. If `among` is given, only its contacts are searched, within its
+    /// times: they must be those of a larger set of drawings, in the order of their first times.
     pub fn encounters(&self, leg: &Leg<T>, until: f64, among: Option<&[Encounter]>) -> Encounters {
         let mut search = Search {
             pair: self,
@@ -97,7 +97,7 @@ impl<T: Enclosure> DrawnPair<T> {
             search.merge();
         } else {
             let discs = self.discs();
-            // The beginning first: a contact that is certain ends the search.
+            // The beginning comes first: a certain contact ends the search.
             let mut from = 0.0;
             for doublings in (0..=DOUBLINGS).rev() {
                 let to = until * 0.5_f64.powi(doublings);
@@ -125,16 +125,16 @@ struct Search<'a, T> {
     leg: &'a Leg<T>,
     /// The end of the motion.
     until: f64,
-    /// Nothing later matters.
+    /// Time after which no contact is needed.
     end: f64,
     narrowest: f64,
     found: Vec<Encounter>,
-    /// Evaluations that are left.
+    /// Remaining number of evaluations.
     left: usize,
 }
 
 impl<T: Enclosure> Search<'_, T> {
-    /// Looks for contacts of two edges between two times.
+    /// Searches for contacts of two edges between two times.
     fn edges(&mut self, fixed: (u32, &Disc<T>), moving: (u32, &Disc<T>), lo: f64, hi: f64) {
         let hi = hi.min(self.end);
         if lo > hi || self.left == 0 {
@@ -179,7 +179,7 @@ impl<T: Enclosure> Search<'_, T> {
         (gap.value, gap.slope[0])
     }
 
-    /// Whether the features touch within their ends if they do at a time: 1 for certain, −1 never, otherwise 0.
+    /// Whether the features, if they touch at a time, touch within their ends: 1 certainly, −1 never, otherwise 0.
     fn on_both(&self, contact: DrawnContact, time: T) -> i8 {
         let at = self.leg.at(time);
         let within = self.pair.within(contact, at);
@@ -187,7 +187,7 @@ impl<T: Enclosure> Search<'_, T> {
         signs.min().unwrap_or(0)
     }
 
-    /// Looks for a contact of two features between two times.
+    /// Searches for a contact of two features between two times.
     fn contact(&mut self, contact: DrawnContact, lo: f64, hi: f64) {
         let hi = hi.min(self.end);
         if lo > hi || self.left == 0 {
@@ -211,10 +211,10 @@ impl<T: Enclosure> Search<'_, T> {
         }
         match slope.sign() {
             -1 => self.alone(contact, lo, hi),
-            // Before features part from each other they overlap: that began elsewhere.
+            // Features that part from each other overlapped before: the contact began elsewhere.
             1 => {}
-            // Where the drawings differ by more than the times, halving these is of no use; unless features that slide along each other come
-            // to touch within their ends.
+            // Where the drawings differ by more than the times, halving the times is useless, unless features that slide along each other
+            // come to touch within their ends.
             _ if self.can_halve(lo, mid, hi)
                 && (value.radius > 2.0 * at.radius
                     || [lo, mid]
@@ -234,7 +234,7 @@ impl<T: Enclosure> Search<'_, T> {
         }
     }
 
-    /// Joins times within which nothing is known of a contact, where they follow each other.
+    /// Joins consecutive intervals of time within which nothing is known of a contact.
     fn merge(&mut self) {
         self.found
             .sort_by(|a, b| a.contact.cmp(&b.contact).then(a.lo.total_cmp(&b.lo)));
@@ -251,11 +251,11 @@ impl<T: Enclosure> Search<'_, T> {
         });
     }
 
-    /// Narrows down the times of the only contact there may be, by Newton's method with enclosures: a root of f is within
-    /// t − f(t) / f′ for every t, and there is one in every drawing where all of that lies within the times.
+    /// Narrows down the times of the only possible contact, by Newton's method with enclosures: a root of f is within t − f(t) / f′ for
+    /// every t, and every drawing has one if all of that enclosure lies within the times.
     fn alone(&mut self, contact: DrawnContact, mut lo: f64, mut hi: f64) {
         const STEPS: usize = 60;
-        // What begins within these times may end after them.
+        // An encounter that begins within these times may end after them.
         let later = (2.0 * hi).min(self.until);
         if self
             .function(contact, T::from_to(lo, later))
@@ -278,7 +278,7 @@ impl<T: Enclosure> Search<'_, T> {
             let mid = 0.5 * (lo + hi);
             let slope = self.function(contact, T::from_to(lo, hi)).1;
             let at = self.function(contact, T::constant(mid)).0;
-            // It knows how the time depends on the drawing.
+            // This enclosure contains the dependence of the time on the drawing.
             let newton = T::constant(mid) - at / slope;
             let [from, to] = newton.ball().ends();
             if from.is_nan() || to.is_nan() {
@@ -295,7 +295,7 @@ impl<T: Enclosure> Search<'_, T> {
                 break;
             }
             if hi - lo > 0.75 * width {
-                // Where the derivative varies much, the sign in the middle tells more, if there is one.
+                // Where the derivative varies much, the sign in the middle decides more, if it is known.
                 match at.ball().sign() {
                     1 => (lo, is_before) = (lo.max(mid), true),
                     -1 => (hi, is_after) = (hi.min(mid), true),

@@ -1,8 +1,9 @@
-//! Two parts as they are drawn, without a configuration space and in numbers of any kind: enclosures give what holds for all drawings
-//! of a tolerance box, numbers with derivatives what a dimension does.
+//! Two parts as drawn, without a configuration space, in numbers of any kind: enclosures give results for all drawings of a tolerance box,
+//! numbers with derivatives give the effect of a dimension.
 //!
-//! Two boundaries touch first where a line or an arc touches an arc, or a vertex a line or an arc: where one of these contact functions is 0
-//! and the place of contact lies on both. Vertices of two parts meet only where one meets an edge of the other.
+//! Two boundaries first touch where a line or an arc touches an arc, or a vertex touches a line or an arc: where one of these contact
+//! functions is 0 and the place of contact lies on both features. Vertices of two parts meet only where one of them meets an edge of the
+//! other part.
 
 mod disc;
 mod encounters;
@@ -23,7 +24,7 @@ pub use region::{ConfigurationBox, Witness};
 /// A number of the drawing of two parts: the fixed one is part 0, the moving one part 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawingNumber {
-    /// Of a vertex as it is given in [`Part::new`].
+    /// A number of a vertex as given in [`Part::new`].
     Vertex {
         /// The part.
         part: usize,
@@ -34,7 +35,7 @@ pub enum DrawingNumber {
         /// 0 and 1 for its coordinates x and y, 2 for its bulge.
         component: usize,
     },
-    /// Of the centre or the direction of a part's axis.
+    /// A number of the centre or the direction of a part's axis.
     Axis {
         /// The part.
         part: usize,
@@ -43,7 +44,7 @@ pub enum DrawingNumber {
     },
 }
 
-/// Two parts as they are drawn, and how they move.
+/// Two parts as drawn, and their relative motion.
 ///
 /// ```
 /// use cspace::{Ball, DrawingNumber, DrawnPair, Leg, Part, Relation};
@@ -64,11 +65,11 @@ pub enum DrawingNumber {
 /// ```
 #[derive(Debug, Clone)]
 pub struct DrawnPair<T> {
-    /// None of a pair in the plane.
+    /// Axes of the fixed and the moving part; `None` for a pair in the plane.
     axes: Option<[DrawnAxis<T>; 2]>,
-    /// In frames with the origins of the axes.
+    /// Edges of both parts, in frames with the origins at the axes.
     edges: [Vec<DrawnEdge<T>>; 2],
-    /// Features that overlap by less where a motion begins may be missed by a test of the parts (model length).
+    /// Depth of overlap below which features that overlap where a motion begins may be missed by a test of the parts (model length).
     unseen: f64,
 }
 
@@ -90,7 +91,8 @@ impl<T> DrawnAxis<T> {
 }
 
 impl<T: Real> DrawnAxis<T> {
-    /// The origin of the frame in which features are held: what turns, about its centre, so that what a dimension does to both cancels.
+    /// The origin of the frame in which features are stored: for a part that turns, its centre, so that a dimension that moves both
+    /// cancels.
     fn origin(self) -> [T; 2] {
         match self {
             Self::Revolute(center) => center,
@@ -99,7 +101,7 @@ impl<T: Real> DrawnAxis<T> {
     }
 }
 
-/// Where the frame of the moving part's features is in that of the fixed one's.
+/// Placement of the frame of the moving part's features in that of the fixed part's features.
 fn facing<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> {
     let Some(axes) = axes else {
         return Placement::new([at[0], at[1]], at[2]);
@@ -112,7 +114,7 @@ fn facing<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> 
     fixed.inverse().compose(&moving)
 }
 
-/// Where the moving part is in the frame of the fixed one.
+/// Placement of the moving part in the frame of the fixed part.
 fn placed<T: Real>(axes: Option<[DrawnAxis<T>; 2]>, at: [T; 3]) -> Placement<T> {
     let facing = facing(axes, at);
     let Some([fixed, moving]) = axes.map(|axes| axes.map(DrawnAxis::origin)) else {
@@ -132,41 +134,41 @@ struct DrawnEdge<T> {
     name: FeatureName,
     shape: FeatureShape<T>,
     vertex: FeatureName,
-    /// None of one that is concave for certain, which touches nothing first.
+    /// Shape of the vertex; `None` if it is certainly concave, because such a vertex is never the first to touch.
     corner: Option<FeatureShape<T>>,
     circle: OfCircle,
 }
 
-/// What an edge has to do with the whole of its circle.
+/// Role of an edge on its circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum OfCircle {
-    /// It is an arc of it, or a line.
+    /// The edge is an arc of its circle, or a line.
     Piece,
-    /// It stands for all of it, which has no ends.
+    /// The edge represents the whole circle, which has no ends.
     Whole,
-    /// Another stands for it.
+    /// Another edge represents the whole circle.
     Other,
 }
 
-/// Parts that overlap by less, relative to their sizes, may be taken to touch: ten times what a part is made smaller by in
-/// [`overlap_as_drawn`].
+/// Depth of overlap, relative to the sizes of the parts, below which parts may be taken to touch: ten times the amount by which a part is
+/// shrunk in [`overlap_as_drawn`].
 const UNSEEN: f64 = 1e-8;
 
 /// A contact of two features, by their numbers in a [`DrawnPair`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct DrawnContact {
-    /// Of the fixed and of the moving part: the edge, and whether the vertex at its start is meant.
+    /// Edge of the fixed and of the moving part; the flag is true if the vertex at the start of the edge is meant.
     features: [(u32, bool); 2],
 }
 
-/// Whether two parts overlap at a configuration, as they are drawn. Parts that touch may or may not.
+/// Whether two parts, as drawn, overlap at a configuration. For parts that touch the result is undefined.
 pub fn overlap_as_drawn(fixed: &Part, moving: &Part, fixed_from_moving: Configuration) -> bool {
     Bodies::new(fixed, moving, Fit::HasPlay).overlap(fixed_from_moving)
 }
 
 impl<T: Real> DrawnPair<T> {
-    /// The fixed and the moving part of a pair; `number` makes the number of this kind of each number of the drawing. `None` of parts that are
-    /// connected by a joint.
+    /// The fixed and the moving part of a pair; `number` converts each number of the drawing. `None` for parts that are connected by a
+    /// joint.
     pub fn new(
         parts: [&Part; 2],
         relation: Relation,
@@ -239,7 +241,7 @@ impl<T: Real> DrawnPair<T> {
         }
     }
 
-    /// Whether features may overlap at a configuration by so little that a test of the parts misses it.
+    /// Whether features may overlap at a configuration by so little that an overlap test of the parts misses it.
     pub fn may_overlap_unseen(&self, contact: DrawnContact, at: [T; 3]) -> bool {
         let gap = self.gap(contact, at, |x| x);
         let (value, spread) = (gap.value(), gap.spread());
@@ -266,7 +268,7 @@ impl<T: Real> DrawnPair<T> {
         }
     }
 
-    /// Where the moving part is in the frame of the fixed one at x, y and θ, or at u, v and anything.
+    /// Placement of the moving part in the frame of the fixed part at x, y and θ; or at u, v and any third number.
     pub fn placed(&self, at: [T; 3]) -> Placement<T> {
         placed(self.axes, at)
     }
@@ -275,16 +277,16 @@ impl<T: Real> DrawnPair<T> {
         facing(self.axes, at)
     }
 
-    /// The contact function at a configuration: how far the two features, with their whole lines and circles, are apart. The configuration may
-    /// be in numbers of another kind, which `lift` makes of those of the drawing.
+    /// The contact function at a configuration: the distance of the two features, extended to whole lines and circles. The configuration
+    /// may be in numbers of another kind, to which `lift` converts those of the drawing.
     pub fn gap<U: Real>(&self, contact: DrawnContact, at: [U; 3], lift: impl Fn(T) -> U) -> U {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part).map(|_, x| lift(x)));
         let axes = self.axes.map(|axes| axes.map(|axis| axis.map(&lift)));
         contact_function(&fixed, &moving, &facing(axes, at))
     }
 
-    /// Where the features touch at a configuration in contact: the points on the fixed part, in its frame, and on the moving one, in that of
-    /// the fixed one.
+    /// Points of contact at a configuration in contact: on the fixed part, in its frame; and on the moving part, in the frame of the fixed
+    /// part.
     pub fn touching(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 2]; 2] {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
         let place = touching_place(&fixed, &moving, &self.facing(at));
@@ -295,8 +297,8 @@ impl<T: Real> DrawnPair<T> {
         })
     }
 
-    /// How far within the two features the place is at which they touch at a configuration in contact, relative to their chords: for each
-    /// feature three numbers, of which one is negative beyond its ends; of a vertex all are 1.
+    /// Position of the place of contact within the two features at a configuration in contact, relative to their chords: three numbers for
+    /// each feature, of which one is negative beyond its ends; for a vertex all are 1.
     pub fn within(&self, contact: DrawnContact, at: [T; 3]) -> [[T; 3]; 2] {
         let [fixed, moving] = [0, 1].map(|part| self.shape(contact, part));
         let facing = self.facing(at);
@@ -332,7 +334,7 @@ impl<T: Real> DrawnPair<T> {
     }
 }
 
-/// The edges of a loop in travel with material on the left.
+/// The edges of a loop traversed with material on the left.
 fn edges_of<T: Real>(
     outline: &Loop,
     loop_index: u32,
@@ -357,7 +359,7 @@ fn edges_of<T: Real>(
     };
     let edge = |i: usize| {
         let (start, end, bulge) = shape(i);
-        // The edge that comes before in travel, and the vertex between them.
+        // The previous edge in travel, and the vertex between them.
         let (before, corner) = if reversed {
             ((i + 1) % n, (i + 1) % n)
         } else {
@@ -381,7 +383,7 @@ fn edges_of<T: Real>(
             circle: OfCircle::Piece,
         }
     };
-    // Two half circles on one chord are one circle, whatever the chord is.
+    // Two half circles on one chord are one circle, whatever the chord.
     let is_half = |i: usize| {
         let bulge = number(i, 2, vertices[i].bulge);
         bulge.value().abs() == 1.0 && bulge.spread() == 0.0
@@ -397,7 +399,8 @@ fn edges_of<T: Real>(
     (0..n).map(edge).collect()
 }
 
-/// Along an edge at its end: the chord turned by half the sweep, c (1 + i b)². At its start it is that of the bulge −b.
+/// Direction along an edge at its end: the chord turned by half the sweep, c (1 + i b)². The direction at its start is that for the bulge
+/// −b.
 fn direction<T: Real>(start: [T; 2], end: [T; 2], bulge: T) -> [T; 2] {
     let one = T::constant(1.0);
     let [x, y] = [end[0] - start[0], end[1] - start[1]];
@@ -405,9 +408,9 @@ fn direction<T: Real>(start: [T; 2], end: [T; 2], bulge: T) -> [T; 2] {
     [x * cos - y * sin, y * cos + x * sin]
 }
 
-/// Negative where a point of a line or circle lies beyond the ends of a feature on it.
+/// Three numbers, of which one is negative where a point of a line or circle lies beyond the ends of a feature on it.
 fn within_ends<T: Real>(feature: &FeatureShape<T>, [x, y]: [T; 2]) -> [T; 3] {
-    /// Arcs of a larger bulge are told from the rest of their circle by the side of the chord, others by the feet on it.
+    /// Bulge above which an arc is distinguished from the rest of its circle by the side of the chord; smaller ones, by the feet on it.
     const SIDE: f64 = 0.5;
     let FeatureShape::Edge { start, end, bulge } = *feature else {
         return [T::constant(1.0); 3];
@@ -415,13 +418,13 @@ fn within_ends<T: Real>(feature: &FeatureShape<T>, [x, y]: [T; 2]) -> [T; 3] {
     let c = [end[0] - start[0], end[1] - start[1]];
     let p = [x - start[0], y - start[1]];
     let square = c[0] * c[0] + c[1] * c[1];
-    // How far to the side of the arc, by the length of the chord.
+    // Distance towards the side of the arc, in units of the chord's length.
     let right = (c[1] * p[0] - c[0] * p[1]) / square;
     let side = if bulge.value() > 0.0 { right } else { -right };
     if bulge.value().abs() > SIDE {
         return [side; 3];
     }
-    // Across the chord the circle is at least 3/4 of it away, where the arc is flatter than that.
+    // Where the arc is flatter than that, the opposite part of the circle is at least 3/4 of the chord away.
     let foot = (c[0] * p[0] + c[1] * p[1]) / square;
     let one = T::constant(1.0);
     let near = if bulge.value() == 0.0 {

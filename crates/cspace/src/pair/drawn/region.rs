@@ -1,4 +1,4 @@
-//! Which features may touch in a box of configurations, for all numbers of enclosures at once.
+//! Contacts that are possible in a box of configurations, for all drawings that the numbers enclose.
 
 use crate::contact::{FeatureShape, Placement, contact_function, touching_place};
 use crate::number::{Dual, Enclosure};
@@ -10,16 +10,16 @@ use super::{DrawnContact, DrawnEdge, DrawnPair, OfCircle, within_ends};
 pub struct ConfigurationBox<T> {
     /// The middle.
     pub middle: [f64; 3],
-    /// Half the widths, 0 of what is held.
+    /// Half widths; 0 for a coordinate that is held.
     pub half: [f64; 3],
-    /// All of it, in numbers that enclose each coordinate.
+    /// The whole box, in numbers that enclose each coordinate.
     pub all: [T; 3],
 }
 
-/// A place of a part, by which it is told that parts overlap.
+/// A place of a part that can prove that the parts overlap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Witness {
-    /// A point, which is inside the part in every drawing.
+    /// A point that is inside the part in every drawing.
     Inside([f64; 2]),
     /// The vertex at which an edge starts, by the number of the edge.
     Vertex(u32),
@@ -28,8 +28,8 @@ pub enum Witness {
 }
 
 impl<T: Enclosure> DrawnPair<T> {
-    /// The contacts that may come about in a box of configurations, in any of the drawings enclosed, among those that may in a larger box.
-    /// Where there are none, no two boundaries touch in the box: the parts are apart in all of it and in all drawings, or overlap in all.
+    /// The contacts that may occur in a box of configurations, in any of the enclosed drawings, among those possible in a larger box. If
+    /// there are none, no two boundaries touch in the box: the parts are apart in all of it and in all drawings, or overlap in all.
     pub fn contacts_in(
         &self,
         within: &ConfigurationBox<T>,
@@ -53,13 +53,13 @@ impl<T: Enclosure> DrawnPair<T> {
         found
     }
 
-    /// Places of a part at its outline: its vertices and the middles of its edges.
+    /// Places on the outline of a part: its vertices and the middles of its edges.
     pub fn outline(&self, part: usize) -> impl Iterator<Item = Witness> {
         let edges = 0..self.edges[part].len() as u32;
         edges.flat_map(|edge| [Witness::Vertex(edge), Witness::Middle(edge)])
     }
 
-    /// Where a place of a part is, in the frame of its part.
+    /// Position of a place of a part, in the part's frame.
     pub fn place(&self, part: usize, of: Witness) -> [T; 2] {
         let [x, y] = self.held(part, of);
         match self.axes.map(|axes| axes[part].origin()) {
@@ -68,7 +68,7 @@ impl<T: Enclosure> DrawnPair<T> {
         }
     }
 
-    /// As [`place`](Self::place), in the frame in which features are held.
+    /// As [`place`](Self::place), in the frame in which features are stored.
     fn held(&self, part: usize, of: Witness) -> [T; 2] {
         let edge = |edge: u32| match self.edges[part][edge as usize].shape {
             FeatureShape::Edge { start, end, bulge } => (start, end, bulge),
@@ -95,8 +95,8 @@ impl<T: Enclosure> DrawnPair<T> {
         }
     }
 
-    /// Whether the boundary of the other part may go through a place of one part, at some configurations in some of the drawings. Where it does
-    /// not, and the place is inside the other part once, the parts overlap at all these configurations in all drawings.
+    /// Whether the boundary of the other part may pass through a place of one part, at some configurations in some of the drawings. If it
+    /// does not, and the place is inside the other part at one of them, the parts overlap at all these configurations in all drawings.
     pub fn may_pass(&self, within: &ConfigurationBox<T>, part: usize, of: Witness) -> bool {
         let at = within.all;
         let [x, y] = self.held(part, of);
@@ -117,7 +117,7 @@ impl<T: Enclosure> DrawnPair<T> {
         })
     }
 
-    /// By how much a boundary of a part may be off from where its middle is drawn, in any of the drawings. A place of an edge is start + z chord
+    /// Largest deviation of a part's boundary, in any of the drawings, from that of the middle one. A place of an edge is start + z chord
     /// with |z| and |1 − z| at most max(1, |b|) for its bulge b, and z moves with b by at most as much.
     pub fn deviation(&self, part: usize) -> f64 {
         let origin = self.axes.map(|axes| axes[part].origin());
@@ -138,8 +138,8 @@ impl<T: Enclosure> DrawnPair<T> {
         self.edges[part].iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Whether a contact function may be 0 in a box, at a place on both features. By the mean value theorem it is within Σ |∂f| half of its value
-    /// in the middle.
+    /// Whether a contact function may be 0 in a box, at a place on both features. By the mean value theorem it differs from its value in
+    /// the middle by at most Σ |∂f| half.
     fn may_touch(&self, contact: DrawnContact, within: &ConfigurationBox<T>) -> bool {
         let at = within.all;
         let constant = |x: T| Dual::<3, T> {
@@ -156,7 +156,7 @@ impl<T: Enclosure> DrawnPair<T> {
             .ball();
         let rise = (0..3).map(|i| {
             let slope = anywhere.slope[i].ball();
-            // Zero times what is not known is zero.
+            // Zero times an unknown number is zero.
             if within.half[i] == 0.0 {
                 0.0
             } else {

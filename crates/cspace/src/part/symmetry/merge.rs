@@ -1,4 +1,4 @@
-//! The same outline with as few vertices as it needs.
+//! Merges edges that lie on one line or circle, so that an outline has as few vertices as possible.
 
 use crate::part::{Edge, Loop, Part, Vertex};
 
@@ -6,7 +6,7 @@ use super::mapping::SYMMETRIC;
 
 /// The part without the vertices at which two edges lie on one line or one circle, if it has such vertices.
 ///
-/// Whole circles keep two vertices. `None` also if the result is no part, which rounding can bring about.
+/// Whole circles keep two vertices. `None` also if the result is not a part, which rounding can bring about.
 pub(super) fn merged(part: &Part) -> Option<Part> {
     let tolerance = SYMMETRIC * part.size();
     let mut fewer = false;
@@ -22,7 +22,7 @@ pub(super) fn merged(part: &Part) -> Option<Part> {
     fewer.then(|| Part::new(part.name(), loops).ok()).flatten()
 }
 
-/// A loop in order of travel, edges that continue each other as one.
+/// A loop in order of travel, with edges that continue each other merged.
 fn merge(l: &Loop, tolerance: f64) -> Vec<Vertex> {
     let edges: Vec<Edge> = l.edges().collect();
     let n = edges.len();
@@ -30,7 +30,7 @@ fn merge(l: &Loop, tolerance: f64) -> Vec<Vertex> {
         let (a, b) = (&edges[i], &edges[(i + 1) % n]);
         continues(a, b, tolerance)
     };
-    // Begin after a vertex that stays; a loop that has none is a circle and is left as it is.
+    // Begins after a vertex that is kept; a loop without such a vertex is a circle and is left unchanged.
     let Some(last) = (0..n).find(|&i| !continues(i)) else {
         return edges.iter().map(vertex).collect();
     };
@@ -56,7 +56,7 @@ fn vertex(e: &Edge) -> Vertex {
     Vertex::new(e.start.x, e.start.y, e.bulge)
 }
 
-/// Whether the second edge goes on where the first one leads, on its line or circle.
+/// Whether the second edge continues the first one, on its line or circle.
 fn continues(a: &Edge, b: &Edge, tolerance: f64) -> bool {
     let (d, e) = (a.end_direction(), b.start_direction());
     let length = (a.end - a.start).length() + (b.end - b.start).length();

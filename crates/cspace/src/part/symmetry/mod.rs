@@ -1,10 +1,10 @@
 //! Rotational symmetry of a part.
 //!
-//! A part is k-fold symmetric if turning it by 2π/k about its centre of area maps it to itself. It is found from the
-//! outline: a rotation that maps the part to itself maps loops to loops and vertices to vertices, so k divides their
-//! number, and of all divisors only powers of primes need to be tried. A loop that is one whole circle has no vertices
-//! that count: a bore drawn as two half circles does not spoil the symmetry of a wheel, wherever the halves meet. Other
-//! vertices count, also those that could be left out because an edge goes straight on there.
+//! A part is k-fold symmetric if turning it by 2π/k about its centre of area maps it to itself. The symmetry is found from the outline: a
+//! rotation that maps the part to itself maps loops to loops and vertices to vertices, so k divides their number, and among the divisors
+//! only powers of primes need to be tried. A loop that is one whole circle has no vertices that count: a bore drawn as two half circles
+//! does not break the symmetry of a wheel, wherever the halves meet. Other vertices count, also those that could be left out because an
+//! edge continues straight there.
 
 mod mapping;
 mod merge;
@@ -32,7 +32,7 @@ pub struct PartSymmetry {
 }
 
 impl PartSymmetry {
-    /// The largest k for which turning by 2π/k maps the part to itself; 1 if there is none.
+    /// The largest k for which turning by 2π/k maps the part to itself; 1 without symmetry.
     ///
     /// For a part of concentric circles only, which every rotation maps to itself, it is the largest that also maps
     /// the arcs as drawn to each other: 2 for a disc of two half circles.
@@ -45,8 +45,8 @@ impl PartSymmetry {
         self.center
     }
 
-    /// How far the outline is from that of the nearest part that is exactly symmetric, in the part's unit of length:
-    /// at most [`SYMMETRIC`] of its size.
+    /// Deviation of the outline from that of the nearest exactly symmetric part, in the part's unit of length: at most [`SYMMETRIC`] of its
+    /// size.
     pub const fn deviation(&self) -> f64 {
         self.deviation
     }
@@ -93,8 +93,7 @@ impl Part {
 
     /// Whether turning by 2π/`fold` about its own centre maps the part to itself.
     ///
-    /// As [`PartSymmetry::allows`], but vertices at which an edge goes straight on, or on along the same arc, do not
-    /// count either.
+    /// As [`PartSymmetry::allows`], except that vertices at which an edge continues straight, or along the same arc, do not count either.
     ///
     /// ```
     /// use cspace::{Part, Vertex};
@@ -109,9 +108,9 @@ impl Part {
             || merged(self).is_some_and(|part| part.symmetry().allows(fold))
     }
 
-    /// The nearest part that is exactly symmetric, with how its loops are mapped; `None` without symmetry.
+    /// The nearest exactly symmetric part, with the images of its loops; `None` without symmetry.
     ///
-    /// By its vertices alone, no circle is divided further than it was drawn, and the fold may be smaller.
+    /// If only its vertices are used, circles are not divided further than drawn, and the fold may be smaller.
     pub(crate) fn symmetrized(&self, by: Corresponding) -> Option<Symmetrized> {
         let trace = Trace::new(self, by);
         let fold = trace.fold();

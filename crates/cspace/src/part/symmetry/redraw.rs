@@ -1,4 +1,4 @@
-//! The symmetric part nearest to a part that is symmetric but for the rounding of its drawing.
+//! Redraws a part that is symmetric up to rounding as the nearest exactly symmetric part.
 
 use core::f64::consts::TAU;
 
@@ -8,14 +8,14 @@ use crate::part::{Loop, Part, Vertex};
 use super::mapping::LoopImage;
 use super::trace::{Ring, Trace};
 
-/// Which edge and vertex as drawn an edge of the symmetric part is a piece of, and begins at.
+/// Edge and vertex, as drawn, from which an edge of the symmetric part comes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Drawn {
     pub(crate) edge: u32,
     pub(crate) vertex: u32,
 }
 
-/// A part drawn again about the origin, so that turning by 2π/fold maps it to itself to rounding.
+/// A part redrawn about the origin, so that turning by 2π/fold maps it to itself up to rounding.
 ///
 /// Every vertex and bulge is the mean of its images under the rotation and all its powers. Whole circles are divided
 /// where any of their images was; all other loops keep their vertices. Loops are in the given order, and each is in order
@@ -26,19 +26,19 @@ pub(crate) struct Symmetrized {
     pub(crate) fold: u32,
     /// The centre of symmetry in the frame of the part as drawn.
     pub(crate) center: Point,
-    /// Where turning by 2π/fold takes each loop.
+    /// Image of each loop under a turn by 2π/fold.
     pub(crate) images: Vec<LoopImage>,
-    /// For each loop, for each edge in order of travel, what it was.
+    /// For each loop, for each edge in order of travel, its origin in the drawing.
     pub(crate) drawn: Vec<Vec<Drawn>>,
     /// For each loop, whether it is a circle that has more arcs than were drawn.
     pub(crate) divided: Vec<bool>,
-    /// How many arcs more there are.
+    /// Number of additional arcs.
     pub(crate) added: usize,
-    /// The farthest that anything was moved, in the part's unit of length.
+    /// Largest displacement, in the part's unit of length.
     pub(crate) deviation: f64,
 }
 
-/// A place of a path, turned by some steps from the first of its images.
+/// Data for redrawing a part by a fold.
 struct Redraw<'a> {
     trace: &'a Trace,
     fold: u32,
@@ -49,7 +49,7 @@ struct Redraw<'a> {
 }
 
 impl Symmetrized {
-    /// `None` if that leaves the loops no part, which only details near the resolution can bring about.
+    /// Redraws the part; `None` if the result is not a part, which only details near the resolution can bring about.
     pub(super) fn new(part: &Part, trace: &Trace, fold: u32) -> Option<Self> {
         let images = trace.images(fold)?;
         let loops = part.loops();
@@ -82,7 +82,7 @@ impl Symmetrized {
             .map(more)
             .collect::<Option<_>>()?;
         let redrawn = Part::new(part.name(), vertices).ok()?;
-        // Drawn in order of travel, none is travelled backwards.
+        // Drawn in order of travel, no loop is traversed backwards.
         let sound =
             redrawn.loops().iter().all(|l| !l.is_reversed()) && deviation <= 2.0 * trace.tolerance;
         sound.then(|| Self {
@@ -176,7 +176,7 @@ impl Redraw<'_> {
             if !self.loops[first].is_empty() {
                 continue;
             }
-            // The loops that are images of this one; of a circle about the centre, itself every time.
+            // The loops that are images of this one; for a circle about the centre, itself every time.
             let own = trace.is_center(*c);
             let next = |l: usize| self.images[l].target as usize;
             let others = core::iter::successors(Some(next(first)), |&l| Some(next(l)));
@@ -206,7 +206,7 @@ impl Redraw<'_> {
         if own {
             mean = Vector::ZERO;
         }
-        // Where any of them is divided, as an angle on the first; about the centre, modulo the rotation.
+        // Angles at which any of them is divided, relative to the first; about the centre, modulo the rotation.
         let period = if own { step } else { TAU };
         let mut angles: Vec<f64> = Vec::new();
         for (&l, steps) in orbit.iter().zip(0u32..) {
@@ -254,7 +254,7 @@ impl Redraw<'_> {
                 };
                 let v = at + Vector::from_angle(from) * radius.abs();
                 self.loops[l].push(Vertex::new(v.x, v.y, (0.25 * sweep).tan()));
-                // The arc as drawn that holds its middle.
+                // The arc as drawn that contains its middle.
                 let middle = from + 0.5 * sweep;
                 let holds = |e: &&crate::part::Edge| {
                     let start = (e.start - center - *c).angle();

@@ -25,7 +25,7 @@ fn teeth(k: u32, about: Point, by: f64) -> Vec<Vertex> {
     all
 }
 
-/// A circle of two half circles, the first of them leaving in direction `from`.
+/// A circle of two half circles; the first starts in direction `from`.
 fn hole(center: Point, radius: f64, from: f64) -> Vec<Vertex> {
     [0.0, 0.5 * TAU]
         .map(|a| {
@@ -35,7 +35,7 @@ fn hole(center: Point, radius: f64, from: f64) -> Vec<Vertex> {
         .into()
 }
 
-/// The same loop in the other direction.
+/// The loop in the other direction.
 fn reversed(l: &[Vertex]) -> Vec<Vertex> {
     let n = l.len();
     (0..n)
@@ -76,7 +76,7 @@ fn holes_count_by_where_they_are() {
         loops.extend(holes);
         symmetry(&loops).fold()
     };
-    // A bore, wherever its halves meet, and holes drawn with their halves every way.
+    // A bore, wherever its halves meet, and holes drawn with their halves in any direction.
     assert_eq!(with(vec![hole(FAR, 0.7, 0.2)]), 12);
     assert_eq!(with(ring(6, 0.4).collect()), 6);
     assert_eq!(with(ring(8, 0.0).collect()), 4);
@@ -135,7 +135,7 @@ fn round_parts_have_every_fold() {
     );
 }
 
-/// Turned by one step, the redrawn part is itself, edge by edge as the images say.
+/// Turned by one step, the redrawn part is itself, edge by edge according to the images.
 #[test]
 fn redrawn_parts_are_symmetric_to_rounding() {
     let mut loops = vec![reversed(&teeth(12, FAR, 0.0)), hole(FAR, 0.7, 0.2)];
@@ -158,7 +158,7 @@ fn redrawn_parts_are_symmetric_to_rounding() {
             );
         }
     }
-    // Every edge is a piece of the one it is said to have been.
+    // Every edge is a piece of the one from which it is reported to come.
     for ((l, was), drawn) in s.part.loops().iter().zip(part.loops()).zip(&s.drawn) {
         for (e, d) in l.edges().zip(drawn) {
             let original = was.edges().find(|o| o.index == d.edge as usize).unwrap();

@@ -1,4 +1,4 @@
-//! Loops as symmetry sees them, and which rotations map them to each other.
+//! Loops in the form used for symmetry, and the rotations that map them to each other.
 
 use core::f64::consts::TAU;
 
@@ -10,9 +10,9 @@ use super::mapping::{Corresponding, LoopImage, SYMMETRIC};
 /// A loop, about the part's centre, in order of travel.
 #[derive(Debug, Clone)]
 pub(super) enum Ring {
-    /// One whole circle, however it was drawn: travelled counter-clockwise if the radius is positive.
+    /// One whole circle, however it was drawn: traversed counter-clockwise if the radius is positive.
     Circle { center: Vector, radius: f64 },
-    /// Vertices, each with the bulge of the edge that is travelled from it.
+    /// Vertices, each with the bulge of the edge that starts there.
     Path(Vec<(Vector, f64)>),
 }
 
@@ -21,7 +21,7 @@ pub(super) enum Ring {
 pub(super) struct Trace {
     pub(super) rings: Vec<Ring>,
     center: Point,
-    /// Places nearer than this are one, in the part's unit.
+    /// Distance below which places are one, in the part's unit.
     pub(super) tolerance: f64,
     round: bool,
     /// Vertices of the paths, by their first coordinate: loop and place in it.
@@ -64,7 +64,7 @@ impl Trace {
         let mut rings = rings;
         for (ring, l) in rings.iter_mut().zip(part.loops()) {
             match ring {
-                // Nothing but circles about the centre: then only the arcs as drawn tell rotations apart.
+                // If there are only circles about the centre, only the arcs as drawn distinguish rotations.
                 Ring::Circle { .. } if round => *ring = path(l, center),
                 Ring::Circle { center, .. } => *center = *center - offset,
                 Ring::Path(vertices) => vertices.iter_mut().for_each(|v| v.0 = v.0 - offset),
@@ -108,7 +108,7 @@ impl Trace {
             .rings
             .iter()
             .filter(|r| matches!(r, Ring::Circle { center, .. } if !self.is_center(*center)));
-        // A rotation leaves nothing but the centre where it is.
+        // A rotation leaves only the centre where it is.
         let mut left = gcd(self.by_x.len() as u32, circles.count() as u32);
         let mut fold = 1;
         let mut prime = 2;
@@ -133,7 +133,7 @@ impl Trace {
         fold
     }
 
-    /// Where turning by 2π/`fold` takes every loop, if it maps the loops to each other.
+    /// The images of all loops under a turn by 2π/`fold`, if it maps the loops to each other.
     pub(super) fn images(&self, fold: u32) -> Option<Vec<LoopImage>> {
         let turn = Rotation::by(TAU / f64::from(fold));
         let images: Vec<LoopImage> = self
@@ -171,7 +171,7 @@ impl Trace {
         }
     }
 
-    /// Whether a rotation takes a path to another, vertex by vertex.
+    /// Whether a rotation maps a path to another, vertex by vertex.
     fn maps(&self, vertices: &[(Vector, f64)], turn: Rotation, image: LoopImage) -> bool {
         let Ring::Path(to) = &self.rings[image.target as usize] else {
             return false;
@@ -198,7 +198,7 @@ fn circle(l: &Loop, mid: Point, tolerance: f64) -> Option<Ring> {
     if l.edges().any(|e| e.is_line()) {
         return None;
     }
-    // The longest arc knows the circle best.
+    // The longest arc determines the circle best.
     let longest = l
         .edges()
         .max_by(|a, b| a.sweep().abs().total_cmp(&b.sweep().abs()))?;

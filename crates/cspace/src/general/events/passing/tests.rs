@@ -1,4 +1,4 @@
-//! Where three sheets meet of which some are flat arcs.
+//! Meetings of three sheets some of which are flat arcs.
 
 use super::*;
 use crate::geometry::{Configuration, Point};
@@ -15,7 +15,7 @@ fn crowned(side: f64, bulge: f64) -> Part {
     Part::new("crowned", vec![corners.to_vec()]).unwrap()
 }
 
-/// The sides of the hole that are lines are parallel: where the pocket closes, their contacts cross for 1e-17 rad at most, and the crossing
+/// The straight sides of the hole are parallel: where the pocket closes, their contacts cross for 1e-17 rad at most, and the crossing
 /// passes both arcs.
 #[test]
 fn what_has_play_in_a_crowned_hole_is_free() {
@@ -33,7 +33,7 @@ fn what_has_play_in_a_crowned_hole_is_free() {
                 let space = ContactSpace::compute(&hole, &moving, &options).unwrap();
                 let class = space.classify(Configuration::new(0.0, 0.0, 0.0));
                 let conflicts = space.statistics().conflicts;
-                // Two corners lie on one arc for so long (radians): of 4e-10 the band is doubtful.
+                // Duration for which two corners lie on one arc (radians): 4e-10 makes the band doubtful.
                 let narrow = (0.9e-10..1.1e-10).contains(&(bulge * play));
                 let certain = narrow || space.doubtful_orientations().is_empty();
                 if loops != 2 || class != Some(Classification::Free) || conflicts > 0 || !certain {
@@ -47,11 +47,11 @@ fn what_has_play_in_a_crowned_hole_is_free() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Lines and circles of all sizes through one point that turn and swing: zero where they meet, and a polynomial of degree four in
-/// between.
+/// Lines and circles of all sizes through one point, which turn and swing: the function is zero where they meet, and a polynomial of degree
+/// four between.
 #[test]
 fn what_vanishes_where_three_meet_is_a_polynomial() {
-    // By a point that moves, the normal, whether that turns too, and the signed radius; 0 of a line.
+    // Cycle given by a moving point, the normal, whether that turns too, and the signed radius; 0 for a line.
     let cycle = |(c, turns, radius): (f64, bool, f64), meet: f64, turn: Rotation<Exact>| {
         let exact = |v: Vector| v.map(Exact::from);
         let (normal, w) = (
@@ -70,7 +70,7 @@ fn what_vanishes_where_three_meet_is_a_polynomial() {
             u += -(n_then * r);
             return Cycle::round(u + turn * w, r);
         }
-        // Written by another point of it than the one at which they meet.
+        // Written by another point of it than that of the meeting.
         let through = u + turn * w;
         if radius == 0.0 {
             return Cycle::line(through, n);

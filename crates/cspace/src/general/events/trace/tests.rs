@@ -1,4 +1,4 @@
-//! Events against crossings that are looked at densely.
+//! Events compared with crossings found by dense sampling.
 
 use super::*;
 use crate::general::events::coming::pair_events;
@@ -29,7 +29,7 @@ fn rounded(x: f64, y: f64, r: f64) -> Vec<Vertex> {
     .to_vec()
 }
 
-/// Discs that bulge and notches: arcs of either sense, and corners.
+/// Bulging discs and notches: arcs of either orientation, and corners.
 fn lobes(size: f64) -> Vec<Vertex> {
     [
         (-1.0, -0.7, 0.3),
@@ -46,7 +46,7 @@ fn lobes(size: f64) -> Vec<Vertex> {
     .to_vec()
 }
 
-/// Between two orientations that no event is between the same curves cross.
+/// Between two orientations without an event between them, the same curves cross.
 #[test]
 fn crossings_come_and_go_at_events() {
     let part = |name: &str, loops: &[Vec<Vertex>]| Part::new(name, loops.to_vec()).unwrap();
@@ -107,7 +107,7 @@ fn crossings_come_and_go_at_events() {
                 .iter()
                 .map(|&t| crossings_between(&geometry, &run, t))
                 .collect();
-            // Double-double tells what doubles tell, away from events.
+            // Double-double and f64 agree away from events.
             let near = |t: f64| events.iter().any(|e| (e.theta.to_f64() - t).abs() < 1e-6);
             let clear = (looked.iter().zip(&now)).filter(|(t, _)| !near(**t));
             for (&t, c) in clear.step_by(4) {

@@ -1,4 +1,4 @@
-//! Copies of chains against their definition: every shift is tried and its interval cut with the window.
+//! Copies of chains compared with their definition: every shift is tried and its interval cut with the window.
 
 use super::*;
 use crate::contact::Exact;
@@ -6,9 +6,9 @@ use crate::general::events::clusters::Moment;
 
 const SLABS: u32 = 3;
 const PERIOD: f64 = TAU / 3.0;
-/// Orientations of the clusters of a slab; the last is the first once more.
+/// Orientations of the clusters of a period; the last is the first of the next.
 const PHASES: [f64; 4] = [-3.1, -2.5, -1.7, -3.1 + PERIOD];
-/// A turn, one that is wider, a part of a turn, and one narrower than the slab.
+/// A full turn, a window wider than a period, a part of a turn, and a window narrower than the period.
 const WINDOWS: [Window; 4] = [
     window(-PI, PI, true),
     window(-4.0, 5.5, false),
@@ -43,7 +43,7 @@ fn at(p: Place) -> f64 {
     PHASES[p.cluster as usize] + f64::from(p.slabs) * PERIOD
 }
 
-/// From one place to another.
+/// A chain from one place to another.
 fn chain(from: Place, to: Place, closed: bool) -> Chain {
     Chain {
         first: 0,
@@ -56,7 +56,7 @@ fn chain(from: Place, to: Place, closed: bool) -> Chain {
     }
 }
 
-/// Within a slab, to its end, beyond it, over more than one, and around the turn.
+/// Chains within a period, to its end, beyond it, over more than one, and around the turn.
 fn chains() -> Vec<Chain> {
     vec![
         chain(place(0, 0), place(1, 0), false),
@@ -67,12 +67,12 @@ fn chains() -> Vec<Chain> {
     ]
 }
 
-/// By how much two orientations differ, whole turns apart.
+/// Difference of two orientations modulo a turn.
 fn apart(a: f64, b: f64) -> f64 {
     ((a - b) - TAU * ((a - b) / TAU).round()).abs()
 }
 
-/// The shifts with which an interval has a part in the window, tried one by one.
+/// The shifts with which an interval overlaps the window, tried one by one.
 fn shifts_by_trial(lo: f64, hi: f64, window: Window) -> Vec<i64> {
     (-30..30)
         .filter(|&k| {
@@ -127,7 +127,7 @@ fn orientations_are_phases_some_slabs_further() {
                 } else {
                     assert!((theta - expected).abs() < 1e-14);
                 }
-                // The same to the last bit, from whichever slab it is seen.
+                // The orientation is equal to the last bit, from whichever period it is counted.
                 assert_eq!(lifts.orientation(place(cluster, slabs + 1), up - 1), theta);
             }
         }
@@ -160,7 +160,7 @@ fn intervals_are_cut_by_the_window() {
                 assert_eq!(lifts.is_whole(chain, slabs), whole);
             }
         }
-        // What ends nearly at the window's end ends there.
+        // An interval that ends nearly at the window's end ends there.
         let hair = 0.5 * NARROWEST_BAND;
         let (lo, hi) = lifts.clipped(window.lo + hair, window.hi - hair);
         let (beside_lo, beside_hi) = (
@@ -206,7 +206,7 @@ fn critical_orientations_are_the_ends_of_copies_within() {
     }
 }
 
-/// A window computed as it is: one copy of what has a part in it, and no shift.
+/// A window computed without symmetry: one copy of each chain that overlaps it, and no shift.
 #[test]
 fn a_window_that_does_not_repeat_is_not_copied() {
     let (clusters, chains) = (clusters(), chains());
@@ -248,7 +248,7 @@ fn half_a_turn_is_the_first_orientation() {
     }
 }
 
-/// Of a window narrower than two such bands, what has more than half of it.
+/// In a window narrower than two narrowest bands, a copy counts if more than half of the window is in it.
 #[test]
 fn a_copy_has_more_than_the_narrowest_band_in_the_window() {
     let (clusters, chains) = (clusters(), chains());
