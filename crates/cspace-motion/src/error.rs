@@ -131,9 +131,9 @@ pub enum SimulateError {
         "a state has {found} coordinates, and the mechanism has {count}: it is of another model"
     )]
     Count {
-        /// Those of the state.
+        /// Number of coordinates of the state.
         found: usize,
-        /// Those of the mechanism.
+        /// Number of coordinates of the mechanism.
         count: usize,
     },
     /// It was interrupted.

@@ -47,11 +47,11 @@ pub struct Touch {
     /// The features of the fixed and of the moving part.
     pub features: (FeatureId, FeatureId),
     contact: FeatureContact,
-    /// What friction does there, where this is known.
+    /// State of friction, where it is known.
     pub(crate) grip: Grip,
 }
 
-/// What friction does at a contact that is closed.
+/// State of friction at a closed contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Grip {
     /// Nothing.
@@ -67,7 +67,7 @@ pub(crate) enum Grip {
 }
 
 impl Touch {
-    /// The same contact with another grip.
+    /// Copy of the contact with another grip.
     pub(crate) fn with(self, grip: Grip) -> Self {
         Self { grip, ..self }
     }
@@ -132,7 +132,7 @@ impl Pairs {
         (self.left_out, self.list) = all.into_iter().partition(is_out);
     }
 
-    /// The same without friction.
+    /// Removes the friction of all pairs.
     pub(crate) fn smooth(mut self) -> Self {
         for pair in &mut self.list {
             pair.friction = 0.0;
@@ -140,12 +140,12 @@ impl Pairs {
         self
     }
 
-    /// Those that are left out of contact.
+    /// Pairs whose contacts are ignored.
     pub(crate) fn left_out(&self) -> &[MovingPair] {
         &self.left_out
     }
 
-    /// Those that can meet.
+    /// Pairs that can meet.
     pub fn list(&self) -> &[MovingPair] {
         &self.list
     }

@@ -1,4 +1,4 @@
-//! What is told of a motion: samples and events.
+//! Recording of a motion: samples and events.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub enum Status {
     Interrupted,
 }
 
-/// What happens.
+/// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
@@ -38,7 +38,7 @@ pub enum EventKind {
     Limit,
     /// The balance of forces ends, and parts go to the next one at once.
     Snap,
-    /// What is driven cannot go on: a contact or an end of a range that forbids it.
+    /// A driven part cannot go on: a contact or an end of a range forbids it.
     Jam,
 }
 
@@ -61,7 +61,7 @@ impl core::fmt::Display for End {
     }
 }
 
-/// What an event is about.
+/// Subject of an event.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum What {
@@ -107,9 +107,9 @@ impl core::fmt::Display for What {
 pub struct Event {
     /// When, in seconds.
     pub t: f64,
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
-    /// Of which parts.
+    /// Parts concerned.
     #[serde(flatten)]
     pub what: What,
     /// Where, in the assembly's frame; limits are nowhere.
@@ -133,11 +133,11 @@ pub struct Sample {
 /// The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s².
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Forces {
-    /// Of each closed contact and each end of a range that is reached.
+    /// Forces of all closed contacts and all ends of ranges that are reached.
     pub contacts: Vec<ContactForce>,
-    /// Of each joint between two parts, in the order of the mechanism's pairs.
+    /// Forces of the joints between two parts, in the order of the mechanism's pairs.
     pub joints: Vec<JointForce>,
-    /// Of each drive.
+    /// Forces of the drives.
     pub drives: Vec<DriveForce>,
 }
 
@@ -167,7 +167,7 @@ pub struct JointForce {
     pub torque: f64,
 }
 
-/// What a drive does.
+/// Force and power of a drive.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DriveForce {
     /// The name of the driven part.
@@ -178,20 +178,21 @@ pub struct DriveForce {
     pub power: f64,
 }
 
-/// What became of the energy, in kg·unit²/s²: the end's is the start's and the work of drives less what is lost, but for `drift`.
+/// Energy balance, in kg·unit²/s²: the energy at the end is that at the start plus the work of drives less the losses,
+/// but for `drift`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energy {
     /// Kinetic energy, and the potential energy of weights, loads and springs, at the start.
     pub start: f64,
-    /// The same at the end.
+    /// Energy at the end.
     pub end: f64,
-    /// What drives have put in.
+    /// Work done by drives.
     pub drives: f64,
-    /// What friction and dampers have taken.
+    /// Energy lost to friction and dampers.
     pub friction: f64,
-    /// What impacts have taken.
+    /// Energy lost to impacts.
     pub impacts: f64,
-    /// What is left over: the error of the integration.
+    /// Remainder of the balance: the error of the integration.
     pub drift: f64,
 }
 
@@ -208,7 +209,7 @@ pub struct Obstacle {
 /// More steps than these are not traced; instants at which contacts change still are.
 pub const MOST_TRACED: usize = 200_000;
 
-/// What became of a mechanism.
+/// Recording of a mechanism's motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
     /// How it ended.

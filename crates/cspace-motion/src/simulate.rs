@@ -26,7 +26,7 @@ const ASK_AFTER: u32 = 64;
 /// A duration is a whole number of steps to this share of one.
 const STEP_ROUNDING: f64 = 1e-6;
 
-/// What is wanted of a simulation.
+/// Settings of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// How long, in seconds.
@@ -56,14 +56,14 @@ pub enum Way {
     Stepping(f64),
 }
 
-/// What joints between parts that move leave free.
+/// Degrees of freedom left by joints between parts that move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Freedom {
     /// Coordinates that are not driven.
     pub coordinates: usize,
     /// Equations of the joints.
     pub equations: usize,
-    /// Those of them that do not follow from others.
+    /// Number of the equations that do not follow from others.
     pub independent: usize,
 }
 
@@ -113,10 +113,10 @@ impl Simulation {
         })
     }
 
-    /// The same mechanism, taken up where a motion of it has come to: at its time, coordinates and rates.
+    /// Restarts the mechanism from a recorded sample: its time, coordinates and rates.
     ///
     /// # Errors
-    /// If the numbers are not those of the mechanism's coordinates, or parts overlap there.
+    /// If the number of coordinates or rates is not that of the mechanism, or parts overlap there.
     pub fn taken_up(mut self, at: &Sample) -> Result<Self, SimulateError> {
         let count = self.system.count();
         if at.coordinates.len() != count || at.rates.len() != count {
@@ -353,7 +353,7 @@ fn steps(time: f64, step: f64) -> Result<usize, SimulateError> {
     Ok(steps as usize)
 }
 
-/// That all parts are within their ranges.
+/// Checks that all parts are within their ranges.
 pub(crate) fn check_ranges(system: &System, q: &[f64]) -> Result<(), SimulateError> {
     for (i, part) in system.parts().iter().enumerate() {
         if let PartCoordinates::Axis {

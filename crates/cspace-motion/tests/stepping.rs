@@ -1,7 +1,7 @@
 //! The two schemes of motions with masses against each other: from event to event, and in steps.
 //!
-//! What is compared are all coordinates, in the model's unit and in radians, at samples over the whole time. Steps of h must agree to a
-//! bound, and steps of ten times h must not: so the bounds can fail, and errors fall with h.
+//! The tests compare all coordinates, in the model's unit and in radians, at samples over the whole time. Steps of h
+//! must agree to a bound, and steps of ten times h must not: so the bounds can fail, and errors fall with h.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::Path;
@@ -48,7 +48,8 @@ fn difference(a: &Record, b: &Record) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// That steps of h agree with the motion from event to event to a bound, and steps ten times as long do not; the record of those of h.
+/// Checks that steps of h agree with the event-driven motion to a bound, and that steps ten times as long do not;
+/// returns the recordings of the motion and of steps of h.
 #[track_caller]
 fn agree(simulation: &Simulation, time: f64, h: f64, bound: f64) -> (Record, Record) {
     let settings = settings(time);

@@ -1,4 +1,4 @@
-//! What must not become negative: contact functions, and the distances to the ends of ranges.
+//! Bounds of a motion, functions that must not become negative: contact functions, and distances to the ends of ranges.
 
 use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
@@ -8,16 +8,16 @@ use crate::system::{PartCoordinates, Row, System};
 #[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Bound {
-    /// Of two features that touch.
+    /// Contact of two features.
     Contact(Touch),
-    /// Of a part at an end of its range.
+    /// Limit: a part at an end of its range.
     Limit {
         /// The part.
         part: usize,
         /// Whether it is the upper end.
         upper: bool,
     },
-    /// Of a part with a brake: it holds either way.
+    /// Brake of a part: it holds in both directions.
     Brake {
         /// The part.
         part: usize,
@@ -125,7 +125,7 @@ pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> 
     nearly_touching(system, pairs, q, 0.0)
 }
 
-/// Those that touch, or nearly: within a length.
+/// Bounds that are closed or closer to it than a length.
 pub(crate) fn nearly_touching(system: &System, pairs: &Pairs, q: &[f64], near: f64) -> Vec<Bound> {
     let of = |pair: usize| nearly_touching_of(system, pairs, pair, q, near);
     let mut all: Vec<Bound> = (0..pairs.list().len()).flat_map(of).collect();

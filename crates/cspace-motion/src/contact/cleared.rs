@@ -3,7 +3,7 @@
 use super::bound::Bound;
 use super::path::Path;
 
-/// What was found of steps that begin in one way.
+/// Longest steps from one state, with the same bounds held, in which pairs met nothing.
 #[derive(Debug)]
 pub(super) struct Cleared {
     /// The coordinates and rates with which they begin.
@@ -14,7 +14,7 @@ pub(super) struct Cleared {
 }
 
 impl Cleared {
-    /// Of so many pairs, nothing being known.
+    /// Creates an empty record for a number of pairs.
     pub(super) fn new(pairs: usize) -> Self {
         Self {
             begin: [Vec::new(), Vec::new()],
@@ -23,7 +23,7 @@ impl Cleared {
         }
     }
 
-    /// That a step is looked at next, with some bounds held. What is known of others that begin elsewhere is forgotten.
+    /// Prepares for a step with some bounds held. Results of steps that begin in another state are discarded.
     pub(super) fn begin(&mut self, held: &[Bound], path: &Path<'_>) {
         let begin = [path.from(), path.begins()];
         let is_same = self.begin.iter().zip(begin).all(|(a, b)| a == b) && self.held == held;
@@ -39,7 +39,7 @@ impl Cleared {
         path.duration() <= self.until[pair]
     }
 
-    /// That a pair met nothing in the step.
+    /// Records that a pair met nothing in the step.
     pub(super) fn tell(&mut self, pair: usize, path: &Path<'_>) {
         self.until[pair] = self.until[pair].max(path.duration());
     }

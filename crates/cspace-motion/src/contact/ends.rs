@@ -9,7 +9,8 @@
 //!             (material)                                                ↓t₂
 //! ```
 //!
-//! Of an arc of more than half a turn the functions are right near the ends they belong to, which is where they are asked.
+//! For an arc of more than half a turn the functions are correct only near the ends they belong to, where they are
+//! evaluated.
 
 use cspace::{
     Coordinates, FeatureId, FeatureKind, FeatureName, FeatureShape, Part, Placement, Vector,

@@ -34,7 +34,7 @@ const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
 /// A share of a path, and the coordinates there.
 type Place = (f64, Vec<f64>);
 
-/// What two parts do on a path.
+/// Search for a meeting of the two parts of a pair on a path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting<'m> {
     pub(super) system: &'m System,
@@ -42,7 +42,7 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
-    /// What its pair is where steps begin and end.
+    /// Cached classifications of the pair where steps begin and end.
     pub(super) classes: &'m Classes,
     /// How far its parts are apart at most where the path begins.
     pub(super) ceiling: f64,

@@ -1,4 +1,4 @@
-//! What keeps parts from overlapping more, where they overlap a little.
+//! Choice of the contacts that keep slightly overlapping parts from overlapping more.
 //!
 //! ```text
 //!   convex corner:              \ b /   one contact is enough: that which is

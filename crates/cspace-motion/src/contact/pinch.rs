@@ -20,7 +20,7 @@ pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) 
     within(system, pairs, index, q, pairs.list()[index].touch)
 }
 
-/// The same of all pairs where a step was found to go too far: by more than contacts are known to.
+/// As `pinch`, for every pair whose overlap after a step exceeds the error of contacts.
 pub(crate) fn pinched(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
     let of =
         |(index, pair): (usize, &MovingPair)| within(system, pairs, index, q, REACH * pair.touch);

@@ -8,10 +8,10 @@ use crate::system::System;
 
 use super::pinch::pinching;
 
-/// That no parts overlap.
+/// Checks that no parts overlap.
 ///
 /// # Errors
-/// If some do, or nothing was computed there.
+/// If parts overlap, or a pair's space was not computed at this configuration.
 pub(crate) fn check_start(system: &System, pairs: &Pairs, q: &[f64]) -> Result<(), SimulateError> {
     (0..pairs.list().len()).try_for_each(|index| check_pair(system, pairs, index, q))
 }

@@ -36,7 +36,7 @@ pub(super) fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> 
     combined(a, b, |a, b| b - a)
 }
 
-/// What is made of each two coordinates; `None` of coordinates of different classes.
+/// Applies a function to each two corresponding coordinates; `None` if the coordinates are of different classes.
 fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Option<Coordinates> {
     match (a, b) {
         (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(

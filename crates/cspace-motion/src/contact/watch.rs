@@ -22,7 +22,7 @@ const SHARE: f64 = 1.0 / 14.0;
 /// Clearances are asked for wherever they may be so many times what is needed, however often they were not.
 const MOST_LIKELY: f64 = 64.0;
 
-/// What a step met.
+/// Reason for which a step cannot be taken as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Met {
     /// A contact is no longer where two features touch, or the parts of a pair met.
@@ -31,7 +31,7 @@ pub(crate) enum Met {
     Window,
 }
 
-/// What is known of each pair while the same contacts are closed.
+/// State of each pair's check for collisions while the same contacts are closed.
 #[derive(Debug)]
 pub(crate) struct Watch<'a> {
     system: &'a System,
@@ -42,9 +42,9 @@ pub(crate) struct Watch<'a> {
     ceiling: Vec<f64>,
     /// Clearances are asked for where they may be so many times what is needed: twice as many each time that they are not.
     likely: Vec<f64>,
-    /// Of each pair the patches on which its features touched last: features may touch on several.
+    /// Last contact patches of each pair's features, which may touch on several at once.
     patches: Vec<Vec<Touch>>,
-    /// What pairs are where steps begin and end.
+    /// Cached classifications of pairs where steps begin and end.
     classes: Classes,
     /// How far pairs are known to meet nothing.
     cleared: Cleared,
@@ -105,7 +105,7 @@ impl<'a> Watch<'a> {
         all
     }
 
-    /// What a step along a path met, with some bounds held on the way.
+    /// Checks a step along a path on which some bounds are held; returns the first obstacle found.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
         let all = 0..self.pairs.list().len();
         self.cleared.begin(held, path);
@@ -275,7 +275,7 @@ impl<'a> Watch<'a> {
         begun.iter().chain([&touch.patch]).any(goes_on)
     }
 
-    /// That a step along a path was taken.
+    /// Updates the rooms and ceilings of all pairs after a step along a path was taken.
     pub(crate) fn taken(&mut self, path: &Path<'_>) {
         for index in 0..self.pairs.list().len() {
             let travel = self.meeting(index, path).travel();

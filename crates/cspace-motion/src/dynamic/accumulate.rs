@@ -11,7 +11,7 @@ const TURNS: usize = 2;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Impacts {
     times: Vec<f64>,
-    /// Those of the last many, the last first.
+    /// Times of the latest impacts, the last first.
     recent: std::collections::VecDeque<f64>,
 }
 

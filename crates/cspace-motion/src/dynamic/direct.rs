@@ -41,7 +41,7 @@ impl System {
 }
 
 impl System {
-    /// That a number of the last row or of its direction is not 0.
+    /// Extends the non-zero range of the last row to an index.
     fn reach(&mut self, i: usize) {
         if let Some(within) = self.within.last_mut() {
             *within = match within.end {

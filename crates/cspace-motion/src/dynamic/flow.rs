@@ -198,7 +198,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
     }
 }
 
-/// Those of the contacts that bear that stick.
+/// Sticking contacts among those that bear.
 fn stuck<'t>(touches: &'t [Touch], bearings: &Bearings) -> Vec<&'t Touch> {
     let all = touches.iter().zip(bearings);
     all.filter(|(_, b)| b.1 == Mode::Stick)

@@ -6,8 +6,9 @@
 //! 0 ≤ λ_N ⟂ a_N ≥ 0,   0 ≤ β⁺ ⟂ σ + a_T ≥ 0,   0 ≤ β⁻ ⟂ σ − a_T ≥ 0,   0 ≤ σ ⟂ f λ_N − β⁺ − β⁻ ≥ 0
 //! ```
 //!
-//! Of a contact that slides, or has no friction, only λ_N is unknown, and pushes along n − s f τ. If no contact slides yet the matrix is
-//! copositive, and Lemke's method finds a solution wherever contacts that support each other do not contradict each other.
+//! For a contact that slides, or has no friction, only λ_N is unknown; it pushes along n − s f τ. If no contact slides
+//! yet, the matrix is copositive, and Lemke's method finds a solution wherever contacts that support each other do not
+//! contradict each other.
 //!
 //! Sources: Stewart and Trinkle, International Journal for Numerical Methods in Engineering 39 (1996); Pang and Trinkle, Mathematical
 //! Programming 73 (1996).
@@ -23,7 +24,7 @@ use super::reduced::Reduced;
 /// Covering vectors that are tried, as a ray from one of them proves nothing and others may lead to other solutions.
 const COVERS: usize = 4;
 
-/// What an unknown of a contact is.
+/// Kind of an unknown of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     /// λ_N, with λ_T / λ_N.

@@ -34,7 +34,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
     }
 
-    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
+    /// Complementarity problem of velocities and impulses, with the friction and the restitution of each contact.
     pub(super) fn impulses(
         &self,
         closed: &[usize],

@@ -29,7 +29,7 @@ pub(super) struct Complementary {
     pub(super) basic: Vec<bool>,
 }
 
-/// What comes out.
+/// Result of Lemke's method.
 #[derive(Debug, Clone)]
 pub(super) enum Outcome {
     /// A solution, to rounding.

@@ -66,7 +66,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Those that Lemke's method finds.
+    /// Solutions found by Lemke's method.
     fn pivoted(&self, reduced: &Reduced) -> Vec<Solution> {
         let mut found: Vec<Solution> = Vec::new();
         for solution in friction::solutions(self, reduced) {

@@ -1,8 +1,8 @@
-//! What is asked and told of a motion.
+//! Options and results of a motion.
 
 use super::world::{Acting, State};
 
-/// What happens.
+/// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
     /// Velocities change at once.
@@ -24,7 +24,7 @@ pub enum EventKind {
 pub struct Event {
     /// When, s.
     pub t: f64,
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
     /// The number of the contact.
     pub contact: usize,
@@ -40,7 +40,7 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
-    /// What is driven strikes what cannot give way.
+    /// A driven part strikes parts that cannot give way.
     Jammed {
         /// The contacts concerned.
         contacts: Vec<usize>,
@@ -100,17 +100,17 @@ pub struct Motion {
     pub first: State,
     /// Where it ended.
     pub last: State,
-    /// What happened.
+    /// Events, in order.
     pub events: Vec<Event>,
     /// Steps between events.
     pub steps: usize,
     /// How far closed contacts and joints were open at most after a step, before they were brought together.
     pub open: f64,
-    /// What became of energy.
+    /// Work done by drives and energy lost.
     pub work: Work,
 }
 
-/// What drives put in, and what is lost.
+/// Work done by drives, and energy lost.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
     /// By drives.
@@ -121,7 +121,7 @@ pub struct Work {
     pub impacts: f64,
 }
 
-/// What is asked of a motion.
+/// Options of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// When it ends, s.

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// What a contact does.
+/// Mode of a contact: open, sticking or sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mode {
     /// It bears nothing.
@@ -65,7 +65,7 @@ pub(super) struct Problem<'a> {
     pub(super) joints: DMatrix<f64>,
     pub(super) j: DVector<f64>,
     pub(super) bearings: Vec<Bearing>,
-    /// What is less than this share of the largest term is 0.
+    /// Rounding threshold: values below this share of the largest term count as 0.
     pub(super) zero: f64,
 }
 
@@ -88,7 +88,7 @@ pub(super) struct Solution {
 const ROUNDING: f64 = 1e-12;
 
 impl Problem<'_> {
-    /// What counts as a rate: the largest sum of the terms of one.
+    /// Scale of the rates: the largest sum of the magnitudes of one rate's terms.
     pub(super) fn terms(&self, solution: &Solution) -> f64 {
         (self.bearings.iter())
             .map(|b| {

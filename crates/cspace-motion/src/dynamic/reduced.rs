@@ -18,8 +18,8 @@ use super::problem::{Mode, Problem, Solution};
 
 /// Equations hold to this share of their terms.
 const HOLDS: f64 = 1e-9;
-/// What joints leave of a direction is nothing if it is below this share: rounding, and what it makes of joints that turn a little
-/// makes a large part of.
+/// A contact direction counts as taken away by the joints if less than this share of it is left. Such a remainder is
+/// rounding, and would become a large error for joints that turn a little.
 const NOTHING: f64 = 1e-10;
 
 /// Forces of contacts and the rates they leave: λ_N and λ_T, a_N and a_T of each contact in turn.
@@ -271,7 +271,8 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// What the joints tell, and y that they leave of loads L⁻¹ h without contacts; `None` if they contradict each other.
+/// Reduces the joints' equations and projects the loads L⁻¹ h, without contacts, on the motions that joints allow;
+/// `None` if joints contradict each other.
 fn jointed(
     problem: &Problem,
     factor: &Cholesky,

@@ -134,14 +134,14 @@ pub fn run_through<W: World + ?Sized>(
     }
 }
 
-/// What contacts have come to at an event.
+/// Contacts that end a step at an event, by reason.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Reached {
-    /// Their sliding to its end: they do not slide at this moment, whatever rounding says.
+    /// Contacts whose sliding has come to its end: they do not slide at this moment, whatever rounding says.
     pub(super) halted: Vec<usize>,
-    /// All the friction there is.
+    /// Contacts that have used up all of their friction.
     pub(super) loose: Vec<usize>,
-    /// The other side, without having opened by more than rounding: they stay, if they open slowly.
+    /// Contacts that closed again without having opened by more than rounding: they stay closed if they open slowly.
     pub(super) back: Vec<usize>,
 }
 

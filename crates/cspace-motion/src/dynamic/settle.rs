@@ -1,4 +1,4 @@
-//! What happens at an event, and what each contact does from then on.
+//! Events: changes of rates at an event, and the mode of each contact after it.
 
 use std::collections::HashMap;
 
@@ -17,8 +17,8 @@ use super::world::{State, Step, Touch, World};
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 /// Contacts that cease to stick within this share of the time that is simulated do so together.
 const LOOSE: f64 = 1e-8;
-/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
-/// share of the size: as where a part turns about the centre of an arc that touches.
+/// The part of a gap's acceleration due to curvature and rates counts as rounding if in the longest step it moves the
+/// gap by less than this share of the size. An example is a part that turns about the centre of an arc that touches.
 const SLIGHT: f64 = 1e-15;
 /// Slow are rates of this share of the largest so far.
 const SLOW: f64 = 1e-5;
@@ -107,7 +107,8 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.events.push(Event { t, kind, contact });
     }
 
-    /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
+    /// Determines the modes of the closed contacts from now on: the first of the world's alternatives by which the
+    /// motion goes on.
     pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         let closed = self.in_the_way(closed);
         let mut sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
@@ -155,8 +156,8 @@ impl<W: World + ?Sized> Run<'_, W> {
         Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
     }
 
-    /// Of closed contacts of which none strikes, those of which the features do not touch any more a very little later although they do not
-    /// part: as the edge of a notch, once what bridges the notch rests on its other side.
+    /// If no closed contact strikes: the contacts whose features do not touch any more a very little later although
+    /// they do not part. An example is the edge of a notch, once a part that bridges the notch rests on its other side.
     fn ending(&self, closed: &[usize]) -> Vec<usize> {
         let State { t, q, v } = &self.state;
         let world = self.flow.world;
@@ -400,7 +401,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do, and what gaps are left.
     ///
-    /// Those that are halted do not slide either.
+    /// Halted contacts do not slide either.
     pub(super) fn stay(&mut self, closed: &[usize], halted: &[usize]) -> Result<(), Ended> {
         let mode = |i: &usize| match halted.contains(i) {
             true => Mode::Stick,

@@ -1,4 +1,5 @@
-//! What moves, as the integrator sees it: coordinates with masses and forces, constraints, and contacts that may open and close.
+//! Interface between the integrator and a mechanism: coordinates with masses and forces, constraints, and contacts that
+//! open and close.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,7 +14,7 @@ pub struct Touch {
     pub normal: DVector<f64>,
     /// The rate at which the features slide past each other is `tangent · v + drift[1]`.
     pub tangent: DVector<f64>,
-    /// What these rates are where no coordinate changes: that of contacts with what is driven.
+    /// Rates of gap and sliding where no coordinate changes: contributions of driven parts.
     pub drift: [f64; 2],
 }
 
@@ -72,7 +73,8 @@ pub trait World {
         Joints::none(q.len())
     }
 
-    /// What J v̇ has: −J̇ v, and the derivatives of the rates that J v has. By differences along v unless a world knows better.
+    /// Right-hand side of the joints' accelerations, J v̇: −J̇ v plus the derivatives of the rates prescribed for J v.
+    /// Default: finite differences along v.
     fn joint_bends(&self, state: &State) -> DVector<f64> {
         let here = self.joints(state.t, &state.q);
         let along = |k: usize| {
@@ -168,8 +170,8 @@ pub trait World {
         false
     }
 
-    /// Of a step that begins before it met something and ends after, the functions of which one has a root there. Contacts may have
-    /// gaps of ± `near`.
+    /// Event functions of which at least one changes sign in a step that begins before an event and ends after it. Gaps
+    /// are accurate to ± `near`.
     fn sought(&self, _step: Step<'_>, _near: f64) -> Vec<Sought> {
         Vec::new()
     }
@@ -193,13 +195,13 @@ pub trait World {
         0.5 * state.v.dot(&(self.mass() * &state.v))
     }
 
-    /// That a step is taken.
+    /// Notifies the world that a step was taken.
     fn taken(&self, _step: Step<'_>) {}
 
     /// The coefficients of friction and of restitution of a contact.
     fn surface(&self, contact: usize) -> Surface;
 
-    /// What counts as a length of 1: contacts are closed to [`CLOSED`](super::CLOSED) of it.
+    /// Unit of length: contacts are closed to [`CLOSED`](super::CLOSED) times this.
     fn size(&self) -> f64;
 
     /// How far a change of the coordinates, or their rates, moves what moves most; angles may count by lengths.
@@ -242,14 +244,14 @@ impl<'a> Acting<'a> {
     }
 }
 
-/// What accelerations depend on.
+/// Coefficients of the equations of motion at one state.
 #[derive(Debug, Clone)]
 pub struct Equations {
     /// The forces h.
     pub force: DVector<f64>,
     /// J.
     pub joints: DMatrix<f64>,
-    /// What J v̇ has.
+    /// Right-hand side of the joints' accelerations, J v̇.
     pub joint_bends: DVector<f64>,
     /// Contacts, as [`World::bends`] tells them.
     pub contacts: Vec<(Touch, [f64; 2])>,
@@ -292,7 +294,7 @@ fn change<W: World + ?Sized>(
     (of(t + ahead, &(q + v * ahead)) - of(t - ahead, &(q - v * ahead))) / (2.0 * ahead)
 }
 
-/// What happens between two surfaces.
+/// Friction and restitution between two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
     /// Coulomb's coefficient of friction.

@@ -1,4 +1,4 @@
-//! What became of a drag.
+//! Result of a drag.
 
 use crate::record::What;
 
@@ -27,12 +27,12 @@ pub struct Stopper {
     pub at: Option<[f64; 2]>,
 }
 
-/// What became of a drag.
+/// Result of a drag.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dragged {
     /// How it ended.
     pub ending: Ending,
-    /// What keeps the part from where it was dragged to: all contacts and ends of ranges of the chain of parts up to what stands.
+    /// Contacts and ends of ranges that keep the part from its target: all of the chain of parts up to a fixed one.
     pub stopped_by: Vec<Stopper>,
     /// The parts that overlapped each other before and still do, as [`Hand::overlapping`](crate::Hand::overlapping).
     pub overlapping: Vec<(usize, usize)>,

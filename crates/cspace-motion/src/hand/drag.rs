@@ -46,7 +46,7 @@ struct Drag<'a> {
     part: usize,
     spent: Cell<usize>,
     answer: Dragged,
-    /// What carried the pull where it was in balance last.
+    /// Stoppers that carried the pull at its last balance.
     carrying: Vec<Stopper>,
 }
 

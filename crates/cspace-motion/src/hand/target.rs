@@ -27,14 +27,14 @@ pub enum Target {
 /// A target in the coordinates of a part: from where to where.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Way {
-    /// Of a part on an axis: its coordinate.
+    /// Path of a part on an axis: its coordinate.
     Axis {
         /// The index of the coordinate.
         index: usize,
         /// From where to where.
         ends: [f64; 2],
     },
-    /// Of a part in the plane: one of its points, in the part's frame.
+    /// Path of a part in the plane: one of its points, in the part's frame.
     Planar {
         /// The index of x.
         first: usize,

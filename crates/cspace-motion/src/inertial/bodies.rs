@@ -41,7 +41,7 @@ pub(super) struct Bodies {
     pub(super) system: System,
     /// The diagonal of the mass matrix of all coordinates; 0 for what is driven and has no mass.
     pub(super) masses: Vec<f64>,
-    /// That of the free ones.
+    /// Mass matrix of the free coordinates.
     pub(super) mass: DMatrix<f64>,
     /// The place of each coordinate among the free ones.
     pub(super) place: Vec<Option<usize>>,

@@ -1,4 +1,4 @@
-//! What is told of a motion with masses, as samples and events of a record.
+//! Recording of a motion with masses: samples and events.
 
 use crate::contact::{Bound, named};
 use crate::dynamic::{self, Acting, Observer, State};

@@ -84,7 +84,7 @@ impl<'a> Mechanical<'a> {
         drives(self.bodies, all, acting, pushes, contacts, &known.joints)
     }
 
-    /// What is known of a state with some contacts: once computed, it is kept for the next that asks.
+    /// Quantities of a state with some contacts. The last result is kept for the next call.
     fn known(&self, state: &State, contacts: impl Iterator<Item = usize> + Clone) -> Rc<Known> {
         if let Some(known) = &*self.last.borrow()
             && known.state == *state
@@ -150,7 +150,7 @@ impl<'a> Mechanical<'a> {
         })
     }
 
-    /// What is done with the path of a step.
+    /// Applies a function to the path of a step.
     fn along<T>(&self, step: &Step<'_>, what: impl FnOnce(&Path<'_>) -> T) -> T {
         let [a, b] = [step.from, step.to].map(|s| self.bodies.all(s));
         what(&Path::new(
@@ -489,7 +489,7 @@ fn has_dampers(mechanism: &cspace::Mechanism) -> bool {
     })
 }
 
-/// What is known of a state.
+/// Computed quantities of a state.
 #[derive(Debug)]
 struct Known {
     state: State,

@@ -52,7 +52,7 @@ pub(super) struct Balance {
     neutral: f64,
 }
 
-/// What is asked about: bounds that are closed, at a configuration.
+/// Closed bounds at a configuration.
 #[derive(Clone, Copy)]
 pub(super) struct Closed<'a> {
     pub(super) system: &'a System,
@@ -67,7 +67,7 @@ impl Closed<'_> {
         self.bounds.iter().map(of).collect()
     }
 
-    /// What holds, with the brakes that do not.
+    /// Constraints of the bounds, and the brakes that do not hold.
     fn holding(&self, q: &[f64]) -> Holding {
         let mut holding = Holding::of(self.system, self.pairs, self.bounds, q);
         let released = self.released();

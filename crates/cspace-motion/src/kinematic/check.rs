@@ -28,7 +28,7 @@ pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arriv
     obstacle(watch, flow, h, to).is_none()
 }
 
-/// What keeps a step from being taken as it is.
+/// Obstacle that keeps a step from being taken as it is, if there is one.
 pub(super) fn obstacle(
     watch: &mut Watch<'_>,
     flow: &Flow<'_>,
@@ -41,12 +41,12 @@ pub(super) fn obstacle(
     })
 }
 
-/// The same, of a step that was looked at last: what its pairs met is known.
+/// As `obstacle`, for the step that was checked last: the result for its pairs is known.
 pub(super) fn last_obstacle(watch: &Watch<'_>, flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
     own_obstacle(flow, to).or_else(|| watch.met().map(Obstacle::Pair))
 }
 
-/// What keeps a step from being taken, beside what pairs meet.
+/// Obstacle to a step other than meetings of pairs.
 fn own_obstacle(flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
     let pull = -PULL * to.velocity.speed;
     let mut pushes = to.velocity.pushes.iter().zip(&flow.held);

@@ -31,7 +31,7 @@ const MOST_SHORTER: usize = 16;
 /// A contact that pulls by more than this share of the speed is not tried.
 const ROUGHLY: f64 = 1e-6;
 
-/// What goes on at a configuration.
+/// Continuation of the motion at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
     /// These contacts hold.
@@ -43,7 +43,7 @@ pub(crate) enum Choice<'a> {
     },
     /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
-    /// What is allowed leads nowhere.
+    /// No allowed velocity leads to a further configuration.
     Undetermined,
 }
 

@@ -24,7 +24,8 @@ pub(crate) struct Told {
 type Seen = (Bound, Option<cspace::Point>, Option<bool>);
 
 impl Told {
-    /// What has changed, when `bounds` are those that are reached and the motion goes on, to `next` in a very little while.
+    /// Changes since the last call, where `bounds` are those that are reached and the motion goes on to `next` a very
+    /// little while later.
     pub(crate) fn update(
         &mut self,
         pairs: &Pairs,

@@ -19,7 +19,8 @@ pub(crate) use super::there::close;
 
 /// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
 const ERROR: f64 = 1e-13;
-/// What is brought back moves by no more than this share of the step: more would be another solution.
+/// Largest correction of a configuration by joints and contacts, as a share of the step: a larger one would lead to
+/// another solution.
 const CORRECTION: f64 = 0.25;
 /// Sums of slopes are right to this share of the largest: what is less is no error of the step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -112,7 +113,7 @@ impl<'a> Flow<'a> {
         Some(Arrived { q, velocity, error })
     }
 
-    /// The same without a velocity.
+    /// As `brought`, without the velocity.
     pub(crate) fn placed(&self, h: f64, mut q: Vec<f64>) -> Option<Vec<f64>> {
         self.bring(h, &mut q)?;
         Some(q)

@@ -6,8 +6,9 @@
 //!   it goes on      it does, it does not      it does not
 //! ```
 //!
-//! Contacts that close, features that come to their end and contacts that are no longer pressed have functions whose first root r is found in
-//! some steps. That it is what happens is then seen just before and just after it; where it is not, what was seen makes the part shorter.
+//! Closing contacts, features that come to their end, and contacts that are no longer pressed have functions whose
+//! first root r is computed in some steps. A check just before and just after r confirms the event; if it fails, its
+//! result shortens the part of the step that is searched.
 
 use crate::contact::{Bound, ends, limits};
 use crate::root::root;
@@ -35,7 +36,7 @@ const MENDED: usize = 6;
 /// A root is one that is right to this share of the times between which it is looked for.
 const RIGHT: f64 = 1e-12;
 
-/// What is seen of a part of a step.
+/// Result of the search in a part of a step.
 // There is one at a time.
 #[allow(clippy::large_enum_variant)]
 pub(super) enum Seen {
@@ -50,11 +51,11 @@ pub(super) enum Seen {
 #[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy)]
 pub(super) enum What {
-    /// Of a bound that is open.
+    /// Closing of an open bound.
     Closes(Bound),
-    /// Of a bound that is held, by its number: of an end of its features, by its number.
+    /// End of a held bound, by its number, at an end of its features, by its number.
     Ends(usize, usize),
-    /// Of a bound that is held: how much it is pressed.
+    /// Opening of a held bound, by its number: its pressure falls to 0.
     Opens(usize),
 }
 

@@ -1,13 +1,14 @@
-//! What holds parts: functions that do not change, and along what each pushes where friction acts.
+//! Constraints that hold parts: functions that must not change, and the directions in which their forces push where
+//! friction acts.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
-/// What holds: functions that do not change, and along what each of them pushes.
+/// Constraints: functions that must not change, and the direction in which the force of each pushes.
 #[derive(Debug, Clone)]
 pub(crate) struct Holding {
-    /// Of the bounds, then the rates of sliding of those that stick.
+    /// Gradients of the bounds, then the rates of sliding of those that stick.
     pub(super) rows: Vec<Row>,
     /// Along what they push; their own gradients if it is not told.
     pub(super) along: Option<Vec<Row>>,
@@ -61,7 +62,7 @@ impl Holding {
     }
 }
 
-/// What friction does at a bound.
+/// State of friction at a bound.
 pub(super) fn grip(bound: &Bound) -> Grip {
     match bound {
         Bound::Contact(touch) => touch.grip,

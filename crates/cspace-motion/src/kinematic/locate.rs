@@ -1,8 +1,8 @@
 //! When something happens within a step.
 //!
-//! What a step met is found by halving it. That tells the event as well as contacts are told by their spaces, to some 1e-9 of
-//! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
-//! root is found to rounding.
+//! A meeting in a step is located by bisection, which is as accurate as contacts are in their spaces, some 1e-9 of the
+//! parts' size. Then the function that vanishes there is searched for, a contact's or that of an end of a feature, and
+//! its root is computed to rounding.
 
 use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
 
@@ -26,7 +26,7 @@ pub(crate) struct Stop {
     pub(crate) after: f64,
     /// The configuration just after it.
     pub(crate) q: Vec<f64>,
-    /// What touches there, or where it was seen that the step has to stop.
+    /// Bounds that touch there, or at which the step has to stop.
     pub(crate) bounds: Vec<Bound>,
 }
 

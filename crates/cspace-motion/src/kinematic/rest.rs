@@ -31,7 +31,8 @@ pub(super) struct Settling<'a> {
 }
 
 impl<'a> Settling<'a> {
-    /// Of a system with forces that balance, at a time; and the speed that forces would give to what nothing holds.
+    /// Starts to settle a system with balanced forces at a time; `forced` is the speed that forces would give to parts
+    /// that nothing holds.
     pub(super) fn new(balanced: &'a System, time: f64, forced: f64) -> Self {
         Self {
             balanced,

@@ -12,7 +12,7 @@ use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
 use super::rest::Settling;
 
-/// What diverges in a step is tried again with this share of it.
+/// Factor by which a step that diverges is shortened.
 const DIVERGED: f64 = 0.2;
 /// More steps than this to the next stop are too many to be made as short as that where nothing is near.
 const HURRIES: f64 = 1e4;
@@ -81,7 +81,7 @@ impl Samples {
 pub(super) struct State {
     pub(super) time: f64,
     pub(super) q: Vec<f64>,
-    /// What was closed on the way there.
+    /// Bounds that were closed on the path to `q`.
     before: Vec<Bound>,
     /// Events in a row without progress in time, and since when.
     idle: usize,
@@ -97,7 +97,7 @@ pub(super) enum Stop {
     Over,
     /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
-    /// What is allowed leads nowhere, with these bounds.
+    /// No allowed velocity leads to a further configuration, with these bounds.
     Undetermined(Vec<Bound>),
 }
 

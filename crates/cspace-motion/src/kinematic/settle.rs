@@ -19,7 +19,8 @@ use super::velocity::Local;
 
 /// How long parts take to settle, in units of the time in which the forces at the beginning would move them by the mechanism's size.
 const DURATION: f64 = 1e6;
-/// What is slower by far than forces at the beginning would make it, as what friction nearly holds, is made faster by this.
+/// Factors by which a motion is sped up if it is much slower than forces at the beginning would make it, as where
+/// friction nearly holds.
 const RUSHES: [f64; 3] = [1.0, 1e5, 1e10];
 /// Where a balance ends forces may be in balance to rounding, as at the edge of a cone of friction: then drives are taken to where they are
 /// this much later, relative to the size of the mechanism.
@@ -28,10 +29,10 @@ const LATER: f64 = 1e-8;
 const NUDGES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-3];
 /// Parts go equally far if ways differ by no more than this share.
 const ALIKE: f64 = 1e-6;
-/// What moves by no more than this, relative to the size of the mechanism, has not moved.
+/// Displacement below which a part counts as not moved, relative to the size of the mechanism.
 const STANDS: f64 = 1e-9;
 
-/// What became of parts that were out of balance.
+/// Result of the motion of parts that were out of balance.
 enum Settled {
     /// They have come to another place.
     At(Vec<f64>),

@@ -16,7 +16,7 @@ const BALANCED: f64 = 1e-10;
 /// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
 const MOST_CORRECTIONS: usize = 12;
 
-/// What is known of a configuration.
+/// Joints, constraints and equations of motion at a configuration.
 pub(super) struct There<'a> {
     joints: Vec<Row>,
     holding: Holding,
@@ -70,7 +70,7 @@ pub(crate) fn close(
     closed(system, pairs, held, time, q, room).map(|_| ())
 }
 
-/// The same, and what is known of where it is brought.
+/// As [`close`], and returns the constraints at the corrected configuration.
 pub(super) fn closed<'a>(
     system: &'a System,
     pairs: &Pairs,

@@ -1,10 +1,10 @@
-//! Velocities at one configuration and time: the one that nothing holds, those that contacts hold, and the nearest that
-//! they allow.
+//! Velocities at one configuration and time: unconstrained, constrained by the active contacts, and the projection of
+//! the first onto the second.
 //!
-//! With the metric M of the outlines, which dampers add to, and the forces F, the free velocity is M⁻¹ F. In the coordinates
-//! y = Lᵀ v, M = L Lᵀ, distances are Euclidean: what is sought is the point of a cone that is nearest to y₀ = L⁻¹ F. Joints
-//! are equations and are taken out first; then the nearest point is one of least squares with multipliers that are not
-//! negative.
+//! With the metric M of the outlines, including dampers, and the forces F, the free velocity is M⁻¹ F. In the
+//! coordinates y = Lᵀ v, M = L Lᵀ, distances are Euclidean: the velocity is the point of a cone that is nearest to y₀ =
+//! L⁻¹ F. Joints are equations and are eliminated first; the nearest point is then the solution of a least-squares
+//! problem with nonnegative multipliers.
 //!
 //! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
 
@@ -15,11 +15,12 @@ use crate::system::{Law, Row, System};
 
 use super::holding::Holding;
 
-/// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
-/// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
+/// Largest ratio of the speed of other parts to that of a driven part: beyond it the mechanism is at a dead point. Near
+/// a dead point the ratio grows as the inverse of the distance to it, and events are located to some 1e-7 of a step
+/// there.
 const MOST_AMPLIFICATION: f64 = 1e5;
-/// A bound that is violated by no more than this share of the speeds is not: rounding of gradients, which are right to some
-/// 1e-15 of the parts' sizes, over short levers.
+/// Violation of a bound, as a share of the speeds, that still counts as rounding: gradients are accurate to some 1e-15
+/// of the parts' sizes, over short levers.
 const ROUNDING: f64 = 1e-11;
 
 /// A residual whose square is below this (of a target of length 1) is rounding.
@@ -46,7 +47,7 @@ pub(crate) struct Local<'a> {
 pub(crate) struct Held {
     /// The rates of all coordinates.
     pub(crate) rates: Vec<f64>,
-    /// Those that are free, in y.
+    /// Rates of the free coordinates, in y.
     pub(super) y: Vec<f64>,
     /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
     pub(crate) pushes: Vec<f64>,
@@ -60,7 +61,7 @@ pub(crate) struct Held {
     pub(crate) determined: bool,
 }
 
-/// What bounds make of the velocity.
+/// Result of the projection onto the velocities that bounds allow.
 #[derive(Debug, Clone)]
 pub(crate) enum Nearest {
     /// The nearest velocity, which bounds with positive multipliers hold, and its distance from the free one.
@@ -75,7 +76,7 @@ impl<'a> Local<'a> {
         Self::with_joints(system, q, time, &system.joints(q))
     }
 
-    /// The same, with the equations of joints there.
+    /// As `at`, with the joints' equations there given.
     pub(super) fn with_joints(
         system: &'a System,
         q: &[f64],
@@ -121,7 +122,7 @@ impl<'a> Local<'a> {
         Some(local)
     }
 
-    /// The same with drives that stand, and forces as velocities.
+    /// As `self`, with drives at rest, and forces as velocities.
     pub(super) fn still(&self) -> Self {
         let mut still = self.clone();
         still.driven.fill(0.0);

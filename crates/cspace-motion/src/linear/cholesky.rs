@@ -9,14 +9,14 @@ pub(crate) struct Cholesky {
     n: usize,
     /// By rows; above the diagonal nothing is read.
     lower: Vec<f64>,
-    /// Of each row the first column that is not 0.
+    /// First column of each row that is not 0.
     first: Vec<usize>,
-    /// Of each column the row after the last that is not 0.
+    /// Row after the last of each column that is not 0.
     end: Vec<usize>,
 }
 
 impl Cholesky {
-    /// Of a matrix of n × n numbers by rows; `None` if it is not positive definite.
+    /// Factors a matrix of n × n numbers by rows; `None` if it is not positive definite.
     pub(crate) fn of(matrix: &[f64], n: usize) -> Option<Self> {
         let mut l = matrix.to_vec();
         let first: Vec<usize> = (0..n)

@@ -4,8 +4,9 @@ use core::ops::Range;
 
 use super::{add_scaled, dot, length};
 
-/// Of a row, what the rows before it do not tell must be longer than this, relative to the row; otherwise it follows from
-/// them. The square root of the rounding: a row that is nearer to the others would be solved to fewer than half of the digits.
+/// A row is independent of those before it if its component orthogonal to them is longer than this, relative to the
+/// row. It is the square root of the rounding: a row closer to the others would be solved to fewer than half of the
+/// digits.
 const DEPENDENT: f64 = 1e-8;
 
 /// Rows of equations, orthogonalized.

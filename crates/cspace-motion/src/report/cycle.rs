@@ -9,10 +9,11 @@ use super::trajectory::Trajectory;
 use crate::record::{Event, EventKind, Record, What};
 use crate::system::{PartCoordinates, System};
 
-/// What repeats does so to this, relative to the size of the mechanism: a motion that settles comes near to its cycle, and
-/// hardly ever into it.
+/// Tolerance to which a motion must repeat, relative to the size of the mechanism: a motion that settles approaches its
+/// cycle, and hardly ever reaches it.
 const REPEATS: f64 = 1e-4;
-/// In a cycle something moves by at least this, relative to the size of the mechanism: far more than what cannot be told.
+/// In a cycle something moves by at least this, relative to the size of the mechanism: far more than the error of the
+/// motion.
 const MOVES: f64 = 1e-2;
 /// The motion must have been seen to repeat for this share of a cycle.
 const SEEN: f64 = 0.5;
@@ -36,7 +37,7 @@ pub struct Cycle {
     pub difference: f64,
     /// The part that is driven to turn at a constant rate, if there is one: the first. Ratios are by its advance.
     pub driver: Option<usize>,
-    /// What each part that can move does in it, in the order of the mechanism.
+    /// Motion of each movable part in the cycle, in the order of the mechanism.
     pub parts: Vec<PartCycle>,
 }
 
@@ -53,16 +54,17 @@ impl Cycle {
     }
 }
 
-/// What a part does in a cycle, for each of its coordinates: u, or x, y and θ. Lengths are in the model's unit, angles in radians.
+/// Motion of a part in a cycle, for each of its coordinates: u, or x, y and θ. Lengths are in the model's unit, angles
+/// in radians.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartCycle {
     /// The index of the part.
     pub part: usize,
     /// By how much it has gone on after a cycle; 0 if it is back.
     pub advance: Vec<f64>,
-    /// The least values in the last cycle.
+    /// Smallest values in the last cycle.
     pub least: Vec<f64>,
-    /// The greatest.
+    /// Largest values in the last cycle.
     pub greatest: Vec<f64>,
 }
 

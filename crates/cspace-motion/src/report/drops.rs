@@ -8,7 +8,7 @@ use super::trajectory::Trajectory;
 use crate::record::{Event, EventKind, Record, What};
 use crate::system::{PartCoordinates, System};
 
-/// What takes no more than this share of a cycle is a drop; what takes longer is a time apart.
+/// Longest loss of contact that counts as a drop, as a fraction of the cycle.
 const QUICK: f64 = 0.25;
 /// A part that swings does so by more than this, relative to the size of the mechanism; less is play.
 const SWINGS: f64 = 1e-2;
@@ -119,7 +119,7 @@ fn pushed(system: &System, [a, b]: [usize; 2]) -> Option<(usize, usize)> {
     }
 }
 
-/// What swings where a part drops off another at a time.
+/// Swing of a part at the time at which it drops off another.
 fn swing(
     system: &System,
     trajectory: &Trajectory<'_>,

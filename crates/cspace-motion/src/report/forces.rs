@@ -87,7 +87,7 @@ fn keep<T: Copy>(
     }
 }
 
-/// Of the same parts.
+/// Whether two subjects concern the same parts.
 fn same(a: &What, b: &What) -> bool {
     match (a, b) {
         (

@@ -12,7 +12,7 @@ pub(super) fn length(mechanism: &Mechanism, x: f64, size: f64) -> String {
     with_unit(mechanism, &bare_length(x, size))
 }
 
-/// The same without its unit.
+/// As `length`, without the unit.
 pub(super) fn bare_length(x: f64, size: f64) -> String {
     let decimals = (4.0 - size.log10()).ceil().clamp(0.0, 12.0) as usize;
     plain(x, decimals)
@@ -53,7 +53,7 @@ pub(super) fn digits(x: f64, count: i32) -> String {
     }
 }
 
-/// The same without zeros that say nothing.
+/// As `digits`, without trailing zeros.
 pub(super) fn brief(x: f64, count: i32) -> String {
     let shown = digits(x, count);
     match shown.contains('.') && !shown.contains('e') {

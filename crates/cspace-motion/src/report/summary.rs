@@ -25,14 +25,14 @@ const NEAR: f64 = 1e-9;
 /// So many spans of time are told one by one; of more, their number.
 const MOST_SPANS: usize = 2;
 
-/// What was found of a motion.
+/// Findings on a motion.
 pub(super) struct Found<'a> {
     pub(super) contacts: &'a [ContactInterval],
     pub(super) cycle: Option<&'a Cycle>,
     pub(super) drops: &'a [Drop],
 }
 
-/// What is told: the cycle, what each part does in it, drops, contacts, forces.
+/// Sentences of the report: the cycle, the motion of each part in it, drops, contacts, forces.
 pub(super) fn sentences(
     system: &System,
     record: &Record,
@@ -106,7 +106,7 @@ impl Teller<'_> {
                 _ => format!(", {} of the {name}", degrees(driven.abs())),
             };
         }
-        /// What settles within this share of the time does so at once.
+        /// Share of the time within which a motion counts as periodic from the start.
         const AT_ONCE: f64 = 0.01;
         let late = cycle.since > AT_ONCE * self.record.until;
         if late {
@@ -115,7 +115,7 @@ impl Teller<'_> {
         text
     }
 
-    /// What a part does in a cycle; what is driven evenly tells the time, and is not told of.
+    /// Motion of a part in a cycle; `None` for the driver that serves as the clock.
     fn part(&self, cycle: &Cycle, p: &PartCycle) -> Option<String> {
         if self.clock.driver() == Some(p.part) {
             return None;
@@ -191,7 +191,7 @@ impl Teller<'_> {
     /// Whether a part that advances always does so at about the same rate, as gears do: wheels that go in steps have no ratio
     /// at any time.
     fn is_even(&self, part: usize, cycle: &Cycle) -> bool {
-        /// Of the mean rate.
+        /// Range of the rates, as multiples of the mean rate.
         const ABOUT: core::ops::Range<f64> = 0.5..2.0;
         let i = self.system.parts()[part].indices().start;
         let until = self.trajectory.span().1;

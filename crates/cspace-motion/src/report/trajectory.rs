@@ -14,7 +14,7 @@ pub struct Trajectory<'a> {
 const SAME: f64 = 1e-12;
 
 impl<'a> Trajectory<'a> {
-    /// Of a record, from its trace and its samples.
+    /// Builds the trajectory of a recording from its trace and its samples.
     pub fn of(record: &'a Record) -> Self {
         let near = SAME * record.until;
         let trace = &record.trace;
@@ -96,7 +96,7 @@ impl<'a> Trajectory<'a> {
 
     /// Times and values of a coordinate, close enough to be joined by lines on a picture.
     pub fn curve(&self, coordinate: usize) -> Vec<(f64, f64)> {
-        /// Of a piece between two moments.
+        /// Chords per piece between two moments.
         const CHORDS: u32 = 4;
         let mut curve: Vec<(f64, f64)> = Vec::new();
         for pair in self.knots.windows(2) {

@@ -46,7 +46,7 @@ pub struct System {
 /// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
 const DRAG: f64 = 0.1;
 
-/// What forces do to a motion without inertia.
+/// Law by which forces act on a motion without inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Law {
     /// They are speeds, M v = s F: so parts come to rest, along with nothing else.
@@ -66,8 +66,8 @@ impl System {
         Self::about(mechanism, |_| Point::ORIGIN)
     }
 
-    /// The same with the centres of mass for the points of parts that move in the plane: their masses and inertias are then
-    /// all there is in the mass matrix.
+    /// As above, with the centres of mass as the points of parts that move in the plane: their part of the mass matrix
+    /// then contains only masses and inertias.
     pub(crate) fn about_masses(mechanism: &Mechanism) -> Self {
         let of = |i: usize| {
             let entry = &mechanism.parts[i].part;
@@ -179,7 +179,7 @@ impl System {
         system.with_metric()
     }
 
-    /// The same with forces that balance at every instant, as drives that are slow leave them.
+    /// Copy of the system with forces that balance at every instant, as under slow drives.
     pub(crate) fn balanced(&self) -> Self {
         let system = Self {
             law: Law::Balance,
@@ -188,7 +188,7 @@ impl System {
         system.with_metric()
     }
 
-    /// The same with drives that stand where they are at a time, and forces that are speeds by a factor.
+    /// Copy of the system with drives that stand where they are at a time, and forces that are speeds by a factor.
     pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
         let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
         let system = Self {
@@ -375,7 +375,7 @@ impl System {
             .collect()
     }
 
-    /// That a joint cannot hold: the one that is worst at a configuration.
+    /// Error that reports the joint with the largest gap at a configuration.
     pub(crate) fn open_joint(&self, q: &[f64]) -> SimulateError {
         let name = |i: usize| self.mechanism.parts[i].part.name().to_owned();
         let gaps = self.joints.iter().map(|entry| {

@@ -117,7 +117,7 @@ pub(crate) fn rows_of<const COUNT: usize>(
     }
 }
 
-/// The same by at most N coordinates.
+/// As above, with derivatives by at most N coordinates.
 fn derived<const N: usize, const COUNT: usize>(
     [a, b]: [&PartCoordinates; 2],
     q: &[f64],

@@ -64,7 +64,7 @@ fn a_roller_rides_on_an_eccentric() {
     assert!(record.events.iter().all(|e| e.kind == EventKind::Touch));
 }
 
-/// What is pushed to the end of its range stops the drive, and the proof names both.
+/// A block that is pushed to the end of its range stops the drive, and the proof names both.
 #[test]
 fn the_end_of_a_range_jams() {
     let pusher = Part::rectangle("pusher", (0.0, 0.0), 2.0, 2.0).unwrap();

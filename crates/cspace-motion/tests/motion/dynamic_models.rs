@@ -26,7 +26,7 @@ const DRIVEN: [(&str, f64); 7] = [
     ("rack_pinion", 0.6),
 ];
 
-/// What goes through: all energy that is there, put in or lost.
+/// Scale of the energy balance: the largest of the energy present, put in or lost.
 fn through(record: &Record) -> f64 {
     let e = record.energy.unwrap();
     (e.start.abs() + e.end.abs())

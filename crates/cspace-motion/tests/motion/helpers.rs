@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Helpers shared by the tests.
 
 use cspace::mechanism::{Drive, DriveMotion};
 use cspace::{Mechanism, Part, PartEntry, Vertex};

@@ -228,7 +228,7 @@ fn what_flies_away_is_told_soon() {
     assert!(reason.starts_with("nothing stops block"), "{reason}");
 }
 
-/// What may be written and cannot be followed ends with a reason, and soon.
+/// Valid models whose motion cannot be computed end with a reason, and soon.
 #[test]
 fn numbers_that_cannot_be_followed() {
     let settings = Settings {

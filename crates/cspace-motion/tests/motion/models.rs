@@ -147,7 +147,7 @@ fn a_rack_is_pushed_on() {
     }
 }
 
-/// What touches does not depend on how long steps are: of two contacts that hold the same pair in turn, none is passed over.
+/// Contacts do not depend on the length of steps: if two contacts hold the same pair in turn, neither is missed.
 #[test]
 fn a_rack_is_held_by_one_tooth_after_the_other() {
     let rack = model("rack_pinion");

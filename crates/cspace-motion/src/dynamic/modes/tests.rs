@@ -165,7 +165,7 @@ fn on_floor(points: usize, friction: f64) -> Vec<Bearing> {
         .collect()
 }
 
-/// The same points of its left side at a wall, from −0.5 to 0.5.
+/// As above, for points of the body's left side at a wall, from −0.5 to 0.5.
 fn at_wall(points: usize, friction: f64) -> Vec<Bearing> {
     (0..points)
         .map(|k| {

@@ -45,7 +45,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         self.flow.take(self.span, h)
     }
 
-    /// What a shorter step comes to, nearly.
+    /// Approximate state after a shorter step: the interpolation, projected to where joints and contacts hold.
     pub(super) fn near(&self, h: f64) -> Option<State> {
         let state = self.dense.at(self.span.from, h);
         Some(self.flow.projected(state, self.bearings())?.0)
@@ -60,7 +60,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         })
     }
 
-    /// The same, with what joints and contacts miss.
+    /// Interpolated state after a shorter step, without the projection: joints and contacts are violated slightly.
     fn rough(&self, h: f64) -> State {
         self.dense.at(self.span.from, h)
     }
@@ -76,7 +76,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         self.exactly(about, (lo, f_lo), (hi, f_hi), value)
     }
 
-    /// The same on the polynomial: nearly when.
+    /// Approximate time of the root, by the interpolating polynomial.
     pub(super) fn about(
         &self,
         begin: (f64, f64),
@@ -86,7 +86,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         root(begin, end, |h| value(&self.rough(h)))
     }
 
-    /// The same from where it nearly is.
+    /// Exact root and the step to it, from an approximate one.
     pub(super) fn exactly(
         &self,
         about: f64,

@@ -5,7 +5,7 @@ use super::course::{Course, just_before};
 use super::take::Taken;
 use crate::root::root;
 
-/// What a step met is located to this share of it.
+/// Accuracy to which a meeting is located, as a share of the step.
 const LOCATED: f64 = 1e-14;
 /// A root between two times is looked for when they are within these shares of the step.
 const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
@@ -18,7 +18,7 @@ const NEAR_EVENT: f64 = 1e-6;
 /// And one whose root is not farther ahead than this: what contacts are known to.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
-/// What the functions that change their sign between two times show.
+/// Result of the search among functions that change sign between two times.
 enum Shown {
     /// The first root, and the contacts that close there.
     Root(Taken, Vec<usize>),

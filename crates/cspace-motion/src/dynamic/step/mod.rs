@@ -17,14 +17,15 @@ pub(super) use watched::{Looked, Watched};
 const START: f64 = 1e-6;
 /// And is looked at down to this share of the step.
 const SHORTEST: f64 = 1e-12;
-/// What is met beside a gap that closes is met before this share of the step from there: what is so near is closed as well.
+/// Share of the step before a closing gap at which other meetings are looked for: contacts nearer than this are closed
+/// as well.
 const JUST: f64 = 1e-12;
 
 /// Where a step ends.
 #[derive(Debug, Clone)]
 pub(super) struct Stepped {
     pub(super) state: State,
-    /// What ended it, if anything did.
+    /// Events that ended the step, if any: pairs of contact and function.
     pub(super) events: Vec<(usize, Watched)>,
     /// Whether it met something beside these.
     pub(super) met: bool,

@@ -9,7 +9,7 @@ use super::super::world::{Acting, State, World};
 
 /// The error of a step, as a share of the size, and of the largest rate so far.
 const TOLERANCE: f64 = 1e-11;
-/// What steps go on from, with the contacts that bear.
+/// Start of a step: the state, and the contacts that bear.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Span<'s> {
     pub(in super::super) from: &'s State,

@@ -57,7 +57,7 @@ impl Joined {
         v - self.change(&self.missed(v))
     }
 
-    /// What is left of changes of rates, the columns of a matrix, where joints hold.
+    /// Projects changes of rates, the columns of a matrix, on those that joints allow.
     pub(super) fn free(&self, changes: &DMatrix<f64>) -> DMatrix<f64> {
         changes - &self.back * (&self.joints.rows * changes)
     }

@@ -97,7 +97,7 @@ type Impulse = (usize, f64, f64);
 
 struct Stepping<'a, W: World + ?Sized> {
     world: &'a W,
-    /// Of the mass matrix.
+    /// Inverse of the mass matrix.
     inverse: DMatrix<f64>,
     start: f64,
     h: f64,
@@ -108,7 +108,7 @@ struct Stepping<'a, W: World + ?Sized> {
     work: Work,
 }
 
-/// What became of a step.
+/// Result of a step.
 struct Taken {
     to: State,
     contacts: Vec<(usize, f64, f64)>,

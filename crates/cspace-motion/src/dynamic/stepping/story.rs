@@ -21,7 +21,7 @@ struct Bearing {
     is_told: bool,
 }
 
-/// What has happened, step after step.
+/// Bearings and events so far, updated step by step.
 #[derive(Default)]
 pub(super) struct Story {
     bearings: Vec<Bearing>,
@@ -39,7 +39,7 @@ impl Story {
         self.bearings.iter().any(|b| is_same(b.contact, contact))
     }
 
-    /// That a contact has an impulse in a step.
+    /// Records that a contact has an impulse in a step.
     pub(super) fn impulse(
         &mut self,
         (step, from, to): (usize, &State, &State),
@@ -70,7 +70,7 @@ impl Story {
         bearing.after.clone_from(to);
     }
 
-    /// That a step is over.
+    /// Ends a step: reports the touches that have lasted and the releases.
     pub(super) fn over(&mut self, step: usize) {
         let mut told = Vec::new();
         self.bearings.retain_mut(|b| {

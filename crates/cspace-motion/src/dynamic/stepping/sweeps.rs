@@ -19,7 +19,7 @@ const CONVERGED: f64 = 1e-12;
 const MOST_SWEEPS: usize = 50_000;
 /// Sweeps between two extensions.
 const EXTENDED: usize = 20;
-/// What is within this share of the bound of friction is at it.
+/// Relative tolerance within which a friction impulse counts as being at its bound.
 const AT_BOUND: f64 = 1e-9;
 /// Sweeps that were all taken are good enough if the last one changed rates by no more than this share.
 const GOOD: f64 = 1e-6;
