@@ -91,7 +91,7 @@ pub(crate) fn text_of(source: impl Read, limit: u64, file: &str) -> Result<Strin
     })
 }
 
-/// That a file has more than so many bytes.
+/// Error for a file of more than `limit` bytes.
 pub(crate) fn too_large(path: &Path, limit: u64) -> ModelError {
     let help = if extension(path) == "toml" {
         "write it as .json, of which more is read, or split it into several files"

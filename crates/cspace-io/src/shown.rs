@@ -1,7 +1,7 @@
 //! Text and numbers as messages show them.
 //!
-//! What a file or a user says is repeated in messages, and a terminal obeys what it is sent: an escape character in the
-//! name of a part could hide the rest of a message, a line break could forge one.
+//! Messages repeat text of files and users, and terminals obey control characters: an escape character in the name of a
+//! part could hide the rest of a message, a line break could forge one.
 
 use core::fmt;
 use std::borrow::Cow;

@@ -29,13 +29,13 @@ impl<'a> Files<'a> {
     }
 }
 
-/// What a model says for all of its parts.
+/// Settings of a model that hold for all of its parts.
 pub(super) struct Setting<'a> {
     /// The drawings that it may name.
     pub(super) files: &'a Files<'a>,
     /// The label of the unit of length.
     pub(super) unit: Option<&'a str>,
-    /// What whoever reads the model should know, at its place.
+    /// Notes for the reader of the model, each at its place.
     pub(super) notes: Vec<ModelError>,
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a model file.
+//! Errors in a model file.
 
 use core::fmt;
 
@@ -96,12 +96,12 @@ impl ModelError {
         self.0.place.words()
     }
 
-    /// What is wrong.
+    /// Message: the error itself.
     pub fn message(&self) -> &str {
         &self.0.message
     }
 
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> Option<&str> {
         self.0.help.as_deref()
     }

@@ -16,7 +16,7 @@ const LONGEST: usize = 10_000;
 /// The deepest nesting of parentheses, signs and powers: each takes some of the stack.
 const DEEPEST: usize = 100;
 
-/// What is wrong with an expression, and where in its text.
+/// Error in an expression, and its position in the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Wrong {
     /// Characters before it.
@@ -493,7 +493,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// What a name stands for.
+    /// Resolves a name: a parameter's number, or a constant.
     fn named(&mut self, name: &str, at: usize) -> Result<()> {
         if let Some(number) = (self.number)(name) {
             self.push(Step::Name(number), at);

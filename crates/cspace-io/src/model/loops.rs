@@ -241,7 +241,7 @@ impl<T: Scalar> Sketch<T> {
         self.place.item(entry).further(&format!("{name} {entry}"))
     }
 
-    /// What cannot be drawn, at the entry that asks for it.
+    /// Error for an outline that cannot be drawn, at the entry that causes it.
     fn refused(&self, error: &OutlineError) -> ModelError {
         let entry = |vertex: usize| {
             let last = self.entries.last().copied().unwrap_or_default();

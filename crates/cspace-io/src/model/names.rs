@@ -78,7 +78,7 @@ fn edge(part: &Part, feature: PartFeature) -> Option<Edge> {
     edges.find(|e| e.index == index as usize)
 }
 
-/// What an edge is.
+/// Kind of an edge, for messages.
 fn kind_of(edge: &Edge) -> &'static str {
     match edge {
         e if e.is_line() => "line",

@@ -29,7 +29,7 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// What the value is, in words, for a message.
+    /// Description of the value, for a message.
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Null => "null".into(),

@@ -63,7 +63,7 @@ const TABLE: &str = "names";
 /// A number of a model that has a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
-    /// What expressions call it.
+    /// Name in expressions.
     pub name: String,
     /// Its value; of an angle in radians.
     pub value: f64,
@@ -184,7 +184,7 @@ impl Entry {
         })
     }
 
-    /// What messages call it.
+    /// Name in messages.
     pub(super) fn words(&self, mechanism: &Mechanism) -> String {
         match self.item {
             Some(i) if self.key == "part" => {
@@ -607,7 +607,7 @@ impl Parameters {
     }
 }
 
-/// What is wrong in a text of the file.
+/// Error in a text of the file.
 fn in_text(place: &Place, text: &str, wrong: &Wrong) -> ModelError {
     let message = format!("in {}: {}", quoted(text), wrong.message);
     // Behind the quote.
@@ -616,7 +616,7 @@ fn in_text(place: &Place, text: &str, wrong: &Wrong) -> ModelError {
         .further_by(1 + wrong.at)
 }
 
-/// What is wrong in the value of a parameter, which may be one that was set.
+/// Error in the value of a parameter, which may have been set from outside.
 fn in_given(place: &Place, text: &str, wrong: &Wrong, setting: Option<&Setting>) -> ModelError {
     match setting {
         None => in_text(place, text, wrong),

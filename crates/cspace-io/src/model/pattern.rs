@@ -156,7 +156,7 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
-/// What a point becomes at an axis through the origin.
+/// Reflection of a point at an axis through the origin.
 fn axis_of<T: Scalar>(table: &Table<'_>, axis: &str) -> Result<fn(Point<T>) -> Point<T>> {
     match axis {
         "x" => Ok(|p| Point::new(p.x, -p.y)),

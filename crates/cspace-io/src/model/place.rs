@@ -49,13 +49,13 @@ impl Place {
         self
     }
 
-    /// The same place, in these words.
+    /// Copy of the place with other words.
     pub(super) fn called(mut self, words: impl Into<String>) -> Self {
         self.words = words.into();
         self
     }
 
-    /// The same place, with more words.
+    /// Copy of the place with more words.
     pub(super) fn further(mut self, words: &str) -> Self {
         if !self.words.is_empty() {
             self.words.push_str(", ");

@@ -168,7 +168,7 @@ impl<T: Scalar> Profile<T> {
         self.whole.value() == 0.0 && self.named.iter().all(|n| n.1.value() == 0.0)
     }
 
-    /// What is left once edges are off by the values already.
+    /// Remainder of the offsets once edges are off by their values: the value is 0, the derivative stays.
     pub(super) fn beyond(self) -> Self {
         let rest = |x: T| x - T::constant(x.value());
         Self {

@@ -53,7 +53,7 @@ pub struct Model {
     pub mechanism: Mechanism,
     /// The model's parameters, by name.
     pub parameters: Vec<Parameter>,
-    /// What the design must do, in the order of the file.
+    /// Requirements of the design, in the order of the file.
     pub requirements: Vec<Requirement>,
 }
 
@@ -148,7 +148,7 @@ fn source_of<'t>(
     })
 }
 
-/// What a model is called that gives itself no name.
+/// Default name of a model without one: the file's name without its extension.
 fn name_of(path: &Path) -> String {
     path.file_stem()
         .map(|s| shown::text(&s.to_string_lossy()).into_owned())
@@ -473,7 +473,7 @@ pub(crate) fn json_in(
     source.model(source.tree()?, files)
 }
 
-/// What is wrong with the text as JSON.
+/// Error for text that is not valid JSON.
 pub(crate) fn no_json(error: &serde_json::Error) -> ModelError {
     // The position is told apart from the message; the library tells it at the message's end.
     let message = error.to_string();

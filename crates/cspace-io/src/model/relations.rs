@@ -44,7 +44,7 @@ pub(super) fn read_joints(
     Ok(joints)
 }
 
-/// What is wrong with a joint, in the words of the file.
+/// Error for an invalid joint, in the words of the file.
 fn no_joint(place: &Place, error: &MechanismError, parts: &[PartEntry]) -> ModelError {
     match *error {
         MechanismError::JoinedTwice { first, .. } => {

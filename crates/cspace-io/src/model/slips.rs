@@ -1,4 +1,4 @@
-//! What a model says that is allowed, and most likely not meant.
+//! Slips: statements in a model that are allowed, but most likely not meant.
 
 use core::f64::consts::TAU;
 
@@ -11,9 +11,9 @@ use crate::shown;
 pub struct Slip {
     /// The part, loop and vertex, or the pair.
     pub place: String,
-    /// What is there.
+    /// Description of the slip.
     pub message: String,
-    /// What to do if it is one.
+    /// Advice on how to correct it.
     pub help: String,
 }
 
@@ -32,7 +32,7 @@ const DIGITS: f64 = 1000.0;
 /// Parts of which one is so many times as large as the other are rarely drawn in one unit.
 const UNLIKE_SIZES: f64 = 1000.0;
 
-/// What in a model is most likely not meant.
+/// Finds statements in a model that are most likely not meant.
 ///
 /// - An angle of more than a turn that is a whole number of radians: degrees without `deg`.
 /// - A line and an arc that meet with directions that miss each other by less than 0.001 rad.

@@ -13,7 +13,7 @@ const FARTHEST: f64 = 1e-3;
 /// them an arc is half a circle.
 const PARALLEL: f64 = 1e-2;
 
-/// What was done to a part.
+/// Changes made to a part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Snapped {
     /// The part.

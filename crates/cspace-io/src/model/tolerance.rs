@@ -33,7 +33,7 @@ pub struct Position {
     pub zone: f64,
 }
 
-/// What the table of a parameter says of its tolerance.
+/// Tolerance read from the table of a parameter.
 pub(super) struct Tolerance {
     extent: Option<Extent>,
     /// The key that is given as an angle, if one is.
@@ -138,7 +138,7 @@ impl Tolerance {
     }
 }
 
-/// What is known of the value of a parameter.
+/// Value of a parameter, as read.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Written {
     pub(super) value: f64,

@@ -1,4 +1,4 @@
-//! What is said of a saved space that is not read.
+//! Errors for saved spaces that cannot be read.
 
 use crate::ModelError;
 

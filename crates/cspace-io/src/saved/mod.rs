@@ -29,7 +29,7 @@ use trust::{checksum, trusted};
 /// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.
 const LARGEST: u64 = 1 << 30;
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Debug)]
 pub enum Document {
     /// Parts, motions, joints and pairs.
@@ -60,7 +60,7 @@ pub enum Document {
 pub struct SavedFile {
     /// The space.
     pub space: PairSpace,
-    /// What the model is called; `None` in files of earlier versions.
+    /// Name of the model; `None` in files of earlier versions.
     pub name: Option<String>,
     /// The model's label for the unit of length, if it has one.
     pub unit: Option<String>,
@@ -72,14 +72,15 @@ impl SavedFile {
         with_labels(&self.space, self.name.as_deref(), self.unit.as_deref())
     }
 
-    /// What [`to_json`](Self::to_json) has written; `file` is what errors call it.
+    /// Reads the text written by [`to_json`](Self::to_json); `file` is its name in errors.
     ///
     /// The space is as it was written if the file's checksum says so; otherwise it is computed from the file's parts, which takes as
     /// long as it took before.
     ///
     /// # Errors
     /// If the text is no JSON, of another format or version, or damaged; if a name or the unit has control characters,
-    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE); or if what was changed cannot be computed again.
+    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE); or if a changed space cannot be computed
+    /// again.
     pub fn from_json(text: &str, file: &str) -> Result<Self, ModelError> {
         let text = without_mark(text);
         let (format, head) = head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?;

@@ -17,7 +17,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// The first patch of which the number is no `f32`: applications' attributes may not be integers of four bytes.
 const TOO_MANY_PATCHES: u32 = 1 << 24;
 
-/// What the one node is called.
+/// Name of the only node.
 const NODE: &str = "contact surface";
 
 /// Why a mesh has no GLB file.
@@ -42,7 +42,7 @@ struct Arrays {
     normals: Vec<[f32; 3]>,
     patches: Vec<u32>,
     indices: Vec<u32>,
-    /// What the coordinates are, in words.
+    /// Description of the coordinates.
     coordinates: String,
 }
 
@@ -212,7 +212,7 @@ impl Arrays {
         out
     }
 
-    /// What the bytes mean.
+    /// Header of the file: describes the meaning of the bytes.
     fn description(&self, bytes: usize) -> Value {
         let asset = json!({ "version": "2.0", "generator": "cspace" });
         if self.indices.is_empty() {

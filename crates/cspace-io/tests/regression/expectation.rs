@@ -1,4 +1,4 @@
-//! What `NAME.expect.toml` says of the pair in `NAME.toml` or `NAME.json`. Angles are in radians.
+//! Format of `NAME.expect.toml`, the expectations for the pair in `NAME.toml` or `NAME.json`. Angles are in radians.
 
 use serde::Deserialize;
 
@@ -14,7 +14,7 @@ pub(crate) struct Expectation {
     pub(crate) named_test: Option<String>,
 }
 
-/// Of a contact space.
+/// Expectations for a contact space.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Planar {
@@ -74,7 +74,7 @@ pub(crate) struct Saved {
 pub(crate) struct Around {
     pub(crate) shift: f64,
     pub(crate) turn: f64,
-    /// Of those that are certain.
+    /// Minimum number of free configurations among the certain ones.
     pub(crate) free_more_than: usize,
 }
 
@@ -86,7 +86,7 @@ pub(crate) enum By {
     Classifier,
     /// The slice of the space.
     Slice,
-    /// The same; if it is doubtful it may say anything.
+    /// The slice of the space; a doubtful one may give any answer.
     SliceUnlessDoubtful,
     /// The slice from scratch.
     Scratch,
@@ -129,7 +129,7 @@ pub(crate) struct Sliced {
     pub(crate) closed: bool,
 }
 
-/// Of a space on fixed axes; positions are u, v.
+/// Expectations for a space on fixed axes; positions are u, v.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Axes {
@@ -137,7 +137,7 @@ pub(crate) struct Axes {
     pub(crate) conflicts: Option<usize>,
     /// From the first of these to the second.
     pub(crate) resolution: Option<(f64, f64)>,
-    /// The same as a share of the parts' size.
+    /// Resolution as a share of the parts' size.
     pub(crate) resolution_of_size: Option<(f64, f64)>,
     /// These and a thousand random ones are classified rightly.
     pub(crate) positions: Option<Vec<(f64, f64)>>,

@@ -1,4 +1,4 @@
-//! What has no key in an expectation.
+//! Regression tests that have no key in an expectation.
 
 use core::f64::consts::{PI, TAU};
 

@@ -121,7 +121,7 @@ impl Pair {
         [self.space.slice(theta), self.slicer.slice(theta)]
     }
 
-    /// What the margin of a verdict must exceed.
+    /// Margin above which a verdict is certain.
     fn least(&self) -> f64 {
         self.space.resolution().max(1e-10 * self.oracle.size())
     }

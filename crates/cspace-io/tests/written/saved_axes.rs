@@ -114,7 +114,7 @@ fn other_value(old: &Value, rng: &mut ChaCha8Rng) -> Value {
 
 #[test]
 fn damaged_spaces_never_panic() {
-    /// What a hang would take longer than, by far.
+    /// Time limit, which only a hang exceeds.
     const LONG: Duration = Duration::from_secs(10);
     let mut rng = ChaCha8Rng::seed_from_u64(6);
     let list = mechanisms();

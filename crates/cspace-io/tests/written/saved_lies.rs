@@ -31,7 +31,7 @@ fn value(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// That both spaces have the same patches, links and regions.
+/// Checks that both spaces have the same patches, links and regions.
 fn assert_same(a: &ContactSpace, b: &ContactSpace) {
     assert_eq!(a.patches(), b.patches());
     assert_eq!(a.side_links(), b.side_links());

@@ -1,4 +1,4 @@
-//! What happens within a part of a step, by the functions that change their sign in it.
+//! Search for the event within a part of a step, by the functions that change their sign in it.
 //!
 //! ```text
 //!   ----+------------------ r ----------------+---->  time

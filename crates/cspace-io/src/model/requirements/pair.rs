@@ -1,4 +1,4 @@
-//! What is measured on the configuration space of a pair.
+//! Requirements on the configuration space of a pair.
 
 use cspace::{Mechanism, PairEntry};
 

@@ -1,17 +1,17 @@
-//! What a requirement measures, and what that must be.
+//! Measured quantity of a requirement, and its target.
 
 use cspace::{Coordinates, PairEntry};
 
 /// Something that a design is measured for, and what it must be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
-    /// What it is called, unlike any other of the model.
+    /// Name, unique in the model.
     pub name: String,
-    /// What is measured.
+    /// Measured quantity.
     pub subject: Subject,
-    /// What the value is.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// What it must be, if anything.
+    /// Target of the value, if there is one.
     pub target: Option<Target>,
 }
 
@@ -24,7 +24,7 @@ impl Requirement {
         }
     }
 
-    /// What is required of yes or no, if anything is.
+    /// Required answer, if the quantity is a yes or no and one is required.
     pub const fn equals(&self) -> Option<bool> {
         match self.target {
             Some(Target::Equals(wanted)) => Some(wanted),
@@ -96,7 +96,7 @@ impl Subject {
     }
 }
 
-/// What a value is, which decides its unit.
+/// Dimension of a value, which determines its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Dimension {
@@ -112,14 +112,14 @@ pub enum Dimension {
     Truth,
 }
 
-/// What is measured of a motion that is simulated.
+/// Quantity measured on a simulated motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionQuantity {
     /// When something happens.
     Event {
-        /// What.
+        /// Kind of the event.
         happens: Happening,
-        /// Of which two parts; of any without.
+        /// Indices of the two parts concerned; `None` for any parts.
         parts: Option<[usize; 2]>,
         /// Which of several, counted from 1.
         number: u32,
@@ -140,7 +140,7 @@ pub enum MotionQuantity {
     },
 }
 
-/// What can happen in a motion.
+/// Kind of an event in a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Happening {
     /// Two parts strike each other.
@@ -234,7 +234,7 @@ impl Coordinate {
     }
 }
 
-/// What is measured on the configuration space of a pair.
+/// Quantity measured on the configuration space of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// The length of the whole range of a coordinate that is free around a configuration, the others held.
@@ -314,7 +314,7 @@ impl Quantity {
     }
 }
 
-/// What a quantity must be.
+/// Target of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
     /// From one limit to another, both included.

@@ -35,7 +35,7 @@ pub struct Mesh {
     pub deviation: f64,
     /// The orientations at which the surface is cut off; at a full turn's ends the same vertices come in the same order.
     pub ends: (f64, f64),
-    /// What files have for a radian as third coordinate: 1, or [`turn_as_tall_as_wide`](Self::turn_as_tall_as_wide).
+    /// Length of one radian in files, as third coordinate: 1, or [`turn_as_tall_as_wide`](Self::turn_as_tall_as_wide).
     pub theta_scale: f64,
 }
 
@@ -134,7 +134,7 @@ impl Mesh {
         Self::limited(space, options, MOST_VERTICES)
     }
 
-    /// The same with at most so many vertices.
+    /// As above, with at most `most` vertices.
     pub(super) fn limited(
         space: &ContactSpace,
         options: &MeshOptions,
@@ -153,7 +153,7 @@ impl Mesh {
         Ok(mesher.mesh)
     }
 
-    /// The same mesh, with so much for a radian in files.
+    /// Copy of the mesh with another length per radian in files.
     #[must_use]
     pub fn with_theta_scale(self, theta_scale: f64) -> Self {
         Self {
@@ -191,7 +191,7 @@ impl Mesh {
         (0..self.vertices.len() as u32).map(|v| self.place(v))
     }
 
-    /// What the coordinates of files are, in words.
+    /// Description of the coordinates of files.
     pub(crate) fn coordinates(&self) -> String {
         if self.theta_scale == 1.0 {
             "x and y in the model's unit, z is theta in radians".to_owned()

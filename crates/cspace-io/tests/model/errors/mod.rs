@@ -1,4 +1,4 @@
-//! What is said of bad model files, and that good ones are read.
+//! Messages for bad model files; good ones are read.
 
 mod limits;
 
@@ -512,7 +512,7 @@ fn damaged_models_are_refused_or_read() {
     }
 }
 
-/// What is suggested is never refused in its place.
+/// Suggested keys are accepted in the place for which they are suggested.
 #[test]
 fn suggestions_are_keys_that_are_taken() {
     let part = |keys: &str| {
