@@ -1,4 +1,4 @@
-//! What a file draws, before it is known what encloses what.
+//! Content of a drawing file, before the nesting of outlines is known.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -14,19 +14,19 @@ use crate::unit::Unit;
 /// The entities of a drawing, flat: blocks are inserted, transforms done, lengths in the file's unit.
 #[derive(Debug, Clone, Default)]
 pub struct Drawing {
-    /// What the drawing is called: its file's name without folder and extension.
+    /// Name of the drawing: its file's name without folder and extension.
     pub name: String,
     /// The unit of length that the file names.
     pub unit: Option<Unit>,
     /// Whether the entities are polygons through measured points, which lines and arcs are to be fitted to.
     pub is_measured: bool,
-    /// What may be an outline, or a part of one.
+    /// Entities that may be an outline, or a part of one.
     pub entities: Vec<Entity>,
-    /// What is no outline, and is left out.
+    /// Entities that are no outline, and are left out.
     pub ignored: Vec<Ignored>,
-    /// What would be drawn on layers that are left out; it is among what is ignored, too.
+    /// Entities that would be drawn on layers that are left out; they are among the ignored ones, too.
     pub elsewhere: Vec<Elsewhere>,
-    /// What would be an outline but cannot be used.
+    /// Entities that would be an outline but cannot be used.
     pub problems: Vec<Problem>,
 }
 
@@ -35,7 +35,7 @@ pub struct Drawing {
 pub struct Entity {
     /// Where it comes from.
     pub origin: Origin,
-    /// What it draws.
+    /// Path that it draws.
     pub path: Path,
 }
 
@@ -60,7 +60,7 @@ pub enum Piece {
         /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
         bulge: f64,
     },
-    /// What lines and arcs are fitted to.
+    /// Curve to which lines and arcs are fitted.
     Curve(Box<Curve>),
 }
 
@@ -152,7 +152,7 @@ pub struct Origin {
 /// Something left out because it is no outline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ignored {
-    /// What it is.
+    /// Origin of the entity.
     pub origin: Origin,
     /// Why it is left out.
     pub reason: Cow<'static, str>,
@@ -191,7 +191,7 @@ impl LayerReason {
         }
     }
 
-    /// The same, after the name of the thing.
+    /// Reason as a relative clause, after the name of the thing.
     pub(crate) fn of_which(self) -> &'static str {
         match self {
             Self::NotAskedFor => "whose layer was not asked for",
@@ -220,7 +220,7 @@ impl LayerReason {
 /// Something that cannot be used.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
-    /// What it is.
+    /// Origin of the entity.
     pub origin: Origin,
     /// The other entities that it concerns.
     pub with: Vec<Origin>,
@@ -228,9 +228,9 @@ pub struct Problem {
     pub at: Option<Point>,
     /// Where the other end is of something that has two.
     pub to: Option<Point>,
-    /// What is wrong.
+    /// Description of the problem.
     pub reason: String,
-    /// What to do.
+    /// Advice on how to solve it.
     pub help: String,
 }
 

@@ -1,4 +1,4 @@
-//! What can be wrong with a drawing.
+//! Errors in a drawing.
 
 use core::fmt;
 
@@ -12,9 +12,9 @@ pub enum DrawingError {
     File {
         /// The line of the file, counted from 1; none for the file as a whole, and for one without lines.
         line: Option<usize>,
-        /// What is wrong.
+        /// Description of the error.
         message: String,
-        /// What to do.
+        /// Advice on how to correct it.
         help: String,
     },
     /// Entities cannot be used. There is at least one.
@@ -30,7 +30,7 @@ impl DrawingError {
         }
     }
 
-    /// What to do about it, about the first of several.
+    /// Advice on how to correct the error, or the first of several.
     pub fn help(&self) -> &str {
         match self {
             Self::File { help, .. } => help,

@@ -45,7 +45,7 @@ impl Ring {
         (self.edges.iter().map(|e| e.distance(p))).fold(f64::INFINITY, f64::min)
     }
 
-    /// What is nearer to it than this may lie on it.
+    /// Distance within which a point may lie on the ring.
     fn rounding(&self) -> f64 {
         ROUND * self.size()
     }

@@ -39,7 +39,7 @@ pub enum ProfileError {
 }
 
 impl ProfileError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &'static str {
         match self {
             Self::Smooth { .. } => {

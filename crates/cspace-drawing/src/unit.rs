@@ -41,7 +41,7 @@ pub enum Unit {
     Gigametre,
     /// 149,597,870,700 m.
     AstronomicalUnit,
-    /// What light travels in a Julian year.
+    /// Distance travelled by light in a Julian year.
     LightYear,
     /// 648,000/π astronomical units.
     Parsec,
@@ -226,7 +226,7 @@ impl<'a> Conversion<'a> {
         }
     }
 
-    /// What every length is multiplied by.
+    /// Factor by which every length is multiplied.
     pub fn factor(self) -> f64 {
         match self {
             Self::Between(from, to) => from.ratio(to),
@@ -234,7 +234,7 @@ impl<'a> Conversion<'a> {
         }
     }
 
-    /// What whoever takes the drawing should know; `unscaled` is how to have the numbers as they are.
+    /// Note for users of the drawing; `unscaled` is the setting that takes the numbers as they are.
     pub fn note(self, unscaled: &str) -> Option<String> {
         match self {
             Self::None => None,

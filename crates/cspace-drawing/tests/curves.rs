@@ -498,8 +498,8 @@ fn copies_of_a_symbol_are_fitted_as_the_symbol() {
     }
 }
 
-/// What is proposed for a trace is as far off as its chords are: of a circle in closed form. Few edges, and those of a drawing with
-/// corners, are no trace.
+/// The tolerance proposed for a trace is the error of its chords: for a circle in closed form. Outlines of few edges,
+/// and drawings with corners, are no traces.
 #[test]
 fn traces_are_told_within_their_sagitta() {
     let circle = |n: u32, r: f64| -> Vec<(f64, f64)> {

@@ -124,7 +124,7 @@ fn drawings_are_read_as_they_were_made() {
     }
 }
 
-/// The same outline drawn in any unit is the same number of lines and arcs.
+/// An outline drawn in any unit gives an equal number of lines and arcs.
 #[test]
 fn scale_changes_lengths_alone() {
     for name in [

@@ -13,7 +13,7 @@ fn outlines(path: &Path) -> Result<Outlines, DrawingError> {
     read(path, &Source::default())?.outlines(&Settings::default())
 }
 
-/// What is said of a file of this name and content.
+/// Error message for a file of this name and content.
 #[track_caller]
 fn said(name: &str, content: impl AsRef<[u8]>) -> String {
     let folder = tempfile::tempdir().unwrap();

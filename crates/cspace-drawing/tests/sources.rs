@@ -167,7 +167,7 @@ fn loops_that_touch_are_within_one_another() {
     assert_eq!(areas(&outlines.parts), [64.0, 12.0]);
 }
 
-/// Of an outline that is left out no hole becomes a part, whether it is open, a network, or crosses itself.
+/// No hole of an outline that is left out becomes a part, whether the outline is open, a network, or crosses itself.
 #[test]
 fn holes_of_what_is_left_out_are_no_parts() {
     let partial = Settings {

@@ -81,7 +81,7 @@ impl Curve {
         }
     }
 
-    /// The same curve from its end to its start.
+    /// Copy of the curve from its end to its start.
     #[must_use]
     pub fn reversed(&self) -> Self {
         match self {

@@ -2,7 +2,7 @@
 
 use super::error::{DxfError, Result};
 
-/// What a binary file begins with.
+/// First bytes of a binary file.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
 /// Whether the bytes of a file are those of binary DXF.

@@ -45,7 +45,7 @@ pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
     Ok(flat.drawing)
 }
 
-/// What a block's entities are drawn on.
+/// Drawing context of a block's entities.
 struct Ground {
     map: Affine,
     /// The layer of what is on layer 0 in the block.

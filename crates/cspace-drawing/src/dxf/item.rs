@@ -1,4 +1,4 @@
-//! What a DXF file has: entities, and blocks of them.
+//! Items of a DXF file: entities, and blocks of them.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub(super) struct Item {
     pub(super) what: What,
 }
 
-/// What an entity is.
+/// Kind of an entity, with its data.
 #[derive(Clone)]
 pub(super) enum What {
     Path(Path),

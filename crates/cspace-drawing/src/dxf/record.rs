@@ -56,7 +56,7 @@ impl<'g, 'a> Record<'g, 'a> {
     }
 }
 
-/// That a plane is no plane of the drawing.
+/// Problem: the entity's plane is not the plane of the drawing.
 pub(super) fn tilted(at: Point) -> What {
     What::problem(
         Some(at),
@@ -65,7 +65,7 @@ pub(super) fn tilted(at: Point) -> What {
     )
 }
 
-/// That something is not flat.
+/// Problem: the entity is not flat.
 pub(super) fn not_flat(at: Point) -> What {
     What::problem(
         Some(at),

@@ -1,4 +1,4 @@
-//! What a DXF file says of the drawing as a whole: its unit, its encoding, its layers.
+//! Data of a DXF file on the drawing as a whole: its unit, its encoding, its layers.
 
 use std::collections::HashMap;
 

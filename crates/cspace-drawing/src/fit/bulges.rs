@@ -29,7 +29,8 @@ pub(super) struct Tested {
 }
 
 impl Tested {
-    /// Of every block of samples those that stand out most from the smoothed points, or from the chord of the block.
+    /// Selects from every block of samples those that stand out most to either side of the smoothed points, or of the
+    /// chord of the block.
     pub(super) fn new(run: &Run, block: usize) -> Self {
         let (n, block) = (run.points.len(), block.max(1));
         let mut samples: Vec<usize> = Vec::new();
@@ -55,7 +56,7 @@ impl Tested {
         }
     }
 
-    /// Those after one sample and before another, which may be a turn on.
+    /// Tested samples after one sample and before another, which may be a turn further.
     fn between(&self, from: usize, to: usize) -> impl Iterator<Item = usize> {
         let n = self.around.unwrap_or(usize::MAX);
         let turns = from.checked_div(n).unwrap_or(0);

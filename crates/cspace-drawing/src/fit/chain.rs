@@ -104,7 +104,7 @@ fn angle(a: Vector, b: Vector) -> f64 {
     a.cross(b).atan2(a.dot(b)).abs()
 }
 
-/// What is known of the end of a curve beside another stretch, whose direction is exact if it is an edge's.
+/// Constraint at the end of a curve beside another stretch, whose direction is exact if it is an edge's.
 fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
     match angle(other, own) {
         turn if turn <= CORNER && is_edge => RunEnd::Along(other),

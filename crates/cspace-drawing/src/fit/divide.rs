@@ -373,11 +373,11 @@ fn in_window(
 const PER_RUN: usize = 64;
 const PER_PIECE: usize = 16;
 
-/// Those of a run through measured points, which may go over from a line into an arc at any of them.
+/// As above, for a run through measured points, which may change from a line into an arc at any of them.
 const PER_PROFILE: usize = 400;
 const PER_PIECE_OF_PROFILE: usize = 32;
 
-/// What a division keeps to.
+/// Limits of a division.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     /// Half the width of the band.

@@ -1,4 +1,4 @@
-//! What fitting gives.
+//! Results of fitting.
 
 use cspace::{Point, Vertex};
 

@@ -16,7 +16,7 @@ pub(super) struct Part<'c> {
     range: [f64; 2],
     /// Where it starts and ends: at a sharp turn in the corner that stands for it.
     ends: [Point; 2],
-    /// What the curve is moved by at its start and its end.
+    /// Displacement of the curve at its start and its end.
     moved: [Vector; 2],
     /// The length, and the derivative by the span's parameter, that is rounding: as where a control point is at the end.
     still: f64,

@@ -65,7 +65,7 @@ pub(super) fn fit_within(run: &Run, from: &mut Option<Limits>) -> Option<Fitted>
     None
 }
 
-/// The same without joints of pieces that lie on one line or circle: a closed run may have been begun on one.
+/// Removes joints of pieces that lie on one line or circle: a closed run may begin inside of one.
 fn merged(mut fitted: Fitted, is_closed: bool) -> Fitted {
     /// How near curvatures are that are the same, as a share of what bends the shorter piece by its own length.
     const SAME: f64 = 1e-9;

@@ -119,7 +119,7 @@ fn corners(points: &[Point], reach: f64) -> Vec<Corner> {
 /// Whether a corner lies between a point and the next: the two share its angle, each turns more than the points beyond them,
 /// and those hardly turn.
 fn is_between(turns: &[f64], i: usize) -> bool {
-    /// What a curve beside a corner may turn, as a share of the corner.
+    /// Largest angle by which a curve beside a corner may turn, as a share of the corner.
     const BESIDE: f64 = 0.15;
     /// How much more a point turns than a curve beside it, and at least, in radians, to have a part in a corner.
     const MORE: f64 = 3.0;

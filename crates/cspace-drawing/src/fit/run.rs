@@ -1,4 +1,4 @@
-//! What is fitted: samples of a smooth curve.
+//! Input of fitting: samples of a smooth curve.
 
 use cspace::{Point, Vector};
 
@@ -14,7 +14,7 @@ pub(crate) struct Run {
     pub(crate) is_closed: bool,
     /// Whether the samples are measured points, and not those of a curve.
     pub(crate) is_measured: bool,
-    /// What is known of the directions at the ends of an open run.
+    /// Constraints of the directions at the ends of an open run.
     pub(crate) ends: [RunEnd; 2],
     pub(crate) band: Band,
 }

@@ -25,7 +25,7 @@ pub(super) struct Made {
 /// Newton's method has then doubled its digits often enough, or never will.
 const MOST_STEPS: usize = 12;
 
-/// What moving a joint along the curve costs, of what moving it across costs.
+/// Cost of moving a joint along the curve, as a share of that of moving it across.
 const ALONG: f64 = 0.05;
 
 /// The pieces made tangent; with lines for arcs where the band allows, or with arcs alone. None if they cannot be.
@@ -81,9 +81,9 @@ struct Pieces<'r> {
 /// An equation: what it misses by, and its coefficients.
 struct Row {
     error: f64,
-    /// Of the places of joints.
+    /// Coefficients of the joints' positions.
     places: Vec<(usize, Vector)>,
-    /// Of half sweeps.
+    /// Coefficients of the half sweeps.
     halves: Vec<(usize, f64)>,
 }
 
@@ -177,7 +177,7 @@ impl<'r> Pieces<'r> {
         n * n.dot(by) + n.right() * (n.right().dot(by) / ALONG)
     }
 
-    /// The same for half a sweep: what moves the middle of an arc as far as its ends.
+    /// As above, for half a sweep, weighted so that the middle of an arc moves as far as its ends.
     fn half_change(&self, piece: usize, by: f64) -> f64 {
         if self.is_line[piece] {
             return 0.0;

@@ -1,4 +1,4 @@
-//! What other layers have between the ends of open chains.
+//! Entities of other layers between the ends of open chains.
 
 use std::collections::{HashSet, VecDeque};
 
@@ -31,7 +31,7 @@ pub(super) struct Bridges<'d> {
     left: usize,
 }
 
-/// What lies in a gap.
+/// Entities that lie in a gap.
 pub(super) struct Bridge<'d> {
     /// Where the gap ends.
     pub(super) to: Point,
@@ -127,7 +127,7 @@ impl<'d> Bridges<'d> {
 }
 
 impl Bridge<'_> {
-    /// What lies in the gap from a point, in words.
+    /// Description of the entities in the gap from a point.
     pub(super) fn told(&self, from: Point) -> String {
         /// More entities than that are not named.
         const MOST: usize = 4;
@@ -147,7 +147,7 @@ impl Bridge<'_> {
         )
     }
 
-    /// What to do, one for each layer and reason.
+    /// Advice on how to close the gap, one sentence for each layer and reason.
     pub(super) fn ways(&self, own: &str) -> Vec<String> {
         let mut ways: Vec<String> = Vec::new();
         for (origin, reason) in &self.entities {

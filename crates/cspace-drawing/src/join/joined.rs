@@ -1,4 +1,4 @@
-//! What joining makes of a drawing.
+//! Results of joining the entities of a drawing.
 
 use cspace::Point;
 use cspace::part::Bounds;
@@ -48,7 +48,7 @@ impl Chain<'_> {
     }
 }
 
-/// What was done to make loops of a drawing.
+/// Loops and open chains of a drawing, and the changes made to join them.
 #[derive(Debug, Default)]
 pub(crate) struct Joined<'d> {
     pub(crate) loops: Vec<Chain<'d>>,

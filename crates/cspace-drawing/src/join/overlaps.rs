@@ -18,14 +18,14 @@ const CIRCLE: u8 = 2;
 /// A piece on the line or circle it lies on.
 struct Laid {
     piece: usize,
-    /// What the line or circle is known by: its kind and two or three lengths.
+    /// Key of the line or circle: its kind and two or three lengths.
     kind: u8,
     key: [f64; 3],
     /// From where to where, as length along a line or angle on a circle; and whether the piece runs the other way.
     from: f64,
     to: f64,
     is_backward: bool,
-    /// What a length is on the interval: 1 on a line, 1/r on a circle.
+    /// Interval parameter per unit of length: 1 on a line, 1/r on a circle.
     unit: f64,
 }
 

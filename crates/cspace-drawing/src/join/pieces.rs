@@ -12,7 +12,7 @@ pub(crate) const ROUND: f64 = 1e-9;
 /// An end of a piece: twice its number, and one more for where it ends.
 pub(super) type End = u32;
 
-/// What is known of the shape between two ends.
+/// Shape of a piece between its two ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Shape<'d> {
     /// A line or an arc of this bulge.

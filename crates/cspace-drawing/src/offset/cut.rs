@@ -15,7 +15,7 @@ use super::raw::Raw;
 pub(super) struct Piece {
     /// The number of the curve that it is a piece of.
     pub(super) raw: usize,
-    /// That curve.
+    /// Curve with that number.
     pub(super) whole: Edge,
     pub(super) curve: Edge,
 }

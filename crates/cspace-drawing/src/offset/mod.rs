@@ -27,7 +27,7 @@ use tolerance::{LARGEST, NEAR, SLACK};
 pub struct Offset {
     /// The part, its loops in the order of those they come from. It has several pieces where the other falls apart.
     pub part: Part,
-    /// What is otherwise than in the part that it comes from, such as a hole that is closed; in words.
+    /// Changes of topology from the original part, such as a hole that is closed; in words.
     pub changes: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ pub enum OffsetError {
     Nothing,
     /// The outline falls apart.
     Apart {
-        /// What becomes of it, in words.
+        /// Description of the change, in words.
         what: String,
         /// Where edges come together that do not follow each other in the part.
         at: Option<Point>,
@@ -76,7 +76,7 @@ pub enum OffsetError {
 }
 
 impl OffsetError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &'static str {
         match self {
             Self::NoNumber(_) => "give a length, such as 0.1, or below 0 to make the part smaller",

@@ -266,7 +266,7 @@ fn in_few_digits(faces: &arrange::Faces, face: usize, inside: Point) -> Point {
     inside
 }
 
-/// That no face is at a point, and which is the nearest.
+/// Error: no face is at a point; it names the nearest one.
 fn no_face(faces: &arrange::Faces, at: Point) -> DrawingError {
     let nearest = (0..faces.faces.len())
         .map(|face| (faces.room(face, at), face))

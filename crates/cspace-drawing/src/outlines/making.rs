@@ -31,9 +31,9 @@ pub(super) struct Making<'d> {
     /// The size of the drawing.
     size: f64,
     pub(super) joined: Joined<'d>,
-    /// What cannot be used, and is an error.
+    /// Problems that are errors.
     problems: Vec<Problem>,
-    /// What cannot be used, and is left out.
+    /// Problems whose entities are left out.
     pub(super) told: Vec<Problem>,
     /// Entities that would be outlines.
     pub(super) unused: Vec<u32>,
@@ -144,7 +144,7 @@ impl<'d> Making<'d> {
         Ok(self.result(parts, &outlines, crossing))
     }
 
-    /// What was made, of which loops.
+    /// Collects the result: the parts and the loops used for them.
     pub(super) fn result(
         self,
         parts: Vec<Part>,
@@ -361,7 +361,7 @@ impl<'d> Making<'d> {
 
     /// Says that nothing was fitted, and of points that scatter how much they do.
     pub(super) fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
-        /// Of points that scatter independently few are farther off than that many times the median.
+        /// Multiple of the median distance beyond which few of the points lie if they scatter independently.
         const FARTHEST: f64 = 4.0;
         let fit = self.fit_of(chain);
         let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();

@@ -144,7 +144,7 @@ impl Drawing {
     }
 }
 
-/// That curves bound faces, and not measured points.
+/// Checks that faces are bounded by curves, and not by measured points.
 fn check_divisible(drawing: &Drawing) -> Result<(), DrawingError> {
     match drawing.is_measured {
         false => Ok(()),

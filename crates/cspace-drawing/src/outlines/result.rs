@@ -1,4 +1,4 @@
-//! What is made of a drawing.
+//! Parts made from a drawing, and a report on how.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -19,13 +19,13 @@ pub struct Outlines {
     pub unit: Option<Unit>,
     /// How many entities of each type the parts are made of.
     pub used: BTreeMap<String, usize>,
-    /// What was left out.
+    /// Entities that were left out.
     pub ignored: Vec<Ignored>,
     /// Layers of which several outlines are parts by themselves.
     pub apart: Vec<Apart>,
     /// The gaps that were closed, and where.
     pub joined: Vec<(f64, Point)>,
-    /// What was fitted.
+    /// Report on fitted curves.
     pub fitted: FittedReport,
     /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
     pub crossing: Option<Problem>,
@@ -44,13 +44,13 @@ pub struct Outlines {
 pub struct Apart {
     /// The layer; empty where a format has none.
     pub layer: Arc<str>,
-    /// What the parts are called.
+    /// Names of the parts.
     pub parts: Vec<String>,
 }
 
 impl Outlines {
-    /// That short pieces were removed because ends near to each other are one by default, and how long they are; `None` if none
-    /// has any extent, or it was said which ends are one.
+    /// Warning that short pieces were removed because ends close to each other are joined by default, and how long they
+    /// are; `None` if no piece has any extent, or the distance was given.
     pub fn short_pieces(&self, settings: &Settings) -> Option<String> {
         (settings.join.is_none() && self.largest_removed > 0.0).then(|| {
             format!(
@@ -63,7 +63,7 @@ impl Outlines {
     }
 }
 
-/// What a drawing shows, and what of it cannot be used.
+/// Usable parts of a drawing, and the entities that cannot be used.
 #[derive(Debug, Clone)]
 pub struct Survey {
     /// The parts.

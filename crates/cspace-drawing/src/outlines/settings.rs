@@ -83,7 +83,7 @@ impl Settings {
     }
 }
 
-/// That lengths are lengths.
+/// Checks that all given lengths are positive.
 pub(super) fn check(settings: &Settings) -> Result<(), DrawingError> {
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let wrong = |what: &str, x: f64| {

@@ -8,10 +8,10 @@ use svgtypes::{PathParser, PathSegment};
 use crate::curve::{Curve, EllipseArc, Spline};
 use crate::drawing::{Path, Piece};
 
-/// The subpaths of path data. Those that are not closed are closed by a line where the path is filled.
+/// Subpaths of path data. A subpath that is not closed is closed by a line where the path is filled.
 ///
 /// # Errors
-/// What is wrong with the data.
+/// Describes the error in the data.
 pub(super) fn paths(data: &str, is_filled: bool) -> Result<Vec<Path>, String> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {

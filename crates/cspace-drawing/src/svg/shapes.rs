@@ -14,7 +14,7 @@ use crate::drawing::{Path, Piece};
 /// The paths of a shape; none if the element is no shape.
 ///
 /// # Errors
-/// What is wrong with the element's attributes.
+/// Describes the error in the element's attributes.
 pub(super) fn shape(
     node: Node<'_, '_>,
     view: View,

@@ -1,4 +1,4 @@
-//! What of an element's style matters: whether it is drawn at all, and where it is told to be.
+//! Relevant styles of an element: whether it is drawn at all, and whether a style moves it.
 
 use std::collections::HashMap;
 
@@ -8,7 +8,7 @@ use roxmltree::{Document, Node};
 #[derive(Default)]
 pub(super) struct Sheet(HashMap<String, Vec<(String, String)>>);
 
-/// What an element has from its own and the elements around it.
+/// Style of an element, from its own attributes and those of the elements around it.
 #[derive(Debug, Clone)]
 pub(super) struct Style {
     pub(super) is_filled: bool,

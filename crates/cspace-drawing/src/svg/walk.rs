@@ -24,7 +24,7 @@ const MOST_ELEMENTS: usize = 2_000_000;
 /// The deepest that elements are nested or used in one another.
 const DEEPEST: usize = 200;
 
-/// What to do about an element that cannot be read.
+/// Advice for an element that cannot be read.
 const MEND: &str = "export the drawing again, or mend the element";
 
 pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, DrawingError> {
@@ -67,11 +67,11 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     Ok(walk.drawing)
 }
 
-/// What an element is drawn on.
+/// Drawing context of an element.
 #[derive(Clone)]
 struct Ground {
     map: Affine,
-    /// What percentages are of.
+    /// View that percentages refer to.
     view: View,
     style: Style,
     layer: Arc<str>,
@@ -228,7 +228,7 @@ impl<'d, 'i> Walk<'d, 'i> {
         }
     }
 
-    /// What a `use` refers to, moved.
+    /// Draws the target of a `use` element, moved.
     fn used(&mut self, node: Node<'d, 'i>, ground: &Ground) -> Result<(), DrawingError> {
         let reference = node
             .attribute("href")

@@ -21,7 +21,7 @@ const MOST_NODES: u32 = 4_000_000;
 /// The document that a text is.
 ///
 /// # Errors
-/// What is wrong with the XML.
+/// Describes the error in the XML.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     // Some programs declare entities for their namespaces; the reader bounds what they expand to.
     let options = ParsingOptions {
