@@ -45,11 +45,11 @@ pub struct Proof {
     pub moving: Part,
     /// First and last orientation; none for all.
     pub window: Option<[f64; 2]>,
-    /// A configuration x, y, θ.
+    /// Start configuration x, y, θ.
     pub start: [f64; 3],
-    /// The same.
+    /// Goal configuration x, y, θ.
     pub goal: [f64; 3],
-    /// By how much the parts overlap on the surface, about; told, not checked.
+    /// Approximate penetration of the parts on the surface; stated, not checked.
     pub depth: f64,
     /// A point of the moving part, in its frame.
     pub pivot: [f64; 2],
@@ -107,7 +107,7 @@ impl Proof {
     /// Whether it proves what it says.
     ///
     /// # Errors
-    /// What is wrong with it, and with which triangle, vertex or witness, counted from 0.
+    /// Describes the error, and the triangle, vertex or witness concerned, counted from 0.
     pub fn check(&self) -> Result<(), String> {
         let finite = |x: &f64| x.is_finite() && x.abs() < 1e100;
         let loops = self.fixed.loops.iter().chain(&self.moving.loops);

@@ -7,7 +7,7 @@ use crate::scene::Colour;
 pub(crate) const INK: Colour = Colour(0x22, 0x22, 0x22);
 pub(crate) const GRID: Colour = Colour(0xe6, 0xe6, 0xe6);
 pub(crate) const BLOCKED: Colour = Colour(0xc9, 0xcc, 0xd1);
-/// What wants to be seen: contacts, gaps of a drawing.
+/// Colour of highlights: contacts, gaps of a drawing.
 pub(crate) const MARK: Colour = Colour(0xd0, 0x00, 0x2a);
 
 /// Contact curves by what touches.

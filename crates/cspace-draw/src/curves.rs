@@ -6,10 +6,10 @@ use crate::plot::{AxisLabel, Plot, haloed, text, title};
 use crate::scene::{Anchor, Area, Dot, Item, Path, Scene};
 use crate::ticks::Quantity;
 
-/// What is shown of quantities.
+/// Data of a picture of quantities over one that is varied.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CurvesPicture {
-    /// What is varied, with its unit.
+    /// Name of the varied quantity, with its unit.
     pub across: String,
     /// Whether it is an angle, in radians.
     pub is_angle: bool,
@@ -22,13 +22,13 @@ pub struct CurvesPicture {
 /// A quantity.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CurveStrip {
-    /// What it is, with its unit.
+    /// Name of the quantity, with its unit.
     pub label: String,
     /// Whether it is an angle, in radians.
     pub is_angle: bool,
     /// The smallest and the largest value that is allowed.
     pub limits: Option<(f64, f64)>,
-    /// What of the values is seen; all where nothing is given.
+    /// Range of values in view; all of them if `None`.
     pub seen: Option<(f64, f64)>,
     /// Its curves.
     pub curves: Vec<Curve>,
@@ -37,7 +37,7 @@ pub struct CurveStrip {
 /// Values of a quantity over what is varied.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
-    /// What is said of it; nothing of a single one.
+    /// Label of the curve; empty for a single one.
     pub label: String,
     /// The values in order, none where there is no value.
     pub points: Vec<(f64, Option<f64>)>,

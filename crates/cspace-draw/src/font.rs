@@ -6,7 +6,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 use crate::scene::{Anchor, Dot, Text};
 
-/// What SVG calls the font first.
+/// Font families for SVG, the preferred one first.
 pub(crate) const FAMILY: &str = "Ubuntu, Ubuntu Light, Helvetica, Arial, sans-serif";
 
 static FACE: LazyLock<Option<Face<'static>>> =

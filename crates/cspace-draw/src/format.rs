@@ -11,7 +11,7 @@ use crate::svg::svg;
 pub enum PictureFormat {
     /// Scalable, for pages and editors.
     Svg,
-    /// Of dots.
+    /// Raster image.
     Png,
     /// Scalable, for print.
     Pdf,

@@ -8,10 +8,10 @@ use crate::parts::{PartsPicture, frame_of, seen_of_all};
 use crate::plot::{text, title};
 use crate::scene::{Anchor, Area, Dot, Scene};
 
-/// What is shown of parts at several times.
+/// Data of a picture of parts at several times.
 #[derive(Debug, Clone, Default)]
 pub struct FramesPicture<'a> {
-    /// What is said of each, and the parts.
+    /// Caption and parts of each frame.
     pub frames: Vec<(String, PartsPicture<'a>)>,
 }
 

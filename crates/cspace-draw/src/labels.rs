@@ -34,7 +34,7 @@ impl Placed {
         self.put_in(items, said, size, INK, places)
     }
 
-    /// The same in a colour.
+    /// As above, in a colour.
     pub(crate) fn put_in(
         &mut self,
         items: &mut Vec<Item>,

@@ -13,7 +13,7 @@ use crate::scene::{Anchor, Area, Colour, Dot, Item, Scene};
 use crate::timeline::{ContactRow, Timeline, Track};
 use crate::view::turns_for_ever;
 
-/// What is shown of a motion.
+/// Data of a picture of a motion.
 #[derive(Debug, Clone, Default)]
 pub struct MotionPicture<'a> {
     /// How long it lasts, in seconds.
@@ -28,7 +28,7 @@ pub struct MotionPicture<'a> {
     pub events: Vec<(f64, String)>,
     /// Pairs with fixed axes, and their ways.
     pub planes: Vec<PlanePath<'a>>,
-    /// What is said of it.
+    /// Remarks on the motion.
     pub remarks: Vec<String>,
 }
 
@@ -37,7 +37,7 @@ pub struct MotionPicture<'a> {
 pub struct MotionFrame<'a> {
     /// When.
     pub time: f64,
-    /// What is said of it.
+    /// Caption of the frame.
     pub caption: String,
     /// The parts, and where they touch.
     pub parts: PartsPicture<'a>,
@@ -183,7 +183,7 @@ impl<'a> Page<'a> {
         (wide, high.clamp(6.0 * self.em, HIGHEST_FRAME * self.em))
     }
 
-    /// What of the plane is seen in all frames.
+    /// Window of the assembly's plane that contains all frames.
     fn seen_of_frames(&self) -> [(f64, f64); 2] {
         seen_of_all(self.picture.frames.iter().map(|f| &f.parts), self.options)
     }
@@ -247,7 +247,7 @@ impl<'a> Page<'a> {
         (planes, if lines > 0.0 { LINE * lines + 1.0 } else { 0.0 })
     }
 
-    /// What is said, in lines that fit.
+    /// Remarks, broken into lines that fit.
     fn lines(&self) -> Vec<String> {
         let room = self.text_width(self.is_beside());
         let mut lines = Vec::new();
@@ -310,9 +310,10 @@ impl<'a> Page<'a> {
     }
 }
 
-/// Of a part that turns a little way only what is about this is seen; otherwise all.
+/// Range in view of a part's coordinate: if the part turns a little only, the range of its motion and a margin;
+/// otherwise all.
 fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f64) {
-    /// Of what is seen; a third of a turn is no little way.
+    /// Largest range that counts as little, as a share of all; a third of a turn is more than little.
     const LITTLE: f64 = 1.0 / 3.0;
     /// To either side, of the way, and at least so much, in radians.
     const BESIDE: f64 = 0.4;

@@ -1,14 +1,14 @@
-//! What a user may say of any picture.
+//! Options of all pictures.
 
 /// Which labels a picture has beside its axes and its title.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Labels {
     /// None.
     None,
-    /// Those that fit: no label lies on another.
+    /// Labels that fit: no label lies on another.
     #[default]
     Auto,
-    /// Those that fit, and those of the features of parts, as answers call them, that fit.
+    /// Labels that fit, and those of the features of parts, as answers call them, that fit.
     Features,
     /// All, and with numbers of vertices and features.
     All,
@@ -19,15 +19,15 @@ pub enum Labels {
 pub struct PictureOptions {
     /// Width and height in dots, if not chosen by what is shown.
     pub size: Option<(f64, f64)>,
-    /// What is written above.
+    /// Title above the picture.
     pub title: String,
     /// The label of the unit of length.
     pub unit: Option<String>,
     /// Which labels it has.
     pub labels: Labels,
-    /// What is seen of the first coordinate: x in the unit of length, or u (radians if it is an angle); all if not said.
+    /// Range of the first coordinate in view: x in the unit of length, or u (radians if it is an angle); all if `None`.
     pub x: Option<(f64, f64)>,
-    /// What is seen of the second.
+    /// Range of the second coordinate in view.
     pub y: Option<(f64, f64)>,
 }
 

@@ -21,7 +21,7 @@ pub struct ContactMark {
     pub at: Point,
     /// The outward normal of the part that is touched.
     pub normal: Vector,
-    /// What touches.
+    /// Names of the features that touch.
     pub label: String,
 }
 
@@ -32,11 +32,11 @@ pub struct UnusedPath {
     pub start: Point,
     /// Where each line or arc ends, and its bulge.
     pub edges: Vec<(Point, f64)>,
-    /// What it is.
+    /// Description of the path.
     pub label: String,
 }
 
-/// What is shown of parts.
+/// Data of a picture of parts.
 #[derive(Debug, Clone, Default)]
 pub struct PartsPicture<'a> {
     /// The parts, the last on top.
@@ -49,7 +49,7 @@ pub struct PartsPicture<'a> {
     pub contacts: Vec<ContactMark>,
     /// Whether the parts are those of a drawing, which says nothing of motions.
     pub is_drawing: bool,
-    /// What of a drawing is in no part, in red.
+    /// Paths of a drawing that are in no part, in red.
     pub unused: Vec<UnusedPath>,
     /// Places of a drawing where something is wrong, and what; marked in red.
     pub faults: Vec<(Point, String)>,
@@ -140,7 +140,7 @@ pub(crate) fn frame_of(
     });
 }
 
-/// What of the plane is seen in all frames.
+/// Window of the plane that contains all frames.
 pub(crate) fn seen_of_all<'p, 'a: 'p>(
     frames: impl Iterator<Item = &'p PartsPicture<'a>>,
     options: &PictureOptions,
@@ -152,7 +152,7 @@ pub(crate) fn seen_of_all<'p, 'a: 'p>(
     [options.x.unwrap_or(all[0]), options.y.unwrap_or(all[1])]
 }
 
-/// What of the plane is seen: the parts, the origin if it is near, pivots and contacts, and a margin.
+/// Window of the plane in view: the parts, the origin if it is near, pivots and contacts, and a margin.
 pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
     let mut all: Vec<Point> = (picture.parts.iter().chain(&picture.swept))
         .flat_map(|p| points(p.part, p.assembly_from_part))
@@ -379,7 +379,7 @@ fn contact_sign(items: &mut Vec<Item>, contact: &ContactMark, plot: &Plot, place
     placed.keep(Area::new(at.x - 0.5 * em, at.y - 0.5 * em, em, em));
 }
 
-/// What is wrong with a drawing.
+/// Draws the faults of a drawing.
 fn faults(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, placed: &mut Placed) {
     let em = plot.em;
     for unused in &picture.unused {
@@ -437,7 +437,7 @@ fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, place
     items.push(Item::filled(signs, colours(p.number).1));
 }
 
-/// What each part is, and what touches.
+/// Legend of the parts, and of the contacts.
 pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
     // A part at several places is told once.
     let first = |i: usize| {

@@ -142,7 +142,7 @@ fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
     }
 }
 
-/// What of a coordinate is seen: of a full turn from −180° to 180°.
+/// Range of a coordinate in view: for a full turn from −180° to 180°.
 pub(crate) fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
     if turns_for_ever(axis) {
         return (-PI, PI);
@@ -315,7 +315,7 @@ fn number_regions(items: &mut Vec<Item>, strips: &[Strip], placed: &mut Placed, 
     }
 }
 
-/// What touches, beside curves that are long enough for it.
+/// Writes the names of the features that touch beside contact curves that are long enough.
 fn name_curves(
     items: &mut Vec<Item>,
     space: &FixedAxesSpace,

@@ -15,7 +15,7 @@ pub(crate) struct Plot {
     pub(crate) em: f64,
 }
 
-/// What an axis shows.
+/// Label and quantity of an axis.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisLabel {
     pub(crate) text: String,
@@ -112,7 +112,7 @@ impl Plot {
         ]
     }
 
-    /// The same with a smaller scale, about the same middle.
+    /// Copy with a smaller scale, about the same middle.
     pub(crate) fn at_scale(&self, scale: f64) -> Self {
         let grown = self.scale() / scale;
         let wide = |(lo, hi): (f64, f64)| {
@@ -224,7 +224,7 @@ pub(crate) fn text(text: String, at: Dot, size: f64, anchor: Anchor, colour: Col
     })
 }
 
-/// The same with an edge of white.
+/// Copy of a text with a white outline.
 pub(crate) fn haloed(item: Item) -> Item {
     match item {
         Item::Text(t) => Item::Text(Text { halo: true, ..t }),

@@ -164,7 +164,7 @@ pub enum Anchor {
 /// A line of text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Text {
-    /// What it says.
+    /// Content.
     pub text: String,
     /// The base line's place.
     pub at: Dot,
@@ -191,7 +191,7 @@ pub enum Item {
         fill: Option<Colour>,
         /// How it is drawn along.
         stroke: Option<Stroke>,
-        /// What is said where the mouse is on it, in formats that can.
+        /// Tooltip, shown under the mouse in formats that can.
         title: Option<String>,
     },
     /// A line of text.
@@ -234,8 +234,8 @@ pub struct Scene {
     pub width: f64,
     /// The height in dots.
     pub height: f64,
-    /// What it shows, for readers that cannot see it.
+    /// Description of the picture, for readers that cannot see it.
     pub title: String,
-    /// What is on it.
+    /// Items of the picture.
     pub items: Vec<Item>,
 }

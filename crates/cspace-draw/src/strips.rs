@@ -133,8 +133,8 @@ impl Strip {
         lines.iter().map(|l| simplified(l)).collect()
     }
 
-    /// The same of a strip that is short and wide, across which a channel runs: lines from side to side where `is_free` does
-    /// not hold so many dots apart.
+    /// As above, for a strip that is short and wide, across which a channel runs: lines from side to side where
+    /// `is_free` does not hold, `dots` apart.
     pub(crate) fn thin_across(&self, dots: f64, is_free: impl Fn(Dot) -> bool) -> Vec<Vec<Dot>> {
         let n = self.lower.len();
         let (a, b) = (self.lower[n / 2], self.upper[n / 2]);

@@ -1,6 +1,6 @@
 //! Round numbers along an axis.
 
-/// What the numbers of an axis are.
+/// Quantity of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     /// Lengths, shown as they are.

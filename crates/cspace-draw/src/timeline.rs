@@ -1,4 +1,4 @@
-//! What happens over time, one strip below the other: coordinates as curves, contacts as bars.
+//! Timeline: strips below each other, with coordinates as curves and contacts as bars.
 
 use crate::colour::{INK, MARK, bar, part as colours};
 use crate::font;
@@ -10,7 +10,7 @@ use crate::ticks::Quantity;
 /// A strip: curves over time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Track {
-    /// What it shows.
+    /// Label of the strip.
     pub label: String,
     /// The unit of its numbers, if they have one; of angles it is degrees.
     pub unit: Option<String>,
@@ -27,7 +27,7 @@ pub struct TrackCurve {
     pub points: Vec<(f64, f64)>,
     /// The number of the part it is of, which chooses its colour.
     pub part: usize,
-    /// What it is, said where the mouse is on it.
+    /// Tooltip of the curve.
     pub title: String,
 }
 
@@ -51,9 +51,9 @@ pub struct ContactBar {
     pub to: f64,
     /// The number of its pair of features, which chooses its colour.
     pub features: usize,
-    /// What is written on it, where there is room.
+    /// Label on the bar, written where there is room.
     pub label: String,
-    /// What is said where the mouse is on it.
+    /// Tooltip of the bar.
     pub title: String,
 }
 
@@ -78,7 +78,7 @@ impl Timeline<'_> {
     const BELOW: f64 = 3.4;
     const BETWEEN: f64 = 0.7;
     const LANE: f64 = 1.25;
-    /// Of more contacts at once the last are drawn over each other.
+    /// Largest number of lanes: if more contacts are closed at once, the last are drawn over each other.
     const MOST_LANES: usize = 4;
 
     /// How high it is, with strips of a height.
@@ -86,7 +86,7 @@ impl Timeline<'_> {
         Self::ABOVE + self.inner(strip) + Self::BELOW
     }
 
-    /// The same without what is above and below.
+    /// Height without the space above and below.
     fn inner(&self, strip: f64) -> f64 {
         let tracks = self.tracks.len() as f64 * (strip + Self::BETWEEN);
         let rows: f64 = self.rows.iter().map(Self::row_height).sum();
@@ -291,7 +291,7 @@ impl Timeline<'_> {
     }
 }
 
-/// What of its values a strip shows.
+/// Range of values that a strip shows.
 fn range(track: &Track) -> (f64, f64) {
     let values = track
         .curves

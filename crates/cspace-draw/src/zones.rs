@@ -23,14 +23,14 @@ pub enum Nominal<'a> {
 /// A rectangle: the ranges of both coordinates.
 type Cell = [(f64, f64); 2];
 
-/// What is shown of contact zones.
+/// Data of a picture of contact zones.
 #[derive(Debug, Clone)]
 pub struct ZonesPicture<'a> {
     /// The pair as it is drawn, of which the contact curves are shown.
     pub nominal: Nominal<'a>,
-    /// What is free within all tolerances.
+    /// Cells that are free within all tolerances.
     pub free: &'a [Cell],
-    /// What is blocked within all tolerances.
+    /// Cells that are blocked within all tolerances.
     pub blocked: &'a [Cell],
     /// Bands between: what may touch there, and where.
     pub bands: Vec<(String, &'a [Cell])>,
@@ -39,7 +39,7 @@ pub struct ZonesPicture<'a> {
 }
 
 impl Nominal<'_> {
-    /// What is seen of both coordinates.
+    /// Ranges of both coordinates in view.
     pub fn window(&self, options: &PictureOptions) -> Cell {
         match self {
             Self::Plane(space) => {

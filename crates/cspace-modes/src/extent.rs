@@ -14,7 +14,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// The same values, with the larger tolerances of both.
+    /// Copy with the larger of both extents' tolerances.
     pub(crate) fn coarser(self, other: &Self) -> Self {
         Self {
             opening: self.opening.max(other.opening),

@@ -46,7 +46,7 @@ impl Mode {
     }
 }
 
-/// What is known of a mode while its cells are gone through; coordinates are s, p and q.
+/// State of a mode while its cells are collected; coordinates are s, p and q.
 pub(crate) struct Gathered {
     turns: Vec<[i64; 3]>,
     extents: [Extent; 3],

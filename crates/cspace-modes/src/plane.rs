@@ -30,7 +30,7 @@ pub(crate) struct Opening {
 }
 
 impl Plane {
-    /// What a computed pair leaves free.
+    /// Plane of a computed pair.
     pub(crate) fn of(swept: SweptPlane) -> Self {
         let openings = swept.smallest_openings();
         let extent = |((lo, hi), circle): ((f64, f64), bool), opening: f64| Extent {
@@ -59,7 +59,7 @@ impl Plane {
         }
     }
 
-    /// The same, with other extents of the same coordinates.
+    /// Copy with other extents of its coordinates.
     pub(crate) fn with(self, x: Extent, y: Extent) -> Self {
         Self { x, y, ..self }
     }

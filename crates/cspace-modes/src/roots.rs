@@ -56,7 +56,7 @@ pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Optio
 pub(crate) struct Corner<'a> {
     /// f, of the values of a.
     pub(crate) outer: Graph<'a>,
-    /// What is added to values of a before they are put into f.
+    /// Offset added to values of a before they are put into f.
     pub(crate) shift: f64,
     pub(crate) inner: Graph<'a>,
     pub(crate) level: Graph<'a>,

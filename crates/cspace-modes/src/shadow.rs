@@ -1,4 +1,5 @@
-//! What of the plane of two parts a mode reaches: the configurations (u, v) of the pair for which the third part can be somewhere.
+//! Shadow of a mode in the plane of two parts: the configurations (u, v) of the pair for which the third part has a
+//! free position.
 
 use core::f64::consts::TAU;
 

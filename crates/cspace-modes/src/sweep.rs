@@ -41,7 +41,7 @@ pub(crate) struct Stack {
     pub(crate) first: u32,
 }
 
-/// What the sweep finds.
+/// Result of the sweep.
 #[derive(Debug)]
 pub(crate) struct Swept {
     pub(crate) slabs: Vec<Slab>,

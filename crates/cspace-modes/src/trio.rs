@@ -16,7 +16,7 @@ pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
 pub struct TrioPair {
     /// Which of the three coordinates is the pair's u, and which its v.
     pub coordinates: [usize; 2],
-    /// What the two parts leave each other; `None` if the model has no such pair, which then constrains nothing.
+    /// Configuration space of the two parts; `None` if the model has no such pair, which then constrains nothing.
     pub space: Option<FixedAxesSpace>,
 }
 
@@ -196,7 +196,7 @@ fn entry(
     })
 }
 
-/// That no joint, or chain of joints, connects two of the parts.
+/// Checks that no joint, or chain of joints, connects two of the parts.
 fn check_joints(
     mechanism: &Mechanism,
     parts: [usize; 3],
@@ -235,7 +235,7 @@ fn check_joints(
     Ok(())
 }
 
-/// That two parts do not slide side by side without limits.
+/// Checks that two parts do not slide side by side without limits.
 fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
     /// The sine of the angle between directions of sliding below which they are one: a pair's space takes them so.
     const PARALLEL: f64 = 1e-9;

@@ -6,7 +6,7 @@ use cspace::{PairError, PartError, QueryError};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProofError {
-    /// Of another class.
+    /// The pair is of another class.
     #[error("proofs are written for planar pairs only")]
     NotPlanar,
     /// Start or goal cannot be asked about.
@@ -17,7 +17,7 @@ pub enum ProofError {
     Part {
         /// By how much it was to be shrunk.
         depth: f64,
-        /// What is wrong.
+        /// Reason why it is no part.
         error: PartError,
     },
     /// The depth that was asked for.
@@ -40,7 +40,7 @@ pub enum ProofError {
          {finest:?}"
     )]
     TooFine {
-        /// What was asked for.
+        /// Requested depth.
         depth: f64,
         /// The least that is tried.
         finest: f64,

@@ -4,9 +4,10 @@ use cspace::{Part, Point, Rotation, Touching, Vector};
 
 use crate::disc::{Disc, Material};
 
-/// Of a triangle so much less, as a share of the depth, is a witness: rounding leaves it one.
+/// Margin of a triangle's witness, as a share of the depth, so that rounding does not invalidate it.
 const MARGIN: f64 = 1e-6;
-/// The same as a share of the largest coordinate: the checker's bounds are that far apart, and more for orientations of many turns.
+/// Margin as a share of the largest coordinate: the checker's bounds have that error, and more for orientations of many
+/// turns.
 const ROUNDING: f64 = 1e-12;
 /// Triangles of a smaller extent, as a share of the depth, have a witness: if none was found, it is looked for everywhere.
 const SMALL: f64 = 0.3;
@@ -81,7 +82,7 @@ impl Corners {
 pub(crate) struct Materials<'a> {
     fixed: Material<'a>,
     moving: Material<'a>,
-    /// What the checker is asked for the radii.
+    /// Parts as the checker reads them, asked for the radii.
     checked: [cspace_check::Part; 2],
     pivot: Point,
     pub(crate) depth: f64,

@@ -36,7 +36,7 @@ pub struct SceneDesign {
 /// A number of the model that has a name.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneParameter {
-    /// What expressions call it.
+    /// Name in expressions.
     pub name: String,
     /// Its value; of an angle in radians.
     pub value: f64,
@@ -108,7 +108,7 @@ impl Design {
         ))
     }
 
-    /// What a scene carries of it.
+    /// Text of the design for a scene.
     pub(crate) fn text(&self) -> SceneText {
         let file = self.template.path().file_name().unwrap_or_default();
         let set = self.set.iter().map(|s| SceneSetting {
@@ -153,12 +153,12 @@ impl Design {
         })
     }
 
-    /// What the page shows of the model as it was opened.
+    /// Design of the model as it was opened, for the page.
     pub(crate) fn opened_scene(&self) -> SceneDesign {
         self.scene(&self.opened)
     }
 
-    /// What the page shows of a model of this design.
+    /// Design of a model, for the page.
     pub(crate) fn scene(&self, model: &Model) -> SceneDesign {
         let largest = (model.mechanism.parts.iter()).fold(0.0_f64, |m, p| m.max(p.part.size()));
         let parameters = (model.parameters.iter())
@@ -185,11 +185,11 @@ impl Design {
 fn range(parameter: &Parameter, is_count: bool, largest: f64) -> (f64, f64) {
     /// Below and above, as a share of the value.
     const AROUND: f64 = 0.25;
-    /// Of a parameter that is 0 with a tolerance: so many times the tolerance.
+    /// Largest deviation, as a multiple of the tolerance, for a parameter that is 0 and has a tolerance.
     const TOLERANCES: f64 = 10.0;
-    /// Of a length that is 0, as a share of the size of the largest part.
+    /// Largest deviation for a length that is 0, as a share of the size of the largest part.
     const SHARE: f64 = 0.05;
-    /// Of an angle that is 0 (rad).
+    /// Largest deviation for an angle that is 0 (rad).
     const ANGLE: f64 = core::f64::consts::PI / 18.0;
     let value = parameter.value;
     if is_count {

@@ -46,9 +46,9 @@ pub struct DrawingSource {
 /// A drawing, and what it was read from.
 #[derive(Debug, Clone)]
 pub struct OpenedDrawing {
-    /// What it was read from.
+    /// Source from which it was read.
     pub source: DrawingSource,
-    /// What is drawn, in the file's unit.
+    /// Content of the drawing, in the file's unit.
     pub drawing: Drawing,
 }
 
@@ -59,7 +59,7 @@ pub struct DrawingScene {
     pub format: &'static str,
     /// Always 2.
     pub version: u32,
-    /// What the model is made of.
+    /// Source of the model.
     pub source: DrawingSource,
     /// All curves, as the ends of lines and arcs.
     pub curves: Vec<Vec<Vertex>>,
@@ -121,7 +121,7 @@ pub enum PickError {
 }
 
 impl PickError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &str {
         match self {
             Self::Nothing => "click faces: each click makes a part",
@@ -208,7 +208,7 @@ impl OpenedDrawing {
         Ok(Self { source, drawing })
     }
 
-    /// What a scene says that it was read from.
+    /// Reads the drawing again from the source in a scene.
     ///
     /// # Errors
     /// If the extension is not that of a drawing, or the bytes are none.

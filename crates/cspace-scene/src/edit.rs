@@ -59,7 +59,7 @@ pub enum EditError {
         index: usize,
         /// Its name.
         name: String,
-        /// What is wrong.
+        /// Reason why they are no part.
         error: PartError,
     },
     /// A part is shrunk to nothing.

@@ -1,4 +1,4 @@
-//! What a page shows: a model, or a saved space.
+//! Content of a page: a model, or a saved space.
 
 use cspace::pair::Joint;
 use cspace::{
@@ -24,7 +24,7 @@ pub struct Opened {
     pub general: bool,
     /// The space of the one pair, if it was read.
     pub saved: Option<PairSpace>,
-    /// What is to be played.
+    /// Recordings to be played.
     pub records: Vec<SceneRecord>,
     design: Option<Design>,
 }
@@ -138,10 +138,10 @@ impl Opened {
         }
     }
 
-    /// What a scene says it was made of.
+    /// Opens the source stored in a scene.
     ///
     /// # Errors
-    /// If the model is none.
+    /// If the text is not a valid model.
     pub fn from_source(source: &SceneSource) -> Result<Self, ModelError> {
         let model = cspace_io::model::from_toml(&source.model, "the model of this page")?;
         let opened = Self::model(model, source.pairs.clone(), source.general);
@@ -152,7 +152,7 @@ impl Opened {
         Ok(Self { design, ..opened })
     }
 
-    /// What the scene is made of, if the model can be written and read again.
+    /// Source of the scene, if the model can be written and read again.
     fn source(&self) -> Option<SceneSource> {
         let model = cspace_io::model::to_toml(&self.model);
         cspace_io::model::from_toml(&model, "model.toml").ok()?;

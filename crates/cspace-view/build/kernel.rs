@@ -14,7 +14,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// What the crate and what it depends on are made of, beside this crate's folder.
+/// Crates that this one and its dependencies consist of, beside this crate's folder.
 const CRATES: [&str; 10] = [
     "cspace",
     "cspace-answers",
@@ -31,9 +31,9 @@ const CRATES: [&str; 10] = [
 /// Where Debian's packages `rustc-web`, `cargo-web` and `lld` are: they compile for WebAssembly where rustup cannot be had.
 const SYSTEM: &str = "/usr/bin";
 
-/// What compiles for WebAssembly.
+/// Compiler for WebAssembly.
 enum Compiler {
-    /// That which compiles this, with the target's library.
+    /// Compiler of this build, with the target's library.
     Own,
     /// The system's, which compiles the library too.
     System,

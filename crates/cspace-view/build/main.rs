@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// What the page is made of, files and folders in `page/`.
+/// Sources of the page, files and folders in `page/`.
 const SOURCES: [&str; 7] = [
     "package.json",
     "package-lock.json",
@@ -22,10 +22,10 @@ const SOURCES: [&str; 7] = [
     "style.css",
 ];
 
-/// What npm installs follows from these.
+/// Files that determine the packages installed by npm.
 const INSTALLED: [&str; 3] = ["package.json", "package-lock.json", ".npmrc"];
 
-/// What the library includes, from the page's folder in the build.
+/// Files included in the library, from the page's folder in the build.
 const BUNDLE: [(&str, &str); 5] = [
     ("index.html", "index.html"),
     ("style.css", "style.css"),

@@ -62,7 +62,7 @@ impl Page {
         .concat())
     }
 
-    /// What the page may load, as a Content-Security-Policy: its own script by its hash, and nothing from elsewhere.
+    /// Content-Security-Policy of the page: it may load its own script by its hash, and nothing from elsewhere.
     pub(crate) fn policy(&self, place: Place) -> String {
         let asks = match place {
             Place::File => "",

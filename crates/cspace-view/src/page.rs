@@ -19,13 +19,13 @@ const PLACES: [&str; 3] = ["<!--style-->", "<!--scene-->", "<!--script-->"];
 /// The page without a scene.
 #[derive(Debug, Clone)]
 pub struct Page {
-    /// What is before, between and after the places.
+    /// Text before, between and after the places.
     pub(crate) around: [String; 4],
     pub(crate) style: String,
     pub(crate) script: String,
     /// The hash of the script, by which a policy allows it and no other.
     pub(crate) hash: String,
-    /// What the script computes with.
+    /// Kernel with which the script computes.
     pub(crate) kernel: Option<Kernel>,
 }
 
@@ -59,13 +59,13 @@ pub enum PageError {
     Ends {
         /// Which of the two.
         what: &'static str,
-        /// What ends it.
+        /// Text that ends it.
         text: &'static str,
     },
 }
 
 impl PageError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub const fn help(&self) -> &'static str {
         match self {
             Self::NotBundled { .. } => {
@@ -127,7 +127,7 @@ impl Page {
 /// Where a browser takes a script to end, or to go on otherwise than it is written.
 const SCRIPT_ENDS: &[&str] = &["</script", "<!--"];
 
-/// That nothing in a source ends the element it stands in.
+/// Checks that a source has no text that ends the element it stands in.
 fn check_ends(what: &'static str, source: &str, ends: &[&'static str]) -> Result<(), PageError> {
     let source = source.to_ascii_lowercase();
     match ends.iter().find(|&&text| source.contains(text)) {

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 const TEMPLATE: &str = "<head><!--style--></head><body><!--scene-->|<!--script--></body>";
 
-/// What a browser takes for the content of the scene's element: all up to the first that looks like its end.
+/// Content of the scene's element as a browser takes it: all up to the first text that looks like its end.
 fn scene_in(html: &str) -> Value {
     let (_, rest) = html
         .split_once(r#"<script type="application/json" id="scene">"#)

@@ -45,7 +45,7 @@ impl Drawing {
     }
 }
 
-/// What is wrong with a drawing, and what to do, as the command says it.
+/// Error in a drawing, and advice, in the words of the command.
 fn told(file: &str, error: &DrawingError) -> JsError {
     fault(format_args!("{file}: {error} ({})", error.help()))
 }

@@ -16,14 +16,14 @@ pub struct MechanismHand {
     hand: Hand,
 }
 
-/// What became of a drag.
+/// Result of a drag.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Came {
     /// The coordinates of each part: none, [u], or [x, y, theta].
     parts: Vec<Vec<f64>>,
     reached: bool,
-    /// What stops it, in words; nothing if it came there.
+    /// Obstacles, in words; empty if the part reached its target.
     stopped: Vec<String>,
     /// Names of parts that overlap each other.
     overlapping: Vec<(String, String)>,

@@ -14,7 +14,7 @@ mod surface;
 
 use wasm_bindgen::prelude::*;
 
-/// What the answers are, for TypeScript.
+/// TypeScript types of the answers.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");
 

@@ -132,7 +132,7 @@ impl Model {
         self.opened.edited_text(&parsed(edits)?).map_err(fault)
     }
 
-    /// What `cspace check --format json` answers of the edited model.
+    /// Answer of `cspace check --format json` for the edited model.
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
@@ -172,8 +172,8 @@ impl Model {
         })
     }
 
-    /// What `cspace plan --format json` answers of a pair of the edited model: a path from one configuration to another, or out
-    /// where the other is empty, if need be the widest; or why there is none.
+    /// Answer of `cspace plan --format json` for a pair of the edited model: a path from one configuration to another,
+    /// or to free space outside where `to` is empty, if requested the widest; or the reason why there is none.
     pub fn plan(
         &self,
         pair: usize,
@@ -210,8 +210,8 @@ impl Model {
         ))
     }
 
-    /// What `cspace simulate --format json` answers of the edited mechanism, with states between samples: its motion while the
-    /// slowest drive makes a turn, with masses if it has any.
+    /// Answer of `cspace simulate --format json` for the edited mechanism, with states between samples: its motion
+    /// while the slowest drive makes a turn, with masses if it has any.
     pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
         let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;
         let has_masses = model.has_masses();

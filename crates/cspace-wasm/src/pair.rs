@@ -50,7 +50,7 @@ struct Reached {
     stopped: Option<PatchId>,
 }
 
-/// What a coordinate of a pair with fixed axes is.
+/// Kind and range of a coordinate of a pair with fixed axes.
 #[derive(Serialize)]
 struct AxisInfo {
     kind: &'static str,
@@ -130,7 +130,8 @@ impl Pair {
         })
     }
 
-    /// What `cspace classify` says; nothing outside the window or the ranges of motion, and of what is not finite.
+    /// Answer of `cspace classify`; nothing outside the window or the ranges of motion, and for numbers that are not
+    /// finite.
     #[wasm_bindgen(unchecked_return_type = "Classification | undefined")]
     pub fn classify(&self, c: &[f64]) -> Result<Option<String>, JsError> {
         let class = self.space.classify(self.coordinates(c)?);
@@ -145,8 +146,8 @@ impl Pair {
         }
     }
 
-    /// What `cspace contacts` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest
-    /// first.
+    /// List of `cspace contacts`: features no farther apart than a distance (model unit; the resolution unless given),
+    /// nearest first.
     #[wasm_bindgen(unchecked_return_type = "Touch[]")]
     pub fn touching(&self, c: &[f64], within: Option<f64>) -> Result<JsValue, JsError> {
         let at = self.coordinates(c)?;
@@ -160,7 +161,7 @@ impl Pair {
     pub fn nearest(&self, c: &[f64]) -> Result<JsValue, JsError> {
         /// More than rounding, as a share.
         const MORE: f64 = 1e-6;
-        /// Of parts that overlap, features are looked for within this share of their size first, and then within ever more.
+        /// First radius of the search for features of overlapping parts, as a share of their size; it then grows.
         const FIRST: f64 = 1.0 / 4096.0;
         let at = self.coordinates(c)?;
         let size = self.space.fixed().size().max(self.space.moving().size());
@@ -254,7 +255,7 @@ impl Pair {
         made.map_err(fault)
     }
 
-    /// What u and v of a pair with fixed axes are.
+    /// Kinds and ranges of u and v of a pair with fixed axes.
     #[wasm_bindgen(unchecked_return_type = "[AxisInfo, AxisInfo]")]
     pub fn axes(&self) -> Result<JsValue, JsError> {
         let space = self.on_axes()?;
@@ -302,12 +303,13 @@ impl Pair {
         }
     }
 
-    /// Of lower pairs, and outside, there is nothing to say.
+    /// Features near a configuration; none for lower pairs, and outside of the space.
     fn near(&self, at: Coordinates, within: f64) -> Vec<NearFeatures> {
         self.space.near_features(at, within).unwrap_or_default()
     }
 
-    /// Of a pair with fixed axes in the assembly, of another in the fixed part's frame.
+    /// Contact of two features: in the assembly's frame for a pair with fixed axes, otherwise in the fixed part's
+    /// frame.
     fn touch(&self, at: Coordinates, near: &NearFeatures) -> Touch {
         let place = match (&self.space, at) {
             (PairSpace::FixedAxes(space), Coordinates::Axes { u, .. }) => {

@@ -1,4 +1,4 @@
-//! What a page of a motion must show.
+//! Required content of a motion's page.
 
 use cspace_draw::{Anchor, Dot, Item, PictureOptions, Scene, Step, Text, motion, svg};
 

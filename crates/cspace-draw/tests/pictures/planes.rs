@@ -1,4 +1,4 @@
-//! What planes of motions must show, whatever is in them.
+//! Required content of planes of motions, for any data.
 
 use cspace::Classification;
 use cspace_draw::{Area, Dot, Item, PictureOptions, Scene, Text, plane, png, svg};
@@ -154,7 +154,7 @@ fn free_space_is_seen_however_thin() {
     }
 }
 
-/// What of u and v a picture shows that is told nothing: a turn from −180° to 180°, else the extent and a margin.
+/// Default ranges of u and v in a picture: a turn from −180° to 180°, else the extent and a margin.
 fn seen(space: &cspace::FixedAxesSpace) -> [(f64, f64); 2] {
     let (u, v) = space.axes();
     let whole = space.extent();

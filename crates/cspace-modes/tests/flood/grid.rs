@@ -7,7 +7,7 @@ use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{AxisMotion, Classification};
 use cspace_modes::{ModePlace, Modes};
 
-/// What a grid shows of modes.
+/// Modes found on a grid.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Found {
     /// Free configurations.
@@ -74,7 +74,8 @@ impl<'a> Grid<'a> {
         })
     }
 
-    /// What the grid shows. Panics if two configurations that a free motion joins are in two modes, or one is in none.
+    /// Modes found on the grid. Panics if two configurations that a free motion joins are in two modes, or one is in
+    /// none.
     pub(crate) fn found(&self) -> Found {
         let n = self.n;
         let index = |i: [usize; 3]| (i[0] * n + i[1]) * n + i[2];

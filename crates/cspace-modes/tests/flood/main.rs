@@ -134,7 +134,7 @@ fn walks_that_are_free_by_brute_force_stay_in_their_mode() {
     assert!(taken > 10_000, "{taken}");
 }
 
-/// The same parts in another order, and so swept along another coordinate, have the same modes.
+/// Parts in another order, and so swept along another coordinate, have the same modes.
 #[test]
 fn the_order_of_the_parts_does_not_matter() {
     for seed in 0..40 {

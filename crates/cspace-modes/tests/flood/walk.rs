@@ -35,7 +35,7 @@ pub(crate) struct Walker<'a> {
     axes: [Axis; 3],
     speeds: [f64; 3],
     pairs: Vec<([usize; 2], Oracle)>,
-    /// What is nearer to contact than this may count as contact.
+    /// Distance to contact below which a configuration may count as contact.
     resolution: f64,
 }
 

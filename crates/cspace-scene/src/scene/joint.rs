@@ -7,7 +7,7 @@ use serde::Serialize;
 /// A permanent connection of two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SceneJoint {
-    /// What it leaves free.
+    /// Degrees of freedom of the joint.
     #[serde(rename = "type")]
     pub kind: JointKind,
     /// Indices of the two parts.
@@ -18,7 +18,7 @@ pub struct SceneJoint {
     pub direction: Option<Vector>,
 }
 
-/// What a joint leaves free.
+/// Degrees of freedom of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum JointKind {

@@ -35,9 +35,9 @@ pub struct ScenePair {
 /// A number for each part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Of the fixed part.
+    /// Number for the fixed part.
     pub fixed: u32,
-    /// Of the moving part.
+    /// Number for the moving part.
     pub moving: u32,
 }
 
@@ -48,7 +48,7 @@ pub struct SceneRegion {
     pub unbounded: bool,
     /// A configuration in it: [x, y, θ] or [u, v].
     pub sample: Vec<f64>,
-    /// Of a pair on fixed axes: where u and v are in it.
+    /// Ranges of u and v in the region, for a pair on fixed axes.
     pub ranges: Option<[SceneRange; 2]>,
 }
 
@@ -91,7 +91,7 @@ impl ScenePair {
         }
     }
 
-    /// The same pair, whose space cannot be computed.
+    /// Copy of a pair whose space cannot be computed.
     #[must_use]
     pub fn failed(self, error: impl Into<String>) -> Self {
         Self {

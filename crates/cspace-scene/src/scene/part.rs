@@ -58,7 +58,7 @@ impl ScenePart {
     }
 }
 
-/// What a feature is called that the model gives no name.
+/// Name of a feature to which the model gives none.
 fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
     let (loop_index, index, kind) = match feature {
         PartFeature::Vertex { loop_index, index } => (loop_index, index, FeatureKind::Vertex),

@@ -20,7 +20,8 @@ pub(super) struct Names(Arc<Vec<String>>);
 /// The port that addresses leave out.
 const PLAIN_PORT: u16 = 80;
 
-/// What every answer says of itself: it is kept nowhere, shown in no frame, told to nobody, and taken for nothing else.
+/// Headers of every answer: it is kept nowhere, shown in no frame, sends no referrer, and is taken for no other type of
+/// content.
 const HEADERS: [(&str, &str); 6] = [
     ("cache-control", "no-store"),
     ("referrer-policy", "no-referrer"),
@@ -30,7 +31,7 @@ const HEADERS: [(&str, &str); 6] = [
     ("cross-origin-opener-policy", "same-origin"),
 ];
 
-/// What an answer that is no page may load.
+/// Content-Security-Policy of an answer that is no page.
 const NO_PAGE: &str = "default-src 'none'; frame-ancestors 'none'";
 
 impl Names {

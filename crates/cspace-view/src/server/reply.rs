@@ -1,4 +1,4 @@
-//! What the server answers.
+//! Answers of the server.
 
 use axum::body::Bytes;
 use axum::http::{HeaderValue, StatusCode, header};

@@ -1,4 +1,5 @@
-//! What the server computes: the pairs of the model as it was opened. It may take long, and is done on threads that may wait.
+//! Computations of the server: the pairs of the model as it was opened. They may take long, and are done on threads
+//! that may wait.
 
 use std::sync::OnceLock;
 use std::time::Instant;
@@ -15,7 +16,7 @@ use crate::page::Page;
 #[derive(Debug, Clone)]
 pub(super) struct ServedPage {
     pub(super) html: Bytes,
-    /// What it may load.
+    /// Content-Security-Policy of the page.
     pub(super) policy: String,
 }
 
@@ -28,7 +29,7 @@ impl ServedPage {
     }
 }
 
-/// What is served of a model, and what has been computed of it.
+/// Model that is served, and its results so far.
 #[derive(Debug)]
 pub(super) struct Work {
     opened: Opened,
