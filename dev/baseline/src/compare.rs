@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::{Layer, Stack, Surface};
 
-/// What is wrong with a polyhedral surface.
+/// Errors of a polyhedral surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
     /// The largest gap, in the model's unit: half way between two consecutive slices, from the straight boundary line to the

@@ -1,4 +1,4 @@
-//! What makes a critical orientation of the exact contact space.
+//! Kinds of critical orientations of the exact contact space.
 
 use core::f64::consts::{PI, TAU};
 
@@ -81,7 +81,7 @@ fn off(a: f64, b: f64) -> f64 {
     (off - TAU * (off / TAU).round()).abs()
 }
 
-/// What a patch tells by beginning or ending at an orientation.
+/// Adds the kinds of criticality for which a patch begins or ends at an orientation.
 fn add(kinds: &mut Kinds, space: &ContactSpace, index: u32, patch: PatchRef<'_>, theta: f64) {
     let data = patch.data();
     let normals = [

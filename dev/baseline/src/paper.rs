@@ -13,7 +13,7 @@ pub struct PaperPair {
     pub old_slices: u32,
     /// Slices of the paper's algorithm.
     pub new_slices: u32,
-    /// Those without symmetry, in parentheses there; the same where there is no symmetry.
+    /// Slices without symmetry, in parentheses there; equal to the others where there is no symmetry.
     pub new_slices_without_symmetry: u32,
     /// Which average it belongs to.
     pub group: Group,

@@ -21,9 +21,9 @@ pub struct Survey {
     pub general_of_mixed: f64,
     /// Special pairs of such a mechanism, on average.
     pub special_of_mixed: f64,
-    /// What the paper concludes: the share of pairs that special methods cover.
+    /// Conclusion of the paper: the share of pairs that special methods cover.
     pub paper_share: f64,
-    /// And by how much they shorten the average time.
+    /// Conclusion of the paper: the share by which they shorten the average time.
     pub paper_saving: f64,
 }
 

@@ -45,7 +45,7 @@ pub(crate) struct Row {
     /// Verdicts compared; those in contact are left out.
     pub(crate) compared: usize,
     pub(crate) differ: usize,
-    /// Those of them of which brute force is certain, of so many that it was asked about.
+    /// Differing verdicts of which brute force is certain, among those that it was asked about.
     pub(crate) certain: usize,
     pub(crate) grid_wrong: usize,
     /// How large a cell is.

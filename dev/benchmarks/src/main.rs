@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use clap::{Parser, ValueEnum};
 use serde::Serialize;
 
-/// What went wrong, for people.
+/// Error, for people.
 pub(crate) type Failure = Box<dyn std::error::Error>;
 
 /// Compare the cspace library with stacks of polygon Minkowski sums and with collision checkers, and count its memory
@@ -68,7 +68,7 @@ pub(crate) struct Results {
     pub(crate) checks: Vec<checks::Row>,
     pub(crate) grids: Vec<grids::Row>,
     pub(crate) memory: Vec<memory::Row>,
-    /// What was left out, and why.
+    /// Benchmarks that were left out, and why.
     pub(crate) left_out: Vec<String>,
 }
 

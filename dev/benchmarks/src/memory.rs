@@ -12,7 +12,7 @@ pub(crate) struct Row {
     pub(crate) pair: String,
     /// The most at once during the computation.
     pub(crate) peak_bytes: u64,
-    /// What is kept with the result.
+    /// Memory kept with the result.
     pub(crate) result_bytes: u64,
     pub(crate) peak_bytes_without_symmetry: u64,
     pub(crate) result_bytes_without_symmetry: u64,

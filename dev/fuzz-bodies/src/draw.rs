@@ -30,7 +30,7 @@ impl<'a> Bytes<'a> {
         self.0.is_empty()
     }
 
-    /// What is not read yet.
+    /// Bytes that are not read yet.
     pub fn rest(self) -> &'a [u8] {
         self.0.take_rest()
     }

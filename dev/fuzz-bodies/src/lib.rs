@@ -1,4 +1,4 @@
-//! What the fuzz targets do.
+//! Bodies of the fuzz targets.
 //!
 //! A [`Target`] makes an input of bytes, asks the library, and judges the answer by something that shares no code with it. The
 //! same function is run in two ways: by libFuzzer, which looks for bytes that reach new code (folder `dev/fuzz` of the
@@ -78,7 +78,7 @@ pub fn target(name: &str) -> Option<&'static Target> {
     TARGETS.iter().find(|t| t.name == name)
 }
 
-/// What the program of a target does with bytes.
+/// Runs a target on bytes.
 ///
 /// # Panics
 /// If something was found: so libFuzzer hears of it. The message has the finding and, if there is one, its model.

@@ -18,10 +18,10 @@ const CONFIGURATIONS: usize = 60;
 /// Bands compared with slices from scratch.
 const BANDS: usize = 6;
 
-/// Of so many pairs one is also computed the other way round, with two threads, and tried with a classifier.
+/// One of so many pairs is also computed the other way round, with two threads, and tried with a classifier.
 const THOROUGH: usize = 16;
 
-/// Of so many pairs one is put on fixed axes.
+/// One of so many pairs is put on fixed axes.
 const ON_AXES: usize = 4;
 
 pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {

@@ -17,7 +17,7 @@ const CLEAR: f64 = 1e-6;
 /// known only to the square root of the rounding.
 const CLOSED: f64 = 1e-6;
 
-/// The same of areas, as a share of the square of the size: what [`CLEAR`] makes of the boundary's length.
+/// Tolerance of areas, as a share of the square of the size: [`CLEAR`] times the boundary's length.
 const SAME_AREA: f64 = 1e-4;
 
 /// Half the width of the window (radians) of the contact space of which the orientation is the middle.

@@ -10,7 +10,7 @@ use crate::outline::{Loops, negative, outline};
 /// The name that stands for outlines that favour ties, beside those of the families.
 pub const TIES: &str = "ties";
 
-/// Of all pairs, this share is of outlines that favour ties; the rest is of the families.
+/// Share of outlines that favour ties among all pairs; the others are of the families.
 const SHARE_OF_TIES: f64 = 0.75;
 
 /// How often an outline is drawn again if it is no part, before the pair counts as refused.
@@ -82,7 +82,7 @@ impl Source {
 /// Two outlines that favour ties; the one perhaps the negative of the other, or the same.
 ///
 /// # Errors
-/// What is wrong with the last of several outlines if none of them is a part.
+/// Reports the error of the last of several outlines if none of them is a part.
 pub fn ties(rng: &mut impl Rng) -> Result<Case, PartError> {
     let moving = accepted("moving", rng, outline)?;
     let loops: Loops = moving

@@ -1,4 +1,4 @@
-//! What was found, as model files.
+//! Findings, written as model files.
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::report::{Fault, Report, is_right};
 
-/// What the margin of a verdict must exceed to count, as a share of the pair's size.
+/// Margin above which a verdict counts, as a share of the pair's size.
 pub(crate) const CERTAIN: f64 = 1e-10;
 
 /// Roundings of a configuration and of where the parts are drawn that may add up, as a share of their coordinates.
@@ -21,7 +21,8 @@ const STEPS: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 /// Positions asked at each orientation.
 const POSITIONS: usize = 20;
 
-/// Of all configurations, this share is searched for along random motions, so that the space is not asked where contact is.
+/// Share of the configurations that are searched for along random motions, so that the space is not asked where contact
+/// is.
 const SEARCHED: f64 = 0.1;
 
 /// Bands narrower than this (radians) are not sliced from scratch: slices see ties within their own rounding, and take the

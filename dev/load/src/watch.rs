@@ -16,7 +16,7 @@ const LIMIT: Duration = Duration::from_secs(300);
 /// How often the watchdog looks.
 const TICK: Duration = Duration::from_millis(200);
 
-/// What each worker is at.
+/// Current task of each worker.
 pub(crate) struct Watch {
     at: Vec<Mutex<Option<At>>>,
     over: AtomicBool,

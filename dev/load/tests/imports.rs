@@ -13,7 +13,7 @@ use syn::{Attribute, File, Item, UseTree, Visibility};
 /// The names of the modules from the root of a crate to a file.
 type Module = Vec<String>;
 
-/// What a file defines and hands on, and what it names.
+/// Names that a file defines and hands on, and names that it uses.
 #[derive(Default)]
 struct Source {
     file: PathBuf,

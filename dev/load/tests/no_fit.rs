@@ -9,8 +9,8 @@ use cspace_oracle::{Case, Oracle};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
-/// What the margin of a verdict must exceed to count, as a share of the pair's size: parts that overlap by less than 9e-10 of the larger
-/// one's radius are taken to fit.
+/// Margin above which a verdict counts, as a share of the pair's size: parts that overlap by less than 9e-10 of the
+/// larger one's radius are taken to fit.
 const CERTAIN: f64 = 4e-9;
 
 /// Curves are known to this, as a share of the pair's size, unless they are tangent to others.

@@ -19,7 +19,7 @@ pub struct NearContact {
     pub step: f64,
     /// Whether it was moved by turning alone: in θ only, or about its own centre if drawn far from its origin.
     pub turned: bool,
-    /// What the oracle says of it; certain.
+    /// Verdict of the oracle on it; certain.
     pub verdict: Verdict,
     /// The contact it was moved from, to about 1e-14 of the size: free itself.
     pub contact: Configuration,

@@ -12,7 +12,7 @@ use super::tolerance::DEPTH;
 struct Curve {
     start: Point,
     end: Point,
-    /// Of an arc: centre, radius, direction to the start, angle travelled.
+    /// Data of an arc: centre, radius, direction to the start, angle travelled.
     arc: Option<(Point, f64, f64, f64)>,
     low: Point,
     high: Point,

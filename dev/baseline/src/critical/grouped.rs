@@ -10,7 +10,7 @@ pub(super) struct Grouped {
     sorted: Vec<f64>,
 }
 
-/// The same orientation in [−π, π).
+/// Equal orientation in [−π, π).
 pub(super) fn reduced(theta: f64) -> f64 {
     let turned = theta - TAU * ((theta + PI) / TAU).floor();
     if turned >= PI { turned - TAU } else { turned }

@@ -1,4 +1,5 @@
-//! What all three kinds of criticalities share: the parts, what is known, and how a solution is examined.
+//! Base of the searches for all three kinds of criticalities: the parts, the known orientations, and the examination of
+//! a solution.
 
 use cspace::{Part, Point, Rotation};
 use rayon::prelude::*;
@@ -18,7 +19,7 @@ pub(super) struct Search<'a> {
     counts: Counts,
 }
 
-/// What does not change during the search.
+/// Data that do not change during the search.
 pub(super) struct Pair<'a> {
     pub(super) fixed: Outline,
     pub(super) moving: Outline,
@@ -70,7 +71,8 @@ impl<'a> Search<'a> {
 
     /// Does `work` for every number below `n`, on all threads; `None` when it is told to stop.
     ///
-    /// What is found becomes known after a fixed number of them, so that what is skipped does not depend on the threads.
+    /// Results become known after a fixed number of them, so that the number of skipped candidates does not depend on
+    /// the threads.
     pub(super) fn each(
         &mut self,
         n: usize,

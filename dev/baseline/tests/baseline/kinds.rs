@@ -1,4 +1,4 @@
-//! What is said to make critical orientations.
+//! Tests of the kinds of critical orientations.
 
 use core::f64::consts::FRAC_PI_2;
 

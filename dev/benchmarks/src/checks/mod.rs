@@ -26,7 +26,7 @@ pub(crate) struct Row {
     pub(crate) prepared_seconds: f64,
     /// At configurations at random where the parts may meet.
     pub(crate) checks_per_second: f64,
-    /// The same within a hundred-thousandth of the size of contact.
+    /// Checks per second at configurations within a hundred-thousandth of the size of contact.
     pub(crate) checks_per_second_near: f64,
     pub(crate) near: Vec<Wrong>,
 }

@@ -23,18 +23,18 @@ const FEWEST: usize = 16;
 /// Seconds in which two slices are made by whatever there is.
 const PATIENCE: f64 = 600.0;
 
-/// What a stack of so many slices says.
+/// Result of a stack of slices.
 struct Outcome {
     /// Connected regions of free space.
     regions: usize,
     /// Where the parts work.
     working: Found,
     seconds: f64,
-    /// Of one slice, without joining its regions to others.
+    /// Time for one slice, without joining its regions to others.
     slice_seconds: f64,
 }
 
-/// What is said of a configuration.
+/// Class of a configuration.
 #[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Found {
@@ -77,7 +77,7 @@ trait Stacker {
     ) -> Result<Option<Outcome>, String>;
 }
 
-/// What was measured of a pair.
+/// Measurements of a pair.
 #[derive(Serialize)]
 pub(crate) struct Row {
     pub(crate) pair: &'static str,
@@ -104,7 +104,7 @@ pub(crate) struct Tool {
     pub(crate) right: Option<Tried>,
     /// The finest stack within the limit; `None` if there is none.
     pub(crate) finest: Option<Tried>,
-    /// Of one slice: in the finest stack, or in one of two slices if the limit allows none.
+    /// Time for one slice: in the finest stack, or in one of two slices if the limit allows none.
     pub(crate) slice_seconds: Option<f64>,
     /// Whether a stack of twice as many slices as the right one was tried, and agreed.
     pub(crate) confirmed: bool,
@@ -179,7 +179,7 @@ pub(crate) fn measure(pair: &Pair, tools: &Tools, limit: f64) -> Result<Row, Fai
     })
 }
 
-/// What the exact space says of a configuration: the region of a free one is that of the patch next to it in its slice.
+/// Class of a configuration by the exact space: the region of a free one is that of the patch next to it in its slice.
 fn found(space: &ContactSpace, c: Configuration) -> Result<Found, Failure> {
     let slice = space.slice(c.theta);
     if !slice.is_free(c.position()) {

@@ -173,7 +173,7 @@ fn angles(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     Ok(10)
 }
 
-/// The same of values with derivatives: sums, the rules of product and quotient, and (√f)′ = f′ / (2 √f).
+/// As above, for values with derivatives: sums, the rules of product and quotient, and (√f)′ = f′ / (2 √f).
 pub(super) fn run_jet(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     let operation = bytes.one_of(&OPERATIONS);
     let (a, b) = ([ball(bytes), ball(bytes)], [ball(bytes), ball(bytes)]);

@@ -101,7 +101,7 @@ impl Direction {
         told.iter().any(|r| !self.is_missed_by(r))
     }
 
-    /// What is wrong if none of the roots told is this one.
+    /// Reports a finding if this root is missing among those found.
     pub(super) fn expect(
         &self,
         told: &[Root],

@@ -16,7 +16,7 @@ const MODELS: [&str; 4] = [
     include_str!("../../../../models/paper/blocks.toml"),
 ];
 
-/// The same keys as JSON.
+/// Model as above, as JSON.
 const JSON: &str = r#"{"name": "pin in a slot", "unit": "mm", "part": [
   {"name": "plate", "loops": [[[-3, -2], [3, -2], [3, 2], [-3, 2]], [[-1, 0.5, 1], [-1, -0.5], [1, -0.5, 1], [1, 0.5]]],
    "motion": {"type": "revolute", "center": [0, 1], "range": ["-90deg", 1.5]}, "symmetry": 2},

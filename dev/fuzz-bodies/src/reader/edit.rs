@@ -8,7 +8,7 @@ use crate::draw::Bytes;
 /// The most edits of one text.
 const MOST: usize = 6;
 
-/// What a number, or any place of a text, may be replaced by.
+/// Replacements for a number, or any place of a text.
 const ODD: [&str; 44] = [
     "nan",
     "inf",

@@ -35,7 +35,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// What it has in common with others: all noise of one size is one.
+    /// Kind of the change: all noise of one size is one kind.
     pub fn kind(self) -> Self {
         match self {
             Self::Noise(power, _) => Self::Noise(power, 0),

@@ -1,4 +1,4 @@
-//! What is certain of one space.
+//! Measurements of one space that are certain.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ use crate::output::panic_text;
 /// Bands of less than this are narrow, radians.
 const NARROW: f64 = 1e-5;
 
-/// What is done with each specimen.
+/// Effort spent on each specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
     /// How often boxes of the flood fill are divided; none fills nothing.
@@ -26,7 +26,7 @@ pub struct Effort {
 /// How it went with one specimen.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// What was measured.
+    /// Measurements of the pair.
     Measured(Measured),
     /// One of the outlines is no part.
     Refused(String),
@@ -36,7 +36,7 @@ pub enum Outcome {
     Panicked(String),
 }
 
-/// What was measured.
+/// Measurements of one pair.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Features of the fixed and the moving part.
@@ -53,11 +53,11 @@ pub struct Measured {
     pub seconds: f64,
     /// Free regions of the pair with fixed and moving exchanged, which are as many in truth.
     pub inverse: Option<usize>,
-    /// What a flood fill says.
+    /// Result of a flood fill.
     pub flood: Option<Flood>,
 }
 
-/// What a flood fill says of free regions.
+/// Result of a flood fill, compared with the number of free regions.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Flood {
     /// So many there are, but for pockets smaller than a box.

@@ -26,7 +26,7 @@ pub const TABLE: &str = "table";
 /// A pair of outlines to measure.
 #[derive(Debug, Clone)]
 pub struct Specimen {
-    /// What it is one of.
+    /// Family of the specimen.
     pub family: &'static str,
     /// How it differs from what is drawn on a grid.
     pub change: Change,

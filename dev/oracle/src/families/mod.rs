@@ -48,7 +48,7 @@ impl Case {
         })
     }
 
-    /// The same with configurations worth a look.
+    /// Copy with additional configurations worth a look.
     #[must_use]
     pub fn about(mut self, notable: &[(f64, f64, f64)]) -> Self {
         let all = notable.iter();
@@ -57,7 +57,7 @@ impl Case {
         self
     }
 
-    /// The same over a window of orientations.
+    /// Copy over a window of orientations.
     #[must_use]
     pub fn within(mut self, lo: f64, hi: f64) -> Self {
         self.window = Some((lo, hi));
@@ -68,7 +68,7 @@ impl Case {
 /// A drawing of two parts with a number in it.
 #[derive(Debug, Clone)]
 pub struct Family {
-    /// What is drawn, and what the number is.
+    /// Description of the drawing and of the number.
     pub name: &'static str,
     /// The numbers to try, running into the degenerate.
     pub values: Vec<f64>,
@@ -81,7 +81,7 @@ impl Family {
     /// The pair at a value of the number.
     ///
     /// # Errors
-    /// What [`Part::new`] says of an outline that has run too far into the degenerate.
+    /// If [`Part::new`] refuses an outline that has run too far into the degenerate.
     pub fn build(&self, value: f64) -> Result<Case, PartError> {
         (self.build)(value)
     }

@@ -15,7 +15,7 @@ use crate::judge::Oracle;
 
 use inside::Inside;
 
-/// Of a set of free boxes, this many are asked about, and of the others one in [`SHARE`].
+/// Number of boxes asked about in each set of free boxes, and one in [`SHARE`] of the others.
 const ASKED: u32 = 64;
 const SHARE: u32 = 512;
 
@@ -42,16 +42,16 @@ pub struct Fill {
     boxes: Vec<Found>,
 }
 
-/// What the boxes say of free regions that another method tells.
+/// Comparison of the boxes with the free regions found by another method.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Compared {
-    /// What contradicts them.
+    /// Contradictions.
     pub wrong: Vec<String>,
     /// How many configurations were asked.
     pub configurations: usize,
     /// Sets of boxes that are free or may be, apart from each other, in which some are free: there are at least as many regions.
     pub least: usize,
-    /// Of these, the ones in which all free boxes are of one region.
+    /// Sets with free boxes in which all free boxes are of one region.
     pub known: usize,
     /// Sets of boxes of which nothing is known to be free: each may be a region, or none.
     pub open: usize,
@@ -140,7 +140,8 @@ impl Fill {
         }
     }
 
-    /// What all configurations are of which none of the moving part's points is farther from where it is at this one.
+    /// Class shared by all configurations at which no point of the moving part is farther than `moves` from its
+    /// position at this one; `None` if they differ or it is unknown.
     fn found(&self, at: [f64; 3], moves: f64) -> Option<Found> {
         let (shift, theta) = self.place(at);
         if self.inside.overlaps(theta.sin_cos(), shift, moves) {
@@ -198,8 +199,8 @@ impl Fill {
         (number, next)
     }
 
-    /// What the boxes say of free regions of which the outer one is number 0, and of a method that tells which of them a
-    /// configuration is in.
+    /// Compares the boxes with free regions, of which number 0 is the outer one, as found by another method;
+    /// `region_at` is that method's region of a configuration.
     pub fn compare(
         &self,
         regions: usize,

@@ -19,7 +19,7 @@ use outline::Outline;
 use plane::{Frame, Place};
 use real::{Double, Real};
 
-/// What the [`Oracle`] says of one configuration.
+/// Verdict of the [`Oracle`] on one configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Verdict {
     /// Whether the open interiors meet. Parts that merely touch do not overlap: penetration of less than

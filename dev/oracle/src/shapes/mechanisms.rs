@@ -14,7 +14,7 @@ use super::transform::{shifted, turned};
 /// Two parts, drawn in the assembly's frame, and their axes.
 #[derive(Debug, Clone)]
 pub struct Mechanism {
-    /// What it is.
+    /// Name of the mechanism.
     pub name: String,
     /// The part whose coordinate is u.
     pub fixed: Part,

@@ -204,7 +204,7 @@ pub fn filleted(of: &Part, radius: f64) -> Part {
 
 /// A loop whose corners between lines are arcs, each of at most its own radius.
 fn rounded_corners(outline: &[Vertex], radius: impl Fn(usize) -> f64) -> Vec<Vertex> {
-    /// What an arc may take of a line, at each of its ends.
+    /// Largest share of a line that an arc may take at each of its ends.
     const SHARE: f64 = 0.4;
     let n = outline.len();
     let mut all = Vec::with_capacity(2 * n);

@@ -31,7 +31,7 @@ pub fn mirrored(p: &Part) -> Part {
     mapped(p, |v| Vertex::new(-v.x, v.y, -v.bulge))
 }
 
-/// The same part with its loops drawn in the other direction.
+/// Copy of a part with its loops drawn in the other direction.
 pub fn backwards(p: &Part) -> Part {
     let loops = p.loops().iter().map(|l| {
         let v = l.vertices();

@@ -1,4 +1,4 @@
-//! What the library answers of one pair.
+//! Answers of the library for one pair.
 
 use core::f64::consts::PI;
 

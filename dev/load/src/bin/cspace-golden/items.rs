@@ -21,7 +21,7 @@ pub(crate) struct Item {
     pub(crate) seed: u64,
 }
 
-/// What is asked for.
+/// Question to the library.
 pub(crate) enum Asked {
     Pair(Box<Question>),
     /// The motion of a whole mechanism.

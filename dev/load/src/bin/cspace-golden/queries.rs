@@ -132,7 +132,7 @@ fn rates(from: Coordinates, to: Coordinates) -> Coordinates {
     }
 }
 
-/// What serializes, or the message of an error.
+/// Serialized result, or the message of an error.
 pub(crate) fn said<T: serde::Serialize, E: core::fmt::Display>(result: Result<T, E>) -> Value {
     match result {
         Ok(value) => serde_json::to_value(value).unwrap_or(Value::Null),
