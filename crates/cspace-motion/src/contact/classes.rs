@@ -7,10 +7,10 @@ use cspace::{Classification, Coordinates, QueryError};
 
 use crate::pairs::MovingPair;
 
-/// So many are kept of each pair: where a step begins and ends, and two places between.
+/// Classifications kept for each pair: those at both ends of a step, and at two configurations between.
 const KEPT: usize = 4;
 
-/// Classes of configurations, those asked for last of each pair.
+/// Last classifications of each pair.
 #[derive(Debug)]
 pub(super) struct Classes(RefCell<Vec<[Option<Known>; KEPT]>>);
 

@@ -1,4 +1,4 @@
-//! How far along a motion pairs are known to meet nothing, while shorter steps of it are tried.
+//! Cache of the parts of a motion in which pairs meet nothing, for trials with shorter steps.
 
 use super::bound::Bound;
 use super::path::Path;
@@ -9,7 +9,7 @@ pub(super) struct Cleared {
     /// The coordinates and rates with which they begin.
     begin: [Vec<f64>; 2],
     held: Vec<Bound>,
-    /// How long the longest step was in which a pair met nothing, s.
+    /// Duration of the longest step in which each pair met nothing, s.
     until: Vec<f64>,
 }
 
@@ -34,7 +34,7 @@ impl Cleared {
         }
     }
 
-    /// Whether a pair met nothing in a step that was as long.
+    /// Whether the pair met nothing in a step that was at least as long.
     pub(super) fn covers(&self, pair: usize, path: &Path<'_>) -> bool {
         path.duration() <= self.until[pair]
     }

@@ -14,8 +14,9 @@ use crate::system::System;
 
 use super::bound::{Bound, REACH, SAME_PLACE};
 
-/// The contacts of a pair that hold its parts between them: at least two, at different places, whose functions vanish to what contacts are
-/// known to, and whose patches come as near as places are told apart. None where another contact near there is deeper than that.
+/// Contacts of a pair that clamp its parts between them: at least two, at different places, whose functions vanish
+/// within the error of contacts and whose patches are closer than that. Empty if another contact nearby penetrates more
+/// deeply.
 pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Vec<Touch> {
     within(system, pairs, index, q, pairs.list()[index].touch)
 }

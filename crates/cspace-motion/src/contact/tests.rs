@@ -70,7 +70,8 @@ fn over_the_tip(
     Watch::new(simulation.system(), simulation.pairs()).check(&[], &path)
 }
 
-/// A disc that goes over a tip touches it by a hundred millionth, or passes it by as much; the straight way to where it goes is farther away.
+/// A disc that passes over a tip touches it by a hundred millionth, or misses it by as much; the chord of the path is
+/// farther away from the tip.
 #[test]
 fn a_contact_within_a_step_is_met_however_shallow() {
     let disc = Part::circle("disc", (0.0, 0.0), 1.0).unwrap();

@@ -7,7 +7,7 @@
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky {
     n: usize,
-    /// By rows; above the diagonal nothing is read.
+    /// Entries of L by rows; those above the diagonal are never read.
     lower: Vec<f64>,
     /// First column of each row that is not 0.
     first: Vec<usize>,
@@ -69,7 +69,7 @@ impl Cholesky {
         }
     }
 
-    /// The sums of the sizes of the terms of L⁻ᵀ b, from those of b.
+    /// Computes sums of the magnitudes of the terms of L⁻ᵀ b, from those of b.
     pub(crate) fn backward_sizes(&self, b: &mut [f64]) {
         let (n, l) = (self.n, &self.lower);
         for i in (0..n).rev() {

@@ -1,4 +1,4 @@
-//! Linear equations of which some may follow from others: A y = b as A = R Q with orthonormal rows Q.
+//! Linear equations of which some may depend on others: A y = b as A = R Q with orthonormal rows Q.
 
 use core::ops::Range;
 
@@ -17,7 +17,7 @@ pub(crate) struct Rows {
     basis: Vec<(Vec<f64>, Range<usize>)>,
     /// R of the rows that are independent: row i has i + 1 numbers.
     triangle: Vec<Vec<f64>>,
-    /// Which of the rows these are.
+    /// Indices of these rows.
     independent: Vec<usize>,
     count: usize,
 }
@@ -55,7 +55,7 @@ impl Rows {
         self.count += 1;
     }
 
-    /// How many of the rows are independent.
+    /// Number of independent rows.
     pub(crate) fn rank(&self) -> usize {
         self.basis.len()
     }
@@ -83,7 +83,7 @@ impl Rows {
         (y, lambda)
     }
 
-    /// Takes out of a vector what the rows tell of it.
+    /// Removes from a vector its components along the rows.
     pub(crate) fn take_out(&self, v: &mut [f64]) {
         for _ in 0..2 {
             for (q, within) in &self.basis {
@@ -95,7 +95,7 @@ impl Rows {
     }
 }
 
-/// From the first to after the last number that is not 0.
+/// Range from the first to after the last number that is not 0.
 fn support(v: &[f64]) -> Range<usize> {
     let first = v.iter().position(|x| *x != 0.0).unwrap_or(0);
     let end = v.iter().rposition(|x| *x != 0.0).map_or(0, |last| last + 1);

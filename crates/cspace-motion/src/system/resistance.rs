@@ -45,7 +45,7 @@ impl System {
         Cholesky::of(&of_free, free.len())
     }
 
-    /// How much springs resist, per stiffness.
+    /// Resistance of springs per stiffness.
     fn drag(&self) -> f64 {
         match self.law() {
             Law::Speeds { drag, .. } => drag,
