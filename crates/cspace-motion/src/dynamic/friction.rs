@@ -1,6 +1,6 @@
 //! Contacts with friction as linear complementarity.
 //!
-//! Where it is not known how a contact slides, the friction is λ_T = β⁺ − β⁻ and σ the speed of sliding:
+//! If the direction of a contact's sliding is unknown, the friction is λ_T = β⁺ − β⁻ and σ the speed of sliding:
 //!
 //! ```text
 //! 0 ≤ λ_N ⟂ a_N ≥ 0,   0 ≤ β⁺ ⟂ σ + a_T ≥ 0,   0 ≤ β⁻ ⟂ σ − a_T ≥ 0,   0 ≤ σ ⟂ f λ_N − β⁺ − β⁻ ≥ 0

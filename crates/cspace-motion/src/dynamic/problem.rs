@@ -5,13 +5,13 @@ use nalgebra::{DMatrix, DVector};
 /// Mode of a contact: open, sticking or sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mode {
-    /// It bears nothing.
+    /// The contact bears no force.
     Open,
-    /// It bears, and does not slide.
+    /// The contact bears a force and does not slide.
     Stick,
-    /// It bears, and slides in the direction of its tangent.
+    /// The contact bears a force and slides in the direction of its tangent.
     Forward,
-    /// It bears, and slides against it.
+    /// The contact bears a force and slides against its tangent.
     Backward,
 }
 
@@ -38,7 +38,8 @@ pub(super) struct Bearing {
     pub(super) friction: f64,
     /// The direction in which it slides already.
     pub(super) slides: Option<f64>,
-    /// Whether it has come to where it does not stick any more: of modes with the same accelerations sticking is the last.
+    /// Whether the contact has reached the end of its sticking: then sticking is tried last among modes with equal
+    /// accelerations.
     pub(super) lets_go: bool,
 }
 
@@ -121,7 +122,7 @@ impl Problem<'_> {
         each.any(|(normal, (a_n, _))| normal.abs() <= force && a_n.abs() <= rate)
     }
 
-    /// Whether the inequalities of a solution's modes hold.
+    /// Whether a solution satisfies the inequalities of its modes.
     pub(super) fn holds(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {
@@ -140,7 +141,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Whether the equations of its modes hold: for a solution that does not come from them.
+    /// Whether a solution that was not computed from the equations of its modes satisfies them.
     pub(super) fn agrees(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {

@@ -12,15 +12,15 @@ use super::run::{Reached, Run};
 use super::step::Watched;
 use super::world::{State, Step, Touch, World};
 
-/// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
-/// what follows next. A shorter one is made where something follows at once.
+/// Lengths of trials of one of several sets of contacts, as shares of the size: beyond the error of contacts, and
+/// shorter than the distance to the next event. A shorter one is used where another event follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 /// Contacts that cease to stick within this share of the time that is simulated do so together.
 const LOOSE: f64 = 1e-8;
 /// The part of a gap's acceleration due to curvature and rates counts as rounding if in the longest step it moves the
 /// gap by less than this share of the size. An example is a part that turns about the centre of an arc that touches.
 const SLIGHT: f64 = 1e-15;
-/// Slow are rates of this share of the largest so far.
+/// Share of the largest rate so far below which a rate counts as slow.
 const SLOW: f64 = 1e-5;
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -197,17 +197,17 @@ impl<W: World + ?Sized> Run<'_, W> {
         closed
     }
 
-    /// Whether a closed contact has a rate that closes it.
+    /// Whether a closed contact has a rate that closes it further.
     fn strikes(&self, contact: usize) -> bool {
         let (rate, still) = self.opening(contact);
         rate < -still
     }
 
-    /// Whether a very short step, as far as a share of the size, meets nothing.
+    /// Whether a very short step, with a length given as a share of the size, meets nothing.
     pub(super) fn leads_on(&self, scale: f64) -> bool {
-        /// A trial may go so many times as far.
+        /// Largest ratio of a trial's actual length to the intended one.
         const FARTHER: f64 = 10.0;
-        /// Otherwise its time is shortened by this, so many times at most: down to rounding.
+        /// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
         const SHORTER: f64 = 0.1;
         const MOST: usize = 16;
         let far = scale * self.flow.world.size();
@@ -348,9 +348,9 @@ impl<W: World + ?Sized> Run<'_, W> {
             .collect()
     }
 
-    /// The modes of contacts of which some have neither a force nor an acceleration, by the forces a little later: which of them bear is
-    /// not told by what is now, as where a box comes to be balanced on the edge of a step. `None` if all of them have one, or what is later
-    /// is not one thing.
+    /// Modes of contacts of which some have neither a force nor an acceleration, from the forces a little later: the
+    /// present state does not determine which of them bear, as where a box comes to be balanced on the edge of a step.
+    /// `None` if all of them have one, or the later forces are ambiguous.
     fn goes_on(
         &self,
         problem: &Problem<'_>,

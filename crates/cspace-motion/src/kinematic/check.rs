@@ -1,4 +1,4 @@
-//! Whether a step of the motion may be taken as it is.
+//! Check of a step of the motion.
 
 use crate::contact::{Bound, Path, Watch, limit_tolerance, limits};
 
@@ -19,11 +19,12 @@ pub(super) enum Obstacle {
     Limit,
     /// The parts of a pair met, or do not touch as they did.
     Pair(usize),
-    /// It is not right to what steps are to be.
+    /// The step's error is too large.
     Error,
 }
 
-/// Whether closed contacts push all the way and agree with friction, no other part is met, and no range is left.
+/// Whether the motion goes on during the step: closed contacts push and agree with friction, no other part is met, and
+/// no range is left.
 pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
     obstacle(watch, flow, h, to).is_none()
 }

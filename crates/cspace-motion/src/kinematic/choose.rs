@@ -1,9 +1,9 @@
-//! Which of the contacts that touch hold the motion on.
+//! Choice of the touching contacts that hold as the motion goes on.
 //!
-//! Contacts at different places all forbid: the velocity is the nearest that no contact function decreases at. Where two
-//! features touch at a corner, the features beside them touch there, too, and not all of them forbid: past a convex corner
-//! only one need. So the nearest velocities that some of the contacts allow are tried, the nearest first, and the first is taken
-//! that leads to where parts do not overlap.
+//! Contacts at different places are all constraints: the velocity is the nearest one at which no contact function
+//! decreases. Where two features touch at a corner, the features beside them touch there, too, and not all of them are
+//! constraints: past a convex corner only one needs to be. So the nearest velocities that some of the contacts allow
+//! are tried, the nearest first, and the first that leads to a configuration without overlap is taken.
 
 use cspace::Point;
 
@@ -18,14 +18,14 @@ use super::friction::{cones, states};
 use super::holding::{Holding, friction};
 use super::velocity::{Held, Local, Nearest};
 
-/// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
+/// Largest number of contacts of which all subsets are tried; of more, all of them and all but one are tried.
 const MOST_CONTACTS: usize = 10;
-/// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
-/// follows next. A shorter one is made where something follows at once.
+/// Lengths of trials, relative to the size of the mechanism: beyond the error of contacts, and shorter than the
+/// distance to the next event. A shorter one is used where another event follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
-/// A trial may go so many times as far.
+/// Largest ratio of a trial's actual length to the intended one.
 const MOST_FARTHER: f64 = 10.0;
-/// Otherwise its time is shortened by this, so many times at most: down to rounding.
+/// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: usize = 16;
 /// A contact that pulls by more than this share of the speed is not tried.
@@ -34,14 +34,14 @@ const ROUGHLY: f64 = 1e-6;
 /// Continuation of the motion at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
-    /// These contacts hold.
+    /// The motion goes on with these contacts.
     On {
-        /// The motion.
+        /// Motion with these contacts.
         flow: Flow<'a>,
-        /// Where it is a very little later.
+        /// Configuration a very little later.
         next: Vec<f64>,
     },
-    /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
+    /// No velocity is allowed: the forbidding bounds, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
     /// No allowed velocity leads to a further configuration.
     Undetermined,
@@ -90,7 +90,7 @@ pub(crate) fn choose<'a>(
     choice(&[])
 }
 
-/// As [`among`], where friction acts.
+/// As [`among`], with friction.
 fn rubbing<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -138,7 +138,7 @@ fn rubbing<'a>(
     }
 }
 
-/// Whether bounds could hold at a configuration: forces within cones of friction, and balanced where they are to.
+/// Whether bounds can hold at a configuration: forces are within cones of friction, and balanced if required.
 fn is_possible(
     system: &System,
     pairs: &Pairs,
@@ -266,7 +266,7 @@ fn among<'a>(
     }
 }
 
-/// Sets of so many contacts to be left out, the smaller first.
+/// Sets of contacts to be left out, by index, the smaller sets first.
 fn left_out(contacts: usize) -> Vec<Vec<usize>> {
     if contacts > MOST_CONTACTS {
         let none = core::iter::once(Vec::new());

@@ -1,4 +1,4 @@
-//! Contacts that come and go, as they are told.
+//! Events of contacts that close and open.
 
 use crate::contact::{Bound, SAME_PLACE};
 use crate::pairs::{Grip, Pairs};
@@ -7,14 +7,14 @@ use crate::system::System;
 
 use super::flow::Flow;
 
-/// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
-/// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
+/// Largest opening in a trial, relative to the size of the mechanism, with which an unloaded contact counts as closed:
+/// rounding. A contact that opens with the square of the time opens by a hundred times that.
 const STAYS: f64 = 1e-14;
 
 /// Features slide if they do so by more than this share of the largest rate.
 const SLIDES: f64 = 1e-9;
 
-/// The contacts and limits that are told to be there.
+/// Contacts and limits reported as closed.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Told {
     list: Vec<Seen>,

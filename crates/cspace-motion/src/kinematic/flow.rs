@@ -1,8 +1,9 @@
-//! Motion with the same contacts closed: an ordinary differential equation on the configurations at which they are.
+//! Motion with constant closed contacts: an ordinary differential equation on the configurations at which they are
+//! closed.
 //!
-//! A step is one of Dormand and Prince's pair of orders 5 and 4; then the configuration is brought back to where contacts and
-//! joints hold, by the shortest way in the metric. Where these leave no freedom the configuration follows from them alone, and
-//! the step is but a first guess.
+//! Each step uses Dormand and Prince's pair of orders 5 and 4; then the configuration is projected to where contacts
+//! and joints hold, by the shortest displacement in the metric. Where these leave no freedom the configuration follows
+//! from them alone, and the step is only a first guess.
 
 use crate::contact::Bound;
 use crate::dormand_prince::{DIFFERENCE, STAGES};
@@ -37,7 +38,7 @@ pub(crate) struct Flow<'a> {
     pub(crate) velocity: Held,
 }
 
-/// Where a motion has come to.
+/// Configuration and velocity at the end of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Arrived {
     pub(crate) q: Vec<f64>,
@@ -47,7 +48,7 @@ pub(crate) struct Arrived {
 }
 
 impl Arrived {
-    /// How many times its error is what a step may have.
+    /// Error of the step as a multiple of the tolerance.
     pub(crate) fn excess(&self, system: &System) -> f64 {
         if self.velocity.determined {
             0.0
@@ -58,7 +59,7 @@ impl Arrived {
 }
 
 impl<'a> Flow<'a> {
-    /// From a configuration, which is brought to where contacts and joints hold; `None` if they cannot.
+    /// Starts at a configuration, which is projected to where contacts and joints hold; `None` if they cannot hold.
     pub(crate) fn new(
         system: &'a System,
         pairs: &'a Pairs,

@@ -17,21 +17,21 @@ use super::between::Between;
 use super::check::{Obstacle, PULL};
 use super::flow::Arrived;
 
-/// Whether it goes on is asked so far from a root, as a share of the step: farther than roots are found to, and less than contacts are
-/// known to.
+/// Distance from a root at which the motion is checked, as a share of the step: more than the error of roots, and less
+/// than the error of contacts.
 const BESIDE: f64 = 1e-10;
-/// After a root it is asked so many times, each time farther by [`FARTHER`]: patches reach beyond the ends of features by what contacts are
-/// known to.
+/// Number of checks after a root, each farther by [`FARTHER`]: patches reach beyond the ends of features by the error
+/// of contacts.
 const TRIES: usize = 3;
 const FARTHER: f64 = 100.0;
-/// Contacts close within the way of a part, in which both parts may move in three coordinates each.
+/// Contacts close within this multiple of a part's displacement: both parts may move in three coordinates each.
 const NEAR: f64 = 6.0;
 
-/// So many obstacles are looked at, each of which is met before the last.
+/// Largest number of obstacles examined, each of which is met before the last.
 const MOST_LOOKS: usize = 16;
 /// The rate of a function is that of the cubic over this share of the times between which its root is looked for.
 const SLOPE: f64 = 1e-3;
-/// Roots on the cubic are mended so many times at most.
+/// Largest number of secant steps for a root of the cubic.
 const MENDED: usize = 6;
 /// A root is one that is right to this share of the times between which it is looked for.
 const RIGHT: f64 = 1e-12;
@@ -40,9 +40,9 @@ const RIGHT: f64 = 1e-12;
 // There is one at a time.
 #[allow(clippy::large_enum_variant)]
 pub(super) enum Seen {
-    /// It happens at this time, to this bound if one closes.
+    /// The event happens at this time, for this bound if one closes.
     At(f64, What),
-    /// It happens between these.
+    /// The event happens between these times.
     Within([f64; 2]),
 }
 
@@ -63,7 +63,7 @@ pub(super) enum What {
 type Place = (f64, Arrived);
 
 impl Between<'_, '_> {
-    /// When it happens that a step does not go on, of which an obstacle was met at the end.
+    /// Time at which the step cannot go on, given the obstacle met at its end.
     pub(super) fn seen(
         &self,
         mut met: Option<Obstacle>,
@@ -107,7 +107,7 @@ impl Between<'_, '_> {
         Seen::Within([before.0, after.0])
     }
 
-    /// When what was met at the end happens, as it seems.
+    /// Estimated time of the obstacle met at the end.
     pub(super) fn supposed(&self, met: Obstacle) -> Option<f64> {
         let found = self.first(met, [&self.from, self.to.as_ref()?])?;
         Some(found.1)
@@ -179,7 +179,8 @@ impl Between<'_, '_> {
         }
     }
 
-    /// Where a function comes to 0 between two times. On the cubic itself it does nearly; where contacts hold it is looked for by secants.
+    /// Time at which a function vanishes between two others: on the cubic approximately; where contacts hold, by
+    /// secants.
     fn root(&self, what: What, begin: (f64, f64), end: (f64, f64)) -> Option<f64> {
         let rough = |h: f64| self.value(what, h, false);
         let exact = |h: f64| self.value(what, h, true);
@@ -238,7 +239,7 @@ impl Between<'_, '_> {
         }
     }
 
-    /// Whether a bound that closes is one there: beyond the ends of features their functions vanish, too.
+    /// Whether a bound that closes is a contact there: contact functions vanish beyond the ends of features, too.
     fn is_there(&self, what: What, h: f64) -> bool {
         let flow = self.flow;
         let What::Closes(Bound::Contact(touch)) = what else {
@@ -252,7 +253,7 @@ impl Between<'_, '_> {
     }
 }
 
-/// How much a bound is pressed, beyond what counts as a pull.
+/// Force on a bound, less the threshold of a pull.
 fn push(at: &Arrived, bound: usize) -> f64 {
     let push = at.velocity.pushes.get(bound).copied();
     push.map_or(0.0, |push| push + PULL * at.velocity.speed)

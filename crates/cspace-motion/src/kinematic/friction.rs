@@ -10,16 +10,16 @@ use crate::system::{Row, System};
 use super::holding::{friction, grip, sliding};
 use super::velocity::Held;
 
-/// A force outside its cone of friction by no more than this share of all forces is inside: rounding.
+/// Distance of a force outside its cone of friction, as a share of all forces, that still counts as rounding.
 const OUTSIDE: f64 = 1e-10;
 /// Rate of sliding in the wrong direction, as a share of the largest rate, that still counts as rounding.
 const BACKWARDS: f64 = 1e-10;
-/// If bounds can do no more than that together, all of it is tried: six contacts with friction.
+/// Largest number of combinations of states that are all tried: six contacts with friction.
 const MOST_STATES: usize = 4096;
 /// With more than [`MOST_STATES`] combinations, at most so many bounds may change their state at once.
 const MOST_CHANGES: usize = 2;
 
-/// Whether forces are within their cones of friction, and what slides goes on to do so.
+/// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
 pub(super) fn agrees(
     system: &System,
     pairs: &Pairs,

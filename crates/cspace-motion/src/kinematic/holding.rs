@@ -10,7 +10,7 @@ use crate::system::{Row, System};
 pub(crate) struct Holding {
     /// Gradients of the bounds, then the rates of sliding of those that stick.
     pub(super) rows: Vec<Row>,
-    /// Along what they push; their own gradients if it is not told.
+    /// Directions in which they push; `None` stands for their own gradients.
     pub(super) along: Option<Vec<Row>>,
     /// The bounds that stick.
     sticks: Vec<usize>,
@@ -42,12 +42,12 @@ impl Holding {
         }
     }
 
-    /// Whether where parts are tells where they can be: of what sticks only the rate is known.
+    /// Whether all constraints are functions of the configuration: for sticking contacts only the rate is known.
     pub(super) fn is_of_places(&self) -> bool {
         self.sticks.is_empty()
     }
 
-    /// Along what everything pushes.
+    /// Directions in which all constraints push.
     pub(super) fn pushes(&self) -> &[Row] {
         self.along.as_ref().unwrap_or(&self.rows)
     }

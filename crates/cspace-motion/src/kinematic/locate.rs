@@ -1,4 +1,4 @@
-//! When something happens within a step.
+//! Location of an event within a step.
 //!
 //! A meeting in a step is located by bisection, which is as accurate as contacts are in their spaces, some 1e-9 of the
 //! parts' size. Then the function that vanishes there is searched for, a contact's or that of an end of a feature, and
@@ -15,14 +15,15 @@ use super::foreseen::{Seen, What};
 const LOCATED: f64 = 1e-13;
 /// Between times within this share of a step of each other the motion is a cubic, to the fourth power of it.
 const CLOSE: f64 = 1e-3;
-/// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism: where edges join
-/// smoothly, contacts leave each other with the square of the way, and are told apart late.
+/// Largest displacement before an event, relative to the size of the mechanism, within which the root of a function is
+/// searched. Where edges join smoothly, contacts separate with the square of the displacement, and are distinguished
+/// late.
 const NEAR_EVENT: f64 = 1e-4;
 
-/// Where a step has to stop.
+/// Point at which a step has to stop.
 #[derive(Debug)]
 pub(crate) struct Stop {
-    /// How long it takes to get there.
+    /// Time from the beginning of the step.
     pub(crate) after: f64,
     /// The configuration just after it.
     pub(crate) q: Vec<f64>,
@@ -104,7 +105,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     Stop { after, q, bounds }
 }
 
-/// The motion between two times, of which it goes on at the first and does not at the second, if it is so; until when, and what stops it.
+/// Locates the event between two times, if the motion goes on at the first and does not at the second: the remaining
+/// interval, and the obstacle.
 fn closely<'f, 'a>(
     flow: &'f Flow<'a>,
     about: [f64; 2],

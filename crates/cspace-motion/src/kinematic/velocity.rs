@@ -49,15 +49,15 @@ pub(crate) struct Held {
     pub(crate) rates: Vec<f64>,
     /// Rates of the free coordinates, in y.
     pub(super) y: Vec<f64>,
-    /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
+    /// Multiplier of each requested bound, as a speed of the metric, to be compared with `speed`.
     pub(crate) pushes: Vec<f64>,
     /// The lengths of the directions in which they push.
     pub(super) lengths: Vec<f64>,
     /// The speed by the metric.
     pub(crate) speed: f64,
-    /// How many directions what holds it takes.
+    /// Number of independent directions that are constrained.
     pub(super) rank: usize,
-    /// Whether what holds it leaves no other velocity.
+    /// Whether the constraints leave no other velocity.
     pub(crate) determined: bool,
 }
 
@@ -66,12 +66,12 @@ pub(crate) struct Held {
 pub(crate) enum Nearest {
     /// The nearest velocity, which bounds with positive multipliers hold, and its distance from the free one.
     Held { held: Vec<usize>, distance: f64 },
-    /// There is none: these multipliers, at least 0, of the bounds combine to a contradiction.
+    /// Contradiction: a combination of the bounds with these multipliers, all at least 0.
     None { multipliers: Vec<f64> },
 }
 
 impl<'a> Local<'a> {
-    /// At a configuration and a time; `None` if the metric is singular, or numbers are not finite.
+    /// Equations of motion at a configuration and a time; `None` if the metric is singular, or numbers are not finite.
     pub(crate) fn at(system: &'a System, q: &[f64], time: f64) -> Option<Self> {
         Self::with_joints(system, q, time, &system.joints(q))
     }
@@ -233,7 +233,7 @@ impl<'a> Local<'a> {
         })
     }
 
-    /// Whether what is driven contradicts the joints, or comes to a dead point of theirs.
+    /// Whether drives contradict the joints, or the mechanism is at a dead point.
     pub(crate) fn is_stuck(&self) -> bool {
         let vectors: Vec<Vec<f64>> = self.joints.iter().map(|(v, _)| v.clone()).collect();
         let missing: Vec<f64> = (self.joints.iter())
@@ -248,8 +248,8 @@ impl<'a> Local<'a> {
         vectors.iter().zip(&missing).any(off) || self.is_amplified(&y, scale)
     }
 
-    /// Whether a change of velocity, in y, is more than what can be made of the free velocity and of the speeds (length per
-    /// second) that cause it.
+    /// Whether a change of velocity, in y, is larger than the free velocity and the speeds (length per second) that
+    /// cause it can explain.
     fn is_amplified(&self, y: &[f64], speed: f64) -> bool {
         let fastest = |y: &[f64]| {
             let mut v = y.to_vec();

@@ -6,11 +6,12 @@ use super::dense::Dense;
 use super::take::{Span, Taken};
 use crate::root::root;
 
-/// Roots of the polynomial are mended by true steps, so many at most: each leaves a share of the error as small as the polynomial's own.
+/// Largest number of true steps by which a root of the polynomial is refined: each reduces the error by as much as the
+/// polynomial's own.
 const MENDED: usize = 6;
-/// How a function changes there is told from the polynomial over this share of where the root is looked for.
+/// Share of the interval of the root over which the slope of the function is computed from the polynomial.
 const SLOPE: f64 = 1e-3;
-/// A root from the side where the function is not positive is looked for a little farther on, so many times.
+/// Largest number of times that a refined root, at which the function is still positive, is moved a little farther.
 const FARTHER: usize = 6;
 
 /// The step, with its polynomial.
@@ -101,7 +102,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         Some((h, self.at(h)?))
     }
 
-    /// From a root of the polynomial, by secants.
+    /// Refines a root of the polynomial by secants.
     fn mended(
         &self,
         about: f64,

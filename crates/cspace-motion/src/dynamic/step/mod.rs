@@ -15,25 +15,25 @@ pub(super) use watched::{Looked, Watched};
 
 /// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
-/// And is looked at down to this share of the step.
+/// Shortest share of the step at which such a function is evaluated.
 const SHORTEST: f64 = 1e-12;
 /// Share of the step before a closing gap at which other meetings are looked for: contacts nearer than this are closed
 /// as well.
 const JUST: f64 = 1e-12;
 
-/// Where a step ends.
+/// State and events at the end of a step.
 #[derive(Debug, Clone)]
 pub(super) struct Stepped {
     pub(super) state: State,
     /// Events that ended the step, if any: pairs of contact and function.
     pub(super) events: Vec<(usize, Watched)>,
-    /// Whether it met something beside these.
+    /// Whether the step met something beside these.
     pub(super) met: bool,
-    /// How long the next may be.
+    /// Largest length of the next step.
     pub(super) next: f64,
-    /// How far closed contacts and joints were open before they were brought together.
+    /// Largest gap or penetration of closed contacts and joints before they were projected.
     pub(super) open: f64,
-    /// The work of drives and what was lost by friction, on the way.
+    /// Work of drives and losses by friction during the step.
     pub(super) work: [f64; 2],
 }
 
@@ -127,7 +127,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(())
     }
 
-    /// Ends a step at the first of the functions that fall below 0 in it; the contacts of which one does there.
+    /// Ends a step at the first root of the functions that become negative in it; returns their contacts and kinds.
     fn fallen(
         &self,
         course: &Course<'_, '_, W>,

@@ -20,7 +20,7 @@ pub(in super::super) enum Watched {
 }
 
 impl Watched {
-    /// Whether it tells of the forces of a contact that bears.
+    /// Whether the function concerns the forces of a bearing contact.
     pub(in super::super) fn is_of_force(self) -> bool {
         matches!(self, Self::Force | Self::Sticking)
     }
@@ -47,7 +47,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Whether a function is below 0 after a step, by more than it was before.
+    /// Whether the value after a step is negative and lower than before.
     pub(super) fn falls(&self, after: &Self) -> bool {
         after.value < self.value.min(0.0)
     }
@@ -97,7 +97,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(found)
     }
 
-    /// One of them.
+    /// Value of a watched function.
     pub(super) fn watched(&self, watch: &Watch, state: &State, bearings: &Bearings) -> Option<f64> {
         let place = bearings.iter().position(|b| b.0 == watch.contact);
         match (watch.kind, place) {
