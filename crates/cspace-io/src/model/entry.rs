@@ -1,4 +1,4 @@
-//! One entry of a loop: a vertex, an arc to the next vertex, or the rounding of a corner.
+//! Entries of a loop: a vertex, an arc to the next vertex, or the rounding of a corner.
 
 use cspace::part::{ArcSize, Direction, OutlineBuilder};
 use cspace::{Point, Vertex};
@@ -198,7 +198,7 @@ fn point<T: Scalar>(table: &Table<'_>, key: &str) -> Result<Point<T>> {
     (table.place_at(key)?).ok_or_else(|| table.missing(key, &format!("{key} = [1.5, -2]")))
 }
 
-/// Which way an arc turns; counter-clockwise where it is not given.
+/// Direction of an arc; counter-clockwise by default.
 fn direction(table: &Table<'_>) -> Result<Direction> {
     const NAMES: [&str; 2] = ["ccw", "cw"];
     match table.text("direction")? {

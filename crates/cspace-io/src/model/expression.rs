@@ -88,7 +88,7 @@ const CONSTANTS: [(&str, f64); 5] = [
     ("turn", TAU),
 ];
 
-/// Whether a name is taken by a function or a constant.
+/// Whether a name is that of a function or a constant.
 pub(super) fn is_taken(name: &str) -> bool {
     constant(name).is_some() || function(name).is_some()
 }
@@ -135,7 +135,7 @@ enum Step {
 /// An expression that was parsed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Expression {
-    /// In the order of evaluation, each with where it is written.
+    /// Steps in the order of evaluation, each with its position in the text.
     steps: Box<[(Step, u32)]>,
 }
 
@@ -196,7 +196,7 @@ impl Expression {
         })
     }
 
-    /// The value, given those of all parameters.
+    /// Value for given values of all parameters.
     pub(super) fn evaluate<T: Real>(&self, values: &[T]) -> Result<T> {
         let mut stack: Vec<T> = Vec::new();
         for &(step, at) in &self.steps {
@@ -416,7 +416,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A name, of which the first character is there.
+    /// Reads a name, of which the first character is known.
     fn name(&mut self) -> String {
         let from = self.at;
         self.at += 1;

@@ -46,7 +46,7 @@ impl Measure {
         }
     }
 
-    /// How it is written.
+    /// Example of the notation.
     const fn example(self) -> &'static str {
         match self {
             Self::Number => "2.5",

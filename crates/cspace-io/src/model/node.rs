@@ -1,4 +1,4 @@
-//! A tree of values, the same for TOML and JSON.
+//! Tree of values, common to TOML and JSON.
 
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;

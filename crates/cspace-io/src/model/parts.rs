@@ -17,7 +17,7 @@ use super::suggest::nearest;
 use super::table::{Result, Table};
 use crate::shown::quoted;
 
-/// How outlines are written.
+/// Help text on how outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
 pub(super) fn read_parts(

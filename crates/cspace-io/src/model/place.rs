@@ -1,11 +1,11 @@
-//! Places in a file: in words for people, and as the way through its tree of values.
+//! Places in a file: a description for people, and the path through its tree of values.
 
 /// A step from a value into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
-    /// To the value of a key.
+    /// Step to the value of a key.
     Key(String),
-    /// To an item of a list.
+    /// Step to an item of a list.
     Item(usize),
 }
 
@@ -18,17 +18,17 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// In words.
+    /// Description of the place.
     pub(super) fn words(&self) -> &str {
         &self.words
     }
 
-    /// The way from the root.
+    /// Path from the root.
     pub(super) fn way(&self) -> &[Step] {
         &self.way
     }
 
-    /// Whether the key is meant that the way ends with, not its value.
+    /// Whether the place is the last key of the path, and not its value.
     pub(super) fn is_key(&self) -> bool {
         self.is_key
     }

@@ -30,7 +30,7 @@ pub struct PartSlopes<T = f64> {
     /// Derivatives of the centre or the direction of its axis, as it is given; `None` if it does not depend on anything
     /// that varies.
     pub axis: Option<[T; 2]>,
-    /// Likewise of the range of its motion.
+    /// Derivatives of the range of its motion; `None` if it does not depend on anything that varies.
     pub range: Option<[T; 2]>,
 }
 
@@ -64,7 +64,7 @@ impl Slope for Dual<1, Ball> {
     }
 }
 
-/// The derivatives in a tree of which the numbers have them.
+/// Collects the derivatives from a tree whose numbers have them.
 pub(super) fn slopes<T: Slope>(tree: &Node, mechanism: &Mechanism) -> Result<Slopes<T>> {
     let items = |key: &str| match entry(tree, key) {
         Some(Node::List(items)) => &items[..],
@@ -92,7 +92,7 @@ fn entry<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
     }
 }
 
-/// Whether anything in a value depends on what varies.
+/// Whether anything in a value depends on a parameter that varies.
 fn depends(node: &Node) -> bool {
     match node {
         Node::Varied(_) => true,

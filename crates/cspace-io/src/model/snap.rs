@@ -6,7 +6,7 @@ use cspace::{Mechanism, Part, Point, Vector, Vertex};
 
 use super::slips::is_nearly_tangent;
 
-/// No vertex is moved farther, as a share of the part's size.
+/// Largest displacement of a vertex, as a share of the part's size.
 const FARTHEST: f64 = 1e-3;
 
 /// Lines whose directions are so nearly parallel (sine of the angle between) have no corner that could be rounded: between
@@ -18,9 +18,9 @@ const PARALLEL: f64 = 1e-2;
 pub struct Snapped {
     /// The part.
     pub part: String,
-    /// How many joints of a line and an arc are tangent now.
+    /// Number of joints of a line and an arc that are tangent now.
     pub joints: usize,
-    /// How far a point of the outline was moved at most, in the model's unit.
+    /// Largest displacement of a point of the outline, in the model's unit.
     pub moved: f64,
 }
 
@@ -102,7 +102,7 @@ struct Arc {
     start: Point,
     end: Point,
     bulge: f64,
-    /// At how many ends it is tangent now, and was not.
+    /// Number of ends at which it is tangent now, and was not.
     joints: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Whether a saved space is as it was written: a file that was changed since is not believed, but computed again.
+//! Check of whether a saved space is unchanged: the data of a changed file are not used, but computed again.
 //!
 //! Data can refer to existing items and fit the parts without being the space of these parts: no check of that kind is
 //! cheaper than the computation. So a file has a checksum of its data, and where it is missing or differs, the space is

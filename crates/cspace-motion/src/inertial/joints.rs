@@ -51,7 +51,8 @@ struct Joined<'a> {
 }
 
 impl Joined<'_> {
-    /// How far the first part's point is beyond the second's along a direction d, which turns with the first part or stands still.
+    /// Distance of the first part's point beyond the second's along a direction d, which turns with the first part or
+    /// stands still.
     ///
     /// With d fixed to the first part, (d · (p₁ − p₂))˙ is the velocity of the first part's point at p₂ less the second's.
     fn together(&self, at: Point, d: [InTime; 2], turns: bool) -> Constraint {

@@ -44,7 +44,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// A state as it is told: by the parts' own frames.
+    /// State as it is recorded: in terms of the parts' own frames.
     pub(super) fn told(&self, state: &State, forces: Option<Forces>) -> Sample {
         let All { mut q, mut v, .. } = self.world.bodies.all(state);
         self.world.bodies.system.shift(&mut q, &mut v, true);

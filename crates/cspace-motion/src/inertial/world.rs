@@ -20,10 +20,10 @@ use super::forces::{drives, forces, kinetic};
 use super::joints::{Constraint, constraints};
 use super::rates::Rates;
 
-/// Contacts are held at the gaps with which they were found up to this share of what parts count as touching with: so they are on
-/// their patches all along.
+/// Contacts are held at the gaps at which they were found, up to this share of the touching tolerance: so they stay on
+/// their patches.
 const LEVEL: f64 = 0.5;
-/// More sets of contacts than that are not gone through.
+/// Largest number of sets of contacts that are tried.
 const MOST_SETS: usize = 64;
 
 /// The mechanism.
@@ -141,7 +141,7 @@ impl<'a> Mechanical<'a> {
         rows
     }
 
-    /// All of a configuration at rest, but for what is driven.
+    /// Placements at a configuration at rest, except for driven parts.
     fn at(&self, t: f64, q: &DVector<f64>) -> Posed {
         self.bodies.posed(&State {
             t,
@@ -160,8 +160,8 @@ impl<'a> Mechanical<'a> {
         ))
     }
 
-    /// Whether a contact that bears has gone on past an end of its features: where these bend slowly it is told to be there for some way
-    /// yet.
+    /// Whether a bearing contact has gone past an end of its features: where these bend slowly, the space still reports
+    /// the contact for some distance.
     fn is_past(&self, step: &Step<'_>) -> bool {
         let system = &self.bodies.system;
         let contacts = step.bearing.iter().filter_map(|&i| match self.bound(i) {
@@ -497,7 +497,7 @@ struct Known {
     posed: Posed,
     contacts: Vec<Opening>,
     joints: Vec<Constraint>,
-    /// On all coordinates, and what dampers take.
+    /// Forces on all coordinates, and the power lost to dampers.
     forces: (Vec<f64>, f64),
 }
 

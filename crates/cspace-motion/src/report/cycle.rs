@@ -1,4 +1,4 @@
-//! Whether a motion repeats.
+//! Detection of the cycle in which a motion repeats.
 
 use core::f64::consts::TAU;
 
@@ -17,11 +17,11 @@ const REPEATS: f64 = 1e-4;
 const MOVES: f64 = 1e-2;
 /// The motion must have been seen to repeat for this share of a cycle.
 const SEEN: f64 = 0.5;
-/// And for as much if a part goes on without coming back to where it was.
+/// As above, if a part goes on without returning to its place.
 const SEEN_ADVANCING: f64 = 1.0;
 /// Times at which a period is looked at before it is at all of them.
 const LOOKS: usize = 16;
-/// As many periods are tried for each drive, and for events.
+/// Largest number of periods tried for each drive, and for events.
 const MOST_TRIED: usize = 2000;
 /// Times nearer than this are one, relative to the duration: twice the error of an event's time.
 const SAME: f64 = 1e-8;
@@ -29,11 +29,12 @@ const SAME: f64 = 1e-8;
 /// The cycle in which a motion repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// How long it takes, in seconds.
+    /// Period, in seconds.
     pub period: f64,
     /// The motion repeats from this time on: before, it settles.
     pub since: f64,
-    /// How far two cycles are from each other at most, in the model's unit of length; angles count by the sizes of their parts.
+    /// Largest difference of two cycles, in the model's unit of length, with angles multiplied by the sizes of their
+    /// parts.
     pub difference: f64,
     /// The part that is driven to turn at a constant rate, if there is one: the first. Ratios are by its advance.
     pub driver: Option<usize>,
@@ -60,7 +61,7 @@ impl Cycle {
 pub struct PartCycle {
     /// The index of the part.
     pub part: usize,
-    /// By how much it has gone on after a cycle; 0 if it is back.
+    /// Advance per cycle; 0 if the coordinate returns.
     pub advance: Vec<f64>,
     /// Smallest values in the last cycle.
     pub least: Vec<f64>,
@@ -69,13 +70,13 @@ pub struct PartCycle {
 }
 
 impl PartCycle {
-    /// From the least to the greatest value of a coordinate.
+    /// Stroke of a coordinate: from its smallest to its largest value.
     pub fn stroke(&self, coordinate: usize) -> f64 {
         self.greatest[coordinate] - self.least[coordinate]
     }
 }
 
-/// By what a coordinate may differ between two states that are the same.
+/// Difference of a coordinate that is allowed between two equal states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Step {
     /// Whole multiples.

@@ -65,7 +65,7 @@ pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> 
     all
 }
 
-/// The largest value of something so far, and when.
+/// Largest value of a quantity so far, with its time.
 struct Largest<T> {
     of: T,
     value: f64,

@@ -24,7 +24,7 @@ pub struct Report {
     pub contacts: Vec<ContactInterval>,
     /// The cycle in which the motion repeats, if it does.
     pub cycle: Option<Cycle>,
-    /// Where a part loses hold of another and falls on to the next place, in one cycle.
+    /// Drops in one cycle: a part loses contact with another and falls on to the next place.
     pub drops: Vec<Drop>,
     /// Sentences.
     pub summary: Vec<String>,

@@ -1,4 +1,4 @@
-//! When in a cycle something happens, in words: the angle of what is driven evenly, or the time.
+//! Phase of an event in words: the angle of the evenly driven part, or the time.
 
 use core::f64::consts::TAU;
 
@@ -40,7 +40,7 @@ impl<'a> Clock<'a> {
         self.driver.map(|d| d.0)
     }
 
-    /// Its name.
+    /// Name of the driven part.
     pub(super) fn name(&self) -> Option<&'a str> {
         let part = self.driver()?;
         Some(self.system.mechanism().parts[part].part.name())

@@ -16,13 +16,13 @@ use crate::system::{PartCoordinates, System};
 
 /// A part that moves by less than this in a cycle, relative to the size of the mechanism, has play and does not swing.
 const SWINGS: f64 = 1e-3;
-/// It stands still where its rate is below this share of its greatest.
+/// Share of the largest rate below which a part stands still.
 const STILL: f64 = 1e-6;
-/// Standing still for less than this share of a cycle is not told of.
+/// Rests shorter than this share of a cycle are not reported.
 const RESTS: f64 = 0.05;
-/// Gaps in a contact shorter than this, relative to the duration, are none.
+/// Shortest gap in a contact, relative to the duration.
 const NEAR: f64 = 1e-9;
-/// So many spans of time are told one by one; of more, their number.
+/// Largest number of time spans that are listed; of more, only the number is given.
 const MOST_SPANS: usize = 2;
 
 /// Findings on a motion.
@@ -89,7 +89,7 @@ impl Teller<'_> {
         }
     }
 
-    /// How far the part that tells the time goes in a cycle.
+    /// Advance of the driver per cycle.
     fn driven(&self, cycle: &Cycle) -> Option<f64> {
         let driver = self.clock.driver()?;
         let of = cycle.parts.iter().find(|p| p.part == driver)?;
@@ -188,8 +188,8 @@ impl Teller<'_> {
         }
     }
 
-    /// Whether a part that advances always does so at about the same rate, as gears do: wheels that go in steps have no ratio
-    /// at any time.
+    /// Whether a part that advances does so at about a constant rate, as gears do: wheels that advance in steps have no
+    /// ratio at any time.
     fn is_even(&self, part: usize, cycle: &Cycle) -> bool {
         /// Range of the rates, as multiples of the mean rate.
         const ABOUT: core::ops::Range<f64> = 0.5..2.0;
@@ -261,7 +261,7 @@ impl Teller<'_> {
         }
     }
 
-    /// How much larger a stroke is than the step for which it is there, once for each part that swings.
+    /// Sentences on the excess of strokes over the steps for which they are there, once for each part that swings.
     fn spares(&self, report: &Found<'_>) -> Vec<String> {
         let mut told: Vec<usize> = Vec::new();
         let mut all = Vec::new();
