@@ -85,7 +85,7 @@ impl fmt::Display for Origin {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        /// More entities than that are not named.
+        /// Largest number of entities that are named.
         const MOST: usize = 8;
         self.origin.fmt(f)?;
         for other in self.with.iter().take(MOST) {

@@ -1,4 +1,4 @@
-//! Which loop is in which.
+//! Nesting of loops.
 
 use cspace::part::Bounds;
 use cspace::{Edge, Point, Vertex};
@@ -52,14 +52,14 @@ impl Ring {
 
     /// Vertices and the middles of edges, of very many some.
     pub(crate) fn places(&self) -> impl Iterator<Item = Point> {
-        /// Edges that are looked at; the ends of those of loops that cross are on both sides soon.
+        /// Number of edges that are sampled; loops that cross are found after few.
         const MOST: usize = 256;
         let step = self.edges.len().div_ceil(MOST).max(1);
         (self.edges.iter().step_by(step)).flat_map(|e| [e.start, e.at(0.5)])
     }
 
-    /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not within
-    /// each other.
+    /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not
+    /// within each other.
     fn holds(&self, inner: &Self) -> bool {
         let (o, i, near) = (self.bounds, inner.bounds, self.rounding());
         let is_in_box = o.min.x <= i.min.x + near

@@ -1,4 +1,4 @@
-//! Where a curve turns sharply: at cusps, and where it nearly has one.
+//! Sharp turns of a curve: cusps, and turns that are nearly cusps.
 
 use super::Curve;
 

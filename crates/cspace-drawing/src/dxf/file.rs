@@ -14,7 +14,7 @@ use crate::unit::Unit;
 pub(super) struct File {
     pub(super) unit: Option<Unit>,
     pub(super) layers: Layers,
-    /// By folded name.
+    /// Blocks by folded name.
     pub(super) blocks: HashMap<String, Block>,
     pub(super) items: Vec<Item>,
 }

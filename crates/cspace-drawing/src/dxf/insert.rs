@@ -57,9 +57,9 @@ struct Ground {
 
 struct Flat<'f> {
     file: &'f File,
-    /// Folded names of the layers asked for; all where there are none.
+    /// Folded names of the requested layers; all if empty.
     layers: Vec<String>,
-    /// Whether the outlines of hatches are taken.
+    /// Whether the outlines of hatches are read.
     hatches: bool,
     drawing: Drawing,
     /// The blocks that are being inserted.

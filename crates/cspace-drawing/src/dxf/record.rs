@@ -43,7 +43,7 @@ impl<'g, 'a> Record<'g, 'a> {
         ))
     }
 
-    /// Whether the entity's plane is looked at from behind; none if it is no plane parallel to the drawing's.
+    /// Whether the entity's plane is seen from behind; `None` if it is not parallel to the drawing's.
     pub(super) fn is_from_behind(&self) -> Result<Option<bool>> {
         if self.find(210).is_none() && self.find(230).is_none() {
             return Ok(Some(false));

@@ -15,13 +15,13 @@ const CORNER: f64 = 0.01;
 /// Turning by more than this, in radians, is turning back: pieces in other directions than the curve's would cross there.
 const BACK: f64 = 2.8;
 
-/// How often a run is halved that cannot be fitted: by then it is a piece of few tolerances.
+/// Largest number of times that a run is halved if it cannot be fitted: by then it is a piece of a few tolerances.
 const HALVINGS: u32 = 20;
 
 /// The length within which a curve turns sharply if that is a corner, as a share of the tolerance: nobody sees how it turns.
 const SHARP_WITHIN: f64 = 0.25;
 
-/// On which side of a curve the pieces may be.
+/// Side of a curve on which the fitted pieces may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Sided {
     Both,
@@ -95,7 +95,7 @@ pub(crate) fn outline(
     Ok(outline)
 }
 
-/// Whether two directions of travel make a corner.
+/// Whether two directions of travel form a corner.
 fn turns(a: Vector, b: Vector) -> bool {
     angle(a, b) > CORNER
 }

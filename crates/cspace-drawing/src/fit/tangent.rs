@@ -69,7 +69,7 @@ pub(super) fn make(run: &Run, division: &Division, with_lines: bool) -> Option<M
 
 struct Pieces<'r> {
     run: &'r Run,
-    /// All joints, of a closed run without the last.
+    /// Joints; for a closed run without the last.
     joints: Vec<Point>,
     /// The normals of the curve there.
     normals: Vec<Vector>,
@@ -167,7 +167,7 @@ impl<'r> Pieces<'r> {
         rows
     }
 
-    /// How much a joint may be moved, for the same weight, along and across the curve; not at all at ends.
+    /// Displacement of a joint for a given correction, weighted along and across the curve; 0 at ends.
     fn place_change(&self, joint: usize, by: Vector) -> Vector {
         let is_end = !self.run.is_closed && (joint == 0 || joint + 1 == self.joints.len());
         if is_end {

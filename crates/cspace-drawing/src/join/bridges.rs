@@ -33,7 +33,7 @@ pub(super) struct Bridges<'d> {
 
 /// Entities that lie in a gap.
 pub(super) struct Bridge<'d> {
-    /// Where the gap ends.
+    /// End of the gap.
     pub(super) to: Point,
     entities: Vec<(&'d Origin, Option<LayerReason>)>,
 }
@@ -72,8 +72,8 @@ impl<'d> Bridges<'d> {
         }
     }
 
-    /// The fewest pieces from the end of a chain to a place at which another end is; closed outlines on the chain's own layer are
-    /// not taken, for these are drawn as they should be.
+    /// Shortest sequence of pieces from the end of a chain to another end. Closed outlines on the chain's own layer are
+    /// not used, for they are complete.
     pub(super) fn from(
         &mut self,
         start: Point,
@@ -129,7 +129,7 @@ impl<'d> Bridges<'d> {
 impl Bridge<'_> {
     /// Description of the entities in the gap from a point.
     pub(super) fn told(&self, from: Point) -> String {
-        /// More entities than that are not named.
+        /// Largest number of entities that are named.
         const MOST: usize = 4;
         let named = self.entities.iter().take(MOST).map(|(origin, reason)| {
             let why = reason.map_or("which belongs to another outline", LayerReason::of_which);

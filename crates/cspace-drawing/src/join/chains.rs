@@ -18,7 +18,7 @@ impl Segment<'_> {
     }
 }
 
-/// Follows the links. Of open chains that have an ambiguous end nothing more is said.
+/// Follows the links. Open chains with an ambiguous end, which is reported already, cause no further problem.
 pub(super) fn collect<'d>(
     pieces: &Pieces<'d>,
     drawing: &Drawing,

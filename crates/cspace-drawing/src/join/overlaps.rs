@@ -21,7 +21,7 @@ struct Laid {
     /// Key of the line or circle: its kind and two or three lengths.
     kind: u8,
     key: [f64; 3],
-    /// From where to where, as length along a line or angle on a circle; and whether the piece runs the other way.
+    /// Interval, as length along a line or angle on a circle; and whether the piece runs in the other direction.
     from: f64,
     to: f64,
     is_backward: bool,
@@ -30,13 +30,13 @@ struct Laid {
 }
 
 impl Laid {
-    /// Its ends, the lower first.
+    /// Ends of the piece, the lower first.
     fn ends(&self) -> [End; 2] {
         let sides = if self.is_backward { [1, 0] } else { [0, 1] };
         sides.map(|side| end(self.piece, side))
     }
 
-    /// From where to where, cut where the angle comes back to zero.
+    /// Intervals of the piece, cut where the angle returns to zero.
     fn intervals(self) -> impl Iterator<Item = (f64, f64, usize)> {
         let goes_round = self.kind == CIRCLE && self.to > TAU;
         let first = (
@@ -72,7 +72,7 @@ pub(super) fn merge(pieces: &mut Pieces<'_>, round: f64, joined: &mut Joined<'_>
     }
 }
 
-/// How far apart keys may be of pieces whose places agree to rounding: it shows enlarged in directions and centres.
+/// Tolerance factor of keys of pieces whose places agree to rounding, which is enlarged in directions and centres.
 const SLACK: f64 = 1e3;
 
 fn near(a: &Laid, b: &Laid, key: usize, round: f64) -> bool {
@@ -204,7 +204,7 @@ fn sweep(
     }
 }
 
-/// Whether two pieces lie on one line or circle, to rounding.
+/// Whether two pieces lie on the same line or circle, to rounding.
 fn is_same_line(pieces: &Pieces<'_>, a: &Laid, b: &Laid, round: f64) -> bool {
     let (long, short) = if (a.to - a.from) * b.unit >= (b.to - b.from) * a.unit {
         (a, b)
@@ -342,7 +342,7 @@ fn cut(pieces: &mut Pieces<'_>, at: End, to: Point, middle: Point) {
     pieces.move_end(at, to);
 }
 
-/// Removes curves that are drawn twice, to the last bit and either way.
+/// Removes curves that are drawn twice, equal to the last bit, in either direction.
 fn same_curves(pieces: &mut Pieces<'_>, joined: &mut Joined<'_>) {
     let mut seen = HashSet::new();
     for i in 0..pieces.segments.len() {

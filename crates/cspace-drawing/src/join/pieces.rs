@@ -34,7 +34,7 @@ impl Shape<'_> {
 /// A piece of a path.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'d> {
-    /// Where it starts and ends.
+    /// Start and end.
     pub(super) ends: [Point; 2],
     pub(super) shape: Shape<'d>,
     /// The entity of the drawing that it belongs to.
@@ -100,8 +100,8 @@ impl<'d> Pieces<'d> {
         Self { segments }
     }
 
-    /// Removes pieces of no extent, and loose ones within the distance at which ends are joined; says how many, and the extent
-    /// of the largest that has one. The ends that were joined to them are joined.
+    /// Removes pieces of no extent, and loose ones shorter than the distance at which ends are joined; returns their
+    /// number, and the extent of the largest that has one. The ends that were joined to them are joined.
     pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> (usize, f64) {
         let mut removed = 0;
         let mut largest: f64 = 0.0;
@@ -147,7 +147,7 @@ impl<'d> Pieces<'d> {
         self.segments[piece].links[side]
     }
 
-    /// Whether a piece goes on at both ends.
+    /// Whether a piece is joined at both ends.
     pub(super) fn is_held(&self, piece: usize) -> bool {
         self.segments[piece].links.iter().all(Option::is_some)
     }

@@ -11,7 +11,7 @@ use crate::join::ROUND;
 pub(super) struct Tip {
     pub(super) entity: u32,
     pub(super) at: Point,
-    /// Whether the tip is all of a line there and back, which encloses nothing.
+    /// Whether the tip is a line drawn forth and back, which encloses nothing.
     pub(super) is_spike: bool,
 }
 

@@ -17,11 +17,11 @@ pub struct Outlines {
     pub parts: Vec<Part>,
     /// The unit that the file names.
     pub unit: Option<Unit>,
-    /// How many entities of each type the parts are made of.
+    /// Number of entities of each type that the parts are made of.
     pub used: BTreeMap<String, usize>,
     /// Entities that were left out.
     pub ignored: Vec<Ignored>,
-    /// Layers of which several outlines are parts by themselves.
+    /// Layers with several outlines that are separate parts.
     pub apart: Vec<Apart>,
     /// The gaps that were closed, and where.
     pub joined: Vec<(f64, Point)>,
@@ -29,11 +29,12 @@ pub struct Outlines {
     pub fitted: FittedReport,
     /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
     pub crossing: Option<Problem>,
-    /// How many pieces were drawn twice, or lay within others.
+    /// Number of pieces that were drawn twice, or lay within others.
     pub duplicates: usize,
-    /// How many pieces overlapped others and were made one with them.
+    /// Number of pieces that overlapped others and were merged with them.
     pub merged: usize,
-    /// How many pieces had no length, or were removed because ends within [`Settings::join`](crate::Settings::join) are one.
+    /// Number of pieces that had no length, or were removed because ends within
+    /// [`Settings::join`](crate::Settings::join) are joined.
     pub tiny: usize,
     /// The extent of the largest of them, 0 if none has any.
     pub largest_removed: f64,
@@ -74,14 +75,14 @@ pub struct Survey {
     pub problems: Vec<Problem>,
 }
 
-/// How well lines and arcs were fitted.
+/// Quality of the fitted lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FittedReport {
     /// The number of curves.
     pub curves: usize,
     /// The number of lines and arcs they became.
     pub pieces: usize,
-    /// How far these are from the curves, at most.
+    /// Largest distance of these from the curves.
     pub deviation: f64,
     /// The largest angle between neighbours that should be tangent, in radians; rounding.
     pub kink: f64,

@@ -41,7 +41,7 @@ struct Pen {
     open: Option<Path>,
     start: Point,
     at: Point,
-    /// The control point that a smooth curve reflects, and of which degree its curve is.
+    /// Control point that a smooth curve reflects, and the degree of its curve.
     control: Option<(usize, Point)>,
 }
 
@@ -51,7 +51,7 @@ impl Pen {
             .extend(self.open.take().filter(|p| !p.pieces.is_empty()));
     }
 
-    /// The path, begun where the pen is if there is none.
+    /// Open path; if there is none, it is begun at the pen.
     fn path(&mut self) -> &mut Path {
         let at = self.at;
         self.open.get_or_insert_with(|| Path::from(at))

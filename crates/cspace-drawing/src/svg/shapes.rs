@@ -70,7 +70,7 @@ fn ellipse(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
     Ok(vec![path])
 }
 
-/// One radius stands for both.
+/// Radii of a rectangle's corners; if only one is given, it is used for both.
 fn radii(node: Node<'_, '_>, view: View) -> Result<(f64, f64), String> {
     Ok(match (view.length(node, "rx")?, view.length(node, "ry")?) {
         (Some(rx), Some(ry)) => (rx, ry),

@@ -14,14 +14,14 @@ pub(super) struct Style {
     pub(super) is_filled: bool,
     pub(super) is_stroked: bool,
     pub(super) is_hidden: bool,
-    /// Not drawn, and nothing within it either.
+    /// Whether neither the element nor its content is drawn.
     pub(super) is_absent: bool,
     /// Whether a style moves the element, as its attribute `transform` would.
     pub(super) moves: bool,
 }
 
 impl Default for Style {
-    /// Without any style an element is filled.
+    /// Default style: filled.
     fn default() -> Self {
         Self {
             is_filled: true,
@@ -34,7 +34,7 @@ impl Default for Style {
 }
 
 impl Sheet {
-    /// The rules of all `style` elements. Of selectors those of one class or one type are followed.
+    /// Collects the rules of all `style` elements. Only selectors of one class or one type are supported.
     pub(super) fn of(document: &Document<'_>) -> Self {
         let mut sheet = Self::default();
         let styles = document
