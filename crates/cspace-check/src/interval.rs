@@ -39,7 +39,7 @@ impl I {
         between(self.lo.max(-self.hi).max(0.0), self.hi.max(-self.lo))
     }
 
-    /// One over a number that is certainly not 0; anything otherwise.
+    /// Reciprocal of a number that is certainly not 0; unbounded otherwise.
     pub(crate) fn recip(self) -> Self {
         if self.sign().is_some() {
             outwards(1.0 / self.hi, 1.0 / self.lo)

@@ -1,4 +1,4 @@
-//! The colours of pictures: those of Okabe and Ito, which people tell apart whatever colours they see.
+//! Colours of pictures: those of Okabe and Ito, which the colour-blind can distinguish.
 
 use cspace::{FeatureKind, FeatureName};
 
@@ -17,7 +17,7 @@ pub(crate) const KINDS: [(Colour, &str); 3] = [
     (Colour(0x00, 0x7a, 0x57), "contact: arcs and vertices"),
 ];
 
-/// Which of the [`KINDS`] a contact is.
+/// Index of a contact's kind in [`KINDS`].
 pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
     match (fixed.kind, moving.kind) {
         (FeatureKind::Line, _) => 0,

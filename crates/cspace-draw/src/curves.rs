@@ -11,11 +11,11 @@ use crate::ticks::Quantity;
 pub struct CurvesPicture {
     /// Name of the varied quantity, with its unit.
     pub across: String,
-    /// Whether it is an angle, in radians.
+    /// Whether the varied quantity is an angle, in radians.
     pub is_angle: bool,
     /// The quantities.
     pub strips: Vec<CurveStrip>,
-    /// Where something changes.
+    /// Values at which something changes.
     pub marks: Vec<f64>,
 }
 
@@ -24,13 +24,13 @@ pub struct CurvesPicture {
 pub struct CurveStrip {
     /// Name of the quantity, with its unit.
     pub label: String,
-    /// Whether it is an angle, in radians.
+    /// Whether the quantity is an angle, in radians.
     pub is_angle: bool,
     /// The smallest and the largest value that is allowed.
     pub limits: Option<(f64, f64)>,
     /// Range of values in view; all of them if `None`.
     pub seen: Option<(f64, f64)>,
-    /// Its curves.
+    /// Curves of the quantity.
     pub curves: Vec<Curve>,
 }
 
@@ -134,7 +134,7 @@ fn label(text: &str, is_angle: bool) -> AxisLabel {
     }
 }
 
-/// From the smallest to the largest of some values, and so much more of that on both sides.
+/// Range of some values, extended by a share `more` of its width on both sides.
 fn range(values: impl Iterator<Item = f64>, more: f64) -> (f64, f64) {
     let (lo, hi) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
         (lo.min(x), hi.max(x))

@@ -22,7 +22,7 @@ pub(crate) fn halo(size: f64) -> f64 {
     0.25 * size
 }
 
-/// Where the letters of a text come to be.
+/// Positions of the letters of a text.
 pub(crate) struct Placed {
     at: Dot,
     left: f64,

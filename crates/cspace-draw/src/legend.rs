@@ -41,12 +41,12 @@ impl Legend {
         Self { lines, em }
     }
 
-    /// How high it is.
+    /// Height of the legend.
     pub(crate) fn height(&self) -> f64 {
         1.5 * self.em * self.lines.len() as f64
     }
 
-    /// With its upper left corner at a place.
+    /// Draws the legend with its upper left corner at a place.
     pub(crate) fn draw(self, items: &mut Vec<Item>, at: Dot) {
         let em = self.em;
         for (i, line) in self.lines.into_iter().enumerate() {

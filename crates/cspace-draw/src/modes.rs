@@ -18,7 +18,7 @@ pub struct ModePlane<'a> {
     pub coordinates: [&'a str; 2],
     /// The parts whose coordinates they are.
     pub parts: [&'a str; 2],
-    /// Their axes.
+    /// Axes of these parts.
     pub axes: [Axis; 2],
     /// Minimum and maximum of both.
     pub extents: [(f64, f64); 2],
@@ -39,7 +39,7 @@ impl ModePlane<'_> {
 pub struct ModeFields {
     /// Fields along the first and along the second coordinate.
     pub fields: [usize; 2],
-    /// Whether each is reached.
+    /// Flags of the fields that are reached.
     pub reached: Vec<bool>,
 }
 
@@ -66,7 +66,7 @@ pub struct ModesPicture<'a> {
 /// A region diagram: for each mode a row with the planes of the three pairs, free space white, blocked space grey, what the mode
 /// reaches in its colour.
 pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
-    /// In dots, if the user does not say: the width, and the height of a row.
+    /// Default width, and height of a row, in dots.
     const USUAL: (f64, f64) = (1100.0, 350.0);
     const FREE: Colour = Colour(0xff, 0xff, 0xff);
     let rows = picture.modes.len().max(1);

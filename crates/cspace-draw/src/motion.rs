@@ -16,7 +16,7 @@ use crate::view::turns_for_ever;
 /// Data of a picture of a motion.
 #[derive(Debug, Clone, Default)]
 pub struct MotionPicture<'a> {
-    /// How long it lasts, in seconds.
+    /// Duration, in seconds.
     pub until: f64,
     /// The mechanism at some times.
     pub frames: Vec<MotionFrame<'a>>,
@@ -26,7 +26,7 @@ pub struct MotionPicture<'a> {
     pub contacts: Vec<ContactRow>,
     /// Times of events, and what happens.
     pub events: Vec<(f64, String)>,
-    /// Pairs with fixed axes, and their ways.
+    /// Pairs with fixed axes, and their paths.
     pub planes: Vec<PlanePath<'a>>,
     /// Remarks on the motion.
     pub remarks: Vec<String>,
@@ -35,7 +35,7 @@ pub struct MotionPicture<'a> {
 /// The mechanism at a time.
 #[derive(Debug, Clone, Default)]
 pub struct MotionFrame<'a> {
-    /// When.
+    /// Time, in seconds.
     pub time: f64,
     /// Caption of the frame.
     pub caption: String,
@@ -43,7 +43,7 @@ pub struct MotionFrame<'a> {
     pub parts: PartsPicture<'a>,
 }
 
-/// The plane of motions of a pair, and its way in it.
+/// Plane of motions of a pair, and the path in it.
 #[derive(Debug, Clone)]
 pub struct PlanePath<'a> {
     /// The space of the pair.
@@ -65,8 +65,9 @@ const LINE: f64 = 1.55;
 /// Text narrower than this is hard to read.
 const NARROW: f64 = 26.0;
 
-/// A page of a motion: the mechanism at some times, each with a letter that is found again above the strips; the coordinates of parts and the
-/// contacts of pairs over time; the planes of motions with the way in red, from a ring to a dot; what is said of it.
+/// Draws a page of a motion: the mechanism at some times, each with a letter that is repeated above the strips; the
+/// coordinates of parts and the contacts of pairs over time; the planes of motions with the path in red, from a ring to
+/// a dot; and the remarks.
 ///
 /// ```
 /// use cspace_draw::{MotionPicture, PictureOptions, Track, TrackCurve, motion, svg};
@@ -103,7 +104,7 @@ struct Page<'a> {
     width: f64,
     height: f64,
     em: f64,
-    /// How high a strip is, in sizes of letters.
+    /// Height of a strip, in letter sizes.
     strip: f64,
     letters: Vec<(f64, char)>,
     legend: Legend,
@@ -111,7 +112,7 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn new(picture: &'a MotionPicture<'a>, options: &'a PictureOptions) -> Self {
-        /// More strips than these are lower.
+        /// Number of strips from which on they are lower.
         const MANY: usize = 6;
         const EM: f64 = 13.0;
         const LEAST: f64 = 5.0;
@@ -220,7 +221,7 @@ impl<'a> Page<'a> {
         ((self.width / self.em - MARGIN) / (PLANE + Plot::LEFT + Plot::RIGHT)).floor() as usize
     }
 
-    /// Whether the text has room beside the last planes.
+    /// Whether the text has space beside the last planes.
     fn is_beside(&self) -> bool {
         self.text_width(true) >= NARROW * self.em
     }
@@ -315,7 +316,7 @@ impl<'a> Page<'a> {
 fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f64) {
     /// Largest range that counts as little, as a share of all; a third of a turn is more than little.
     const LITTLE: f64 = 1.0 / 3.0;
-    /// To either side, of the way, and at least so much, in radians.
+    /// Margin on either side, as a share of the range, and its minimum in radians.
     const BESIDE: f64 = 0.4;
     const LEAST: f64 = 0.1;
     let (lo, hi) = way.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {

@@ -60,7 +60,7 @@ impl Plot {
         }
     }
 
-    /// Where coordinates are.
+    /// Position of coordinates in the picture.
     pub(crate) fn place(&self, x: f64, y: f64) -> Dot {
         let share = |t: f64, (lo, hi): (f64, f64)| (t - lo) / (hi - lo);
         Dot::new(
@@ -100,7 +100,7 @@ impl Plot {
     fn ticks(&self, [x, y]: [&AxisLabel; 2]) -> [Vec<(f64, String)>; 2] {
         // A number is some four letters wide, and half as much apart from the next.
         let most = |dots: f64, letters: f64| (dots / (letters * self.em)).clamp(2.0, 12.0);
-        /// In a strip that is lower than this numbers stand closer.
+        /// Height of a strip below which numbers are closer together.
         const LOW: f64 = 10.0;
         let apart = match self.area.height() < LOW * self.em {
             true => 1.8,

@@ -33,7 +33,7 @@ pub fn slices(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Scene {
     }
 }
 
-/// One slice, and the parts beside it.
+/// Draws one slice, and the parts beside it.
 fn beside(
     picture: &SlicesPicture<'_>,
     slice: &Slice,
@@ -350,7 +350,7 @@ fn number_regions(
     }
 }
 
-/// Whether a polygon holds a place.
+/// Whether a polygon contains a place.
 fn holds(polygon: &[Dot], at: Dot) -> bool {
     let mut inside = false;
     for (i, a) in polygon.iter().enumerate() {
@@ -435,7 +435,7 @@ fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, 
         }
     }
     shown.sort_unstable();
-    /// More regions than these are told by their numbers alone.
+    /// Number of regions from which on only their numbers are given.
     const MOST: usize = 8;
     for &region in shown.iter().take(MOST) {
         let is = match regions.get(region as usize).map(|r| r.unbounded) {

@@ -13,7 +13,7 @@ pub(crate) struct Strip {
     pub(crate) region: u32,
     lower: Vec<Dot>,
     upper: Vec<Dot>,
-    /// Where it is seen.
+    /// Visible rectangle.
     area: Area,
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn strips(space: &FixedAxesSpace, view: &View) -> Vec<Strip> {
                 }),
             }
         }
-        /// More strips than these are not grown at once: the oldest have most likely ended.
+        /// Largest number of strips that are extended at once: of more, the oldest have most likely ended.
         const MOST_OPEN: usize = 256;
         if open.len() > MOST_OPEN {
             done.extend(open.drain(..MOST_OPEN / 2));
@@ -76,7 +76,7 @@ fn sides(gap: &FreeGap<'_>, (du, dv): (f64, f64), view: &View) -> (Vec<Dot>, Vec
     upper.push(first[1]);
     let mut last = (0.0, first);
     let mut ends = vec![(1.0, at(1.0), 0u32)];
-    /// So many halvings are enough for any curve on a picture that is seen whole.
+    /// Largest number of halvings: enough for any curve on a picture that is shown as a whole.
     const DEEPEST: u32 = 12;
     while let Some((share, end, depth)) = ends.pop() {
         let middle = 0.5 * (last.0 + share);
@@ -96,7 +96,7 @@ fn sides(gap: &FreeGap<'_>, (du, dv): (f64, f64), view: &View) -> (Vec<Dot>, Vec
 }
 
 impl Strip {
-    /// Its outline.
+    /// Outline of the strip.
     pub(crate) fn outline(&self) -> Path {
         let mut path = Path::through(simplified(&self.lower));
         let mut back = simplified(&self.upper);
@@ -106,9 +106,9 @@ impl Strip {
         path
     }
 
-    /// Lines along its middle where it is thinner than so many dots.
+    /// Lines along the middle of the strip where it is narrower than a number of dots.
     pub(crate) fn thin(&self, dots: f64) -> Vec<Vec<Dot>> {
-        /// Narrower ends than so many dots are corners.
+        /// Width in dots below which an end is a corner.
         const CORNER: f64 = 1e-3;
         let n = self.lower.len();
         let mut lines: Vec<Vec<Dot>> = Vec::new();
@@ -169,7 +169,7 @@ impl Strip {
         Dot::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
     }
 
-    /// How wide it is at a pair of points, across the direction in which it runs there.
+    /// Width of the strip at a pair of points, perpendicular to its direction there.
     fn width(&self, i: usize) -> f64 {
         let (a, b) = (self.lower[i], self.upper[i]);
         let (before, after) = (
@@ -184,7 +184,7 @@ impl Strip {
         ((b.x - a.x) * dy - (b.y - a.y) * dx).abs() / length
     }
 
-    /// Where it is widest among what is seen, and how wide.
+    /// Largest visible width of the strip, and its place.
     pub(crate) fn widest(&self) -> Option<(f64, Dot)> {
         let mut best: Option<(f64, Dot)> = None;
         let clamp = |d: Dot| {

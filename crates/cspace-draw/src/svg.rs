@@ -142,7 +142,7 @@ fn arc(out: &mut String, from: Dot, to: Dot, bulge: f64) {
     let _ = write!(out, "a{r} {r} 0 {large} {clockwise} {dx}{dy}");
 }
 
-/// To a hundredth of a dot, so that files stay small.
+/// Rounds to a hundredth of a dot, so that files stay small.
 fn rounded(p: Dot) -> Dot {
     Dot::new(hundredth(p.x), hundredth(p.y))
 }

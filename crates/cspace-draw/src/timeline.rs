@@ -36,18 +36,18 @@ pub struct TrackCurve {
 pub struct ContactRow {
     /// The pair.
     pub label: String,
-    /// Its contacts.
+    /// Contacts of the pair.
     pub bars: Vec<ContactBar>,
-    /// Times at which the parts strike each other, and what is said there.
+    /// Times of impacts, with their tooltips.
     pub impacts: Vec<(f64, String)>,
 }
 
 /// A contact from a time to a time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactBar {
-    /// When it begins.
+    /// Begin of the contact.
     pub from: f64,
-    /// When it ends.
+    /// End of the contact.
     pub to: f64,
     /// The number of its pair of features, which chooses its colour.
     pub features: usize,
@@ -69,9 +69,9 @@ pub(crate) struct Timeline<'a> {
     pub(crate) em: f64,
 }
 
-/// All sizes are in sizes of letters.
+/// Sizes are multiples of the letter size.
 impl Timeline<'_> {
-    /// Room at the left for names and numbers, at the right, above for letters, below for the axis.
+    /// Space at the left for names and numbers, at the right, above for letters, below for the axis.
     const LEFT: f64 = 16.0;
     const RIGHT: f64 = 1.2;
     const ABOVE: f64 = 1.6;
@@ -81,7 +81,7 @@ impl Timeline<'_> {
     /// Largest number of lanes: if more contacts are closed at once, the last are drawn over each other.
     const MOST_LANES: usize = 4;
 
-    /// How high it is, with strips of a height.
+    /// Total height with strips of a given height.
     pub(crate) fn height(&self, strip: f64) -> f64 {
         Self::ABOVE + self.inner(strip) + Self::BELOW
     }
@@ -97,7 +97,7 @@ impl Timeline<'_> {
         Self::LANE * lanes(row).1 as f64 + Self::BETWEEN
     }
 
-    /// With its upper left corner at a place.
+    /// Draws the timeline with its upper left corner at a place.
     pub(crate) fn draw(&self, items: &mut Vec<Item>, at: Dot, width: f64, strip: f64) {
         let em = self.em;
         let left = at.x + Self::LEFT * em;

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct SceneText {
     /// The text of the file.
     pub text: String,
-    /// Its name, whose extension says whether it is JSON.
+    /// Name of the file; its extension determines whether it is JSON.
     pub file: String,
     /// Values that its parameters were given when it was opened.
     pub set: Vec<SceneSetting>,
@@ -38,19 +38,19 @@ pub struct SceneDesign {
 pub struct SceneParameter {
     /// Name in expressions.
     pub name: String,
-    /// Its value; of an angle in radians.
+    /// Value; in radians if it is an angle.
     pub value: f64,
     /// The expression by which its value follows from other parameters.
     pub expression: Option<String>,
-    /// Whether it is written as an angle.
+    /// Whether the value is written as an angle.
     pub is_angle: bool,
-    /// Whether it says how often something is repeated: its values are whole numbers.
+    /// Whether it is a number of copies: its values are whole numbers.
     pub is_count: bool,
     /// The values that a slider offers first.
     pub range: (f64, f64),
 }
 
-/// A model as its text says it, of which the parameters may be given other values.
+/// Model in the form of its text, with parameters that can be given other values.
 #[derive(Debug)]
 pub(crate) struct Design {
     template: Template,
@@ -96,7 +96,7 @@ impl Design {
         })
     }
 
-    /// The design that a scene carries.
+    /// Design carried by a scene.
     ///
     /// # Errors
     /// If its text is neither TOML nor JSON.
@@ -122,13 +122,13 @@ impl Design {
         }
     }
 
-    /// All values that parameters are given, with further ones: of two for one parameter the last counts.
+    /// Values of parameters, with further ones: if a parameter has two, the last counts.
     pub(crate) fn settings(&self, further: &[SceneSetting]) -> Vec<Setting> {
         let further = further.iter().map(Setting::from);
         self.set.iter().cloned().chain(further).collect()
     }
 
-    /// The text of which the parameters are given values.
+    /// Text whose parameters are given values.
     pub(crate) const fn template(&self) -> &Template {
         &self.template
     }
@@ -138,10 +138,10 @@ impl Design {
         self.template.text_with(&self.settings(further))
     }
 
-    /// The model with further values of its parameters.
+    /// Model with further values of its parameters.
     ///
     /// # Errors
-    /// If the text is no model with these values.
+    /// If the text is not a valid model with these values.
     pub(crate) fn model(&self, further: &[SceneSetting]) -> Result<Model, ModelError> {
         if further.is_empty() {
             return Ok(self.opened.clone());

@@ -28,7 +28,8 @@ const CRATES: [&str; 10] = [
     "cspace-wasm",
 ];
 
-/// Where Debian's packages `rustc-web`, `cargo-web` and `lld` are: they compile for WebAssembly where rustup cannot be had.
+/// Folder of Debian's packages `rustc-web`, `cargo-web` and `lld`, which compile for WebAssembly where rustup is not
+/// available.
 const SYSTEM: &str = "/usr/bin";
 
 /// Compiler for WebAssembly.

@@ -1,8 +1,8 @@
-//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: nothing bundled is
-//! kept with the sources.
+//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: no
+//! bundle is kept with the sources.
 //!
-//! Where that cannot be done the crate is built all the same, and the page's commands say what to install: all else of the
-//! project needs neither.
+//! If that is not possible, the crate is built without the page, and the page's commands report the missing programs:
+//! the rest of the project does not need them.
 
 mod kernel;
 
@@ -99,7 +99,7 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     Ok(())
 }
 
-/// The folder of everything that cargo builds, of which `out` is four folders below.
+/// Folder of all build results, of which `out` is four folders below.
 fn target(out: &Path) -> PathBuf {
     out.ancestors().nth(4).unwrap_or(out).to_owned()
 }

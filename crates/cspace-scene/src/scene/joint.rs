@@ -12,7 +12,7 @@ pub struct SceneJoint {
     pub kind: JointKind,
     /// Indices of the two parts.
     pub parts: (usize, usize),
-    /// Where it is, in the assembly's frame at zero motion; none of a rigid one.
+    /// Position, in the assembly's frame at zero motion; `None` for a rigid joint.
     pub at: Option<Point>,
     /// The direction of sliding.
     pub direction: Option<Vector>,
@@ -26,7 +26,7 @@ pub enum JointKind {
     Revolute,
     /// Sliding.
     Prismatic,
-    /// Nothing.
+    /// No freedom.
     Rigid,
 }
 

@@ -20,7 +20,7 @@ pub const FORMAT: &str = "cspace-scene";
 /// The version that is written.
 pub const VERSION: u32 = 1;
 
-/// All that a page shows. Angles are radians, lengths in the model's unit.
+/// Data of a page. Angles are radians, lengths in the model's unit.
 #[derive(Debug, Clone, Serialize)]
 pub struct Scene {
     /// Always [`FORMAT`].
@@ -52,7 +52,7 @@ pub struct SceneSource {
     pub model: String,
     /// The pairs in the order of the scene, in their windows.
     pub pairs: Vec<PairEntry>,
-    /// Whether the general method is used whatever the class.
+    /// Whether the general method is used for pairs of any class.
     pub general: bool,
     /// The text with the parameters of the model.
     pub design: Option<SceneText>,

@@ -1,7 +1,7 @@
-//! Who may ask: pages of this server, in a browser on this machine.
+//! Access control: only pages of this server, in a browser on this machine, get answers.
 //!
-//! A page of another site can send requests here. It cannot guess the token, and the browser tells its origin. A name that
-//! another site has made lead to this machine is told by the host.
+//! A page of another site can send requests here. It cannot guess the token, and the browser reports its origin. A host
+//! name that another site has redirected to this machine is detected by the host header.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use axum::response::{IntoResponse, Response};
 
 use super::reply::Fault;
 
-/// By which names the server may be called.
+/// Names by which the server may be addressed.
 #[derive(Debug, Clone)]
 pub(super) struct Names(Arc<Vec<String>>);
 

@@ -34,7 +34,7 @@ fn of_page<S: Clone + Send + Sync + 'static>(base: &str, page: ServedPage) -> Ro
     Router::new().route(base, get(async move || html(&page)))
 }
 
-/// Routes with what is answered where there is none.
+/// Adds the answers to requests without a route.
 fn complete(router: Router) -> Router {
     router
         .method_not_allowed_fallback(async || other_method())

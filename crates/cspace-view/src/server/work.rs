@@ -34,7 +34,7 @@ impl ServedPage {
 pub(super) struct Work {
     opened: Opened,
     pub(super) page: ServedPage,
-    /// The pairs as JSON, once they have been asked for.
+    /// Pairs as JSON, once they have been requested.
     pairs: Vec<OnceLock<Bytes>>,
 }
 
@@ -47,7 +47,7 @@ impl Work {
         })
     }
 
-    /// A pair with its space, as JSON; computed when it is asked for the first time.
+    /// Pair with its space, as JSON; computed on the first request.
     pub(super) fn pair(&self, index: usize) -> Option<Bytes> {
         let known = self.pairs.get(index)?;
         Some(known.get_or_init(|| self.compute(index)).clone())
