@@ -20,7 +20,7 @@ impl Drawing {
         Ok(Self { opened })
     }
 
-    /// The drawing that a scene says it was made of: the JSON of its `source`.
+    /// Reads the drawing from the JSON of a scene's `source`.
     #[wasm_bindgen(js_name = fromSource)]
     pub fn from_source(source: &str) -> Result<Drawing, JsError> {
         let source: cspace_scene::DrawingSource = serde_json::from_str(source).map_err(fault)?;

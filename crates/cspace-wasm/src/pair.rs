@@ -43,7 +43,7 @@ struct Touch {
     normal: (f64, f64),
 }
 
-/// Where a motion got to.
+/// End of a motion.
 #[derive(Serialize)]
 struct Reached {
     at: Vec<f64>,
@@ -61,10 +61,11 @@ struct AxisInfo {
 
 #[wasm_bindgen]
 impl Pair {
-    /// The space of which this is the saved data; `own` says whether this module has computed it.
+    /// Reads a space from its saved data; `own` says whether this module has computed it.
     ///
-    /// Sines of other machines may differ in their last bit, and by them the order of two roots that are all but one: of a pair with
-    /// fixed axes that was computed elsewhere, the partition is computed again. That takes less time than to read many another space.
+    /// Sines of other machines may differ in their last bit, which may exchange the order of two nearly equal roots:
+    /// for a pair with fixed axes that was computed elsewhere, the partition is computed again. That takes less time
+    /// than reading many other spaces.
     #[wasm_bindgen(constructor)]
     pub fn new(json: &str, own: bool) -> Result<Pair, JsError> {
         let head: Head = serde_json::from_str(json).map_err(fault)?;
@@ -159,7 +160,7 @@ impl Pair {
     /// The first that it lists, however far they are apart; nothing outside the window or the ranges of motion.
     #[wasm_bindgen(unchecked_return_type = "Touch | null")]
     pub fn nearest(&self, c: &[f64]) -> Result<JsValue, JsError> {
-        /// More than rounding, as a share.
+        /// Margin beyond rounding, as a share.
         const MORE: f64 = 1e-6;
         /// First radius of the search for features of overlapping parts, as a share of their size; it then grows.
         const FIRST: f64 = 1.0 / 4096.0;
@@ -193,14 +194,14 @@ impl Pair {
             .collect())
     }
 
-    /// The configuration itself if it may be moved to; otherwise the first contact on the straight way.
+    /// Advances on a straight line: to `to` if the motion is free; otherwise to the first contact.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
     pub fn advance(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
         reached(from, Slider::new(&self.space).advance(from, to))
     }
 
-    /// As `advance`, then on along the surface, as near to `to` as it leads. Never blocked if `from` is not.
+    /// As `advance`, then slides on along the surface, as near to `to` as possible. Never blocked if `from` is not.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
     pub fn slide(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
@@ -270,7 +271,7 @@ impl Pair {
         Ok(plane::curves(self.on_axes()?, deviation).into())
     }
 
-    /// All free space of a pair with fixed axes, as polygons that do not overlap.
+    /// Free space of a pair with fixed axes, as polygons that do not overlap.
     #[wasm_bindgen(js_name = freePolygons, unchecked_return_type = "FreePolygon[]")]
     pub fn free_polygons(&self, deviation: f64) -> Result<JsValue, JsError> {
         Ok(plane::free(self.on_axes()?, deviation).into())

@@ -1,4 +1,4 @@
-//! Which curve of a slice continues which of the one below.
+//! Continuation of the curves of a slice in the one above.
 
 use cspace::{FeatureName, Slice};
 

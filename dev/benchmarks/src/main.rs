@@ -57,10 +57,10 @@ enum Format {
     Json,
 }
 
-/// Everything that was measured; a part that was not asked for is empty.
+/// Measurements; a part that was not requested is empty.
 #[derive(Serialize, Default)]
 pub(crate) struct Results {
-    /// How far chords may be from arcs, as a share of the larger part's size.
+    /// Largest distance of chords from arcs, as a share of the larger part's size.
     pub(crate) chord: f64,
     /// Seconds that each tool had to refine a stack.
     pub(crate) limit: f64,

@@ -12,7 +12,7 @@ use cspace_io::model;
 pub struct Finding {
     /// Question, answer, and correct answer.
     pub what: String,
-    /// The parts it was asked of, as the text of a model file.
+    /// Parts concerned, as the text of a model file.
     pub model: Option<String>,
 }
 

@@ -9,10 +9,10 @@ use rand_chacha::ChaCha8Rng;
 use crate::draw::{Bytes, member, nearly_tied};
 use crate::{Finding, axes};
 
-/// Pairs with more edges of one part times those of the other are left to other tests: they take long.
+/// Largest product of the parts' numbers of edges; larger pairs take long and are left to other tests.
 const MOST_EDGES: usize = 600;
 
-/// Configurations asked of each contact space.
+/// Number of configurations asked of each contact space.
 const CONFIGURATIONS: usize = 60;
 
 /// Bands compared with slices from scratch.

@@ -44,7 +44,7 @@ fn list() -> Result<(), String> {
     print(&text)
 }
 
-/// Whether nothing was found that must not be.
+/// Runs the load test; returns whether there were no faults.
 fn load(args: &Args) -> Result<bool, String> {
     let mut state = match &args.state {
         // What cannot even be looked at is told by reading it.

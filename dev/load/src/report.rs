@@ -8,14 +8,14 @@ use cspace_oracle::Verdict;
 pub enum Fault {
     /// A configuration is classified otherwise than by brute force.
     Wrong {
-        /// Where.
+        /// Configuration.
         at: Configuration,
         /// Verdict of brute force.
         verdict: Verdict,
     },
-    /// A slice from scratch that is not doubtful says otherwise than brute force.
+    /// A slice from scratch that is not doubtful disagrees with brute force.
     Scratch {
-        /// Where.
+        /// Configuration.
         at: Configuration,
         /// Verdict of brute force.
         verdict: Verdict,
@@ -36,23 +36,23 @@ pub enum Fault {
     Open {
         /// The orientation.
         theta: f64,
-        /// How far apart, as a share of the size.
+        /// Distance of the ends, as a share of the size.
         gap: f64,
     },
     /// One thread and two give different contact spaces.
     Threads,
     /// The space is not read back as plain data.
     Saved,
-    /// The inverse pair says otherwise than brute force.
+    /// The inverse pair disagrees with brute force.
     Inverse {
-        /// Where, as a configuration of the pair itself.
+        /// Configuration of the pair itself.
         at: Configuration,
         /// Verdict of brute force.
         verdict: Verdict,
     },
-    /// The classifier says otherwise than the slice.
+    /// The classifier disagrees with the slice.
     Classifier {
-        /// Where.
+        /// Configuration.
         at: Configuration,
     },
 }
@@ -60,7 +60,7 @@ pub enum Fault {
 /// Results for one pair.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
-    /// Configurations asked.
+    /// Number of configurations asked.
     pub asked: u64,
     /// Configurations whose verdict counts.
     pub certain: u64,
@@ -95,7 +95,7 @@ pub struct Report {
     pub faults: Vec<Fault>,
 }
 
-/// Whether a configuration is classified as brute force has it.
+/// Whether the space classifies a configuration as brute force does.
 pub(crate) fn is_right(space: &ContactSpace, c: Configuration, verdict: Verdict) -> bool {
     let expected = if verdict.overlap {
         Classification::Blocked

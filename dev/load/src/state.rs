@@ -1,4 +1,4 @@
-//! How far it went, in a file.
+//! State of a run, in a file.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -7,7 +7,7 @@ use std::path::Path;
 use cspace_load::Tally;
 use serde::{Deserialize, Serialize};
 
-/// A state has some twenty numbers; what is larger is none.
+/// Largest size of a state file, which has some twenty numbers.
 const MOST_BYTES: u64 = 1 << 20;
 
 /// State of an interrupted run.

@@ -29,17 +29,18 @@ const SEARCHED: f64 = 0.1;
 /// slice a little above.
 const NARROW: f64 = 1e-7;
 
-/// How far apart the curves of a loop may be, as a share of the size: curves that all but touch cross at a place known only
-/// to the square root of the rounding, and the library says 1e-6.
+/// Largest distance between the curves of a loop, as a share of the size: curves that nearly touch cross at a place
+/// known only to the square root of the rounding, and the library's documented error is 1e-6.
 const CLOSED: f64 = 1e-6;
 
-/// Every so many configurations that the slice knows rightly are also classified, which makes a slice of its own.
+/// One of so many configurations that the slice classifies correctly is also classified by the space, which makes a
+/// slice of its own.
 const CLASSIFIED: u64 = 8;
 
 /// Configurations kept for further checks.
 const KEPT: usize = 200;
 
-/// One contact space being asked.
+/// Check of one contact space.
 pub(crate) struct Trial<'a> {
     pub(crate) case: &'a Case,
     pub(crate) space: &'a ContactSpace,
@@ -143,13 +144,13 @@ impl Trial<'_> {
         }
     }
 
-    /// How far from their origins the parts are drawn.
+    /// Distance of the parts from their origins.
     fn drawn(&self) -> f64 {
         let (f, m) = (self.oracle.fixed_center(), self.oracle.moving_center());
         f.to_vector().length() + m.to_vector().length()
     }
 
-    /// Asks about a position; tells what the oracle says of it, if that is certain.
+    /// Checks a position; returns the oracle's verdict, if that is certain.
     fn ask(
         &mut self,
         slice: &Slice,
@@ -162,7 +163,7 @@ impl Trial<'_> {
         self.judged(slice, c, verdict, near).then_some((c, verdict))
     }
 
-    /// Tells whether the verdict counts.
+    /// Compares a verdict; returns whether it counts.
     fn judged(&mut self, slice: &Slice, c: Configuration, verdict: Verdict, near: bool) -> bool {
         self.report.asked += 1;
         let size = self.oracle.size();
@@ -245,7 +246,7 @@ impl Trial<'_> {
         Some(curve.point(s) + curve.free_normal(s) * self.step())
     }
 
-    /// A corner of one part beside an edge of the other: the space is not asked where that is.
+    /// Position with a corner of one part beside an edge of the other, found without asking the space.
     fn beside_a_contact(&mut self, theta: f64) -> Option<Point> {
         let on_fixed = self.rng.random_bool(0.5);
         let s = self.rng.random_range(0.0..1.0);

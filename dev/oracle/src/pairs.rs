@@ -19,7 +19,7 @@ pub struct Pair {
     pub notable: Vec<Configuration>,
 }
 
-/// All pairs.
+/// Pairs for tests.
 pub fn pairs() -> Vec<Pair> {
     let mut all = Vec::new();
     plain(&mut all);
@@ -32,7 +32,7 @@ pub fn pairs() -> Vec<Pair> {
     all
 }
 
-/// The pair of that name.
+/// Pair with a given name.
 ///
 /// # Panics
 /// If there is none.

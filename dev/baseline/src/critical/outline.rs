@@ -36,7 +36,7 @@ pub(super) struct Joint {
     pub(super) point: Point,
     /// Angle of the normal.
     pub(super) angle: f64,
-    /// Whether a line ends there.
+    /// Whether a line ends at this joint.
     pub(super) on_line: bool,
 }
 

@@ -45,7 +45,8 @@ fn polylines(loops: &[Vec<(Point, f64)>], place: impl Fn(Point) -> Point) -> Vec
 }
 
 pub(super) fn checker(pair: &Pair) -> Checker<'static> {
-    /// Positions nearer than this share of the size are equal to it: as near as lets it see the smallest distances asked for.
+    /// Distance, as a share of the size, within which positions count as equal: small enough for the smallest distances
+    /// tested.
     const EQUAL: f64 = 1e-11;
     let begin = Instant::now();
     let fixed = polylines(&corners(&pair.fixed), |p| p);

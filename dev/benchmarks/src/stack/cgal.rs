@@ -26,7 +26,8 @@ pub(super) struct Cgal<'a> {
 }
 
 impl Program {
-    /// Compiles it beside this program, with optimisation, unless that is done already; says why if it is not possible.
+    /// Compiles the program beside this one, with optimisation, unless that is done already; returns the reason if it
+    /// is not possible.
     pub(super) fn build() -> Result<Self, String> {
         let own = std::env::current_exe().map_err(|e| e.to_string())?;
         let (path, source) = (

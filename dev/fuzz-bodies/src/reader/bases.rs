@@ -25,7 +25,7 @@ const JSON: &str = r#"{"name": "pin in a slot", "unit": "mm", "part": [
  "pair": [{"fixed": "plate", "moving": "pin", "theta": ["-10deg", "10deg"]}]}
 "#;
 
-/// All texts.
+/// Texts that are edited.
 pub(super) static BASES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut all: Vec<String> = MODELS.iter().map(|&m| m.to_owned()).collect();
     all.push(JSON.to_owned());

@@ -10,8 +10,8 @@ use super::{Specimen, TABLE};
 /// The arms of the L and of the corridor, in tenths from the outer corner.
 const ARM: i32 = 40;
 
-/// How large sofas are, and how many free regions there are in the corridor and outside: one in which it goes round the corner,
-/// and one for each arm in which it is the other way round. The smallest can turn in the corner.
+/// Sizes of sofas, with the number of free regions in the corridor and outside: one in which it goes round the corner,
+/// and one for each arm in which it has the opposite orientation. The smallest can turn in the corner.
 const SOFAS: [(f64, usize); 9] = [
     (0.5, 3),
     (0.7, 4),

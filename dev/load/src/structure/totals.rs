@@ -32,7 +32,7 @@ pub struct Totals {
     pub panics: u64,
     /// Outlines that are no parts, and pairs that have no space or not in time.
     pub refused: u64,
-    /// How long the spaces took.
+    /// Duration of the computations.
     pub seconds: f64,
 }
 

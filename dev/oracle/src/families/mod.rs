@@ -35,7 +35,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The case of two outlines over the full turn.
+    /// Case of two outlines over the full turn.
     ///
     /// # Errors
     /// If one of them is no part.
@@ -72,7 +72,7 @@ pub struct Family {
     pub name: &'static str,
     /// The numbers to try, running into the degenerate.
     pub values: Vec<f64>,
-    /// Whether the number counts something: then it is one of the values, always.
+    /// Whether the number is a count: then only the listed values are used.
     pub counts: bool,
     build: fn(f64) -> Result<Case, PartError>,
 }
@@ -103,7 +103,7 @@ impl Family {
     }
 }
 
-/// All families.
+/// Families of pairs that approach degenerate cases.
 ///
 /// ```
 /// for family in cspace_oracle::families() {

@@ -1,8 +1,8 @@
-//! A flood fill of (x, y, θ) in boxes of which brute force proves that they are free or blocked.
+//! Flood fill of (x, y, θ) in boxes that brute force proves to be free or blocked.
 //!
-//! A verdict with a margin holds for all configurations that take no point of the moving part further than
-//! that. So a box is free, blocked, or divided, down to a least size. Free boxes that touch are of one region; regions
-//! between which all boxes are blocked are two. What is between the two answers is too narrow for the boxes.
+//! A verdict with a margin holds for all configurations that move no point of the moving part farther than the margin.
+//! So a box is free, blocked, or divided, down to a smallest size. Free boxes that touch are of one region; regions
+//! between which all boxes are blocked are separate. Between these two cases the space is too narrow for the boxes.
 
 mod inside;
 
@@ -47,24 +47,24 @@ pub struct Fill {
 pub struct Compared {
     /// Contradictions.
     pub wrong: Vec<String>,
-    /// How many configurations were asked.
+    /// Number of configurations asked.
     pub configurations: usize,
     /// Sets of boxes that are free or may be, apart from each other, in which some are free: there are at least as many regions.
     pub least: usize,
     /// Sets with free boxes in which all free boxes are of one region.
     pub known: usize,
-    /// Sets of boxes of which nothing is known to be free: each may be a region, or none.
+    /// Sets of boxes without any that is known to be free: each may be a region, or none.
     pub open: usize,
 }
 
 impl Compared {
-    /// Whether the boxes leave one number of regions, but for pockets smaller than a box.
+    /// Whether the boxes determine the number of regions, except for pockets smaller than a box.
     pub fn is_settled(&self) -> bool {
         self.known == self.least && self.open == 0
     }
 }
 
-/// No point of the part is farther from its middle.
+/// Largest distance of a point of the part from its middle.
 fn reach(part: &Part, middle: Point) -> f64 {
     let far = |e: Edge| {
         let ends = e.start.distance(middle).max(e.end.distance(middle));
@@ -155,8 +155,8 @@ impl Fill {
         })
     }
 
-    /// The boxes that can be reached from each other through such ones, by number, and how many such sets; those at the
-    /// border of the positions hang together outside.
+    /// Numbers the connected components of the boxes of some classes, and returns their count; boxes at the border of
+    /// the positions are connected outside.
     fn components(&self, through: impl Fn(Found) -> bool) -> (Vec<u32>, u32) {
         const NONE: u32 = u32::MAX;
         let n = self.n;

@@ -135,8 +135,8 @@ pub fn comb(teeth: i32, tooth: i32, gap: i32) -> Part {
     part("comb", vec![corners(&outline)])
 }
 
-/// The sofa that Hammersley takes round a corner of width 1, `scale` times as large: at 1 it touches both inner and outer walls
-/// all the way.
+/// Hammersley's sofa for a corner of width 1, enlarged by `scale`: at 1 it touches both inner and outer walls during
+/// the whole turn.
 pub fn sofa(scale: f64) -> Part {
     let hollow = scale * 2.0 / PI;
     let quarter = bulge_of(FRAC_PI_2);

@@ -44,7 +44,7 @@ pub fn backwards(p: &Part) -> Part {
     part(p.name(), loops.collect())
 }
 
-/// One part made of the loops of several.
+/// Part made of the loops of several.
 pub fn together(name: &str, parts: &[Part]) -> Part {
     let loops = parts.iter().flat_map(Part::loops);
     part(name, loops.map(|l| l.vertices().to_vec()).collect())

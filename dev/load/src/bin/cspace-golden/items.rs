@@ -103,7 +103,7 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
     }
 }
 
-/// Whether something moves a mechanism.
+/// Whether a mechanism has any dynamics.
 fn moves(model: &Mechanism) -> bool {
     model.dynamics != Dynamics::default()
 }
