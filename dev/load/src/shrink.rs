@@ -7,7 +7,7 @@ use crate::outline::Loops;
 
 /// Removes loops, vertices and bulges of a pair as long as it `still` has the fault.
 ///
-/// None of the remaining elements can be removed by itself; the pair need not be the smallest possible.
+/// Each of the remaining elements is needed for the fault; the pair need not be the smallest possible.
 pub fn shrink(case: &Case, still: &dyn Fn(&Case) -> bool) -> Case {
     let mut best = case.clone();
     while let Some(smaller) = smaller(&best).into_iter().find(|c| still(c)) {
