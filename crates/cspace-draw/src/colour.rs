@@ -10,7 +10,7 @@ pub(crate) const BLOCKED: Colour = Colour(0xc9, 0xcc, 0xd1);
 /// Colour of highlights: contacts, gaps of a drawing.
 pub(crate) const MARK: Colour = Colour(0xd0, 0x00, 0x2a);
 
-/// Contact curves by what touches.
+/// Colours of contact curves by the kinds of features that touch.
 pub(crate) const KINDS: [(Colour, &str); 3] = [
     (Colour(0x00, 0x5a, 0x9c), "contact: line of the fixed part"),
     (Colour(0xc4, 0x4e, 0x00), "contact: line of the moving part"),
@@ -26,7 +26,7 @@ pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
     }
 }
 
-/// The ground of a contact in a row of them, and what is legible on it, by the number of its pair of features.
+/// Colour of a contact in a row of them, and a legible text colour on it, by the number of its pair of features.
 pub(crate) fn bar(number: usize) -> (Colour, Colour) {
     const WHITE: Colour = Colour(0xff, 0xff, 0xff);
     const BARS: [(Colour, Colour); 7] = [

@@ -34,7 +34,7 @@ pub struct CurveStrip {
     pub curves: Vec<Curve>,
 }
 
-/// Values of a quantity over what is varied.
+/// Values of a quantity over the varied one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
     /// Label of the curve; empty for a single one.
@@ -54,7 +54,7 @@ pub struct Curve {
 /// assert!(drawn.contains(">play, mm</text>") && drawn.contains(">tilt</text>"));
 /// ```
 pub fn curves(picture: &CurvesPicture, options: &PictureOptions) -> Scene {
-    /// Width of the page, height of a strip, and what is above and between, in dots.
+    /// Width of the page, height of a strip, and space above and between, in dots.
     const WIDE: f64 = 900.0;
     const STRIP: f64 = 200.0;
     const ABOVE: f64 = 45.0;

@@ -5,8 +5,8 @@ use crate::scene::{Area, Dot};
 /// Largest distance of a polyline from the curve, in dots.
 pub(crate) const SEEN: f64 = 0.12;
 
-/// A curve given by fractions 0 to 1 along it, monotone in both directions of the picture, as polylines: only what is in
-/// sight is followed closely, and what is far out of sight is left out.
+/// Polylines of a curve given by fractions 0 to 1 along it, monotone in both directions of the picture: only visible
+/// parts are followed closely, and parts far out of sight are left out.
 pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot>> {
     let (Some(from), Some(to)) = (at(0.0), at(1.0)) else {
         return Vec::new();
@@ -27,7 +27,7 @@ pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot
         if !box_of.meets(&area) {
             last = (share, end);
             match lines.last_mut() {
-                // What was begun out of sight is begun anew.
+                // A line begun out of sight is begun anew.
                 Some(line) if line.len() == 1 => line[0] = end,
                 _ => lines.push(vec![end]),
             }

@@ -24,7 +24,7 @@ pub struct MotionPicture<'a> {
     pub tracks: Vec<Track>,
     /// The contacts of each pair.
     pub contacts: Vec<ContactRow>,
-    /// Times of events, and what happens.
+    /// Times of events, with their descriptions.
     pub events: Vec<(f64, String)>,
     /// Pairs with fixed axes, and their paths.
     pub planes: Vec<PlanePath<'a>>,
@@ -140,7 +140,7 @@ impl<'a> Page<'a> {
             let em = (width / WIDE).min(height / natural).max(LEAST);
             (page.width, page.height, page.em) = (width, height, em);
             page.legend = Legend::new(entries, width - 2.0 * em, em);
-            // What height is left goes to the strips.
+            // The remaining height goes to the strips.
             let more = height / em - page.natural();
             let count = picture.tracks.len().max(1) as f64;
             page.strip = (strip + more.max(0.0) / count).min(4.0 * strip);

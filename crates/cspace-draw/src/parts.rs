@@ -440,7 +440,7 @@ fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, place
 
 /// Legend of the parts, and of the contacts.
 pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
-    // A part at several places is told once.
+    // A part at several places is listed once.
     let first = |i: usize| {
         !picture.parts[..i]
             .iter()

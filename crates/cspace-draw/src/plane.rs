@@ -192,7 +192,7 @@ fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
             };
             let range = |a: f64, b: f64| (a.min(b), a.max(b));
             let (u, v) = (range(b.start.0, b.end.0), range(b.start.1, b.end.1));
-            // What does not move has coordinate 0, and a strip about it to be seen in.
+            // A fixed part has coordinate 0, with a visible strip around it.
             let u = if still[0] { view.plot.x } else { u };
             let v = if still[1] { view.plot.y } else { v };
             for (du, dv) in view.copies(u, v) {

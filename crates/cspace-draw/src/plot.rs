@@ -37,7 +37,7 @@ impl Plot {
     pub(crate) const BELOW: f64 = 3.4;
     pub(crate) const RIGHT: f64 = 1.2;
 
-    /// The rectangle of the only plot of a picture, below the title and above what is at its foot.
+    /// Rectangle of the only plot of a picture, below the title and above the text at its foot.
     pub(crate) fn alone(width: f64, foot: f64, em: f64) -> Area {
         Area {
             lo: Dot::new(Self::LEFT * em, 2.6 * em),
@@ -148,7 +148,7 @@ impl Plot {
             lines.line_through([Dot::new(x, area.hi.y), Dot::new(x, area.hi.y + tick)]);
             let below = Dot::new(x, area.hi.y + tick + em);
             let half = 0.5 * font::width(&number, 0.85 * em);
-            // What would stand below a neighbour's axis is left out.
+            // A label that would reach below a neighbour's axis is left out.
             let beyond = (area.lo.x - (x - half)).max(x + half - area.hi.x);
             if with_x && beyond < 0.7 * em {
                 numbers.push(text(number, below, 0.85 * em, Anchor::Middle, INK));

@@ -227,7 +227,7 @@ impl Item {
     }
 }
 
-/// A picture: its size in dots, on white ground, and what is on it, the last on top.
+/// Picture: its size in dots, on white ground, and its items, the last on top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// The width in dots.

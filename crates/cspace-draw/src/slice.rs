@@ -295,7 +295,7 @@ fn swept(geometry: &CurveGeometry, about: Point) -> f64 {
             CurveGeometry::Arc { radius, sweep, .. } => {
                 0.5 * radius * radius * (sweep - sweep.sin())
             }
-            // Of a flat one, two thirds of the chord times the height.
+            // Area of a flat arc: two thirds of the chord times the height.
             CurveGeometry::FlatArc { bulge, .. } => start.distance(end).powi(2) * bulge / 3.0,
         }
 }

@@ -121,7 +121,7 @@ impl Strip {
                     let line: Vec<Dot> = (first..i).map(|k| self.middle(k)).collect();
                     let length: f64 = line.windows(2).map(|w| w[0].distance(w[1])).sum();
                     let is_corner = |k: usize| self.lower[k].distance(self.upper[k]) < CORNER;
-                    // What ends in a corner is thin there and no channel.
+                    // A strip that ends in a corner is thin there without being a channel.
                     if length > 2.0 * dots || !(is_corner(first) || is_corner(i - 1)) {
                         lines.push(line);
                     }

@@ -98,8 +98,8 @@ fn write_text(out: &mut String, text: &Text) {
     let _ = writeln!(out, ">{}</text>", escaped(&text.text));
 }
 
-/// The steps of a path, relative to the place before: shorter than absolute ones. What is written is rounded, and what
-/// follows is relative to the rounded place, so that errors do not add up.
+/// Steps of a path, relative to the place before: shorter than absolute ones. Coordinates are rounded, and each step is
+/// relative to the rounded place, so that errors do not add up.
 fn data(out: &mut String, path: &Path) {
     let mut at = Dot::new(0.0, 0.0);
     let mut began = at;

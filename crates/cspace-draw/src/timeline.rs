@@ -62,7 +62,7 @@ pub(crate) struct Timeline<'a> {
     pub(crate) until: f64,
     pub(crate) tracks: &'a [Track],
     pub(crate) rows: &'a [ContactRow],
-    /// Times of events, and what happens.
+    /// Times of events, with their descriptions.
     pub(crate) events: &'a [(f64, String)],
     /// Times that have a letter.
     pub(crate) letters: &'a [(f64, char)],
@@ -238,7 +238,7 @@ impl Timeline<'_> {
         for (contact, k) in row.bars.iter().zip(of) {
             let (fill, ink) = bar(contact.features);
             let x = [contact.from, contact.to].map(|t| plot.place(t, 0.0).x);
-            // What is short is seen, too.
+            // Short contacts are visible, too.
             let wide = (x[1] - x[0]).max(0.12 * em);
             let field = Area::new(x[0], lane(k), wide, (Self::LANE - 0.1) * em);
             items.push(Item::Shape {
@@ -281,7 +281,7 @@ impl Timeline<'_> {
             let x = axis.place(*t, 0.0).x;
             let line = Path::through([Dot::new(x, top), Dot::new(x, foot)]);
             items.push(Item::drawn(line, LINE, 0.08 * em));
-            // Those of moments side by side stand beside each other.
+            // Labels of adjacent moments stand beside each other.
             let at = x.max(last + 0.9 * em);
             last = at;
             let place = Dot::new(at, top - 0.4 * em);
@@ -301,7 +301,7 @@ fn range(track: &Track) -> (f64, f64) {
         (lo.min(x), hi.max(x))
     });
     let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 0.0) };
-    // What hardly moves is shown as still: rounding is no motion.
+    // A nearly constant curve is shown as constant: rounding is no motion.
     let least = if track.is_angle {
         1e-3
     } else {

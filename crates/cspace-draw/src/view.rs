@@ -60,7 +60,7 @@ impl View {
                 let is_seen = lo <= seen.1 && hi >= seen.0;
                 return if is_seen { vec![0.0] } else { Vec::new() };
             };
-            // So many periods are not told apart any more.
+            // Largest number of periods that can be distinguished.
             const MOST: f64 = 1e3;
             let first = ((seen.0 - hi) / period).ceil();
             let last = ((seen.1 - lo) / period).floor().min(first + MOST);

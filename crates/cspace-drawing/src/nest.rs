@@ -66,7 +66,7 @@ impl Ring {
             && o.min.y <= i.min.y + near
             && o.max.x >= i.max.x - near
             && o.max.y >= i.max.y - near;
-        // What lies on this loop says nothing.
+        // Points on this loop are not decisive.
         let mut is_inside = false;
         is_in_box
             && inner.places().all(|p| {
@@ -83,7 +83,8 @@ impl Ring {
     }
 }
 
-/// The most loops around another: what is no drawing of parts may have any number, and every two of them are compared.
+/// Largest number of loops around another: a file that is no drawing of parts may have any number, and every two of
+/// them are compared.
 pub(crate) const MOST_AROUND: usize = 256;
 
 /// Outermost loops with the holes in them, by number; an island in a hole is outermost again. In the order of the loops.

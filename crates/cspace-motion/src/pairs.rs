@@ -9,8 +9,8 @@ use cspace::{
 
 use crate::system::{Placed, Row, System};
 
-/// Contacts this near count as touching, relative to the size of the pair: a dozen times the resolution of a space, so that
-/// what is computed of a contact does not leave it by rounding.
+/// Tolerance of contacts that count as touching, relative to the size of the pair: a dozen times the resolution of a
+/// space, so that rounding does not open a computed contact.
 const TOUCHING: f64 = 1e-10;
 /// Lower bound of the tolerance as a multiple of the pair's own resolution, which is larger where parts were moved to
 /// break ties.
@@ -259,7 +259,8 @@ impl MovingPair {
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
-        // A part that lies level on two others, one of which is lower by less than is told, would touch that where it is turned so much.
+        // A part that lies level on two others, one of which is lower by less than the tolerance, would touch the lower
+        // one if turned by this angle.
         let level = tolerance.min(self.touch) / self.space.moving().size();
         self.touches_beside(index, at, tolerance, level.max(BESIDE))
     }

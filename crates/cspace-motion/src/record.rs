@@ -156,7 +156,7 @@ pub struct ContactForce {
     pub tangential: f64,
 }
 
-/// The force in a joint: what it does to the second of its parts.
+/// Force in a joint: the force on the second of its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointForce {
     /// The names of its two parts.

@@ -113,8 +113,8 @@ fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
     }
 }
 
-/// Fits a run and adds it. What is not fitted as a whole is fitted in two halves that are tangent where they meet: the shorter
-/// a run of a curve, the nearer it is to an arc.
+/// Fits a run and adds it. If it cannot be fitted as a whole, it is fitted in two halves that are tangent where they
+/// meet: the shorter a run of a curve, the nearer it is to an arc.
 fn add_run(
     outline: &mut Outline,
     parts: &[Part<'_>],

@@ -185,7 +185,7 @@ fn angles(run: &Run, from: usize, to: usize) -> [f64; 2] {
 #[derive(Debug, Clone, Copy)]
 struct State {
     pieces: u32,
-    /// The sum of the squares of how far the pieces are from the middle of what is allowed.
+    /// Sum of the squared distances of the pieces from the middle of the allowed range.
     cost: f64,
     /// The angle to the curve.
     delta: f64,
@@ -195,7 +195,7 @@ struct State {
     half: f64,
 }
 
-/// Candidates that are looked at together: what is that far ahead has no say in which pieces are best here.
+/// Number of candidates in one division: candidates farther ahead do not influence which pieces are best here.
 const WINDOW: usize = 8192;
 
 /// A division while it is made.
@@ -336,7 +336,7 @@ fn in_window(
         }
     }
     let ends = match arriving {
-        // What is left of the angle is taken up by small changes.
+        // The remaining angle is taken up by small corrections.
         Some(_) => -1..=1,
         None => -CELLS..=CELLS,
     };

@@ -24,7 +24,7 @@ pub(crate) struct Run {
 pub(crate) enum RunEnd {
     /// A corner: any direction.
     Free,
-    /// Tangent to what is there, in this direction of travel.
+    /// Tangent to the adjacent edge, in this direction of travel.
     Along(Vector),
 }
 

@@ -40,7 +40,7 @@ pub(super) fn make(run: &Run, division: &Division, with_lines: bool) -> Option<M
     }
     let rows = chain.rows();
     let kink = rows.iter().map(|r| r.error.abs()).fold(0.0, f64::max);
-    // What has not converged is no chain of tangent pieces.
+    // Pieces that have not converged are no tangent chain.
     if kink.is_nan() || kink > 1e3 * SMOOTH {
         return None;
     }
@@ -78,7 +78,7 @@ struct Pieces<'r> {
     is_line: Vec<bool>,
 }
 
-/// An equation: what it misses by, and its coefficients.
+/// Equation: its residual, and its coefficients.
 struct Row {
     error: f64,
     /// Coefficients of the joints' positions.

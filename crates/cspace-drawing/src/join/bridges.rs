@@ -27,7 +27,8 @@ pub(super) struct Bridges<'d> {
     tree: RTree<LinkEnd>,
     /// Ends nearer than this are one.
     reach: f64,
-    /// Links that are still looked at, of all gaps together: what is no drawing of parts may have any number of both.
+    /// Number of links that may still be examined, for all gaps together: a file that is no drawing of parts may have
+    /// any number of both.
     left: usize,
 }
 

@@ -156,7 +156,7 @@ fn tell_open(
                 pieces.point(*e),
                 &origin_of(drawing, pieces.segments[piece].entity).layer,
             );
-            // A gap between the two ends of the chain is told once.
+            // A gap between the two ends of the chain is reported once.
             if bridged.is_some_and(|p| p.distance(from) <= reach) {
                 break;
             }

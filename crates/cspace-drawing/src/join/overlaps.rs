@@ -259,8 +259,8 @@ fn unite(
         };
         // Where both end together the one that is kept is joined to what the other was joined to.
         let together = [(lo - from).abs() <= slack, (hi - to).abs() <= slack];
-        // What goes on in its path stays if the other cannot stand for it: paths side by side share an edge, and each
-        // needs it.
+        // A piece that is joined within its path is kept if the other cannot replace it: paths side by side share an
+        // edge, and each needs it.
         let is_needed = |side: usize| {
             let stands = together[side] && pieces.linked(kept[side]).is_none();
             pieces.linked(dropped[side]).is_some() && !stands

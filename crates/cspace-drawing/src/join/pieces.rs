@@ -6,7 +6,7 @@ use cspace::part::Bounds;
 use crate::curve::Curve;
 use crate::drawing::{Drawing, Piece, edge};
 
-/// Rounding of coordinates in files, as a share of the drawing's size: what is nearer than that is one place.
+/// Rounding of coordinates in files, as a share of the drawing's size: points nearer than that are one place.
 pub(crate) const ROUND: f64 = 1e-9;
 
 /// An end of a piece: twice its number, and one more for where it ends.
@@ -110,7 +110,7 @@ impl<'d> Pieces<'d> {
             let is_loose = segment.links == [None; 2];
             let is_loop = segment.links[0] == Some(end(i, 1));
             let least = if is_loose { join } else { none };
-            // What is drawn may return to where it starts.
+            // A drawn piece may return to its start.
             let [start, end] = segment.ends;
             let extent = segment.shape.bounds(start, end).diagonal();
             if extent > least || (is_loop && extent > none) {
@@ -169,7 +169,7 @@ impl<'d> Pieces<'d> {
         self.segments[piece].ends[side] = to;
     }
 
-    /// Makes a circle of an arc whose ends are one; false of what is no arc of more than half a turn.
+    /// Makes a circle of an arc whose ends coincide; false if it is not an arc of more than half a turn.
     pub(super) fn close_circle(&mut self, piece: usize) -> bool {
         let Segment {
             ends: [start, end_point],

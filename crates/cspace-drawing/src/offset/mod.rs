@@ -40,7 +40,7 @@ impl Offset {
         let loops = self.part.loops().iter().map(|l| l.vertices().to_vec());
         let loops: Vec<Vec<Vertex>> = loops.collect();
         let rings: Vec<nest::Ring> = loops.iter().map(|l| nest::Ring::of(l)).collect();
-        // What is nested too deep stays one.
+        // A part with too deeply nested loops is not divided.
         let groups = nest(&rings.iter().collect::<Vec<_>>()).unwrap_or_default();
         if groups.len() < 2 {
             return Ok(vec![self.part.clone()]);

@@ -12,7 +12,7 @@ pub(super) struct Raw {
     pub(super) of: (usize, usize),
 }
 
-/// The edges of each loop with what is to be grown on the left: the material, or for a distance below 0 what is around it.
+/// Edges of each loop with the material to be grown on the left: the part's, or for a negative distance the outside.
 pub(super) fn around(part: &Part, by: f64) -> Vec<Vec<Edge>> {
     (part.loops().iter())
         .map(|l| {

@@ -107,7 +107,7 @@ impl<'d> Making<'d> {
         self.told.push(problem);
     }
 
-    /// Lists what is in open chains; their ends are listed already.
+    /// Lists the entities of open chains; their ends are listed already.
     fn leave_out_chains(&mut self) {
         self.unused = core::mem::take(&mut self.joined.unused);
         if !self.settings.partial {
@@ -202,7 +202,7 @@ impl<'d> Making<'d> {
         if sided {
             self.refit(&mut loops, &groups);
         }
-        // Of loops that are in no part nothing is kept.
+        // Loops that are in no part are not kept.
         let mut outlines = Vec::new();
         let groups = (groups.into_iter())
             .map(|group| {

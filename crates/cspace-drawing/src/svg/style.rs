@@ -54,7 +54,7 @@ impl Sheet {
         sheet
     }
 
-    /// The style of an element within others of a style. What is nearer to the element comes last, and wins.
+    /// Style of an element within a surrounding style. Declarations nearer to the element come last, and win.
     pub(super) fn style(&self, node: Node<'_, '_>, outer: &Style) -> Style {
         let mut style = Style {
             moves: false,

@@ -17,7 +17,7 @@ pub(super) fn read_dynamics(
     mut parts: Vec<PartDynamics>,
     pairs: Vec<PairSurface>,
 ) -> Result<Dynamics> {
-    // What nothing is said of is not stored.
+    // Default values are not stored.
     while parts.last() == Some(&PartDynamics::default()) {
         parts.pop();
     }

@@ -248,7 +248,7 @@ fn power<T: Real>(a: T, b: T) -> T {
         && (1.0..=MOST_FACTORS).contains(&y)
         && y.fract() == 0.0
     {
-        // Of an enclosure, factor by factor.
+        // Powers of an enclosure are multiplied factor by factor.
         return (1..y as u32).fold(a, |product, _| product * a);
     }
     let value = x.powf(y);

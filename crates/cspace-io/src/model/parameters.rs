@@ -386,7 +386,7 @@ impl Parameters {
                 if let Some(variation) = variation {
                     let moves = expression.names().any(|n| this.moves[n as usize]);
                     this.moves[i as usize] |= moves;
-                    // What it follows from, and its own deviation.
+                    // The deviations it depends on, and its own.
                     let (own, _) = variation.of(&parameter.name, 0.0);
                     let from = if moves {
                         expression.evaluate(&this.varied).map_err(wrong)?
@@ -584,7 +584,7 @@ impl Parameters {
         words: impl Fn(&Entry) -> String,
     ) -> Result<(Vec<Parameter>, Vec<ModelError>)> {
         let order = self.order(|_| place)?;
-        // Those that depend on others come before these.
+        // Dependent entries come before those that they depend on.
         for &i in order.iter().rev() {
             let mut uses = core::mem::take(&mut self.uses[i as usize]);
             uses.sort_unstable();

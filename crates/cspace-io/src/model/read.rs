@@ -221,7 +221,7 @@ impl Template {
         &self.text
     }
 
-    /// The path of the file, or what stands for one.
+    /// Path of the file, or the one that stands for it.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -284,7 +284,7 @@ impl Template {
             };
             text.replace_range(place, &value);
         }
-        // What was written is what is read.
+        // The written text must be read back as the model.
         let read = Self::from_text(text.clone(), &self.path).ok()?;
         let read = read.model(&Host::default()).ok()?;
         let wanted = self.model(&Host {
@@ -476,7 +476,7 @@ pub(crate) fn json_in(
 
 /// Error for text that is not valid JSON.
 pub(crate) fn no_json(error: &serde_json::Error) -> ModelError {
-    // The position is told apart from the message; the library tells it at the message's end.
+    // The position is removed from the message, at whose end the library repeats it.
     let message = error.to_string();
     let end = format!(" at line {} column {}", error.line(), error.column());
     let message = message.strip_suffix(&end).unwrap_or(&message);

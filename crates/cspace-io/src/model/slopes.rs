@@ -110,7 +110,7 @@ fn varied(node: &Node) -> Option<Dual<1, Ball>> {
 }
 
 fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>> {
-    // Of what is offset or drawn elsewhere, only that it depends is known.
+    // Derivatives of parts that are offset or drawn elsewhere are unknown; only whether they depend on it is known.
     for key in ["offset", "scale", "trace", "join"] {
         if entry(node, key).is_some_and(depends) {
             let message = format!("`{key}` depends on the parameter, and has no derivatives");

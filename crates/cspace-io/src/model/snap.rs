@@ -124,7 +124,7 @@ fn tangent(vertices: &[Vertex], k: usize) -> Option<Arc> {
     let line_after = (at(k + 1).bulge == 0.0).then(|| (at(k + 2).point() - end).unit());
     let starts = line_before.filter(|d| is_nearly_tangent(*d, turned(-0.5 * sweep)));
     let ends = line_after.filter(|d| is_nearly_tangent(turned(0.5 * sweep), *d));
-    // What is tangent already stays so.
+    // Directions that are tangent already are kept.
     let tangent_at =
         |d: Option<Vector>, of: Vector| d.filter(|d| d.cross(of).abs() < 1e-3 && d.dot(of) > 0.0);
     let both = (

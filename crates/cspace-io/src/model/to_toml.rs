@@ -87,7 +87,7 @@ impl Out {
     }
 
     fn vertex(&mut self, Vertex { x, y, bulge }: Vertex) {
-        // Writing to a string cannot fail. A bulge of −0 is told from 0 to be read as it was.
+        // Writing to a string cannot fail. A bulge of −0 is distinguished from 0, so that it is read back unchanged.
         let _ = if bulge.to_bits() == 0 {
             writeln!(self.0, "    [{x:?}, {y:?}],")
         } else {

@@ -17,7 +17,7 @@ pub(super) fn head<'t>(
 ) -> Result<(String, Head<'t>), ModelError> {
     let wrong = |message: String| wrong(&message, file);
     if !is_object(text) {
-        // Text that is no JSON at all is told apart.
+        // Text that is no JSON at all has its own error.
         serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
         return Err(wrong("it is no contact space: not an object".into()));
     }

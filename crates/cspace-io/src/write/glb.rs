@@ -240,7 +240,7 @@ impl Arrays {
                     "material": 0,
                 }],
             }],
-            // Who looks from blocked space sees the surface as well.
+            // The surface is visible from blocked space as well.
             "materials": [{
                 "name": "contact",
                 "doubleSided": true,

@@ -14,7 +14,7 @@ const KEPT: usize = 4;
 #[derive(Debug)]
 pub(super) struct Classes(RefCell<Vec<[Option<Known>; KEPT]>>);
 
-/// A configuration and what it is.
+/// A configuration and its classification.
 type Known = (Coordinates, Classification);
 
 impl Classes {

@@ -163,7 +163,7 @@ impl Meeting<'_> {
         if straight_gap(&touch, [a, b], contact.time) <= 0.0 {
             return self.is_in_halves([from, to], contact.time, halved);
         }
-        // Spaces tell contacts a little early: by the features themselves there may be none.
+        // Spaces report contacts a little early: by the features themselves there may be none.
         self.least_gap(&touch, [&there, to]) <= 0.0 || self.goes_deep([&there, to], halved)
     }
 

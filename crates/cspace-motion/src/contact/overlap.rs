@@ -58,7 +58,7 @@ pub(crate) fn overlapping(
                 let mut others = beside.peekable();
                 others.peek().is_some() && others.all(|(_, b)| b.past || b.gap <= a.gap)
             } else {
-                // Of two that are equally near any will do.
+                // If two are equally near, either will do.
                 beside.all(|(k, b)| b.past || b.gap < a.gap || (b.gap == a.gap && k > i))
             }
         };

@@ -202,7 +202,8 @@ impl<'a> Watch<'a> {
             .classes
             .of(index, pair, pair.coordinates(self.system, to))
         {
-            // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
+            // Overlap no deeper than a contact's tolerance does not count: where a coordinate turns around on a
+            // contact, rounding looks deep.
             Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) if !touches.is_empty() => {}
                 _ => return Some(Met::Contact),

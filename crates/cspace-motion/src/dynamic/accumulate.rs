@@ -1,6 +1,6 @@
 //! Impacts that accumulate: their times come nearer to each other as a geometric series, and have a limit.
 
-/// The series is closed when what is left of it is less than this share of the time that is simulated.
+/// The series is closed when its remaining duration is less than this share of the simulated time.
 const LEFT: f64 = 1e-10;
 /// The series is also closed when the displacement between impacts is shorter than this share of the size: rounding
 /// leaves little of it.
@@ -54,7 +54,7 @@ impl Impacts {
         let falls = (n - TURNS..n).all(|i| d[i] < d[i - TURNS]);
         let left = last * ratio / (1.0 - ratio);
         let is_over = left < LEFT * span || way * last < WAY;
-        // What does not part does not strike again.
+        // Contacts that do not separate do not strike again.
         (way > 0.0 && ratio < 1.0 && first > last && falls && is_over).then_some(left)
     }
 }

@@ -17,7 +17,7 @@ const IDLE: f64 = 1e-9;
 /// Newton's method for gaps and joints converges in two or three steps.
 const PROJECTIONS: usize = 8;
 
-/// A contact that bears, with what it does.
+/// Bearing contacts with their modes.
 pub(super) type Bearings = Vec<(usize, Mode)>;
 
 /// A world with the contacts that bear in it.

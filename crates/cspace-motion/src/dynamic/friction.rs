@@ -122,7 +122,7 @@ impl<'a> Complementarity<'a> {
     fn read(&self, found: &Complementary) -> (Vec<Mode>, Vec<f64>) {
         let mut forces = vec![0.0; 2 * self.bearings.len()];
         let mut modes = vec![Mode::Open; self.bearings.len()];
-        // Of each contact whether λ_N, β⁺, β⁻ and σ are in the basis.
+        // For each contact, whether λ_N, β⁺, β⁻ and σ are in the basis.
         let mut inside = vec![[false; 4]; self.bearings.len()];
         for (k, &(i, kind)) in self.unknowns.iter().enumerate() {
             let force = found.z[k] * self.units[i];

@@ -77,7 +77,7 @@ pub trait Observer {
     /// The state at the start and at the ends of all steps.
     fn step(&mut self, _state: &State) {}
 
-    /// The state after what happened at an event: rates may not be what they were at the end of the step.
+    /// Receives the state after an event: rates may differ from those at the end of the step.
     fn changed(&mut self, _state: &State) {}
 
     /// An event, and the state just after it.

@@ -109,7 +109,7 @@ impl Problem<'_> {
 
     /// Whether a contact has neither a force nor an acceleration.
     pub(super) fn is_tied(&self, s: &Solution) -> bool {
-        // What forces other than those of contacts would give the rates, were there no contacts.
+        // The rates that forces other than those of contacts would give, were there no contacts.
         let free = |b: &Bearing| -> f64 {
             let terms = b.normal.iter().zip(self.h.iter()).enumerate();
             terms

@@ -212,7 +212,8 @@ impl<'a> Reduced<'a> {
         long(&(a - b)) > self.problem.zero * largest.max(length(&self.sizes))
     }
 
-    /// x that belongs to forces. What is rounding of its terms is 0, so that what rests on a wall along an axis is at rest.
+    /// x for given forces. Values within the rounding of their terms are set to 0, so that a part that rests on a wall
+    /// along an axis is at rest.
     fn x(&self, f: &Forces) -> Vec<f64> {
         /// Rounding of the terms, as a share.
         const ROUNDING: f64 = 16.0 * f64::EPSILON;

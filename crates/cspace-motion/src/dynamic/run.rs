@@ -183,7 +183,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         observer: &mut dyn Observer,
     ) -> Result<(), Ended> {
         self.look();
-        // What is joined to what is driven moves with it from the start on.
+        // Parts joined to driven parts move with them from the start on.
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
             self.state = state;
         }
@@ -308,12 +308,12 @@ impl<W: World + ?Sized> Run<'_, W> {
         after.abs() <= FOLD || before.is_some_and(|before| before * after < 0.0)
     }
 
-    /// Passes a time at which what is driven does not move smoothly.
+    /// Passes a time at which a drive does not move smoothly.
     fn turn(&mut self, corner: f64, observer: &mut dyn Observer) -> Result<(), Ended> {
         let world = self.flow.world;
         let kinetic = world.kinetic(&self.state);
         self.state.t = corner.next_up();
-        // What is driven has its new rates at once.
+        // Driven parts have their new rates at once.
         self.work.drives += world.kinetic(&self.state) - kinetic;
         let joints = world.joints(self.state.t, &self.state.q);
         let off = &joints.rows * &self.state.v - &joints.rates;
@@ -373,7 +373,8 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn look(&mut self) {
-        // What has not moved yet is as slow as what crosses a millionth of the size in the time of the simulation.
+        // A mechanism that has not moved yet is as slow as one that crosses a millionth of the size in the time of the
+        // simulation.
         let slow = 1e-6 * self.flow.world.size() / self.span;
         let fastest = self.flow.world.reach(&self.state.v);
         self.fastest = self.fastest.max(fastest).max(slow);

@@ -272,7 +272,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             };
             let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
             if let Some(left) = self.impacts.rest(self.span, way) {
-                // What bounces is closed for good: the rates at which it opens are gone in the limit.
+                // Bouncing contacts are closed for good: the rates at which they open are gone in the limit.
                 let reach = way * left * self.flow.world.size();
                 let watched = self.flow.world.watched();
                 for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
@@ -284,7 +284,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 self.stay(&closed, &[])?;
                 let halted = self.rest_for(left, &closed);
                 if !halted.is_empty() {
-                    // What slides no longer than the impacts last sticks in the limit.
+                    // A contact that slides no longer than the impacts last sticks in the limit.
                     (self.state, self.work) = (state, work);
                     self.stay(&closed, &halted)?;
                     self.rest_for(left, &closed);
@@ -296,7 +296,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 self.impacts = Impacts::default();
             }
         }
-        // Those that part are open from now on.
+        // Contacts that separate are open from now on.
         let stays = |i: &usize| {
             let (rate, still) = self.opening(*i);
             let slow = if at.back.contains(i) {
@@ -328,7 +328,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
         self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
-            // What has come to rest is not told to touch as well.
+            // A contact that has come to rest has no event of touching as well.
             let mut before = known.iter().chain(&rested);
             if !before.any(|&k| k == contact || self.is_same(k, contact)) {
                 self.tell(EventKind::Touch, contact);

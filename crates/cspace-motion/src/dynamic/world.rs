@@ -185,8 +185,8 @@ pub trait World {
         }
     }
 
-    /// The power of what is driven, and what friction at contacts and dampers take, per second. With impulses for forces and the
-    /// mean of the rates before and after for the rates it is the work in an impact.
+    /// Power of the drives, and losses by friction at contacts and by dampers, per second. With impulses for forces and
+    /// the mean of the rates before and after for the rates it is the work in an impact.
     fn powers(&self, _state: &State, _acting: &Acting<'_>) -> [f64; 2] {
         [0.0; 2]
     }

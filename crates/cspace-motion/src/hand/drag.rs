@@ -77,7 +77,7 @@ impl Hand {
         drag.answer.ending = drag.go(&way)?;
         let Dragged { ending, way, .. } = &mut drag.answer;
         if let (Ending::Reached, Target::Planar(c)) = (&*ending, target) {
-            // The position of the centroid tells it but for rounding.
+            // The position of the centroid determines it but for rounding.
             let at = drag.hand.system.parts()[part].indices();
             drag.hand.state[at].copy_from_slice(&[c.x, c.y, c.theta]);
         }
@@ -244,7 +244,7 @@ impl Drag<'_> {
                 q[at.clone()].copy_from_slice(&hand.state[at]);
             }
         }
-        // What the motion says is looked at again: nothing is forced into another part.
+        // The result of the motion is checked again: no part may be forced into another.
         for pair in hand.pairs.list() {
             let reason = match is_deep(pair, &hand.system, &q) {
                 Ok(false) => continue,

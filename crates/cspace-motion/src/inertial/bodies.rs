@@ -39,7 +39,7 @@ pub(super) struct Posed {
 #[derive(Debug)]
 pub(super) struct Bodies {
     pub(super) system: System,
-    /// The diagonal of the mass matrix of all coordinates; 0 for what is driven and has no mass.
+    /// Diagonal of the mass matrix of all coordinates; 0 for driven parts without mass.
     pub(super) masses: Vec<f64>,
     /// Mass matrix of the free coordinates.
     pub(super) mass: DMatrix<f64>,

@@ -15,8 +15,8 @@ pub(super) struct Constraint {
     pub(super) rates: Rates,
 }
 
-/// The constraints of all joints, in their order: how far a point of the first part is from that of the second, across what they
-/// may do, and last how far the parts are turned to each other, times the size.
+/// Constraints of all joints, in their order: the distances of a point of the first part from that of the second,
+/// across the directions in which they are free, and last the difference of the parts' orientations, times the size.
 pub(super) fn constraints(system: &System, posed: &Posed) -> Vec<Constraint> {
     let mut found = Vec::new();
     for entry in system.joint_entries() {

@@ -104,7 +104,7 @@ impl Observer for Gathering<'_> {
             what: named(&self.world.bodies.system, self.world.pairs, &bound),
             at: self.world.place(event.contact, &all.q).map(|p| [p.x, p.y]),
         };
-        // A stop that is struck and holds is told once.
+        // A stop that is struck and holds is reported once.
         let is_told = kind == EventKind::Limit
             && (self.events.iter().rev())
                 .take_while(|e| e.t == event.t)

@@ -373,7 +373,7 @@ impl World for Mechanical<'_> {
     fn sought(&self, step: Step<'_>, near: f64) -> Vec<Sought> {
         let q = self.bodies.coordinates(step.to.t, &step.to.q);
         let system = &self.bodies.system;
-        // Where there is nothing but blocked space behind, nothing is told to touch.
+        // Deep in blocked space no contacts are reported, so those at the beginning of the step are examined as well.
         let before = self.bodies.coordinates(step.from.t, &step.from.q);
         let mut sought: Vec<Sought> = Vec::new();
         // Over some way it is what was met.

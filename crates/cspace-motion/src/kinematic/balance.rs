@@ -104,7 +104,7 @@ impl Closed<'_> {
             add_scaled(&mut q, s, by);
             self.pull(multipliers, &q)
         };
-        // Of the fourth order.
+        // Differences of fourth order.
         let [near, far] = [step, 2.0 * step].map(|s| (at(s), at(-s), s));
         let half = |(after, before, s): &(Vec<f64>, Vec<f64>, f64), i: usize| {
             (after[i] - before[i]) / (2.0 * s)
@@ -114,7 +114,8 @@ impl Closed<'_> {
             .collect()
     }
 
-    /// The forces of what is closed, with the modes that it leaves; `None` if what slides cannot push so that anything holds.
+    /// Forces of the closed bounds, with the modes that they leave; `None` if sliding contacts cannot push so that
+    /// anything holds.
     pub(super) fn balance(&self, local: &Local<'_>) -> Option<Balance> {
         let n = local.forces.len();
         let pushing = local.pushing(&self.holding(self.q))?;
@@ -273,7 +274,7 @@ impl Closed<'_> {
         all.filter(|&i| self.bounds[i].is_brake()).collect()
     }
 
-    /// Brakes that are not among the bounds: parts that what is driven forces on. No load moves them all the same.
+    /// Brakes that are not among the bounds: their parts are moved by drives. No load moves them all the same.
     fn released(&self) -> Vec<Row> {
         let all = brakes(self.system, self.q).into_iter();
         let rest = all.filter(|b| self.bounds.iter().all(|other| !b.is_same(other)));

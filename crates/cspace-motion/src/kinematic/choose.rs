@@ -47,7 +47,8 @@ pub(crate) enum Choice<'a> {
     Undetermined,
 }
 
-/// Chooses among bounds that are reached; brakes hold unless what is driven does not allow it. `before` is what held last.
+/// Chooses among bounds that are reached; brakes hold unless drives do not allow it. `before` is the set that held
+/// last.
 pub(crate) fn choose<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -120,7 +121,7 @@ fn rubbing<'a>(
             return choice;
         }
     }
-    // What is driven cannot go on if forces within the cones of friction withstand it, however large they have to be.
+    // Drives cannot go on if forces within the cones of friction withstand them, however large they have to be.
     let cones = cones(system, pairs, bounds, q);
     let rows: Vec<Row> = cones.iter().map(|cone| cone.1).collect();
     match local.nearest(&rows) {
@@ -160,7 +161,7 @@ fn is_possible(
                 bounds: held,
                 q,
             };
-            // What only begins to be pressed is pressed by rounding, either way.
+            // A contact that only begins to be pressed is pressed by rounding, with either sign.
             closed
                 .kept_by(local)
                 .is_some_and(|kept| all().all(|k| !pulls(&kept, k) || !pulls(&moved, k)))
@@ -245,7 +246,7 @@ fn among<'a>(
                 }
             }
         }
-        // Of equal distances, those with more contacts left in come first, as they were found.
+        // Candidates at equal distances stay in order: those with more contacts come first.
         candidates.sort_by(|a, b| a.1.total_cmp(&b.1));
         for scale in TRIALS {
             for (held, _) in &candidates {
@@ -291,7 +292,7 @@ fn tries<'a>(
     let flow = Flow::new(system, pairs, held, time, q)?;
     let far = scale * system.size();
     let mut h = (far / system.speed(&flow.velocity.rates)).min(longest);
-    // What begins at rest is not told by its speed.
+    // A motion that begins at rest cannot be judged by its speed.
     for _ in 0..MOST_SHORTER {
         let to = flow.after(h);
         let is_right = |to: &Arrived| {

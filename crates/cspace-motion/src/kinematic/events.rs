@@ -69,7 +69,7 @@ impl Told {
             let close = |(p, q): (cspace::Point, cspace::Point)| p.distance(q) <= near;
             s.pair == t.pair && (s.features == t.features || a.1.zip(b.1).is_some_and(close))
         };
-        // Where contacts were is told for where they are now.
+        // Earlier contacts are compared at their present positions.
         let before = self.list.iter().map(|(b, _, s)| (*b, place(b), *s));
         let before: Vec<Seen> = before.collect();
         let mut events = Vec::new();

@@ -23,7 +23,7 @@ const ERROR: f64 = 1e-13;
 /// Largest correction of a configuration by joints and contacts, as a share of the step: a larger one would lead to
 /// another solution.
 const CORRECTION: f64 = 0.25;
-/// Sums of slopes are right to this share of the largest: what is less is no error of the step.
+/// Rounding of sums of slopes, as a share of the largest slope: a smaller difference is no error of the step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A motion with the same contacts closed, from a configuration on.

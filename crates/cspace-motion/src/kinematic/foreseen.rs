@@ -59,7 +59,7 @@ pub(super) enum What {
     Opens(usize),
 }
 
-/// A time with what is known of the motion there.
+/// A time, with the configuration and velocity there.
 type Place = (f64, Arrived);
 
 impl Between<'_, '_> {
@@ -74,7 +74,7 @@ impl Between<'_, '_> {
         let Some(mut after) = self.to.clone() else {
             return Seen::Within([before.0; 2]);
         };
-        // What stops it earlier is of another pair: each is looked at once or twice.
+        // An earlier obstacle belongs to another pair: each pair is examined once or twice.
         for _ in 0..MOST_LOOKS {
             let first = met.and_then(|met| self.first(met, [&before, &after]));
             let Some((what, at)) = first else {
@@ -113,7 +113,7 @@ impl Between<'_, '_> {
         Some(found.1)
     }
 
-    /// The function of what was met that comes to 0 first between two times, and when.
+    /// Function of the obstacle that first vanishes between two times, and the time.
     fn first(&self, met: Obstacle, ends: [&Place; 2]) -> Option<(What, f64)> {
         let mut all: Vec<(What, [f64; 2])> = Vec::new();
         self.functions(met, ends, &mut |what, values| {
@@ -130,7 +130,7 @@ impl Between<'_, '_> {
         })
     }
 
-    /// The functions of what was met, with their values at two times.
+    /// Functions of the obstacle, with their values at two times.
     fn functions(
         &self,
         met: Obstacle,

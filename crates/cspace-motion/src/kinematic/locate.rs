@@ -58,7 +58,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     if part.is_led() {
         seen = part.seen(met, h, &mut stops);
     } else {
-        // The cubic tells about when; between two times so near to each other another one is as good as the motion.
+        // The cubic gives the approximate time; between two times as close as these another cubic is as good as the
+        // motion.
         let near = 0.5 * CLOSE * h;
         let supposed = met.and_then(|met| part.supposed(met));
         let about = supposed.map(|at| [(at - near).max(0.0), (at + near).min(h)]);
@@ -84,8 +85,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         Seen::Within(_) => {}
     }
     let [before, after] = part.halved(around, LOCATED * h, &mut |h, to| stops(h, to).is_none());
-    // What was held is closed still, though it may have come to the end of where it touches: where a side comes to lie on
-    // another, one corner of it was held, and both are to be.
+    // Held bounds are still closed, though a contact may have come to the end of its features: where a side comes to
+    // lie on another, one corner of it was held, and now both corners are to be held.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
         add(&mut bounds, touching(flow.system, flow.pairs, &end.q));

@@ -277,7 +277,7 @@ impl<'a> Run<'a> {
                 };
                 match too_long {
                     Some(factor) if h * factor > shortest => h *= factor,
-                    // What cannot be followed at all is lost.
+                    // A motion that cannot be followed at all has no further step.
                     Some(_) => break None,
                     None => break arrived,
                 }
@@ -379,7 +379,7 @@ impl<'a> Run<'a> {
     }
 
     fn sample_at(&mut self, flow: &Flow<'_>, t: f64) {
-        // What holds to the end of a step holds before.
+        // Bounds that hold to the end of a step hold before.
         if let Some(to) = flow.after((t - flow.time).max(0.0)) {
             let forces = flow.forces(t, &to);
             self.record.samples.push(Sample {

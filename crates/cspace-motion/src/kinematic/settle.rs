@@ -108,7 +108,7 @@ impl<'a> Run<'a> {
             let steady = self.system.settling(at, scale);
             let mut begin = q.to_vec();
             if at > time {
-                // What touches goes along.
+                // Touching parts are moved along.
                 let held = touching(self.system, self.pairs, q);
                 let room = 1e2 * LATER * self.system.size();
                 if close(&steady, self.pairs, &held, at, &mut begin, room).is_none() {
@@ -155,7 +155,7 @@ impl<'a> Run<'a> {
             self.interrupted = Some((time, q));
             return None;
         };
-        // What creeps is followed faster.
+        // A creeping motion is followed faster.
         if run.gave_up.is_some() && !last {
             return Some(Settled::Slow);
         }
@@ -190,7 +190,7 @@ impl<'a> Run<'a> {
             let ways: Vec<(f64, &str)> =
                 parts.map(|(i, p)| (moved(p.indices()), name(i))).collect();
             let most = ways.iter().fold(0.0_f64, |m, w| m.max(w.0));
-            // Of those that go as far, the first by name.
+            // Among parts that go equally far, the first by name.
             let farthest = ways.iter().filter(|w| w.0 >= most * (1.0 - ALIKE));
             let part = farthest.map(|w| w.1).min().unwrap_or("").to_owned();
             self.record.events.push(Event {
@@ -203,7 +203,7 @@ impl<'a> Run<'a> {
             self.record
                 .events
                 .extend(record.events.into_iter().map(now));
-            // The way there; where they are is told once it goes on.
+            // The path of the jump; its end is traced when the motion goes on.
             let still = vec![0.0; begun.len()];
             let way = record.trace.into_iter().map(|at| at.coordinates);
             let way = core::iter::once(begun).chain(way);

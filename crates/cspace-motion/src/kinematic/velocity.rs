@@ -42,7 +42,7 @@ pub(crate) struct Local<'a> {
     pub(super) joints: Vec<(Vec<f64>, f64)>,
 }
 
-/// A velocity, and what holds it.
+/// Velocity, with the bounds that hold it.
 #[derive(Debug, Clone)]
 pub(crate) struct Held {
     /// The rates of all coordinates.
@@ -186,7 +186,7 @@ impl<'a> Local<'a> {
         v
     }
 
-    /// Joints and what holds as equations in y, and along what they push.
+    /// Joints and constraints as equations in y, and the directions in which they push.
     pub(super) fn pushing(&self, holding: &Holding) -> Option<Pushing> {
         self.pushing_along(self.with_those(&holding.rows), holding.along.as_deref())
     }

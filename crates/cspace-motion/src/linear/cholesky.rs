@@ -2,8 +2,8 @@
 
 /// The factor L of a symmetric positive definite matrix.
 ///
-/// Parts are coupled by dampers alone, so the matrix has small blocks along its diagonal: what is left of the first entry of a row stays 0 in
-/// L, and is left out of all sums.
+/// Parts are coupled by dampers alone, so the matrix has small blocks along its diagonal: entries to the left of the
+/// first non-zero one of a row stay 0 in L, and are left out of all sums.
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky {
     n: usize,

@@ -12,8 +12,8 @@ const DEPENDENT: f64 = 1e-8;
 /// Rows of equations, orthogonalized.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rows {
-    /// Q: an orthonormal basis of the rows, each with where it is not 0: a contact is of two parts, and what it adds to the rows before it is
-    /// often of one.
+    /// Q: an orthonormal basis of the rows, each with its non-zero range: a contact concerns two parts, and its
+    /// component orthogonal to the rows before it often only one.
     basis: Vec<(Vec<f64>, Range<usize>)>,
     /// R of the rows that are independent: row i has i + 1 numbers.
     triangle: Vec<Vec<f64>>,

@@ -19,8 +19,8 @@ pub(crate) struct Square {
 }
 
 impl Square {
-    /// Factors a matrix of n × n numbers by rows; `None` if one of them is not finite. What was factored before is forgotten, its memory
-    /// used again.
+    /// Factors a matrix of n × n numbers by rows; `None` if one of them is not finite. The previous factors are
+    /// discarded and their memory is used again.
     pub(crate) fn factor(&mut self, n: usize, at: impl Fn(usize, usize) -> f64) -> Option<()> {
         self.n = n;
         self.lu.clear();

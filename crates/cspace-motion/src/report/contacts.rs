@@ -31,7 +31,7 @@ impl ContactInterval {
 /// The contacts of a record, by their beginnings.
 pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
     let mut all: Vec<ContactInterval> = Vec::new();
-    // Those that have not ended.
+    // Contacts that have not ended.
     let mut open: Vec<usize> = Vec::new();
     for event in &record.events {
         let What::Contact {
@@ -44,7 +44,7 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
         };
         let of_pair = |c: &ContactInterval| c.fixed == *fixed && c.moving == *moving;
         match event.kind {
-            // A contact at which impacts have come to rest lasts, and a touch may tell so as well.
+            // A contact at which impacts have come to rest lasts; a touch may be reported for it as well.
             EventKind::Touch | EventKind::Rest => {
                 let is_open = |c: &ContactInterval| of_pair(c) && c.features == *features;
                 if !open.iter().any(|&i| is_open(&all[i])) {

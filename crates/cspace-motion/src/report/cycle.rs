@@ -81,7 +81,7 @@ impl PartCycle {
 enum Step {
     /// Whole multiples.
     Whole(f64),
-    /// Anything: a round part on its axis has no marks; what slides on is seen to do so evenly.
+    /// Any difference: a round part on its axis has no marks, and a part that slides on moves evenly.
     Any,
 }
 
@@ -133,7 +133,7 @@ fn candidates(system: &System, record: &Record, steps: &[Step]) -> Vec<f64> {
         }
     }
     let driven = all.clone();
-    // Of a drive the period is exact.
+    // The period of a drive is exact.
     let is_driven = |t: f64| driven.iter().any(|d| (d - t).abs() <= SAME * record.until);
     let mut tried = 0;
     let mut told: Vec<&Event> = Vec::new();
@@ -190,7 +190,7 @@ fn repeats(
         let found = trajectory.at(until, i) - trajectory.at(start, i);
         let whole = match steps[i] {
             Step::Whole(step) => (found / step).round() * step + 0.0,
-            // What comes back does so exactly.
+            // A coordinate that returns does so exactly.
             Step::Any if found.abs() * lengths[i] <= most => 0.0,
             Step::Any => found,
         };
@@ -305,7 +305,7 @@ fn last_change(record: &Record, to: f64, period: f64) -> f64 {
             .take_while(|e| e.t <= at + near);
         near_by.any(|e| alike(e, event))
     };
-    // A motion that settles may tell of sticking or not; what happens at the end may do so a little later.
+    // A settling motion may have events of sticking or not; an event at the end may come a little later.
     let counts = |e: &&Event| !matches!(e.kind, EventKind::Stick | EventKind::Slip);
     let events = || record.events.iter().filter(counts);
     let gone = (events().filter(|e| e.t < to - near && !has(e, e.t + period))).map(|e| e.t);

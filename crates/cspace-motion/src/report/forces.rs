@@ -5,7 +5,8 @@ use super::phase::Clock;
 use crate::record::{Record, What};
 use crate::system::System;
 
-/// The largest force between each two parts and the largest power of each drive, of what was sampled, and what drives do on average.
+/// Sentences on the largest force between each two parts and the largest and mean power of each drive, among the
+/// samples.
 pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> Vec<String> {
     let unit = system.mechanism().unit.as_deref().unwrap_or("unit");
     let mut largest: Vec<Largest<&What>> = Vec::new();

@@ -25,7 +25,7 @@ pub(super) fn with_unit(mechanism: &Mechanism, number: &str) -> String {
     }
 }
 
-/// A share as a whole number of percent; what is not all of it is less than 100 %.
+/// A share as a whole number of percent; a share below 1 is shown as less than 100 %.
 pub(super) fn percent(share: f64) -> String {
     /// Larger shares are 100 %, but for rounding.
     const ALL: f64 = 1.0 - 1e-9;

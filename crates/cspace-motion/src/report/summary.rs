@@ -223,7 +223,7 @@ impl Teller<'_> {
                 _ => spans.push((from, to)),
             }
         }
-        // What goes on over the end of the cycle is one.
+        // A span that continues over the end of the cycle is one span.
         let ends = (spans.first().copied()).zip(spans.last().copied());
         if let Some((first, last)) = ends
             && spans.len() > 1

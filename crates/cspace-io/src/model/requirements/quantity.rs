@@ -2,7 +2,7 @@
 
 use cspace::{Coordinates, PairEntry};
 
-/// Something that a design is measured for, and what it must be.
+/// Requirement of a design: a measured quantity, and its target.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
     /// Name, unique in the model.

@@ -137,7 +137,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
             }
             (h, taken, f) = (next, there, g);
         }
-        // What ends there is over.
+        // The step must end past the root, where the function is not positive.
         let mut more = (f / slope).abs().max(f64::EPSILON * time(h).abs());
         for _ in 0..FARTHER {
             if f <= 0.0 || h >= hi {

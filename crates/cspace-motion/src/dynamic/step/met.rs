@@ -103,8 +103,8 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         })
     }
 
-    /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
-    /// between them.
+    /// First root of a function that is positive at the first of two times and negative at the second, if it is the
+    /// meeting between them.
     fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Shown {
         let world = self.world();
         let step = Step {
@@ -163,7 +163,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         let world = self.world();
         let far = |to: &Taken| world.reach(&(&to.state.q - &end.state.q));
         let (mut below, mut above, mut back) = (after, after, LOCATED * after);
-        // Spaces tell contacts a little early.
+        // Spaces report contacts a little early.
         let mut early = value(end) >= 0.0;
         while early {
             below = after + back;

@@ -37,7 +37,7 @@ pub(super) struct Stepped {
     pub(super) work: [f64; 2],
 }
 
-/// The end of a step with what is watched there, and how long it is.
+/// End of a step with the watched values there, and its length.
 struct End {
     h: f64,
     taken: Taken,
@@ -45,12 +45,12 @@ struct End {
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
-    /// A step as long as its error lets it be, and what it was to be at most.
+    /// A step as long as its error allows, with its largest allowed length.
     fn longest(&self, span: Span<'_>, longest: f64) -> Option<(f64, Taken)> {
         let mut h = longest;
         let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
         loop {
-            // What cannot be followed so far may be followed less far.
+            // A step that fails may succeed with a shorter length.
             let Some(taken) = self.take(span, h) else {
                 h *= 0.25;
                 if h < shortest {
@@ -85,7 +85,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let mut taken = end.taken;
         if met {
             let found = course.first_met(end.h, taken.state.clone())?;
-            // What would have happened later does not.
+            // Later events are dropped.
             events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
             taken = found.0;
         }
@@ -138,7 +138,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let bearings = course.bearings();
         let mut events: Vec<(usize, Watched)> = Vec::new();
         let mut ignored: Vec<usize> = Vec::new();
-        // Of what falls below 0 the first; then what is below 0 there, if anything still is.
+        // First the earliest function that falls below 0; then further ones that are below 0 there.
         while let Some(k) =
             (0..before.len()).find(|k| !ignored.contains(k) && before[*k].falls(&end.watches[*k]))
         {
@@ -150,7 +150,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             };
             let last = last - closed;
             let value = |state: &State| Some(self.watched(watch, state, bearings)? - closed);
-            // What begins at 0 and grows is positive somewhere in between.
+            // A function that begins at 0 and grows is positive somewhere in between.
             let mut begin = (0.0, watch.value - closed);
             let mut ahead = end.h;
             let nothing = match watch.kind {

@@ -22,7 +22,7 @@ pub(in super::super) struct Span<'s> {
 #[derive(Debug, Clone)]
 pub(in super::super) struct Taken {
     pub(in super::super) state: State,
-    /// The error, as a share of what is allowed.
+    /// Error, as a share of the allowed one.
     pub(super) error: f64,
     pub(super) open: f64,
     pub(in super::super) work: [f64; 2],

@@ -61,7 +61,7 @@ pub fn step_through<W: World + ?Sized>(
     let ended = match world.mass().clone().try_inverse() {
         Some(inverse) => {
             stepping.inverse = inverse;
-            // What is joined to what is driven moves with it from the start on.
+            // Parts joined to driven parts move with them from the start on.
             if let Some(joined) = Joined::at(world, &stepping.inverse, state.t, &state.q) {
                 state.v = joined.allowed(&state.v);
             }

@@ -109,7 +109,7 @@ impl Impulses<'_> {
             let change = |row: usize| {
                 self.w[(row, i)] * (n - impulses[i]) + self.w[(row, j)] * (t - impulses[j])
             };
-            // What cannot give way never satisfies its law; its rate tells that.
+            // A rigid contact never satisfies its law; its rate is the remaining violation.
             let left = if block.is_stiff[0] {
                 -block.rates[0].min(0.0)
             } else {
