@@ -18,7 +18,7 @@ fn part(cycle: &Cycle, part: usize) -> &PartCycle {
     cycle.parts.iter().find(|p| p.part == part).unwrap()
 }
 
-/// Six slots: a sixth of a turn, the other way.
+/// Six slots: a step is a sixth of a turn, in the opposite direction.
 #[test]
 fn a_geneva_wheel_goes_in_steps() {
     let report = told("geneva", 2.0);

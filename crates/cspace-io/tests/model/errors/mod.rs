@@ -275,7 +275,7 @@ fn errors_of_files() {
     says(&read(&folder.path().join("d.toml")), &["folder"]);
 }
 
-/// Positions are those of the value that is wrong, or of the key that should not be there.
+/// Positions are those of the wrong value, or of the key that should not be there.
 #[test]
 fn errors_name_line_and_column() {
     let toml = |part: &str| {

@@ -24,7 +24,7 @@ pub(crate) fn errors(validator: &Validator, value: &Value) -> String {
     errors.join("; ")
 }
 
-/// The ways to all objects; of every list the first three items are looked at.
+/// Paths to all objects; of every list only the first three items are included.
 pub(crate) fn objects(value: &Value) -> Vec<String> {
     fn gather(value: &Value, at: &str, all: &mut Vec<String>) {
         match value {
