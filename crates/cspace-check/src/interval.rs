@@ -67,7 +67,7 @@ impl I {
             sums[k % 2] = sums[k % 2] + signed;
             term = term * exact(small) * exact(k as f64 + 1.0).recip();
         }
-        // What is left out of an alternating series is less than its next term, and that than the last of all.
+        // The omitted rest of an alternating series is less than its next term, which is less than the last one.
         let rest = term.abs().hi;
         let [mut cos, mut sin] = sums.map(|s| s + between(-rest, rest));
         for _ in 0..halvings {

@@ -95,7 +95,7 @@ impl Part {
             (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
         };
         let apart = edges().map(|(a, b)| distance(center.map(exact), a, b));
-        // What is not a number stays one.
+        // A result that is not a number is kept.
         let least = |m: f64, d: f64| if m.is_nan() || m <= d { m } else { d };
         let room = apart.fold(f64::INFINITY, least);
         if !(room > LEAST * extent && room.is_finite()) {

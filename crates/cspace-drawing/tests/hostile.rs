@@ -148,7 +148,7 @@ fn bombs_of_inserts_end() {
     );
 }
 
-/// A million circles inserted at one place are one circle, or too many; many ends at one place are told of once.
+/// A million circles inserted at one place are one circle, or too many; many ends at one place are reported once.
 #[test]
 fn crowds_at_one_place_end() {
     let start = Instant::now();

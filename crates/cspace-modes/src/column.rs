@@ -66,7 +66,7 @@ impl<'a> Column<'a> {
         )
     }
 
-    /// The rectangle at a value of s, less what is no opening.
+    /// Rectangle at a value of s, without intervals narrower than the openings.
     pub(crate) fn rectangle(&self, s: f64) -> (Interval, Interval) {
         let (p, q) = self.narrowed();
         (p.map(|p| p.at(s)), q.map(|q| q.at(s)))
@@ -248,7 +248,7 @@ impl<'a> Column<'a> {
             }
             let band = if last { 0 } else { a.band + 1 };
             let around = i32::from(last);
-            // Of a full turn all bands are in their own turn.
+            // All bands of a full turn are in their own turn.
             let p_turns = if p.is_none() { 0 } else { a.p_turns + around };
             let whole_a = plane.span(a.gap as usize).is_none();
             let from = self.openings[a.band as usize].iter();

@@ -37,7 +37,7 @@ impl Mode {
             [u.0, v.0, w.0, u.1, v.1, w.1, a, b, c]
         };
         let (a, b) = (key(self), key(other));
-        // Ends that rounding tells apart are one.
+        // Ends that differ only by rounding are equal.
         let compare = |(x, y): (&f64, &f64)| match (x - y).abs() < 1e-9 * (1.0 + x.abs()) {
             true => Ordering::Equal,
             false => x.total_cmp(y),

@@ -35,7 +35,7 @@ pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Optio
         let by = (TOWARDS * 4.0 * half * half / width).max(digits);
         let aside = (line - mid).abs();
         let moved = if by <= aside { aside - by } else { 0.0 };
-        // Of what is no number the middle is taken.
+        // If the result is not a number, the middle is taken.
         let at = mid + moved.min((room - half).max(0.0)).copysign(line - mid);
         let at = if lo < at && at < hi { at } else { mid };
         if !(lo < at && at < hi) {

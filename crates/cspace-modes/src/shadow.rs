@@ -105,7 +105,7 @@ impl Modes {
 }
 
 impl Fields {
-    /// Marks what is between two functions of the first coordinate over an interval.
+    /// Marks the fields between two functions of the first coordinate over an interval.
     fn mark(&mut self, (lo, hi): (f64, f64), at: impl Fn(f64) -> (f64, f64)) {
         let [i, j] = if self.swapped { [1, 0] } else { [0, 1] };
         let window = self.window[i];

@@ -103,7 +103,7 @@ impl Lattice {
         }
     }
 
-    /// Rows that stand for it alone: first entries positive, and what is above a first entry smaller and not negative.
+    /// Unique reduced rows: first entries positive, and entries above a first entry smaller and not negative.
     pub(crate) fn reduced(&self) -> Vec<[i64; 3]> {
         let mut rows = self.rows.clone();
         for row in &mut rows {

@@ -73,7 +73,7 @@ impl<'a> Material<'a> {
         }
     }
 
-    /// Discs in the middle between the edges near a point and what is opposite of them, however thin the material is there.
+    /// Discs halfway between the edges near a point and the opposite edges, however thin the material is there.
     pub(crate) fn between(&self, from: Point, found: &mut Vec<Disc>) {
         for edge in self.part.edges() {
             if edge.distance(from) > NEAR * self.depth {

@@ -43,7 +43,7 @@ pub struct DrawingSource {
     pub fit: Option<f64>,
 }
 
-/// A drawing, and what it was read from.
+/// Drawing with its source.
 #[derive(Debug, Clone)]
 pub struct OpenedDrawing {
     /// Source from which it was read.

@@ -131,7 +131,7 @@ impl Opened {
         Self {
             model,
             pairs: vec![pair],
-            // What was computed without symmetry is computed without it again.
+            // A space computed without symmetry is computed without it again.
             general: space.class() == PairClass::General,
             saved: Some(space),
             records: Vec::new(),

@@ -57,7 +57,7 @@ fn parts(edits: &[Value]) -> Edits {
     serde_json::from_value(json!({ "parts": edits })).unwrap()
 }
 
-/// The first pair after an edit, as the page is told.
+/// First pair after an edit, as sent to the page.
 fn edit(opened: &Opened, edits: &[Value]) -> Result<Value, String> {
     let answer = opened.edited_pair(0, &parts(edits), &|| 0.0, &Silent);
     answer.map(|a| json!(a)).map_err(|e| e.to_string())

@@ -107,7 +107,7 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
         Compiler::Own => Command::new(env::var_os("CARGO").unwrap_or("cargo".into())),
         Compiler::System => Command::new(Path::new(SYSTEM).join("cargo")),
     };
-    // What this build was told is not meant for that one.
+    // Settings of this build are not meant for that one.
     for (name, _) in env::vars_os() {
         let told = name.to_string_lossy();
         let kept = ["CARGO_HOME", "CARGO_NET_OFFLINE", "CARGO_HTTP_CAINFO"].contains(&&*told);
@@ -154,7 +154,7 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
     if output.status.success() {
         return Ok(target.join(TARGET).join("wasm/cspace_wasm.wasm"));
     }
-    /// The last lines say what is wrong.
+    /// Number of the last lines, which contain the error.
     const LINES: usize = 12;
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();

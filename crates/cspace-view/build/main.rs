@@ -79,12 +79,12 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     let work = &out.join("page");
     check_node()?;
     fs::create_dir_all(work)?;
-    // What is no longer among the sources is not to be found.
+    // Files that are no longer among the sources are removed.
     let _ = fs::remove_dir_all(work.join("src"));
     for name in SOURCES {
         copy(&sources.join(name), &work.join(name))?;
     }
-    // What may fail soon comes before what takes minutes.
+    // Steps that fail early come before those that take minutes.
     install(work)?;
     let kernel = work.join("build/kernel");
     fs::create_dir_all(&kernel)?;
@@ -147,7 +147,7 @@ fn npm(folder: &Path, arguments: &[&str]) -> Result<(), Box<dyn Error>> {
     if output.status.success() {
         return Ok(());
     }
-    /// The first lines say what is wrong.
+    /// Number of the first lines, which contain the error.
     const LINES: usize = 8;
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();

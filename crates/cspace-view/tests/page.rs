@@ -1,4 +1,4 @@
-//! A page stands whatever the scene in it says, and asks nobody.
+//! A page works whatever the content of its scene, and sends no requests.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use cspace::part::PartFeature;
@@ -119,7 +119,7 @@ fn templates_without_places_are_refused() {
     }
 }
 
-/// The bundled page is one, or the error says what to install.
+/// The page is bundled, or the error names the missing programs.
 #[test]
 fn the_page_is_bundled_or_says_why_not() {
     match Page::bundled() {

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::fault;
 
-/// A drawing, and what it was read from.
+/// Drawing with its source.
 #[wasm_bindgen]
 pub struct Drawing {
     opened: OpenedDrawing,

@@ -41,7 +41,8 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
         bands: BANDS,
         thorough,
     };
-    // What is asked does not depend on how the pair was drawn: a smaller input with the same pair finds the same.
+    // The queries do not depend on how the pair was drawn, so that a smaller input with the same pair has the same
+    // findings.
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let about = |f: Finding| f.about(&case.fixed, &case.moving, case.window);
     let report = check(&case, effort, &mut rng, &Silent)

@@ -152,7 +152,7 @@ mod tests {
         let mut open = right.clone();
         open.curves[0].next = u32::MAX;
         assert!(closed(&open, 2.0).is_err());
-        // Of a smaller moving part, and of another orientation.
+        // A slice of a smaller moving part, and of another orientation.
         let smaller = Slice::compute(&case.fixed, &square("moving", 0.3), 0.2);
         assert!(judged(&smaller).is_err());
         let turned = Slice {

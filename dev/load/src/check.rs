@@ -117,7 +117,7 @@ fn same_with_two_threads(
     progress: &dyn Progress,
 ) -> Result<bool, ComputeError> {
     let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(2).build() else {
-        // No more threads are to be had: nothing is found out about them.
+        // If no more threads are available, the check is skipped.
         return Ok(true);
     };
     let compute = || {

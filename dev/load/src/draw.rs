@@ -103,7 +103,7 @@ pub fn ties(rng: &mut impl Rng) -> Result<Case, PartError> {
     })
 }
 
-/// The first of some outlines that is a part, or what is wrong with the last.
+/// First of some outlines that is a part, or the error of the last.
 fn accepted<R: Rng>(
     name: &str,
     rng: &mut R,

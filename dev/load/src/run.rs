@@ -178,7 +178,7 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
     Some(tally)
 }
 
-/// A smaller pair whose worst fault is of the same kind, and what was found of it.
+/// A smaller pair whose worst fault is of the same kind, with its faults.
 fn shrunk(
     case: &Case,
     effort: Effort,
@@ -200,7 +200,7 @@ fn shrunk(
     (Ok(small), found)
 }
 
-/// The worst of what was found, as the end of a file's name.
+/// Worst of the faults, as the end of a file's name.
 fn kind(faults: &[Fault]) -> &'static str {
     let kinds = faults.iter().map(|f| match f {
         Fault::Wrong { .. } => "0-wrong",

@@ -78,7 +78,8 @@ impl Trial<'_> {
         }
     }
 
-    /// Compares the middle of bands with slices from scratch: how many loops there are, and what is beside these' curves.
+    /// Compares slices in the middle of bands with slices from scratch: their numbers of loops, and positions beside
+    /// their curves.
     pub(crate) fn bands(&mut self, most: usize) {
         let bands = self.space.bands();
         let step = bands.len().div_ceil(most.max(1)).max(1);
@@ -195,7 +196,7 @@ impl Trial<'_> {
         true
     }
 
-    /// Anywhere, near critical orientations, at multiples of 15°, and near what is worth a look.
+    /// Random orientation: anywhere, near critical ones, at multiples of 15°, or near notable configurations.
     fn orientation(&mut self, i: usize) -> f64 {
         let window = self.space.window();
         let criticals = self.space.critical_orientations();

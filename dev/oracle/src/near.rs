@@ -147,7 +147,7 @@ impl Path {
     }
 }
 
-/// Finds contact on a path whose ends differ, and what is near there.
+/// Finds contact on a path whose ends are classified differently, and configurations near it.
 fn step_off(
     oracle: &Oracle,
     path: &Path,

@@ -12,7 +12,7 @@ use cspace_modes::{ModePlace, Modes};
 pub(crate) struct Found {
     /// Free configurations.
     pub(crate) free: usize,
-    /// Sets of them that hang together.
+    /// Number of their connected components.
     pub(crate) components: usize,
     /// Modes that hold one at least.
     pub(crate) met: usize,
@@ -21,7 +21,7 @@ pub(crate) struct Found {
 pub(crate) struct Grid<'a> {
     modes: &'a Modes,
     n: usize,
-    /// From where, by which step, and whether the last is beside the first.
+    /// Start and step along each coordinate, and whether the last place is adjacent to the first.
     along: [(f64, f64, bool); 3],
 }
 

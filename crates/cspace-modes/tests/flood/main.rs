@@ -91,8 +91,8 @@ fn stars(seed: u64) -> Mechanism {
     mechanism
 }
 
-/// Motions from one place of a grid to the next that pairs' spaces find free stay in one mode; and mostly, where passages are wider than
-/// its step, the grid has as many components as modes.
+/// Motions from one place of a grid to the next that are free by the pairs' spaces stay in one mode. Mostly, where
+/// passages are wider than its step, the grid has as many components as modes.
 #[test]
 fn what_a_free_step_joins_is_one_mode() {
     let mut exact = 0;

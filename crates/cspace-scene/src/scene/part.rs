@@ -13,7 +13,7 @@ pub struct ScenePart {
     pub name: String,
     /// Loops, as in the model; a loop is closed.
     pub loops: Vec<Vec<Vertex>>,
-    /// The names the model gives to features, by what they are called without: `line 3 of loop 0`.
+    /// Names given by the model to features, by their default names: `line 3 of loop 0`.
     pub feature_names: BTreeMap<String, String>,
     /// Motion relative to the ground.
     pub motion: SceneMotion,

@@ -81,7 +81,7 @@ impl Server {
         Self::of(port, |base| routes::of_drawing(base, page))
     }
 
-    /// A server of what is below a path.
+    /// Creates a server of the routes below a path.
     fn of(port: u16, router: impl FnOnce(&str) -> Router) -> Result<Self, ServeError> {
         let taken = TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let listener = taken.map_err(|error| match error.kind() {

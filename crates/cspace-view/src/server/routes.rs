@@ -57,7 +57,7 @@ fn nothing_here() -> Fault {
     Fault::new(StatusCode::NOT_FOUND, "there is nothing here")
 }
 
-/// A page, with what it may load.
+/// Answer with a page and its policy.
 fn html(page: &ServedPage) -> Response {
     let mut response = of_type("text/html; charset=utf-8", page.html.clone());
     if let Ok(policy) = HeaderValue::from_str(&page.policy) {

@@ -44,7 +44,7 @@ impl Answer {
         value
     }
 
-    /// It is an error of this status, whose message has these words.
+    /// Checks that the answer is an error with this status and words.
     #[track_caller]
     pub(crate) fn fails(&self, status: u16, words: &[&str]) {
         assert_eq!(self.status, status, "{self:?}");

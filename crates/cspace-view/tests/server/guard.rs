@@ -1,4 +1,4 @@
-//! Who gets an answer.
+//! Access control of the server.
 
 use crate::client::Client;
 

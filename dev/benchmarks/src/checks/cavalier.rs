@@ -56,7 +56,7 @@ pub(super) fn checker(pair: &Pair) -> Checker<'static> {
     let prepared_seconds = begin.elapsed().as_secs_f64();
     let overlaps = move |c: Configuration| {
         let moving = polylines(&drawn, |p| c.fixed_from_moving(p));
-        // Of loops that do not meet: how many of one part are around each of the other.
+        // For loops that do not meet: the number of loops of one part around each loop of the other.
         let mut around_moving = vec![0; moving.len()];
         for (f, index) in fixed.iter().zip(&indices) {
             let mut around_fixed = 0;

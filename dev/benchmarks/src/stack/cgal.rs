@@ -49,7 +49,7 @@ impl Program {
             .output()
             .map_err(|e| format!("{compiler} cannot be run ({e}); install g++ and libcgal-dev"))?;
         if output.status.success() {
-            // What is there from now on is what was compiled.
+            // The source of the compiled program is recorded from now on.
             std::fs::rename(&fresh, &source).map_err(|e| e.to_string())?;
             return Ok(Self { path });
         }

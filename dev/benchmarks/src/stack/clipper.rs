@@ -29,7 +29,7 @@ pub(super) struct Clipped {
     least_area: f64,
 }
 
-/// A slice: what is blocked, and the bounded faces of free space, each a hole with the islands in it.
+/// Slice: the blocked positions, and the bounded faces of free space, each a hole with the islands in it.
 struct Layer {
     outer: Loops,
     faces: Vec<Loops>,

@@ -194,7 +194,7 @@ mod tests {
         let off = [(third + 1e-13, 1e-14), (-third, 1e-15)];
         let missed = |r: &Direction| r.expect(&off, 0.0, PI, String::new).is_err();
         assert_eq!(roots.iter().filter(|r| missed(r)).count(), 1);
-        // Out of the interval it need not be told.
+        // A root outside of the interval need not be reported.
         assert!(
             roots
                 .iter()

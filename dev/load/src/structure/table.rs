@@ -27,7 +27,7 @@ const SOFAS: [(f64, usize); 9] = [
 /// Noise of a share of a sofa's play that its passage does not notice, with room to spare.
 const HARMLESS: f64 = 1e-2;
 
-/// Holes are larger than what is in them by this share, or not at all.
+/// Excess of a hole's size over its content, as a share; other holes fit exactly.
 const PLAY: f64 = 1e-3;
 
 pub(super) fn table() -> Vec<Specimen> {

@@ -210,7 +210,7 @@ impl Fill {
         let (perhaps, separate) = self.components(|b| b != Found::Blocked);
         let free = || (0..self.boxes.len()).filter(|&b| self.boxes[b] == Found::Free);
         let mut wrong = Vec::new();
-        // What regions there are in sets of free boxes, and in which sets that nothing joins each region is.
+        // Regions in the sets of free boxes, and for each region the sets that are not joined.
         let mut regions_of = vec![BTreeSet::new(); sets as usize];
         let mut places_of: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         let mut seen = vec![0_u32; sets as usize];
@@ -243,7 +243,8 @@ impl Fill {
         if regions_of[0].first() != Some(&0) {
             wrong.push(format!("outside is {:?}", regions_of[0]));
         }
-        // What may be joined to a set and is free is all of it: no region is missing there, nor is there one too many.
+        // Connected sets of free boxes in each set of boxes that may be free. If there is one, no region is missing
+        // there, nor is there one too many.
         let mut of = vec![BTreeSet::new(); separate as usize];
         for b in free() {
             of[perhaps[b] as usize].insert(joined[b]);

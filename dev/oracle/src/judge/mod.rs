@@ -43,7 +43,7 @@ pub struct Oracle {
     fixed_fine: Outline<Double>,
     moving_fine: Outline<Double>,
     size: f64,
-    /// Doubles decide what is clearer than this; or what they would be used for, if arcs are flat.
+    /// Margin above which a verdict in doubles is trusted, unless arcs are flat.
     trust: f64,
     /// Whether there are arcs so flat, or edges so short, that doubles are not sufficient: they do not determine on
     /// which side of its chord an arc is, nor where on a short one it meets a long one.

@@ -11,7 +11,7 @@ pub(crate) enum Difference {
     None,
     /// Differences of numbers below the tolerance.
     Places,
-    /// Otherwise: where, and what stands there.
+    /// Other difference: its place, and the value there.
     Structure(String),
 }
 
