@@ -39,7 +39,7 @@ impl I {
         between(self.lo.max(-self.hi).max(0.0), self.hi.max(-self.lo))
     }
 
-    /// One over a number that is certainly not 0; anything otherwise.
+    /// Reciprocal of a number that is certainly not 0; unbounded otherwise.
     pub(crate) fn recip(self) -> Self {
         if self.sign().is_some() {
             outwards(1.0 / self.hi, 1.0 / self.lo)
@@ -67,7 +67,7 @@ impl I {
             sums[k % 2] = sums[k % 2] + signed;
             term = term * exact(small) * exact(k as f64 + 1.0).recip();
         }
-        // What is left out of an alternating series is less than its next term, and that than the last of all.
+        // The omitted rest of an alternating series is less than its next term, which is less than the last one.
         let rest = term.abs().hi;
         let [mut cos, mut sin] = sums.map(|s| s + between(-rest, rest));
         for _ in 0..halvings {

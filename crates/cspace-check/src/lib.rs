@@ -1,4 +1,4 @@
-//! Checks proofs that there is no path between two configurations of planar parts.
+//! Checker of proofs that there is no path between two configurations of planar parts.
 //!
 //! A [`Proof`] is a surface of triangles in (x, y, θ). [`Proof::check`] verifies, by interval arithmetic and from the file alone:
 //!
@@ -7,8 +7,8 @@
 //!    centre from the pivot and c the other's, the vector v = (x, y) + `R_θ` q − c differs by at most |q| Δθ²/8 from its linear
 //!    interpolation between the corners, Δθ the range of θ in the triangle, because |d²v/dθ²| = |q|. So |v| is at most its greatest
 //!    value at the corners plus |q| Δθ²/8, and that has to be less than the sum of the radii.
-//! 3. The surface is *closed*: each edge is run through as often one way as the other.
-//! 4. Around the start it *winds* another number of times than around the goal: signed crossings of a ray are counted.
+//! 3. The surface is *closed*: each edge is traversed equally often in both directions.
+//! 4. Its *winding numbers* around the start and around the goal differ: signed crossings of a ray are counted.
 //!
 //! Then every motion from start to goal passes the surface, because H₂(R²×S¹) = 0: a closed surface bounds a chain of solids, and how
 //! often it covers a configuration changes only at the surface. With a window of orientations [a, b] the surface may be open at its
@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 /// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Part {
-    /// Its name.
+    /// Name of the part.
     pub name: String,
     /// The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line.
     pub loops: Vec<Vec<[f64; 3]>>,
@@ -45,15 +45,15 @@ pub struct Proof {
     pub moving: Part,
     /// First and last orientation; none for all.
     pub window: Option<[f64; 2]>,
-    /// A configuration x, y, θ.
+    /// Start configuration x, y, θ.
     pub start: [f64; 3],
-    /// The same.
+    /// Goal configuration x, y, θ.
     pub goal: [f64; 3],
-    /// By how much the parts overlap on the surface, about; told, not checked.
+    /// Approximate penetration of the parts on the surface; stated, not checked.
     pub depth: f64,
     /// A point of the moving part, in its frame.
     pub pivot: [f64; 2],
-    /// Where the pivot is, and θ.
+    /// Position of the pivot, and θ.
     pub vertices: Vec<[f64; 3]>,
     /// Three vertices, the turns added to the θ of each, and a witness.
     pub triangles: Vec<[i64; 7]>,
@@ -61,10 +61,10 @@ pub struct Proof {
     pub witnesses: Vec<[f64; 6]>,
 }
 
-/// A proof from JSON: the object itself, or under the key `proof` of an answer of `cspace plan`.
+/// Reads a proof from JSON: the object itself, or under the key `proof` of an answer of `cspace plan`.
 ///
 /// # Errors
-/// If it is none.
+/// If the JSON is not a proof.
 pub fn read(json: &[u8]) -> Result<Proof, String> {
     let mut value: serde_json::Value = serde_json::from_slice(json).map_err(|e| e.to_string())?;
     let inner = value.get_mut("proof").map(serde_json::Value::take);
@@ -104,10 +104,10 @@ fn volume(a: [I; 3], b: [I; 3], c: [I; 3], d: [I; 3]) -> I {
 }
 
 impl Proof {
-    /// Whether it proves what it says.
+    /// Checks the proof.
     ///
     /// # Errors
-    /// What is wrong with it, and with which triangle, vertex or witness, counted from 0.
+    /// Describes the error, and the triangle, vertex or witness concerned, counted from 0.
     pub fn check(&self) -> Result<(), String> {
         let finite = |x: &f64| x.is_finite() && x.abs() < 1e100;
         let loops = self.fixed.loops.iter().chain(&self.moving.loops);
@@ -211,7 +211,7 @@ impl Proof {
         Ok(())
     }
 
-    /// How often the surface winds around a configuration.
+    /// Winding number of the surface around a configuration.
     fn winding(&self, name: &str, at: [f64; 3], corners: &[Corner]) -> Result<i64, String> {
         let arm = rotated(I::sin_cos(at[2]), self.pivot.map(exact));
         let middle = self.window.map_or(at[2], |[lo, hi]| 0.5 * (lo + hi));

@@ -1,4 +1,4 @@
-//! `cspace-check PROOF.json`: says whether a proof proves what it says.
+//! `cspace-check PROOF.json`: checks a proof and prints the result.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-//! Whether a disc lies within a part's material.
+//! Certain tests of whether a disc lies within a part's material.
 
 use crate::Part;
 use crate::interval::{I, exact};
@@ -58,7 +58,7 @@ fn distance(p: P, [ax, ay, bulge]: [f64; 3], [bx, by, _]: [f64; 3]) -> f64 {
     beside.max(circle)
 }
 
-/// Whether a half line from the point to +x crosses an edge, its arc replaced by chords nearer to it than `near`.
+/// Whether a half line from the point to +x crosses an edge, with its arc replaced by chords closer to it than `near`.
 fn crosses(p: [f64; 2], a: [f64; 3], b: [f64; 3], near: f64) -> Option<bool> {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     if a[2].abs() * dx.hypot(dy) > near {
@@ -80,12 +80,13 @@ fn crosses(p: [f64; 2], a: [f64; 3], b: [f64; 3], near: f64) -> Option<bool> {
 }
 
 impl Part {
-    /// The radius of a disc about a point that certainly lies within the material, about as large as there is; 0 if there is none.
+    /// Radius of a disc about a point that certainly lies within the material, about as large as possible; 0 if there
+    /// is none.
     ///
-    /// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the arcs tells whether
-    /// the centre is inside: on the way from the arcs to these chords no loop passes the centre.
+    /// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the
+    /// arcs determines whether the centre is inside: between the arcs and these chords no loop passes the centre.
     pub fn room(&self, center: [f64; 2]) -> f64 {
-        /// Smaller discs, as a share of the part's extent, are not looked at: chords are rounded.
+        /// Smallest radius that is tried, as a share of the part's extent: chords are rounded.
         const LEAST: f64 = 1e-12;
         let vertices = self.loops.iter().flatten();
         let extent = vertices.fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
@@ -94,7 +95,7 @@ impl Part {
             (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
         };
         let apart = edges().map(|(a, b)| distance(center.map(exact), a, b));
-        // What is not a number stays one.
+        // A result that is not a number is kept.
         let least = |m: f64, d: f64| if m.is_nan() || m <= d { m } else { d };
         let room = apart.fold(f64::INFINITY, least);
         if !(room > LEAST * extent && room.is_finite()) {

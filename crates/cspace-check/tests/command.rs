@@ -1,4 +1,4 @@
-//! What the two programs say when there is nothing to check.
+//! Output of the two programs when there is nothing to check.
 
 #![allow(clippy::unwrap_used)]
 

@@ -7,7 +7,7 @@ use crate::scene::Dot;
 /// A piece of an arc by an angle φ has control points on its end tangents, 4/3 tan(φ/4) radii from the ends: at a quarter of a
 /// turn it leaves the circle by 2.7·10⁻⁴ of the radius, which grows with the sixth power of φ.
 pub(crate) fn cubics(from: Dot, to: Dot, bulge: f64) -> Vec<[Dot; 3]> {
-    /// No piece turns further: an eighth of a turn leaves the circle by 4·10⁻⁶ of the radius.
+    /// Largest turn of a piece: with an eighth of a turn it deviates from the circle by 4·10⁻⁶ of the radius.
     const LONGEST: f64 = core::f64::consts::FRAC_PI_4;
     /// Below it an arc of any length that is seen is straight.
     const STRAIGHT: f64 = 1e-9;
@@ -55,8 +55,8 @@ pub(crate) fn radius(from: Dot, to: Dot, bulge: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Points of the cubic curves are on the circle about a centre that is found in another way: both ends are as far
-    /// from it, and the sweep is that of the bulge.
+    /// Points of the cubic curves are on the circle about a centre that is found independently: both ends are at the
+    /// same distance from it, and the sweep is that of the bulge.
     #[test]
     fn cubics_stay_on_the_circle() {
         for bulge in [0.01, 0.3, 1.0, 2.5, -0.2, -1.0, -7.0] {

@@ -1,4 +1,4 @@
-//! The colours of pictures: those of Okabe and Ito, which people tell apart whatever colours they see.
+//! Colours of pictures: those of Okabe and Ito, which the colour-blind can distinguish.
 
 use cspace::{FeatureKind, FeatureName};
 
@@ -7,17 +7,17 @@ use crate::scene::Colour;
 pub(crate) const INK: Colour = Colour(0x22, 0x22, 0x22);
 pub(crate) const GRID: Colour = Colour(0xe6, 0xe6, 0xe6);
 pub(crate) const BLOCKED: Colour = Colour(0xc9, 0xcc, 0xd1);
-/// What wants to be seen: contacts, gaps of a drawing.
+/// Colour of highlights: contacts, gaps of a drawing.
 pub(crate) const MARK: Colour = Colour(0xd0, 0x00, 0x2a);
 
-/// Contact curves by what touches.
+/// Colours of contact curves by the kinds of features that touch.
 pub(crate) const KINDS: [(Colour, &str); 3] = [
     (Colour(0x00, 0x5a, 0x9c), "contact: line of the fixed part"),
     (Colour(0xc4, 0x4e, 0x00), "contact: line of the moving part"),
     (Colour(0x00, 0x7a, 0x57), "contact: arcs and vertices"),
 ];
 
-/// Which of the [`KINDS`] a contact is.
+/// Index of a contact's kind in [`KINDS`].
 pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
     match (fixed.kind, moving.kind) {
         (FeatureKind::Line, _) => 0,
@@ -26,7 +26,7 @@ pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
     }
 }
 
-/// The ground of a contact in a row of them, and what is legible on it, by the number of its pair of features.
+/// Colour of a contact in a row of them, and a legible text colour on it, by the number of its pair of features.
 pub(crate) fn bar(number: usize) -> (Colour, Colour) {
     const WHITE: Colour = Colour(0xff, 0xff, 0xff);
     const BARS: [(Colour, Colour); 7] = [

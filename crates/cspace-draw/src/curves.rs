@@ -6,38 +6,38 @@ use crate::plot::{AxisLabel, Plot, haloed, text, title};
 use crate::scene::{Anchor, Area, Dot, Item, Path, Scene};
 use crate::ticks::Quantity;
 
-/// What is shown of quantities.
+/// Data of a picture of quantities over one that is varied.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CurvesPicture {
-    /// What is varied, with its unit.
+    /// Name of the varied quantity, with its unit.
     pub across: String,
-    /// Whether it is an angle, in radians.
+    /// Whether the varied quantity is an angle, in radians.
     pub is_angle: bool,
     /// The quantities.
     pub strips: Vec<CurveStrip>,
-    /// Where something changes.
+    /// Values at which something changes.
     pub marks: Vec<f64>,
 }
 
 /// A quantity.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CurveStrip {
-    /// What it is, with its unit.
+    /// Name of the quantity, with its unit.
     pub label: String,
-    /// Whether it is an angle, in radians.
+    /// Whether the quantity is an angle, in radians.
     pub is_angle: bool,
     /// The smallest and the largest value that is allowed.
     pub limits: Option<(f64, f64)>,
-    /// What of the values is seen; all where nothing is given.
+    /// Range of values in view; all of them if `None`.
     pub seen: Option<(f64, f64)>,
-    /// Its curves.
+    /// Curves of the quantity.
     pub curves: Vec<Curve>,
 }
 
-/// Values of a quantity over what is varied.
+/// Values of a quantity over the varied one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Curve {
-    /// What is said of it; nothing of a single one.
+    /// Label of the curve; empty for a single one.
     pub label: String,
     /// The values in order, none where there is no value.
     pub points: Vec<(f64, Option<f64>)>,
@@ -54,7 +54,7 @@ pub struct Curve {
 /// assert!(drawn.contains(">play, mm</text>") && drawn.contains(">tilt</text>"));
 /// ```
 pub fn curves(picture: &CurvesPicture, options: &PictureOptions) -> Scene {
-    /// Width of the page, height of a strip, and what is above and between, in dots.
+    /// Width of the page, height of a strip, and space above and between, in dots.
     const WIDE: f64 = 900.0;
     const STRIP: f64 = 200.0;
     const ABOVE: f64 = 45.0;
@@ -134,7 +134,7 @@ fn label(text: &str, is_angle: bool) -> AxisLabel {
     }
 }
 
-/// From the smallest to the largest of some values, and so much more of that on both sides.
+/// Range of some values, extended by a share `more` of its width on both sides.
 fn range(values: impl Iterator<Item = f64>, more: f64) -> (f64, f64) {
     let (lo, hi) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
         (lo.min(x), hi.max(x))

@@ -1,15 +1,15 @@
-//! What can go wrong with a picture.
+//! Errors of pictures.
 
 /// Why a picture cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
-    /// It has no dots, or more than can be written.
+    /// The picture has no dots, or too many.
     #[error("a picture of {width} by {height} dots is not between 1 and 1.4e8 dots")]
     Size {
-        /// The width asked for.
+        /// Requested width.
         width: f64,
-        /// The height asked for.
+        /// Requested height.
         height: f64,
     },
     /// PNG could not be written.

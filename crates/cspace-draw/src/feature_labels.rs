@@ -10,7 +10,7 @@ use crate::placed_part::PlacedPart;
 use crate::plot::Plot;
 use crate::scene::{Area, Dot, Item};
 
-/// How many features are in a picture, and how many of them without their labels.
+/// Number of features in a picture, and number of those without a label.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fitting {
     pub(crate) all: usize,
@@ -29,13 +29,13 @@ impl core::fmt::Display for Fitting {
     }
 }
 
-/// A feature, where it is seen, and which way is out of the material.
+/// Feature with its position in the picture, and the outward normal.
 struct Labelled {
     said: String,
     colour: crate::scene::Colour,
     /// Places on it with the directions to the side of it, the best first.
     places: Vec<(Dot, Vector)>,
-    /// How much of the picture it takes.
+    /// Length in the picture.
     length: f64,
 }
 
@@ -200,7 +200,7 @@ impl Passed {
         (column, of(at.y - self.area.lo.y))
     }
 
-    /// Whether an outline passes a rectangle.
+    /// Whether an outline passes through a rectangle.
     fn meets(&self, area: &Area) -> bool {
         let ((x0, y0), (x1, y1)) = (self.cell_of(area.lo), self.cell_of(area.hi));
         (y0..=y1).any(|row| {

@@ -6,7 +6,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 use crate::scene::{Anchor, Dot, Text};
 
-/// What SVG calls the font first.
+/// Font families for SVG, the preferred one first.
 pub(crate) const FAMILY: &str = "Ubuntu, Ubuntu Light, Helvetica, Arial, sans-serif";
 
 static FACE: LazyLock<Option<Face<'static>>> =
@@ -22,7 +22,7 @@ pub(crate) fn halo(size: f64) -> f64 {
     0.25 * size
 }
 
-/// Where the letters of a text come to be.
+/// Positions of the letters of a text.
 pub(crate) struct Placed {
     at: Dot,
     left: f64,

@@ -11,7 +11,7 @@ use crate::svg::svg;
 pub enum PictureFormat {
     /// Scalable, for pages and editors.
     Svg,
-    /// Of dots.
+    /// Raster image.
     Png,
     /// Scalable, for print.
     Pdf,
@@ -34,10 +34,10 @@ impl PictureFormat {
         }
     }
 
-    /// The picture in this format.
+    /// Writes the picture in this format.
     ///
     /// # Errors
-    /// If the format cannot have it; only PNG has limits.
+    /// If the format does not allow the picture's size; only PNG has limits.
     pub fn write(self, scene: &Scene) -> Result<Vec<u8>, PictureError> {
         match self {
             Self::Svg => Ok(svg(scene).into_bytes()),

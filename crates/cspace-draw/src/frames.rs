@@ -8,16 +8,16 @@ use crate::parts::{PartsPicture, frame_of, seen_of_all};
 use crate::plot::{text, title};
 use crate::scene::{Anchor, Area, Dot, Scene};
 
-/// What is shown of parts at several times.
+/// Data of a picture of parts at several times.
 #[derive(Debug, Clone, Default)]
 pub struct FramesPicture<'a> {
-    /// What is said of each, and the parts.
+    /// Caption and parts of each frame.
     pub frames: Vec<(String, PartsPicture<'a>)>,
 }
 
-/// So many frames are beside each other.
+/// Number of frames in a row.
 const ACROSS: usize = 4;
-/// In sizes of letters: of the page for which all is designed, its margin, what is above and below frames.
+/// Sizes in multiples of the letter size: width of the reference page, its margin, space above and below frames.
 const WIDE: f64 = 100.0;
 const MARGIN: f64 = 1.0;
 const TOP: f64 = 2.8;
@@ -25,7 +25,7 @@ const CAPTION: f64 = 2.6;
 /// A frame is at least as high as this share of its width, and at most.
 const HIGH: (f64, f64) = (0.4, 1.5);
 
-/// A page of parts at several times, in rows, each with what is said of it below.
+/// Draws a page of parts at several times, in rows, each with its caption below.
 ///
 /// ```
 /// use cspace::{Configuration, Part};

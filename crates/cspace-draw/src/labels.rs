@@ -9,12 +9,12 @@ use crate::scene::{Anchor, Area, Colour, Dot, Item};
 pub(crate) struct Placed {
     within: Area,
     taken: Vec<Area>,
-    /// Whether labels may lie on each other.
+    /// Whether labels may overlap each other.
     crowded: bool,
 }
 
 impl Placed {
-    /// None yet, all to be in a rectangle; `crowded` if each is to be there whatever it lies on.
+    /// Starts without labels, all of which are to be in a rectangle; `crowded` allows them to overlap.
     pub(crate) fn new(within: Area, crowded: bool) -> Self {
         Self {
             within,
@@ -34,7 +34,7 @@ impl Placed {
         self.put_in(items, said, size, INK, places)
     }
 
-    /// The same in a colour.
+    /// As above, in a colour.
     pub(crate) fn put_in(
         &mut self,
         items: &mut Vec<Item>,

@@ -1,11 +1,11 @@
-//! What the colours of a picture mean, in lines below it.
+//! Legend: lines below a picture that explain its colours.
 
 use crate::colour::INK;
 use crate::font;
 use crate::plot::text;
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Stroke};
 
-/// What stands before an entry.
+/// Sign before an entry.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Sign {
     /// A line.
@@ -23,7 +23,7 @@ pub(crate) struct Legend {
 }
 
 impl Legend {
-    /// Of entries, as many in a line as fit.
+    /// Lays entries out, as many in a line as fit.
     pub(crate) fn new(entries: Vec<(Sign, String)>, width: f64, em: f64) -> Self {
         let mut lines: Vec<Vec<(f64, Sign, String)>> = Vec::new();
         let mut x = f64::INFINITY;
@@ -41,12 +41,12 @@ impl Legend {
         Self { lines, em }
     }
 
-    /// How high it is.
+    /// Height of the legend.
     pub(crate) fn height(&self) -> f64 {
         1.5 * self.em * self.lines.len() as f64
     }
 
-    /// With its upper left corner at a place.
+    /// Draws the legend with its upper left corner at a place.
     pub(crate) fn draw(self, items: &mut Vec<Item>, at: Dot) {
         let em = self.em;
         for (i, line) in self.lines.into_iter().enumerate() {

@@ -2,11 +2,11 @@
 
 use crate::scene::{Area, Dot};
 
-/// How far a polyline may be from the curve, in dots.
+/// Largest distance of a polyline from the curve, in dots.
 pub(crate) const SEEN: f64 = 0.12;
 
-/// A curve given by fractions 0 to 1 along it, monotone in both directions of the picture, as polylines: only what is in
-/// sight is followed closely, and what is far out of sight is left out.
+/// Polylines of a curve given by fractions 0 to 1 along it, monotone in both directions of the picture: only visible
+/// parts are followed closely, and parts far out of sight are left out.
 pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot>> {
     let (Some(from), Some(to)) = (at(0.0), at(1.0)) else {
         return Vec::new();
@@ -15,7 +15,7 @@ pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot
     // Ends of pieces to be looked at, the next on top.
     let mut ends = vec![(1.0, to, 0u32)];
     let mut last = (0.0, from);
-    /// So many halvings are as fine as numbers get.
+    /// Largest number of halvings, which reaches the resolution of numbers.
     const DEEPEST: u32 = 40;
     /// A piece is halved so often in any case: a curve may cross its chord in the middle.
     const LEAST: u32 = 2;
@@ -27,7 +27,7 @@ pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot
         if !box_of.meets(&area) {
             last = (share, end);
             match lines.last_mut() {
-                // What was begun out of sight is begun anew.
+                // A line begun out of sight is begun anew.
                 Some(line) if line.len() == 1 => line[0] = end,
                 _ => lines.push(vec![end]),
             }
@@ -54,7 +54,7 @@ pub(crate) fn follow(at: impl Fn(f64) -> Option<Dot>, area: Area) -> Vec<Vec<Dot
     lines
 }
 
-/// How far a place is from the line through two.
+/// Distance of a place from the line through two others.
 pub(crate) fn off(p: Dot, a: Dot, b: Dot) -> f64 {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let length = dx.hypot(dy);
@@ -89,7 +89,7 @@ pub(crate) fn simplified(line: &[Dot]) -> Vec<Dot> {
     kept.map(|k| *k.0).collect()
 }
 
-/// How far a place is from a piece of a line, its ends included.
+/// Distance of a place from a line segment.
 fn off_piece(p: Dot, a: Dot, b: Dot) -> f64 {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let length = dx * dx + dy * dy;

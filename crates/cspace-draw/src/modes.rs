@@ -14,40 +14,41 @@ use crate::view::View;
 /// The plane of two of three coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct ModePlane<'a> {
-    /// What the coordinates are called.
+    /// Names of the coordinates.
     pub coordinates: [&'a str; 2],
     /// The parts whose coordinates they are.
     pub parts: [&'a str; 2],
-    /// Their axes.
+    /// Axes of these parts.
     pub axes: [Axis; 2],
     /// Minimum and maximum of both.
     pub extents: [(f64, f64); 2],
-    /// What the parts leave each other; `None` of a pair that constrains nothing.
+    /// Configuration space of the two parts; `None` for a pair that constrains nothing.
     pub space: Option<&'a FixedAxesSpace>,
 }
 
 impl ModePlane<'_> {
-    /// What of both coordinates is seen.
+    /// Ranges of both coordinates in view.
     pub fn window(&self) -> [(f64, f64); 2] {
         [0, 1].map(|k| seen(self.axes[k], self.extents[k]))
     }
 }
 
-/// What of a plane a mode reaches: fields of a grid over its window, those of the smallest first coordinate first.
+/// Configurations of a plane that a mode reaches: fields of a grid over its window, those of the smallest first
+/// coordinate first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeFields {
     /// Fields along the first and along the second coordinate.
     pub fields: [usize; 2],
-    /// Whether each is reached.
+    /// Flags of the fields that are reached.
     pub reached: Vec<bool>,
 }
 
 /// A mode in a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModeRow {
-    /// What is said of it.
+    /// Caption of the mode.
     pub name: String,
-    /// What it reaches of each plane.
+    /// Fields that it reaches in each plane.
     pub planes: [ModeFields; 3],
     /// A configuration in each plane that is marked.
     pub mark: Option<[(f64, f64); 3]>,
@@ -65,7 +66,7 @@ pub struct ModesPicture<'a> {
 /// A region diagram: for each mode a row with the planes of the three pairs, free space white, blocked space grey, what the mode
 /// reaches in its colour.
 pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
-    /// In dots, if the user does not say: the width, and the height of a row.
+    /// Default width, and height of a row, in dots.
     const USUAL: (f64, f64) = (1100.0, 350.0);
     const FREE: Colour = Colour(0xff, 0xff, 0xff);
     let rows = picture.modes.len().max(1);

@@ -13,10 +13,10 @@ use crate::scene::{Anchor, Area, Colour, Dot, Item, Scene};
 use crate::timeline::{ContactRow, Timeline, Track};
 use crate::view::turns_for_ever;
 
-/// What is shown of a motion.
+/// Data of a picture of a motion.
 #[derive(Debug, Clone, Default)]
 pub struct MotionPicture<'a> {
-    /// How long it lasts, in seconds.
+    /// Duration, in seconds.
     pub until: f64,
     /// The mechanism at some times.
     pub frames: Vec<MotionFrame<'a>>,
@@ -24,26 +24,26 @@ pub struct MotionPicture<'a> {
     pub tracks: Vec<Track>,
     /// The contacts of each pair.
     pub contacts: Vec<ContactRow>,
-    /// Times of events, and what happens.
+    /// Times of events, with their descriptions.
     pub events: Vec<(f64, String)>,
-    /// Pairs with fixed axes, and their ways.
+    /// Pairs with fixed axes, and their paths.
     pub planes: Vec<PlanePath<'a>>,
-    /// What is said of it.
+    /// Remarks on the motion.
     pub remarks: Vec<String>,
 }
 
 /// The mechanism at a time.
 #[derive(Debug, Clone, Default)]
 pub struct MotionFrame<'a> {
-    /// When.
+    /// Time, in seconds.
     pub time: f64,
-    /// What is said of it.
+    /// Caption of the frame.
     pub caption: String,
     /// The parts, and where they touch.
     pub parts: PartsPicture<'a>,
 }
 
-/// The plane of motions of a pair, and its way in it.
+/// Plane of motions of a pair, and the path in it.
 #[derive(Debug, Clone)]
 pub struct PlanePath<'a> {
     /// The space of the pair.
@@ -65,8 +65,9 @@ const LINE: f64 = 1.55;
 /// Text narrower than this is hard to read.
 const NARROW: f64 = 26.0;
 
-/// A page of a motion: the mechanism at some times, each with a letter that is found again above the strips; the coordinates of parts and the
-/// contacts of pairs over time; the planes of motions with the way in red, from a ring to a dot; what is said of it.
+/// Draws a page of a motion: the mechanism at some times, each with a letter that is repeated above the strips; the
+/// coordinates of parts and the contacts of pairs over time; the planes of motions with the path in red, from a ring to
+/// a dot; and the remarks.
 ///
 /// ```
 /// use cspace_draw::{MotionPicture, PictureOptions, Track, TrackCurve, motion, svg};
@@ -103,7 +104,7 @@ struct Page<'a> {
     width: f64,
     height: f64,
     em: f64,
-    /// How high a strip is, in sizes of letters.
+    /// Height of a strip, in letter sizes.
     strip: f64,
     letters: Vec<(f64, char)>,
     legend: Legend,
@@ -111,7 +112,7 @@ struct Page<'a> {
 
 impl<'a> Page<'a> {
     fn new(picture: &'a MotionPicture<'a>, options: &'a PictureOptions) -> Self {
-        /// More strips than these are lower.
+        /// Number of strips from which on they are lower.
         const MANY: usize = 6;
         const EM: f64 = 13.0;
         const LEAST: f64 = 5.0;
@@ -139,7 +140,7 @@ impl<'a> Page<'a> {
             let em = (width / WIDE).min(height / natural).max(LEAST);
             (page.width, page.height, page.em) = (width, height, em);
             page.legend = Legend::new(entries, width - 2.0 * em, em);
-            // What height is left goes to the strips.
+            // The remaining height goes to the strips.
             let more = height / em - page.natural();
             let count = picture.tracks.len().max(1) as f64;
             page.strip = (strip + more.max(0.0) / count).min(4.0 * strip);
@@ -183,7 +184,7 @@ impl<'a> Page<'a> {
         (wide, high.clamp(6.0 * self.em, HIGHEST_FRAME * self.em))
     }
 
-    /// What of the plane is seen in all frames.
+    /// Window of the assembly's plane that contains all frames.
     fn seen_of_frames(&self) -> [(f64, f64); 2] {
         seen_of_all(self.picture.frames.iter().map(|f| &f.parts), self.options)
     }
@@ -220,7 +221,7 @@ impl<'a> Page<'a> {
         ((self.width / self.em - MARGIN) / (PLANE + Plot::LEFT + Plot::RIGHT)).floor() as usize
     }
 
-    /// Whether the text has room beside the last planes.
+    /// Whether the text has space beside the last planes.
     fn is_beside(&self) -> bool {
         self.text_width(true) >= NARROW * self.em
     }
@@ -247,7 +248,7 @@ impl<'a> Page<'a> {
         (planes, if lines > 0.0 { LINE * lines + 1.0 } else { 0.0 })
     }
 
-    /// What is said, in lines that fit.
+    /// Remarks, broken into lines that fit.
     fn lines(&self) -> Vec<String> {
         let room = self.text_width(self.is_beside());
         let mut lines = Vec::new();
@@ -310,11 +311,12 @@ impl<'a> Page<'a> {
     }
 }
 
-/// Of a part that turns a little way only what is about this is seen; otherwise all.
+/// Range in view of a part's coordinate: if the part turns a little only, the range of its motion and a margin;
+/// otherwise all.
 fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f64) {
-    /// Of what is seen; a third of a turn is no little way.
+    /// Largest range that counts as little, as a share of all; a third of a turn is more than little.
     const LITTLE: f64 = 1.0 / 3.0;
-    /// To either side, of the way, and at least so much, in radians.
+    /// Margin on either side, as a share of the range, and its minimum in radians.
     const BESIDE: f64 = 0.4;
     const LEAST: f64 = 0.1;
     let (lo, hi) = way.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {

@@ -1,33 +1,33 @@
-//! What a user may say of any picture.
+//! Options of all pictures.
 
-/// Which labels a picture has beside its axes and its title.
+/// Labels of a picture beside its axes and its title.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Labels {
-    /// None.
+    /// No labels.
     None,
-    /// Those that fit: no label lies on another.
+    /// Labels that fit: no label lies on another.
     #[default]
     Auto,
-    /// Those that fit, and those of the features of parts, as answers call them, that fit.
+    /// Labels that fit, and those of the features of parts, as answers call them, that fit.
     Features,
-    /// All, and with numbers of vertices and features.
+    /// All labels, and numbers of vertices and features.
     All,
 }
 
-/// How a picture is made.
+/// Options for making a picture.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PictureOptions {
-    /// Width and height in dots, if not chosen by what is shown.
+    /// Width and height in dots; `None` for a size that fits the content.
     pub size: Option<(f64, f64)>,
-    /// What is written above.
+    /// Title above the picture.
     pub title: String,
     /// The label of the unit of length.
     pub unit: Option<String>,
-    /// Which labels it has.
+    /// Labels of the picture.
     pub labels: Labels,
-    /// What is seen of the first coordinate: x in the unit of length, or u (radians if it is an angle); all if not said.
+    /// Range of the first coordinate in view: x in the unit of length, or u (radians if it is an angle); all if `None`.
     pub x: Option<(f64, f64)>,
-    /// What is seen of the second.
+    /// Range of the second coordinate in view.
     pub y: Option<(f64, f64)>,
 }
 

@@ -51,7 +51,7 @@ pub(crate) fn append(path: &mut Path, geometry: &CurveGeometry, plot: &Plot) {
     }
 }
 
-/// Where a point of the plane is.
+/// Position of a point of the plane.
 pub(crate) fn place(plot: &Plot, p: Point) -> Dot {
     plot.place(p.x, p.y)
 }
@@ -67,7 +67,7 @@ fn step(to: Dot, bulge: f64) -> Step {
 
 /// Points along a part's outline, for the places of labels and the extent of pictures.
 pub(crate) fn points(part: &Part, assembly_from_part: Configuration) -> Vec<Point> {
-    /// To an edge.
+    /// Number of points per edge.
     const POINTS: u32 = 8;
     let mut all = Vec::new();
     for edge in part.edges() {

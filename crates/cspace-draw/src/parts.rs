@@ -14,53 +14,54 @@ use crate::plot::{AxisLabel, Plot, title};
 use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
 use crate::ticks::brief;
 
-/// Where two parts touch.
+/// Contact of two parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMark {
     /// The point.
     pub at: Point,
     /// The outward normal of the part that is touched.
     pub normal: Vector,
-    /// What touches.
+    /// Names of the features that touch.
     pub label: String,
 }
 
 /// Something of a drawing that is in no part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnusedPath {
-    /// Where it starts.
+    /// Start of the path.
     pub start: Point,
-    /// Where each line or arc ends, and its bulge.
+    /// End and bulge of each line or arc.
     pub edges: Vec<(Point, f64)>,
-    /// What it is.
+    /// Description of the path.
     pub label: String,
 }
 
-/// What is shown of parts.
+/// Data of a picture of parts.
 #[derive(Debug, Clone, Default)]
 pub struct PartsPicture<'a> {
     /// The parts, the last on top.
     pub parts: Vec<PlacedPart<'a>>,
-    /// Where parts are on their way: outlines alone, below the parts.
+    /// Parts at further positions of a motion: only outlines, below the parts.
     pub swept: Vec<PlacedPart<'a>>,
     /// The joints between them, in the assembly.
     pub joints: Vec<JointEntry>,
-    /// Where they touch.
+    /// Contacts of the parts.
     pub contacts: Vec<ContactMark>,
-    /// Whether the parts are those of a drawing, which says nothing of motions.
+    /// Whether the parts are those of a drawing, which has no motions.
     pub is_drawing: bool,
-    /// What of a drawing is in no part, in red.
+    /// Paths of a drawing that are in no part, in red.
     pub unused: Vec<UnusedPath>,
     /// Places of a drawing where something is wrong, and what; marked in red.
     pub faults: Vec<(Point, String)>,
-    /// Whether the origins of the parts' frames are left out.
+    /// Whether the origins of the parts' frames are omitted.
     pub without_origins: bool,
-    /// Said below the picture, such as the configuration.
+    /// Remarks below the picture, such as the configuration.
     pub remarks: Vec<String>,
 }
 
-/// A picture of parts, to scale: names, frame origins, pivots, slides, joints, contacts; with all labels, vertices numbered
-/// `loop.index`; with those of features, lines, arcs and convex vertices called as in answers, and below it how many do not fit.
+/// Draws a picture of parts, to scale: names, frame origins, pivots, slides, joints, contacts; with all labels,
+/// vertices numbered `loop.index`; with those of features, lines, arcs and convex vertices with their names in answers,
+/// and below it the number of labels that do not fit.
 ///
 /// ```
 /// use cspace::{Configuration, Part};
@@ -140,7 +141,7 @@ pub(crate) fn frame_of(
     });
 }
 
-/// What of the plane is seen in all frames.
+/// Window of the plane that contains all frames.
 pub(crate) fn seen_of_all<'p, 'a: 'p>(
     frames: impl Iterator<Item = &'p PartsPicture<'a>>,
     options: &PictureOptions,
@@ -152,7 +153,7 @@ pub(crate) fn seen_of_all<'p, 'a: 'p>(
     [options.x.unwrap_or(all[0]), options.y.unwrap_or(all[1])]
 }
 
-/// What of the plane is seen: the parts, the origin if it is near, pivots and contacts, and a margin.
+/// Window of the plane in view: the parts, the origin if it is near, pivots and contacts, and a margin.
 pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
     let mut all: Vec<Point> = (picture.parts.iter().chain(&picture.swept))
         .flat_map(|p| points(p.part, p.assembly_from_part))
@@ -172,7 +173,7 @@ pub(crate) fn seen(picture: &PartsPicture<'_>) -> [(f64, f64); 2] {
     [with_margin(x, 0.06 * size), with_margin(y, 0.06 * size)]
 }
 
-/// The parts with all that is marked on them; says which labels of features fit, if these are asked for.
+/// Draws the parts with all their marks; returns which labels of features fit, if these are requested.
 pub(crate) fn draw(
     items: &mut Vec<Item>,
     picture: &PartsPicture<'_>,
@@ -245,7 +246,7 @@ pub(crate) fn draw(
 
 /// Places for a part's name, the best first: far inside and under no part drawn later, else beside.
 fn inside(p: &PlacedPart<'_>, later: &[PlacedPart<'_>], plot: &Plot) -> Vec<Dot> {
-    /// As many places across and up are tried.
+    /// Number of places tried across and up.
     const TRIED: u32 = 24;
     let outline = points(p.part, p.assembly_from_part);
     let [x, y] = extent(&outline, 0.0);
@@ -379,7 +380,7 @@ fn contact_sign(items: &mut Vec<Item>, contact: &ContactMark, plot: &Plot, place
     placed.keep(Area::new(at.x - 0.5 * em, at.y - 0.5 * em, em, em));
 }
 
-/// What is wrong with a drawing.
+/// Draws the faults of a drawing.
 fn faults(items: &mut Vec<Item>, picture: &PartsPicture<'_>, plot: &Plot, placed: &mut Placed) {
     let em = plot.em;
     for unused in &picture.unused {
@@ -437,9 +438,9 @@ fn number_vertices(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot, place
     items.push(Item::filled(signs, colours(p.number).1));
 }
 
-/// What each part is, and what touches.
+/// Legend of the parts, and of the contacts.
 pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
-    // A part at several places is told once.
+    // A part at several places is listed once.
     let first = |i: usize| {
         !picture.parts[..i]
             .iter()

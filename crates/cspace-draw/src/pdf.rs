@@ -92,7 +92,7 @@ fn pen(out: &mut Content, Colour(r, g, b): Colour, width: f64) {
     out.set_line_width(width as f32);
 }
 
-/// To a thousandth of a dot, so that files stay small.
+/// Rounds to a thousandth of a dot, so that files stay small.
 fn short(x: f64) -> f32 {
     ((x * 1000.0).round() / 1000.0) as f32
 }

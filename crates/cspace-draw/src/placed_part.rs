@@ -9,8 +9,8 @@ pub struct PlacedPart<'a> {
     pub part: &'a Part,
     /// Takes points of the part to the assembly.
     pub assembly_from_part: Configuration,
-    /// How it moves, in the assembly; `None` if freely in the plane.
+    /// Axis of its motion, in the assembly; `None` if it moves freely in the plane.
     pub axis: Option<Axis>,
-    /// Its number in the model, which chooses its colour.
+    /// Number in the model, which determines its colour.
     pub number: usize,
 }

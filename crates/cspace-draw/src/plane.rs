@@ -17,9 +17,9 @@ use crate::strips::{Strip, strips};
 use crate::ticks::Quantity;
 use crate::view::{View, turns_for_ever};
 
-/// A picture of the plane (u, v): free regions numbered and coloured as they are listed, blocked space grey, contact curves
-/// by kind. A full turn is seen from −180° to 180°, and curves in every period that is seen. Channels too thin to be seen are
-/// drawn as wide as can be seen.
+/// Draws the plane (u, v): free regions numbered and coloured in the order of the list, blocked space grey, contact
+/// curves by kind. A full turn is shown from −180° to 180°, and curves in every visible period. Channels that are too
+/// thin to be visible are drawn with a visible width.
 pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
     /// In dots, if the user does not say.
     const USUAL: (f64, f64) = (920.0, 920.0);
@@ -142,7 +142,7 @@ fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
     }
 }
 
-/// What of a coordinate is seen: of a full turn from −180° to 180°.
+/// Range of a coordinate in view: for a full turn from −180° to 180°.
 pub(crate) fn seen(axis: Axis, extent: (f64, f64)) -> (f64, f64) {
     if turns_for_ever(axis) {
         return (-PI, PI);
@@ -172,13 +172,13 @@ struct Curve {
     line: Vec<Dot>,
 }
 
-/// All contact curves of a space, without names.
+/// Draws all contact curves of a space, without names.
 pub(crate) fn draw_all_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, plot: &Plot) {
     let curves = curves(space, &View::of(space, *plot));
     draw_curves(items, space, &curves, plot.em);
 }
 
-/// All contact curves, in every period that is seen.
+/// Contact curves, in every visible period.
 fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
     let (u_axis, v_axis) = space.axes();
     let still = [u_axis, v_axis].map(|a| a.motion == AxisMotion::Fixed);
@@ -192,7 +192,7 @@ fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
             };
             let range = |a: f64, b: f64| (a.min(b), a.max(b));
             let (u, v) = (range(b.start.0, b.end.0), range(b.start.1, b.end.1));
-            // What does not move has coordinate 0, and a strip about it to be seen in.
+            // A fixed part has coordinate 0, with a visible strip around it.
             let u = if still[0] { view.plot.x } else { u };
             let v = if still[1] { view.plot.y } else { v };
             for (du, dv) in view.copies(u, v) {
@@ -220,9 +220,9 @@ fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
     all
 }
 
-/// Curves by kind, each with what touches said where the mouse is, unless there are too many.
+/// Draws curves by kind, each with its features as a tooltip, unless there are too many.
 fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], em: f64) {
-    /// More curves than these are drawn together, so that the file stays small.
+    /// Number of curves from which on they are drawn together, so that the file stays small.
     const MOST_NAMED: usize = 300;
     let width = 0.11 * em;
     let of = |c: &Curve| {
@@ -282,7 +282,7 @@ fn channels(items: &mut Vec<Item>, space: &FixedAxesSpace, view: &View, strips: 
     if path.steps.is_empty() {
         return;
     }
-    /// A line so many dots wide covers a whole dot, wherever it lies between them.
+    /// Line width in dots that covers a whole dot, whatever its position between them.
     const COVERS: f64 = 1.8;
     let width = (0.14 * em).max(COVERS);
     items.push(Item::drawn(
@@ -315,7 +315,7 @@ fn number_regions(items: &mut Vec<Item>, strips: &[Strip], placed: &mut Placed, 
     }
 }
 
-/// What touches, beside curves that are long enough for it.
+/// Writes the names of the features that touch beside contact curves that are long enough.
 fn name_curves(
     items: &mut Vec<Item>,
     space: &FixedAxesSpace,
@@ -343,7 +343,7 @@ fn name_curves(
 }
 
 fn entries(space: &FixedAxesSpace, options: &PictureOptions) -> Vec<(Sign, String)> {
-    /// More regions than these are told by their numbers alone.
+    /// Number of regions from which on only their numbers are given.
     const MOST: usize = 8;
     let mut all = Vec::new();
     for (i, _) in space.regions().iter().enumerate().take(MOST) {

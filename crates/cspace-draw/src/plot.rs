@@ -15,7 +15,7 @@ pub(crate) struct Plot {
     pub(crate) em: f64,
 }
 
-/// What an axis shows.
+/// Label and quantity of an axis.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisLabel {
     pub(crate) text: String,
@@ -37,7 +37,7 @@ impl Plot {
     pub(crate) const BELOW: f64 = 3.4;
     pub(crate) const RIGHT: f64 = 1.2;
 
-    /// The rectangle of the only plot of a picture, below the title and above what is at its foot.
+    /// Rectangle of the only plot of a picture, below the title and above the text at its foot.
     pub(crate) fn alone(width: f64, foot: f64, em: f64) -> Area {
         Area {
             lo: Dot::new(Self::LEFT * em, 2.6 * em),
@@ -60,7 +60,7 @@ impl Plot {
         }
     }
 
-    /// Where coordinates are.
+    /// Position of coordinates in the picture.
     pub(crate) fn place(&self, x: f64, y: f64) -> Dot {
         let share = |t: f64, (lo, hi): (f64, f64)| (t - lo) / (hi - lo);
         Dot::new(
@@ -100,7 +100,7 @@ impl Plot {
     fn ticks(&self, [x, y]: [&AxisLabel; 2]) -> [Vec<(f64, String)>; 2] {
         // A number is some four letters wide, and half as much apart from the next.
         let most = |dots: f64, letters: f64| (dots / (letters * self.em)).clamp(2.0, 12.0);
-        /// In a strip that is lower than this numbers stand closer.
+        /// Height of a strip below which numbers are closer together.
         const LOW: f64 = 10.0;
         let apart = match self.area.height() < LOW * self.em {
             true => 1.8,
@@ -112,7 +112,7 @@ impl Plot {
         ]
     }
 
-    /// The same with a smaller scale, about the same middle.
+    /// Copy with a smaller scale, about the same middle.
     pub(crate) fn at_scale(&self, scale: f64) -> Self {
         let grown = self.scale() / scale;
         let wide = |(lo, hi): (f64, f64)| {
@@ -148,7 +148,7 @@ impl Plot {
             lines.line_through([Dot::new(x, area.hi.y), Dot::new(x, area.hi.y + tick)]);
             let below = Dot::new(x, area.hi.y + tick + em);
             let half = 0.5 * font::width(&number, 0.85 * em);
-            // What would stand below a neighbour's axis is left out.
+            // A label that would reach below a neighbour's axis is left out.
             let beyond = (area.lo.x - (x - half)).max(x + half - area.hi.x);
             if with_x && beyond < 0.7 * em {
                 numbers.push(text(number, below, 0.85 * em, Anchor::Middle, INK));
@@ -224,7 +224,7 @@ pub(crate) fn text(text: String, at: Dot, size: f64, anchor: Anchor, colour: Col
     })
 }
 
-/// The same with an edge of white.
+/// Copy of a text with a white outline.
 pub(crate) fn haloed(item: Item) -> Item {
     match item {
         Item::Text(t) => Item::Text(Text { halo: true, ..t }),

@@ -12,7 +12,7 @@ use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Step, Text};
 /// The most dots of a picture with dots: 16 of those of a good screen.
 const MOST_DOTS: f64 = 1.4e8;
 
-/// A picture as PNG, a dot of the scene being a dot of the picture.
+/// Writes a picture as PNG, one pixel per dot of the scene.
 ///
 /// # Errors
 /// If it has no dots or more than 1.4·10⁸.

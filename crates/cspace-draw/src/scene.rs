@@ -40,7 +40,7 @@ pub enum Step {
     Line(Dot),
     /// A circular arc to a place; `bulge` is tan(sweep / 4), positive clockwise, since y is downwards.
     Arc {
-        /// Where it ends.
+        /// End point.
         to: Dot,
         /// tan(sweep / 4).
         bulge: f64,
@@ -114,12 +114,12 @@ impl Area {
         }
     }
 
-    /// Its width.
+    /// Width of the rectangle.
     pub fn width(&self) -> f64 {
         self.hi.x - self.lo.x
     }
 
-    /// Its height.
+    /// Height of the rectangle.
     pub fn height(&self) -> f64 {
         self.hi.y - self.lo.y
     }
@@ -141,42 +141,42 @@ impl Area {
     }
 }
 
-/// How a line is drawn: solid, its ends and corners round.
+/// Style of a line: solid, with round ends and corners.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// Colour of the line.
     pub colour: Colour,
-    /// Its width in dots.
+    /// Width in dots.
     pub width: f64,
 }
 
-/// Where a text is relative to its place.
+/// Alignment of a text relative to its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// It begins there.
+    /// The text begins at the place.
     Start,
-    /// Its middle is there.
+    /// The middle of the text is at the place.
     Middle,
-    /// It ends there.
+    /// The text ends at the place.
     End,
 }
 
 /// A line of text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Text {
-    /// What it says.
+    /// Content.
     pub text: String,
     /// The base line's place.
     pub at: Dot,
     /// The size of the letters in dots.
     pub size: f64,
-    /// Its colour.
+    /// Colour of the text.
     pub colour: Colour,
-    /// Where it is relative to its place.
+    /// Alignment relative to the place.
     pub anchor: Anchor,
-    /// Whether it reads upwards instead of to the right.
+    /// Whether the text reads upwards instead of to the right.
     pub upwards: bool,
-    /// Whether it has an edge of white, so that it can be read on lines.
+    /// Whether the text has a white outline, so that it can be read on lines.
     pub halo: bool,
 }
 
@@ -189,14 +189,14 @@ pub enum Item {
         path: Path,
         /// The colour inside.
         fill: Option<Colour>,
-        /// How it is drawn along.
+        /// Style of its outline.
         stroke: Option<Stroke>,
-        /// What is said where the mouse is on it, in formats that can.
+        /// Tooltip, shown under the mouse in formats that can.
         title: Option<String>,
     },
     /// A line of text.
     Text(Text),
-    /// Items of which only what is in a rectangle is seen.
+    /// Items that are visible only within a rectangle.
     Clipped {
         /// The rectangle.
         area: Area,
@@ -227,15 +227,15 @@ impl Item {
     }
 }
 
-/// A picture: its size in dots, on white ground, and what is on it, the last on top.
+/// Picture: its size in dots, on white ground, and its items, the last on top.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// The width in dots.
     pub width: f64,
     /// The height in dots.
     pub height: f64,
-    /// What it shows, for readers that cannot see it.
+    /// Description of the picture, for readers that cannot see it.
     pub title: String,
-    /// What is on it.
+    /// Items of the picture.
     pub items: Vec<Item>,
 }

@@ -14,7 +14,7 @@ use crate::plot::{AxisLabel, Plot, text, title};
 use crate::scene::{Anchor, Area, Dot, Item, Path, Scene, Step};
 use crate::ticks::brief;
 
-/// What is shown of slices.
+/// Data of a picture of slices.
 #[derive(Debug, Clone)]
 pub struct SlicesPicture<'a> {
     /// The space they are of, which numbers their regions.
@@ -33,7 +33,7 @@ pub fn slices(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Scene {
     }
 }
 
-/// One slice, and the parts beside it.
+/// Draws one slice, and the parts beside it.
 fn beside(
     picture: &SlicesPicture<'_>,
     slice: &Slice,
@@ -160,7 +160,7 @@ fn grid(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Scene {
     }
 }
 
-/// What of the plane all slices show.
+/// Window of the plane that contains all slices.
 fn whole(
     picture: &SlicesPicture<'_>,
     options: &PictureOptions,
@@ -238,7 +238,7 @@ pub(crate) fn draw_curves(items: &mut Vec<Item>, slice: &Slice, plot: &Plot) {
     }
 }
 
-/// What a loop encloses.
+/// Area enclosed by a loop.
 struct Enclosed {
     path: Path,
     /// The loop as a polygon on the picture, for the places of labels.
@@ -295,7 +295,7 @@ fn swept(geometry: &CurveGeometry, about: Point) -> f64 {
             CurveGeometry::Arc { radius, sweep, .. } => {
                 0.5 * radius * radius * (sweep - sweep.sin())
             }
-            // Of a flat one, two thirds of the chord times the height.
+            // Area of a flat arc: two thirds of the chord times the height.
             CurveGeometry::FlatArc { bulge, .. } => start.distance(end).powi(2) * bulge / 3.0,
         }
 }
@@ -350,7 +350,7 @@ fn number_regions(
     }
 }
 
-/// Whether a polygon holds a place.
+/// Whether a polygon contains a place.
 fn holds(polygon: &[Dot], at: Dot) -> bool {
     let mut inside = false;
     for (i, a) in polygon.iter().enumerate() {
@@ -362,7 +362,7 @@ fn holds(polygon: &[Dot], at: Dot) -> bool {
     inside
 }
 
-/// What touches, beside curves that are long enough for it.
+/// Writes the names of the features that touch beside contact curves that are long enough.
 fn name_curves(
     items: &mut Vec<Item>,
     space: &ContactSpace,
@@ -422,7 +422,7 @@ fn mark(items: &mut Vec<Item>, at: Point, plot: &Plot) {
     });
 }
 
-/// What the colours mean, of what is there.
+/// Legend of the colours that occur.
 fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
     let mut all = Vec::new();
     let regions = picture.space.free_regions();
@@ -435,7 +435,7 @@ fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, 
         }
     }
     shown.sort_unstable();
-    /// More regions than these are told by their numbers alone.
+    /// Number of regions from which on only their numbers are given.
     const MOST: usize = 8;
     for &region in shown.iter().take(MOST) {
         let is = match regions.get(region as usize).map(|r| r.unbounded) {

@@ -13,7 +13,7 @@ pub(crate) struct Strip {
     pub(crate) region: u32,
     lower: Vec<Dot>,
     upper: Vec<Dot>,
-    /// Where it is seen.
+    /// Visible rectangle.
     area: Area,
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn strips(space: &FixedAxesSpace, view: &View) -> Vec<Strip> {
                 }),
             }
         }
-        /// More strips than these are not grown at once: the oldest have most likely ended.
+        /// Largest number of strips that are extended at once: of more, the oldest have most likely ended.
         const MOST_OPEN: usize = 256;
         if open.len() > MOST_OPEN {
             done.extend(open.drain(..MOST_OPEN / 2));
@@ -76,7 +76,7 @@ fn sides(gap: &FreeGap<'_>, (du, dv): (f64, f64), view: &View) -> (Vec<Dot>, Vec
     upper.push(first[1]);
     let mut last = (0.0, first);
     let mut ends = vec![(1.0, at(1.0), 0u32)];
-    /// So many halvings are enough for any curve on a picture that is seen whole.
+    /// Largest number of halvings: enough for any curve on a picture that is shown as a whole.
     const DEEPEST: u32 = 12;
     while let Some((share, end, depth)) = ends.pop() {
         let middle = 0.5 * (last.0 + share);
@@ -96,7 +96,7 @@ fn sides(gap: &FreeGap<'_>, (du, dv): (f64, f64), view: &View) -> (Vec<Dot>, Vec
 }
 
 impl Strip {
-    /// Its outline.
+    /// Outline of the strip.
     pub(crate) fn outline(&self) -> Path {
         let mut path = Path::through(simplified(&self.lower));
         let mut back = simplified(&self.upper);
@@ -106,9 +106,9 @@ impl Strip {
         path
     }
 
-    /// Lines along its middle where it is thinner than so many dots.
+    /// Lines along the middle of the strip where it is narrower than a number of dots.
     pub(crate) fn thin(&self, dots: f64) -> Vec<Vec<Dot>> {
-        /// Narrower ends than so many dots are corners.
+        /// Width in dots below which an end is a corner.
         const CORNER: f64 = 1e-3;
         let n = self.lower.len();
         let mut lines: Vec<Vec<Dot>> = Vec::new();
@@ -121,7 +121,7 @@ impl Strip {
                     let line: Vec<Dot> = (first..i).map(|k| self.middle(k)).collect();
                     let length: f64 = line.windows(2).map(|w| w[0].distance(w[1])).sum();
                     let is_corner = |k: usize| self.lower[k].distance(self.upper[k]) < CORNER;
-                    // What ends in a corner is thin there and no channel.
+                    // A strip that ends in a corner is thin there without being a channel.
                     if length > 2.0 * dots || !(is_corner(first) || is_corner(i - 1)) {
                         lines.push(line);
                     }
@@ -133,8 +133,8 @@ impl Strip {
         lines.iter().map(|l| simplified(l)).collect()
     }
 
-    /// The same of a strip that is short and wide, across which a channel runs: lines from side to side where `is_free` does
-    /// not hold so many dots apart.
+    /// As above, for a strip that is short and wide, across which a channel runs: lines from side to side where
+    /// `is_free` does not hold, `dots` apart.
     pub(crate) fn thin_across(&self, dots: f64, is_free: impl Fn(Dot) -> bool) -> Vec<Vec<Dot>> {
         let n = self.lower.len();
         let (a, b) = (self.lower[n / 2], self.upper[n / 2]);
@@ -169,7 +169,7 @@ impl Strip {
         Dot::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y))
     }
 
-    /// How wide it is at a pair of points, across the direction in which it runs there.
+    /// Width of the strip at a pair of points, perpendicular to its direction there.
     fn width(&self, i: usize) -> f64 {
         let (a, b) = (self.lower[i], self.upper[i]);
         let (before, after) = (
@@ -184,7 +184,7 @@ impl Strip {
         ((b.x - a.x) * dy - (b.y - a.y) * dx).abs() / length
     }
 
-    /// Where it is widest among what is seen, and how wide.
+    /// Largest visible width of the strip, and its place.
     pub(crate) fn widest(&self) -> Option<(f64, Dot)> {
         let mut best: Option<(f64, Dot)> = None;
         let clamp = |d: Dot| {

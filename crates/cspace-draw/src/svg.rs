@@ -98,8 +98,8 @@ fn write_text(out: &mut String, text: &Text) {
     let _ = writeln!(out, ">{}</text>", escaped(&text.text));
 }
 
-/// The steps of a path, relative to the place before: shorter than absolute ones. What is written is rounded, and what
-/// follows is relative to the rounded place, so that errors do not add up.
+/// Steps of a path, relative to the place before: shorter than absolute ones. Coordinates are rounded, and each step is
+/// relative to the rounded place, so that errors do not add up.
 fn data(out: &mut String, path: &Path) {
     let mut at = Dot::new(0.0, 0.0);
     let mut began = at;
@@ -142,7 +142,7 @@ fn arc(out: &mut String, from: Dot, to: Dot, bulge: f64) {
     let _ = write!(out, "a{r} {r} 0 {large} {clockwise} {dx}{dy}");
 }
 
-/// To a hundredth of a dot, so that files stay small.
+/// Rounds to a hundredth of a dot, so that files stay small.
 fn rounded(p: Dot) -> Dot {
     Dot::new(hundredth(p.x), hundredth(p.y))
 }

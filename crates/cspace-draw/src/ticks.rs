@@ -1,6 +1,6 @@
 //! Round numbers along an axis.
 
-/// What the numbers of an axis are.
+/// Quantity of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     /// Lengths, shown as they are.
@@ -9,7 +9,7 @@ pub(crate) enum Quantity {
     Angle,
 }
 
-/// Places and numbers along a range, no more than `most`.
+/// Positions and labels of the ticks of a range, at most `most`.
 pub(crate) fn ticks(range: (f64, f64), most: f64, quantity: Quantity) -> Vec<(f64, String)> {
     let unit = match quantity {
         Quantity::Length => 1.0,

@@ -1,4 +1,4 @@
-//! What happens over time, one strip below the other: coordinates as curves, contacts as bars.
+//! Timeline: strips below each other, with coordinates as curves and contacts as bars.
 
 use crate::colour::{INK, MARK, bar, part as colours};
 use crate::font;
@@ -10,7 +10,7 @@ use crate::ticks::Quantity;
 /// A strip: curves over time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Track {
-    /// What it shows.
+    /// Label of the strip.
     pub label: String,
     /// The unit of its numbers, if they have one; of angles it is degrees.
     pub unit: Option<String>,
@@ -27,7 +27,7 @@ pub struct TrackCurve {
     pub points: Vec<(f64, f64)>,
     /// The number of the part it is of, which chooses its colour.
     pub part: usize,
-    /// What it is, said where the mouse is on it.
+    /// Tooltip of the curve.
     pub title: String,
 }
 
@@ -36,24 +36,24 @@ pub struct TrackCurve {
 pub struct ContactRow {
     /// The pair.
     pub label: String,
-    /// Its contacts.
+    /// Contacts of the pair.
     pub bars: Vec<ContactBar>,
-    /// Times at which the parts strike each other, and what is said there.
+    /// Times of impacts, with their tooltips.
     pub impacts: Vec<(f64, String)>,
 }
 
 /// A contact from a time to a time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactBar {
-    /// When it begins.
+    /// Begin of the contact.
     pub from: f64,
-    /// When it ends.
+    /// End of the contact.
     pub to: f64,
     /// The number of its pair of features, which chooses its colour.
     pub features: usize,
-    /// What is written on it, where there is room.
+    /// Label on the bar, written where there is room.
     pub label: String,
-    /// What is said where the mouse is on it.
+    /// Tooltip of the bar.
     pub title: String,
 }
 
@@ -62,31 +62,31 @@ pub(crate) struct Timeline<'a> {
     pub(crate) until: f64,
     pub(crate) tracks: &'a [Track],
     pub(crate) rows: &'a [ContactRow],
-    /// Times of events, and what happens.
+    /// Times of events, with their descriptions.
     pub(crate) events: &'a [(f64, String)],
     /// Times that have a letter.
     pub(crate) letters: &'a [(f64, char)],
     pub(crate) em: f64,
 }
 
-/// All sizes are in sizes of letters.
+/// Sizes are multiples of the letter size.
 impl Timeline<'_> {
-    /// Room at the left for names and numbers, at the right, above for letters, below for the axis.
+    /// Space at the left for names and numbers, at the right, above for letters, below for the axis.
     const LEFT: f64 = 16.0;
     const RIGHT: f64 = 1.2;
     const ABOVE: f64 = 1.6;
     const BELOW: f64 = 3.4;
     const BETWEEN: f64 = 0.7;
     const LANE: f64 = 1.25;
-    /// Of more contacts at once the last are drawn over each other.
+    /// Largest number of lanes: if more contacts are closed at once, the last are drawn over each other.
     const MOST_LANES: usize = 4;
 
-    /// How high it is, with strips of a height.
+    /// Total height with strips of a given height.
     pub(crate) fn height(&self, strip: f64) -> f64 {
         Self::ABOVE + self.inner(strip) + Self::BELOW
     }
 
-    /// The same without what is above and below.
+    /// Height without the space above and below.
     fn inner(&self, strip: f64) -> f64 {
         let tracks = self.tracks.len() as f64 * (strip + Self::BETWEEN);
         let rows: f64 = self.rows.iter().map(Self::row_height).sum();
@@ -97,7 +97,7 @@ impl Timeline<'_> {
         Self::LANE * lanes(row).1 as f64 + Self::BETWEEN
     }
 
-    /// With its upper left corner at a place.
+    /// Draws the timeline with its upper left corner at a place.
     pub(crate) fn draw(&self, items: &mut Vec<Item>, at: Dot, width: f64, strip: f64) {
         let em = self.em;
         let left = at.x + Self::LEFT * em;
@@ -238,7 +238,7 @@ impl Timeline<'_> {
         for (contact, k) in row.bars.iter().zip(of) {
             let (fill, ink) = bar(contact.features);
             let x = [contact.from, contact.to].map(|t| plot.place(t, 0.0).x);
-            // What is short is seen, too.
+            // Short contacts are visible, too.
             let wide = (x[1] - x[0]).max(0.12 * em);
             let field = Area::new(x[0], lane(k), wide, (Self::LANE - 0.1) * em);
             items.push(Item::Shape {
@@ -281,7 +281,7 @@ impl Timeline<'_> {
             let x = axis.place(*t, 0.0).x;
             let line = Path::through([Dot::new(x, top), Dot::new(x, foot)]);
             items.push(Item::drawn(line, LINE, 0.08 * em));
-            // Those of moments side by side stand beside each other.
+            // Labels of adjacent moments stand beside each other.
             let at = x.max(last + 0.9 * em);
             last = at;
             let place = Dot::new(at, top - 0.4 * em);
@@ -291,7 +291,7 @@ impl Timeline<'_> {
     }
 }
 
-/// What of its values a strip shows.
+/// Range of values that a strip shows.
 fn range(track: &Track) -> (f64, f64) {
     let values = track
         .curves
@@ -301,7 +301,7 @@ fn range(track: &Track) -> (f64, f64) {
         (lo.min(x), hi.max(x))
     });
     let (lo, hi) = if lo <= hi { (lo, hi) } else { (0.0, 0.0) };
-    // What hardly moves is shown as still: rounding is no motion.
+    // A nearly constant curve is shown as constant: rounding is no motion.
     let least = if track.is_angle {
         1e-3
     } else {

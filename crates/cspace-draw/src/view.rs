@@ -1,4 +1,4 @@
-//! Where the plane of motions is on a picture, and how often.
+//! Position and periods of the plane of motions in a picture.
 
 use core::f64::consts::TAU;
 
@@ -7,12 +7,12 @@ use cspace::{Axis, AxisMotion, FixedAxesSpace};
 use crate::plot::Plot;
 use crate::scene::Dot;
 
-/// Where coordinates are on the picture, and how often they come.
+/// Map from coordinates to the picture, with their periods.
 pub(crate) struct View {
     pub(crate) plot: Plot,
     /// The periods of u and v, if they have any.
     periods: [Option<f64>; 2],
-    /// Least and greatest u and v of which something is known, where beyond it all is as at its end.
+    /// Smallest and largest computed u and v; beyond them the plane continues as at its ends.
     open: [Option<(f64, f64)>; 2],
 }
 
@@ -30,7 +30,7 @@ impl View {
         self.plot.place(u, v)
     }
 
-    /// Motions with what is at an open end moved out of sight: it goes on like that.
+    /// Copy of a configuration with a coordinate at an open end moved out of sight, since the plane continues there.
     pub(crate) fn opened(&self, (u, v): (f64, f64)) -> (f64, f64) {
         let one = |t: f64, open: Option<(f64, f64)>, seen: (f64, f64)| match open {
             Some((lo, _)) if t <= lo => t.min(seen.0),
@@ -60,7 +60,7 @@ impl View {
                 let is_seen = lo <= seen.1 && hi >= seen.0;
                 return if is_seen { vec![0.0] } else { Vec::new() };
             };
-            // So many periods are not told apart any more.
+            // Largest number of periods that can be distinguished.
             const MOST: f64 = 1e3;
             let first = ((seen.0 - hi) / period).ceil();
             let last = ((seen.1 - lo) / period).floor().min(first + MOST);
@@ -80,12 +80,12 @@ impl View {
     }
 }
 
-/// Whether a part comes to where it was after a turn.
+/// Whether a part returns to its position after a full turn.
 pub(crate) fn turns_for_ever(axis: Axis) -> bool {
     matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
 }
 
-/// Whether a part slides without limits, or stands still, so that it is at an end of what is known of as beyond it.
+/// Whether a part slides without limits, or is fixed, so that beyond the computed range the plane is as at its end.
 fn goes_on(axis: Axis) -> bool {
     match axis.motion {
         AxisMotion::Revolute { .. } => false,

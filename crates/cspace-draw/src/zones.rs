@@ -14,7 +14,7 @@ use crate::slice::draw_curves;
 /// The pair as it is drawn.
 #[derive(Debug, Clone, Copy)]
 pub enum Nominal<'a> {
-    /// Its plane of motions.
+    /// Plane of motions.
     Plane(&'a FixedAxesSpace),
     /// A slice of its space.
     Slice(&'a ContactSpace, &'a Slice),
@@ -23,14 +23,14 @@ pub enum Nominal<'a> {
 /// A rectangle: the ranges of both coordinates.
 type Cell = [(f64, f64); 2];
 
-/// What is shown of contact zones.
+/// Data of a picture of contact zones.
 #[derive(Debug, Clone)]
 pub struct ZonesPicture<'a> {
-    /// The pair as it is drawn, of which the contact curves are shown.
+    /// Nominal pair, whose contact curves are shown.
     pub nominal: Nominal<'a>,
-    /// What is free within all tolerances.
+    /// Cells that are free within all tolerances.
     pub free: &'a [Cell],
-    /// What is blocked within all tolerances.
+    /// Cells that are blocked within all tolerances.
     pub blocked: &'a [Cell],
     /// Bands between: what may touch there, and where.
     pub bands: Vec<(String, &'a [Cell])>,
@@ -39,7 +39,7 @@ pub struct ZonesPicture<'a> {
 }
 
 impl Nominal<'_> {
-    /// What is seen of both coordinates.
+    /// Ranges of both coordinates in view.
     pub fn window(&self, options: &PictureOptions) -> Cell {
         match self {
             Self::Plane(space) => {
@@ -88,9 +88,9 @@ impl Nominal<'_> {
 
 /// A picture of contact zones: free space white, blocked space grey, and bands between in colours by what may touch there.
 pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
-    /// In dots, if the user does not say.
+    /// Default width and height in dots.
     const USUAL: (f64, f64) = (920.0, 940.0);
-    /// More bands than these are not named.
+    /// Largest number of bands that are named.
     const MOST: usize = 10;
     const FREE: Colour = Colour(0xff, 0xff, 0xff);
     let ((width, height), em) = options.sized(USUAL);

@@ -5,11 +5,11 @@ use cspace::{Point, Vector};
 /// The map (x, y) ↦ (a x + c y + e, b x + d y + f).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Affine {
-    /// Where the first axis goes.
+    /// Image of the first axis.
     pub x: Vector,
-    /// Where the second axis goes.
+    /// Image of the second axis.
     pub y: Vector,
-    /// Where the origin goes.
+    /// Image of the origin.
     pub origin: Point,
 }
 
@@ -52,7 +52,7 @@ impl Affine {
         self.x.cross(self.y)
     }
 
-    /// Whether circles stay circles, to rounding.
+    /// Whether circles are mapped to circles, to rounding.
     pub fn is_similarity(&self) -> bool {
         /// Rounding of numbers in files, as a share of the scale.
         const ROUND: f64 = 1e-12;

@@ -1,4 +1,4 @@
-//! What a file draws, before it is known what encloses what.
+//! Content of a drawing file, before the nesting of outlines is known.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -14,39 +14,39 @@ use crate::unit::Unit;
 /// The entities of a drawing, flat: blocks are inserted, transforms done, lengths in the file's unit.
 #[derive(Debug, Clone, Default)]
 pub struct Drawing {
-    /// What the drawing is called: its file's name without folder and extension.
+    /// Name of the drawing: its file's name without folder and extension.
     pub name: String,
     /// The unit of length that the file names.
     pub unit: Option<Unit>,
-    /// Whether the entities are polygons through measured points, which lines and arcs are to be fitted to.
+    /// Whether the entities are polygons through measured points, to which lines and arcs are to be fitted.
     pub is_measured: bool,
-    /// What may be an outline, or a part of one.
+    /// Entities that may be an outline, or a part of one.
     pub entities: Vec<Entity>,
-    /// What is no outline, and is left out.
+    /// Entities that are no outline, and are left out.
     pub ignored: Vec<Ignored>,
-    /// What would be drawn on layers that are left out; it is among what is ignored, too.
+    /// Entities that would be drawn on layers that are left out; they are among the ignored ones, too.
     pub elsewhere: Vec<Elsewhere>,
-    /// What would be an outline but cannot be used.
+    /// Entities that would be an outline but cannot be used.
     pub problems: Vec<Problem>,
 }
 
 /// A path, and where in the file it is.
 #[derive(Debug, Clone)]
 pub struct Entity {
-    /// Where it comes from.
+    /// Origin of the entity in the file.
     pub origin: Origin,
-    /// What it draws.
+    /// Path that it draws.
     pub path: Path,
 }
 
 /// Pieces end to end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
-    /// Where the first piece starts.
+    /// Start of the first piece.
     pub start: Point,
     /// The pieces; each starts where the one before ends.
     pub pieces: Vec<Piece>,
-    /// Whether the last piece ends where the first starts, by the word of the file.
+    /// Whether the last piece ends where the first starts, according to the file.
     pub closed: bool,
 }
 
@@ -55,17 +55,17 @@ pub struct Path {
 pub enum Piece {
     /// A line or an arc.
     Edge {
-        /// Where it ends.
+        /// End point.
         to: Point,
         /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
         bulge: f64,
     },
-    /// What lines and arcs are fitted to.
+    /// Curve to which lines and arcs are fitted.
     Curve(Box<Curve>),
 }
 
 impl Piece {
-    /// Where the piece ends.
+    /// End point of the piece.
     pub fn end(&self) -> Point {
         match self {
             Self::Edge { to, .. } => *to,
@@ -82,7 +82,7 @@ impl Piece {
     }
 }
 
-/// The line or arc of a bulge between two points; the line where both are one, for a bulge then says nothing.
+/// Line or arc with a bulge between two points; a line if both points are equal, where a bulge has no meaning.
 pub(crate) fn edge(start: Point, end: Point, bulge: f64) -> Edge {
     Edge {
         start,
@@ -102,12 +102,12 @@ impl Path {
         }
     }
 
-    /// Where the last piece ends.
+    /// End point of the last piece.
     pub fn end(&self) -> Point {
         self.pieces.last().map_or(self.start, Piece::end)
     }
 
-    /// The box of all pieces, and of the start where there are none.
+    /// Bounding box of all pieces; if there are none, of the start.
     pub(crate) fn bounds(&self) -> Bounds {
         let mut from = self.start;
         let mut bounds = Bounds::of(from, from);
@@ -134,10 +134,10 @@ impl Path {
     }
 }
 
-/// Where an entity comes from.
+/// Origin of an entity in the file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Origin {
-    /// Its type, as the file calls it: `LINE`, `path`.
+    /// Type in the file: `LINE`, `path`.
     pub kind: Arc<str>,
     /// The layer of a DXF file; empty elsewhere.
     pub layer: Arc<str>,
@@ -152,7 +152,7 @@ pub struct Origin {
 /// Something left out because it is no outline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ignored {
-    /// What it is.
+    /// Origin of the entity.
     pub origin: Origin,
     /// Why it is left out.
     pub reason: Cow<'static, str>,
@@ -170,13 +170,13 @@ pub struct Elsewhere {
 /// Why a layer is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LayerReason {
-    /// Others were asked for.
+    /// Other layers were requested.
     NotAskedFor,
-    /// It is for construction.
+    /// The layer is for construction.
     Construction,
-    /// It is switched off.
+    /// The layer is switched off.
     Off,
-    /// It is frozen.
+    /// The layer is frozen.
     Frozen,
 }
 
@@ -191,7 +191,7 @@ impl LayerReason {
         }
     }
 
-    /// The same, after the name of the thing.
+    /// Reason as a relative clause, after the name of the thing.
     pub(crate) fn of_which(self) -> &'static str {
         match self {
             Self::NotAskedFor => "whose layer was not asked for",
@@ -201,7 +201,7 @@ impl LayerReason {
         }
     }
 
-    /// How to have the layer read beside another.
+    /// Advice on how to read the layer beside another.
     pub(crate) fn way(self, own: &str, layer: &str) -> String {
         let [own, layer] = [own, layer].map(shown::start);
         match self {
@@ -220,22 +220,22 @@ impl LayerReason {
 /// Something that cannot be used.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
-    /// What it is.
+    /// Origin of the entity.
     pub origin: Origin,
     /// The other entities that it concerns.
     pub with: Vec<Origin>,
-    /// Where, in the drawing's coordinates.
+    /// Position, in the drawing's coordinates.
     pub at: Option<Point>,
-    /// Where the other end is of something that has two.
+    /// Position of the other end, if there are two.
     pub to: Option<Point>,
-    /// What is wrong.
+    /// Description of the problem.
     pub reason: String,
-    /// What to do.
+    /// Advice on how to solve it.
     pub help: String,
 }
 
 impl Drawing {
-    /// How many entities of each type there are.
+    /// Number of entities of each type.
     pub fn counts(&self) -> BTreeMap<String, usize> {
         let mut counts = BTreeMap::new();
         for entity in &self.entities {

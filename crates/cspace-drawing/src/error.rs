@@ -1,4 +1,4 @@
-//! What can be wrong with a drawing.
+//! Errors in a drawing.
 
 use core::fmt;
 
@@ -12,9 +12,9 @@ pub enum DrawingError {
     File {
         /// The line of the file, counted from 1; none for the file as a whole, and for one without lines.
         line: Option<usize>,
-        /// What is wrong.
+        /// Description of the error.
         message: String,
-        /// What to do.
+        /// Advice on how to correct it.
         help: String,
     },
     /// Entities cannot be used. There is at least one.
@@ -30,7 +30,7 @@ impl DrawingError {
         }
     }
 
-    /// What to do about it, about the first of several.
+    /// Advice on how to correct the error, or the first of several.
     pub fn help(&self) -> &str {
         match self {
             Self::File { help, .. } => help,
@@ -85,7 +85,7 @@ impl fmt::Display for Origin {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        /// More entities than that are not named.
+        /// Largest number of entities that are named.
         const MOST: usize = 8;
         self.origin.fmt(f)?;
         for other in self.with.iter().take(MOST) {

@@ -1,4 +1,4 @@
-//! Which loop is in which.
+//! Nesting of loops.
 
 use cspace::part::Bounds;
 use cspace::{Edge, Point, Vertex};
@@ -45,28 +45,28 @@ impl Ring {
         (self.edges.iter().map(|e| e.distance(p))).fold(f64::INFINITY, f64::min)
     }
 
-    /// What is nearer to it than this may lie on it.
+    /// Distance within which a point may lie on the ring.
     fn rounding(&self) -> f64 {
         ROUND * self.size()
     }
 
     /// Vertices and the middles of edges, of very many some.
     pub(crate) fn places(&self) -> impl Iterator<Item = Point> {
-        /// Edges that are looked at; the ends of those of loops that cross are on both sides soon.
+        /// Number of edges that are sampled; loops that cross are found after few.
         const MOST: usize = 256;
         let step = self.edges.len().div_ceil(MOST).max(1);
         (self.edges.iter().step_by(step)).flat_map(|e| [e.start, e.at(0.5)])
     }
 
-    /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not within
-    /// each other.
+    /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not
+    /// within each other.
     fn holds(&self, inner: &Self) -> bool {
         let (o, i, near) = (self.bounds, inner.bounds, self.rounding());
         let is_in_box = o.min.x <= i.min.x + near
             && o.min.y <= i.min.y + near
             && o.max.x >= i.max.x - near
             && o.max.y >= i.max.y - near;
-        // What lies on this loop says nothing.
+        // Points on this loop are not decisive.
         let mut is_inside = false;
         is_in_box
             && inner.places().all(|p| {
@@ -83,7 +83,8 @@ impl Ring {
     }
 }
 
-/// The most loops around another: what is no drawing of parts may have any number, and every two of them are compared.
+/// Largest number of loops around another: a file that is no drawing of parts may have any number, and every two of
+/// them are compared.
 pub(crate) const MOST_AROUND: usize = 256;
 
 /// Outermost loops with the holes in them, by number; an island in a hole is outermost again. In the order of the loops.

@@ -18,7 +18,7 @@ use cspace::{Edge, Part, Real, Vector, Vertex};
 /// Two edges join smoothly where they turn by less (radians): they have no corner that both determine.
 const SMOOTH: f64 = 1e-3;
 
-/// Why an outline with edges that are off is none.
+/// Reason why an outline with offset edges does not exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProfileError {
     /// Edges that join smoothly are off by different distances.
@@ -26,7 +26,7 @@ pub enum ProfileError {
         /// Both.
         edges: [PartFeature; 2],
     },
-    /// An edge vanishes: an arc of which the radius becomes 0, or a line between corners that pass each other.
+    /// An edge vanishes: an arc whose radius becomes 0, or a line between corners that pass each other.
     Gone {
         /// The edge.
         edge: PartFeature,
@@ -39,7 +39,7 @@ pub enum ProfileError {
 }
 
 impl ProfileError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &'static str {
         match self {
             Self::Smooth { .. } => {
@@ -66,8 +66,9 @@ impl fmt::Display for ProfileError {
 
 impl core::error::Error for ProfileError {}
 
-/// The loops of a part whose edges are each off along their normals, out of the material, by the distance that `off` gives. `loops` are
-/// those of the part, in any type of numbers; the result has as many vertices. Corners stay corners, unlike those of [`offset`](crate::offset()).
+/// Loops of a part whose edges are each displaced along their normals, out of the material, by the distance `off`.
+/// `loops` are those of the part, in any type of numbers; the result has as many vertices. Corners stay corners, unlike
+/// those of [`offset`](crate::offset()).
 ///
 /// ```
 /// use cspace::Part;
@@ -79,8 +80,8 @@ impl core::error::Error for ProfileError {}
 /// ```
 ///
 /// # Errors
-/// If an edge vanishes, or edges that follow each other do not meet any more or join smoothly and are off by different distances. That the
-/// result does not meet itself elsewhere is checked by [`Part::new`].
+/// If an edge vanishes, or adjacent edges do not meet any more, or join smoothly and are displaced by different
+/// distances. Whether the result meets itself elsewhere is checked by [`Part::new`].
 pub fn profile<T: Real>(
     part: &Part,
     loops: &[Vec<Vertex<T>>],
@@ -145,7 +146,7 @@ fn off_loop<T: Real>(
     Ok(drawn)
 }
 
-/// How far the vertex of two edges is off, which follow each other.
+/// Displacement of the vertex between two adjacent edges.
 fn corner<T: Real>(
     (arrives, d): &(Edge<T>, T),
     (leaves, e): &(Edge<T>, T),

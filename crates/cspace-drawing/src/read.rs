@@ -45,10 +45,10 @@ impl Format {
     }
 }
 
-/// Reads a drawing; its extension tells the format.
+/// Reads a drawing; its extension determines the format.
 ///
 /// # Errors
-/// If the file cannot be read, or is no drawing. What cannot be used of a drawing is told by [`Drawing::outlines`].
+/// If the file cannot be read, or is no drawing. Entities that cannot be used are reported by [`Drawing::outlines`].
 pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingError> {
     let path = path.as_ref();
     // A file of another kind is refused before it is read.
@@ -56,7 +56,7 @@ pub fn read(path: impl AsRef<Path>, source: &Source) -> Result<Drawing, DrawingE
     named(path, &bytes(path)?, source)
 }
 
-/// The bytes of a drawing's file, for [`named`].
+/// Reads the bytes of a drawing's file, for [`named`].
 ///
 /// # Errors
 /// If the extension is not that of a drawing, or the file cannot be read.
@@ -66,7 +66,8 @@ pub fn bytes_of(path: impl AsRef<Path>) -> Result<Vec<u8>, DrawingError> {
     bytes(path)
 }
 
-/// The drawing in the bytes of a file of this name, whose extension tells the format: as [`read`] gives it, without the disk.
+/// Reads the drawing in the bytes of a file of this name, whose extension determines the format: as [`read`], without
+/// the disk.
 ///
 /// ```
 /// use cspace_drawing::{Source, named};
@@ -109,7 +110,7 @@ fn format_of(path: &Path) -> Result<Format, DrawingError> {
     ))
 }
 
-/// The drawing in the bytes of a file; it has no name.
+/// Reads the drawing in the bytes of a file; it has no name.
 ///
 /// # Errors
 /// If the bytes are no drawing of the format.

@@ -25,7 +25,7 @@ pub(crate) fn point(p: Point) -> String {
     format!("({}, {})", number(p.x), number(p.y))
 }
 
-/// The beginning of a text, in quotes: more characters tell nothing.
+/// Beginning of a text, in quotes.
 pub(crate) fn start(text: &str) -> String {
     const LONGEST: usize = 60;
     match text.char_indices().nth(LONGEST) {

@@ -1,13 +1,13 @@
-//! What of a file is read.
+//! Selection of a file's content.
 
-/// What of a file is read: all of it, or some.
+/// Selection of a file's content: all of it, or some.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Source {
-    /// Of a DXF file these layers alone; all that are drawn where there are none.
+    /// Layers of a DXF file to be read; if empty, all that are drawn.
     pub layers: Vec<String>,
-    /// Of an SVG file the element of this id alone.
+    /// Id of the only element of an SVG file to be read.
     pub id: Option<String>,
-    /// Of a DXF file the outlines of hatches too, which usually repeat what is drawn.
+    /// Whether outlines of hatches in a DXF file are read too, which usually repeat other entities.
     pub hatches: bool,
 }
 

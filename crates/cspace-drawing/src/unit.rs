@@ -41,7 +41,7 @@ pub enum Unit {
     Gigametre,
     /// 149,597,870,700 m.
     AstronomicalUnit,
-    /// What light travels in a Julian year.
+    /// Distance travelled by light in a Julian year.
     LightYear,
     /// 648,000/π astronomical units.
     Parsec,
@@ -162,7 +162,7 @@ const UNITS: [Entry; 25] = [
     Entry(Unit::Pixel, 0, 254e6 / 96.0, &["px"]),
 ];
 
-/// In ångströms.
+/// Length in ångströms.
 const SURVEY_FOOT: f64 = 1200e10 / 3937.0;
 
 impl Unit {
@@ -181,7 +181,7 @@ impl Unit {
         self.entry().3[0]
     }
 
-    /// How many of another unit one of this is.
+    /// Length of this unit in another.
     pub fn ratio(self, to: Self) -> f64 {
         self.entry().2 / to.entry().2
     }
@@ -193,7 +193,7 @@ impl Unit {
         entry.map(|e| e.0)
     }
 
-    /// The number of DXF's `$INSUNITS`: 0 where there is none.
+    /// Number in DXF's `$INSUNITS`; 0 if there is none.
     pub(crate) fn dxf(self) -> i64 {
         self.entry().1
     }
@@ -205,10 +205,10 @@ impl Unit {
     }
 }
 
-/// How a drawing's lengths become those of a model.
+/// Conversion of a drawing's lengths to those of a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Conversion<'a> {
-    /// The numbers are taken as they are: the units are the same, or one of them is not named.
+    /// Numbers are used unchanged: the units are equal, or one of them is not named.
     None,
     /// Both units are known, and differ.
     Between(Unit, Unit),
@@ -217,7 +217,7 @@ pub enum Conversion<'a> {
 }
 
 impl<'a> Conversion<'a> {
-    /// From the unit that a drawing names to the unit of a label.
+    /// Conversion from the unit that a drawing names to the unit of a label.
     pub fn new(from: Option<Unit>, label: Option<&'a str>) -> Self {
         match (from, label, label.and_then(Unit::of_label)) {
             (Some(from), _, Some(to)) if from != to => Self::Between(from, to),
@@ -226,7 +226,7 @@ impl<'a> Conversion<'a> {
         }
     }
 
-    /// What every length is multiplied by.
+    /// Factor by which every length is multiplied.
     pub fn factor(self) -> f64 {
         match self {
             Self::Between(from, to) => from.ratio(to),
@@ -234,7 +234,7 @@ impl<'a> Conversion<'a> {
         }
     }
 
-    /// What whoever takes the drawing should know; `unscaled` is how to have the numbers as they are.
+    /// Note for users of the drawing; `unscaled` is the setting that takes the numbers as they are.
     pub fn note(self, unscaled: &str) -> Option<String> {
         match self {
             Self::None => None,

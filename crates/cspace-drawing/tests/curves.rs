@@ -25,7 +25,7 @@ fn svg(path: &str) -> Result<Outlines, DrawingError> {
     svg_with(path, &Settings::default())
 }
 
-/// A stroke in a page of 100 by 100, in which lengths are those of the path.
+/// SVG with a stroke in a page of 100 by 100, in which lengths are those of the path.
 fn svg_with(path: &str, settings: &Settings) -> Result<Outlines, DrawingError> {
     let text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\
@@ -257,7 +257,7 @@ fn bezier_integral(x: &[f64; 4], y: &[f64; 4]) -> f64 {
         .sum()
 }
 
-/// How far a curve is from the outline, at most, by many points of it.
+/// Largest distance of a curve from the outline, at many points of it.
 fn deviation(part: &Part, at: impl Fn(f64) -> (f64, f64)) -> f64 {
     let edges: Vec<Edge> = part.edges().collect();
     (0..=2000)
@@ -375,8 +375,8 @@ fn joined_curves_are_fitted() {
     assert_eq!(outlines.joined.len(), 1);
 }
 
-/// A cam traced with 1,000 points, a square hole in it: asked to, the import makes some arcs of the trace and leaves the hole.
-/// Otherwise it stays as it is, and what fitting would give is what it then gives.
+/// A cam traced with 1,000 points, with a square hole: if requested, the import replaces the trace by some arcs and
+/// keeps the hole. Otherwise the part is unchanged, and the proposed fit equals the result of fitting.
 #[test]
 fn traces_become_few_pieces() {
     let n = 1000;
@@ -498,8 +498,8 @@ fn copies_of_a_symbol_are_fitted_as_the_symbol() {
     }
 }
 
-/// What is proposed for a trace is as far off as its chords are: of a circle in closed form. Few edges, and those of a drawing with
-/// corners, are no trace.
+/// The tolerance proposed for a trace is the error of its chords: for a circle in closed form. Outlines of few edges,
+/// and drawings with corners, are no traces.
 #[test]
 fn traces_are_told_within_their_sagitta() {
     let circle = |n: u32, r: f64| -> Vec<(f64, f64)> {

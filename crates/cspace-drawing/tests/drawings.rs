@@ -1,5 +1,5 @@
-//! The drawings of `tests/drawings`, which `make.py` there makes with ezdxf, another program's reader and writer of DXF: what is
-//! to be found in each is computed from its dimensions.
+//! The drawings of `tests/drawings` are made by `make.py` there with ezdxf, another program's reader and writer of DXF:
+//! the expected results are computed from their dimensions.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -124,7 +124,7 @@ fn drawings_are_read_as_they_were_made() {
     }
 }
 
-/// The same outline drawn in any unit is the same number of lines and arcs.
+/// An outline drawn in any unit gives an equal number of lines and arcs.
 #[test]
 fn scale_changes_lengths_alone() {
     for name in [
@@ -243,7 +243,7 @@ fn fits_are_as_fine_in_large_drawings() {
     }
 }
 
-/// Where nothing is left, every reason is told: a layer that was asked for may be switched off.
+/// If nothing is left, every reason is reported: a requested layer may be switched off.
 #[test]
 fn an_empty_drawing_says_why() {
     let text = "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nA\n70\n0\n62\n-7\n0\nENDTAB\n0\nENDSEC\n\

@@ -1,4 +1,4 @@
-//! Open chains whose missing piece is on another layer: it is named, and what is told closes the chain.
+//! Open chains whose missing piece is on another layer: it is named, and following the advice closes the chain.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 

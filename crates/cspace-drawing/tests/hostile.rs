@@ -13,7 +13,7 @@ fn outlines(path: &Path) -> Result<Outlines, DrawingError> {
     read(path, &Source::default())?.outlines(&Settings::default())
 }
 
-/// What is said of a file of this name and content.
+/// Error message for a file of this name and content.
 #[track_caller]
 fn said(name: &str, content: impl AsRef<[u8]>) -> String {
     let folder = tempfile::tempdir().unwrap();
@@ -148,7 +148,7 @@ fn bombs_of_inserts_end() {
     );
 }
 
-/// A million circles inserted at one place are one circle, or too many; many ends at one place are told of once.
+/// A million circles inserted at one place are one circle, or too many; many ends at one place are reported once.
 #[test]
 fn crowds_at_one_place_end() {
     let start = Instant::now();

@@ -1,4 +1,4 @@
-//! Drawings that say in roundabout ways what they draw: percentages, prefixes nobody declares, outlines in hatches alone.
+//! Drawings with indirect descriptions: percentages, undeclared prefixes, outlines in hatches alone.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
@@ -68,7 +68,7 @@ fn percentages_in_frames_are_of_these() {
     }
 }
 
-/// Where neither a side nor a view box says how large the page is, nor what size a font has.
+/// Errors if neither a side nor a view box gives the size of the page, and if the size of a font is unknown.
 #[test]
 fn lengths_of_nothing_known_are_told() {
     for body in ["<rect width=\"50%\" height=\"9\"/>", "<circle r=\"2em\"/>"] {
@@ -167,7 +167,7 @@ fn loops_that_touch_are_within_one_another() {
     assert_eq!(areas(&outlines.parts), [64.0, 12.0]);
 }
 
-/// Of an outline that is left out no hole becomes a part, whether it is open, a network, or crosses itself.
+/// No hole of an outline that is left out becomes a part, whether the outline is open, a network, or crosses itself.
 #[test]
 fn holes_of_what_is_left_out_are_no_parts() {
     let partial = Settings {

@@ -17,7 +17,7 @@ pub struct Refused {
 
 /// The program on whose behalf a file is read.
 pub struct Host<'a> {
-    /// A question that is asked of every file before it is opened: a model, and each drawing that it names.
+    /// Check of every file before it is opened: a model, and each drawing that it names.
     pub guard: &'a dyn Fn(&Path) -> Result<(), Refused>,
     /// The receiver of remarks for whoever reads the model, such as that a drawing is converted from another unit.
     pub note: &'a dyn Fn(&str),
@@ -91,7 +91,7 @@ pub(crate) fn text_of(source: impl Read, limit: u64, file: &str) -> Result<Strin
     })
 }
 
-/// That a file has more than so many bytes.
+/// Error for a file of more than `limit` bytes.
 pub(crate) fn too_large(path: &Path, limit: u64) -> ModelError {
     let help = if extension(path) == "toml" {
         "write it as .json, of which more is read, or split it into several files"
@@ -108,7 +108,7 @@ pub(crate) fn without_mark(text: &str) -> &str {
     text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
-/// The extension in small letters; empty if there is none.
+/// Extension in small letters; empty if there is none.
 pub(crate) fn extension(path: &Path) -> String {
     path.extension()
         .and_then(|e| e.to_str())

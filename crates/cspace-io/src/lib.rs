@@ -1,7 +1,7 @@
-//! Files for `cspace`: models in, contact spaces out and in again.
+//! File formats of `cspace`: reads models, writes and reads configuration spaces.
 //!
-//! [`read`] reads a file, whichever of the two it holds; [`model::read`] and [`saved::read`] read one of them. Every
-//! error is a [`ModelError`]: it names the file, the line, the part, loop and vertex, and says what to do.
+//! [`read`] reads a file of either kind; [`model::read`] and [`saved::read`] read one kind. Every error is a
+//! [`ModelError`]: it names the file, the line, the part, loop and vertex, and gives advice.
 //!
 //! Saved contact spaces are JSON; `docs/contact-space.schema.json` in the project's repository describes them field by
 //! field. [`write`](mod@write) has meshes and pictures.

@@ -1,7 +1,7 @@
 //! Text and numbers as messages show them.
 //!
-//! What a file or a user says is repeated in messages, and a terminal obeys what it is sent: an escape character in the
-//! name of a part could hide the rest of a message, a line break could forge one.
+//! Messages repeat text of files and users, and terminals obey control characters: an escape character in the name of a
+//! part could hide the rest of a message, a line break could forge one.
 
 use core::fmt;
 use std::borrow::Cow;
@@ -28,7 +28,7 @@ pub fn text(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// So many characters of what a file or a user says are repeated: enough to find it.
+/// Largest number of repeated characters of a text from a file or a user: enough to find it.
 const LONGEST: usize = 60;
 
 /// The text, or its beginning if it is long.
@@ -75,9 +75,10 @@ pub fn word(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A number with all its digits, but no row of noughts: from 10¹⁵ on, and below 10⁻⁵, with an exponent.
+/// Formats a number with all its digits, but without long rows of zeros: from 10¹⁵ on, and below 10⁻⁵, with an
+/// exponent.
 ///
-/// With a precision, so many digits follow the point in either form.
+/// A precision gives the number of decimals in either form.
 ///
 /// ```
 /// use cspace_io::shown;
@@ -94,8 +95,8 @@ pub fn number(x: f64) -> Number {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Number(f64);
 
-/// From here on a number is shown with an exponent; below it neighbouring doubles are less than 1 apart, and every digit
-/// before the point says something.
+/// Smallest number shown with an exponent; below it neighbouring doubles are less than 1 apart, and every digit before
+/// the point is significant.
 const LONG: f64 = 1e15;
 
 /// Below it a number is shown with an exponent, unless the digits after the point are counted.

@@ -35,7 +35,7 @@ pub(crate) struct Column<'a> {
     /// The interval of p, by s; `None` of a full turn.
     pub(crate) p: Option<Span<'a>>,
     pub(crate) q: Option<Span<'a>>,
-    /// From where to where s goes.
+    /// Interval of s.
     pub(crate) slab: (f64, f64),
     pub(crate) narrowest: f64,
 }
@@ -46,7 +46,7 @@ pub(crate) struct Layer {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
     pub(crate) cells: Vec<Place>,
-    /// Which cells are beside each other, and by which turns of p and q the second is to be moved.
+    /// Pairs of adjacent cells, with the turns of p and q by which the second has to be moved.
     pub(crate) beside: Vec<(usize, usize, [i32; 2])>,
 }
 
@@ -66,7 +66,7 @@ impl<'a> Column<'a> {
         )
     }
 
-    /// The rectangle at a value of s, less what is no opening.
+    /// Rectangle at a value of s, without intervals narrower than the openings.
     pub(crate) fn rectangle(&self, s: f64) -> (Interval, Interval) {
         let (p, q) = self.narrowed();
         (p.map(|p| p.at(s)), q.map(|q| q.at(s)))
@@ -157,7 +157,7 @@ impl<'a> Column<'a> {
         levels
     }
 
-    /// Where ends pass levels.
+    /// Critical values at which ends pass levels.
     fn passing(&self, ends: &[Graph<'_>], levels: &[f64], critical: &mut Vec<f64>) {
         for end in ends {
             let (a, b) = (end.at(self.slab.0), end.at(self.slab.1));
@@ -169,8 +169,8 @@ impl<'a> Column<'a> {
         }
     }
 
-    /// Where corners of the rectangle, at an end of p, pass curves of the plane, over an interval of s in which that end stays in one
-    /// band.
+    /// Critical values at which corners of the rectangle, at an end of p, pass curves of the plane, over an interval of
+    /// s in which that end stays in one band.
     fn corners(
         &self,
         end: Graph<'_>,
@@ -233,7 +233,7 @@ impl<'a> Column<'a> {
         }
     }
 
-    /// Which cells of a layer go over into each other where bands of the plane do.
+    /// Pairs of adjacent cells of a layer, where bands of the plane meet.
     fn beside(&self, cells: &[Place], p: Interval, q: Interval) -> Vec<(usize, usize, [i32; 2])> {
         let plane = self.plane;
         let mut beside = Vec::new();
@@ -248,7 +248,7 @@ impl<'a> Column<'a> {
             }
             let band = if last { 0 } else { a.band + 1 };
             let around = i32::from(last);
-            // Of a full turn all bands are in their own turn.
+            // All bands of a full turn are in their own turn.
             let p_turns = if p.is_none() { 0 } else { a.p_turns + around };
             let whole_a = plane.span(a.gap as usize).is_none();
             let from = self.openings[a.band as usize].iter();

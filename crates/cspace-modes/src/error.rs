@@ -17,7 +17,7 @@ pub enum ModesError {
     /// One part is named twice.
     #[error("part {part:?} is named twice; name three different parts")]
     Twice {
-        /// Its name.
+        /// Name of the part.
         part: String,
     },
     /// A model has another number of parts that move on axes than three.
@@ -27,7 +27,7 @@ pub enum ModesError {
         listed(parts)
     )]
     NotThree {
-        /// Their names.
+        /// Names of the parts.
         parts: Vec<String>,
     },
     /// A part is planar.
@@ -35,7 +35,7 @@ pub enum ModesError {
         "part {part:?} moves freely in the plane: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
     )]
     Planar {
-        /// Its name.
+        /// Name of the part.
         part: String,
     },
     /// A part does not move.
@@ -43,7 +43,7 @@ pub enum ModesError {
         "part {part:?} does not move: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
     )]
     Still {
-        /// Its name.
+        /// Name of the part.
         part: String,
     },
     /// A joint, or a chain of them, connects two of the parts.
@@ -56,7 +56,7 @@ pub enum ModesError {
         first: String,
         /// The name of the other.
         second: String,
-        /// Whether one joint names both.
+        /// Whether a single joint connects both.
         direct: bool,
     },
     /// Two parts slide along one direction without limits.

@@ -1,11 +1,11 @@
-//! Where a coordinate runs, and how small a difference of it counts.
+//! Range of a coordinate, and its resolution.
 
 /// The values of the coordinate of a part: radians, or the model's unit of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extent {
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// Whether the ends are one place, a full turn apart.
+    /// Whether the ends are the same place, a full turn apart.
     pub(crate) circle: bool,
     /// Openings smaller than this are closed.
     pub(crate) opening: f64,
@@ -14,7 +14,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// The same values, with the larger tolerances of both.
+    /// Copy with the larger of both extents' tolerances.
     pub(crate) fn coarser(self, other: &Self) -> Self {
         Self {
             opening: self.opening.max(other.opening),

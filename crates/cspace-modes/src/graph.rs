@@ -67,7 +67,7 @@ impl Span<'_> {
         )
     }
 
-    /// The same, moved by whole turns.
+    /// Copy moved by whole turns.
     pub(crate) fn turned(self, turns: i32) -> Self {
         let by = TAU * f64::from(turns);
         Self {
@@ -76,7 +76,7 @@ impl Span<'_> {
         }
     }
 
-    /// The same, narrower by `opening`, so that it is empty where it is no opening.
+    /// Copy narrower by `opening`, which is empty where the width is less than that.
     pub(crate) fn narrowed(self, opening: f64) -> Self {
         Self {
             lower: self.lower.moved(0.5 * opening),

@@ -1,4 +1,4 @@
-//! In which mode a configuration is.
+//! Location of a configuration among the modes.
 
 use core::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use crate::error::ModesError;
 use crate::modes::Modes;
 use crate::plane::turns_onto;
 
-/// Where a configuration of the three parts is.
+/// Place of a configuration of the three parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModePlace {
-    /// Free, in the mode of that number.
+    /// Free, in the mode with that number.
     Mode(usize),
     /// Two parts touch: a number of [`PAIRS`](crate::PAIRS).
     Contact(usize),
@@ -24,7 +24,7 @@ pub enum ModePlace {
 }
 
 impl Modes {
-    /// Where a configuration (u, v, w) is; radians or the model's unit of length.
+    /// Finds the mode of a configuration (u, v, w); radians or the model's unit of length.
     ///
     /// # Errors
     /// If it is not finite.

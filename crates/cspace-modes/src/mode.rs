@@ -12,10 +12,10 @@ use crate::shape::Shape;
 pub struct Mode {
     /// A configuration (u, v, w) within it.
     pub sample: [f64; 3],
-    /// Minimum and maximum u, v and w, in radians or the model's unit of length; of a coordinate that goes on past a turn
-    /// unrolled, of one around which the mode closes a full turn.
+    /// Minimum and maximum u, v and w, in radians or the model's unit of length. A coordinate that goes on past a turn
+    /// is unrolled; the range of one around which the mode closes is a full turn.
     pub ranges: [(f64, f64); 3],
-    /// Whether each coordinate goes on without limit below its minimum and beyond its maximum.
+    /// Whether each coordinate is unbounded below its minimum and above its maximum.
     pub open: [(bool, bool); 3],
     /// The turns (of u, v and w) by which motions within the mode come back to where they began: all of them are sums of whole
     /// multiples of these, three at most.
@@ -23,7 +23,7 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// Whether the mode closes on itself around a coordinate: the part can turn for ever, with the others or alone.
+    /// Whether the mode closes on itself around a coordinate: the part can turn without end, with the others or alone.
     pub fn around(&self, coordinate: usize) -> bool {
         self.turns
             .iter()
@@ -37,7 +37,7 @@ impl Mode {
             [u.0, v.0, w.0, u.1, v.1, w.1, a, b, c]
         };
         let (a, b) = (key(self), key(other));
-        // Ends that rounding tells apart are one.
+        // Ends that differ only by rounding are equal.
         let compare = |(x, y): (&f64, &f64)| match (x - y).abs() < 1e-9 * (1.0 + x.abs()) {
             true => Ordering::Equal,
             false => x.total_cmp(y),
@@ -46,13 +46,13 @@ impl Mode {
     }
 }
 
-/// What is known of a mode while its cells are gone through; coordinates are s, p and q.
+/// State of a mode while its cells are collected; coordinates are s, p and q.
 pub(crate) struct Gathered {
     turns: Vec<[i64; 3]>,
     extents: [Extent; 3],
     ranges: [(f64, f64); 3],
     sample: [f64; 3],
-    /// How large the cell is that holds the sample, as a share of the extents.
+    /// Size of the cell that holds the sample, as a share of the extents.
     largest: f64,
 }
 
@@ -67,7 +67,7 @@ impl Gathered {
         }
     }
 
-    /// Adds a cell that is so far from where the mode's turns are counted from.
+    /// Adds a cell, displaced by `by` from the origin of the mode's turns.
     pub(crate) fn add(&mut self, shape: &Shape<'_>, by: [f64; 3]) {
         let hulls = shape.hulls();
         let (lo, hi) = shape.s;
@@ -102,7 +102,7 @@ impl Gathered {
         }
     }
 
-    /// The mode, with s, p and q in the places of u, v and w that `order` says.
+    /// Mode with s, p and q assigned to u, v and w by `order`.
     pub(crate) fn mode(self, order: [usize; 3], open: [bool; 3]) -> Mode {
         let mut mode = Mode {
             sample: [0.0; 3],

@@ -26,13 +26,13 @@ pub struct Modes {
     pub(crate) swept: Swept,
     /// The mode of every cell.
     pub(crate) mode_of: Vec<u32>,
-    /// And in which turns of s, p and q it is.
+    /// Turns of s, p and q of each cell.
     pub(crate) turns_of: Vec<[i32; 3]>,
     modes: Vec<Mode>,
 }
 
 impl Modes {
-    /// Computes the modes of three parts of a mechanism, whose coordinates are called u, v and w in that order.
+    /// Computes the modes of three parts of a mechanism, with coordinates u, v and w in that order.
     ///
     /// (u, v, w) is free if (u, v), (v, w) and (u, w) are free in the spaces of their pairs; pairs that the mechanism does not
     /// have constrain nothing. Openings less than 10⁻¹¹ of a pair's size are closed, as they are in its space.
@@ -172,7 +172,7 @@ impl Modes {
     }
 }
 
-/// Which coordinates are s, p and q, and the planes of their pairs.
+/// Assigns s, p and q to coordinates, and prepares the planes of their pairs.
 fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), ModesError> {
     let axes = trio.limited_axes();
     // The pair that is not moved by s is the simplest one, or one that constrains nothing.
@@ -248,7 +248,7 @@ fn swept(
 
 /// The extent of the coordinate that no pair constrains.
 fn alone(axis: &Axis, circle: bool, size: f64) -> Extent {
-    /// As of pairs: openings of 10⁻¹¹, and bands of 10⁻¹⁰, of a turn or the part's size.
+    /// Tolerances as in the spaces of pairs: openings of 10⁻¹¹, and bands of 10⁻¹⁰, of a turn or the part's size.
     const OPENING: f64 = 1e-11;
     let unit = match axis.motion {
         AxisMotion::Revolute { .. } => 1.0,

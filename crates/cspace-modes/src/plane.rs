@@ -1,4 +1,4 @@
-//! The plane of two of the three coordinates: bands of free gaps, or all free where nothing is said about a pair.
+//! Plane of two of the three coordinates: bands of free gaps, or all free if there is no such pair.
 
 use core::f64::consts::TAU;
 use core::ops::Range;
@@ -17,7 +17,7 @@ pub(crate) struct Plane {
     pub(crate) y: Extent,
 }
 
-/// A stretch of y in which one gap goes over into another, or goes on.
+/// Interval of y in which one gap is connected with another, or with itself in the next band.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Opening {
     pub(crate) from: usize,
@@ -25,12 +25,12 @@ pub(crate) struct Opening {
     /// The stretch, where `from` is.
     pub(crate) lo: f64,
     pub(crate) hi: f64,
-    /// By how many turns `to` is to be moved to be beside `from`.
+    /// Turns by which `to` has to be moved to be adjacent to `from`.
     pub(crate) turns: i32,
 }
 
 impl Plane {
-    /// What a computed pair leaves free.
+    /// Plane of a computed pair.
     pub(crate) fn of(swept: SweptPlane) -> Self {
         let openings = swept.smallest_openings();
         let extent = |((lo, hi), circle): ((f64, f64), bool), opening: f64| Extent {
@@ -59,7 +59,7 @@ impl Plane {
         }
     }
 
-    /// The same, with other extents of the same coordinates.
+    /// Copy with other extents of its coordinates.
     pub(crate) fn with(self, x: Extent, y: Extent) -> Self {
         Self { x, y, ..self }
     }
@@ -97,7 +97,7 @@ impl Plane {
         })
     }
 
-    /// Where gap `gap` is at x; a full turn from the minimum to the maximum y.
+    /// Interval of gap `gap` at x; a full turn from the minimum to the maximum y.
     pub(crate) fn interval(&self, gap: usize, x: f64) -> (f64, f64) {
         (self.span(gap)).map_or((self.y.lo, self.y.hi), |s| s.at(x))
     }
@@ -109,8 +109,8 @@ impl Plane {
         bands.flat_map(|k| swept.walls(k)).collect()
     }
 
-    /// Where the gaps of a band, at x, go over into those of another one beside it, at its x. What is between the bands is passed
-    /// if it is not closed by contact that does not depend on y.
+    /// Openings between the gaps of a band, at x, and those of another adjacent one, at its x. The space between the
+    /// bands is passed if it is not closed by a contact that does not depend on y.
     pub(crate) fn openings(&self, from: (usize, f64), to: (usize, f64)) -> Vec<Opening> {
         let mut openings = Vec::new();
         if from.0 == to.0 && from.1 <= to.1 {

@@ -1,11 +1,11 @@
-//! Where two monotone functions of the swept coordinate meet, with certainty: what is not known to be apart is halved.
+//! Certain meetings of two monotone functions of the swept coordinate: intervals in which they may meet are bisected.
 
 use cspace::{Ball, Real};
 
 use crate::graph::Graph;
 
-/// Functions that differ by no more than this over an interval meet in all of it, as far as rounding tells (radians or the
-/// model's unit of length, as a share of 1 and the value).
+/// Functions that differ by no more than this over an interval are equal in it, to rounding (radians or the model's
+/// unit of length, as a share of 1 and the value).
 const SAME: f64 = 1e-14;
 /// Intervals that are looked at for one meeting of two functions. Beside a tangency and beside a vertical slope some are left of each
 /// length, forty times halved; more are used up only by functions that coincide but for rounding.
@@ -17,8 +17,8 @@ const MOST_INTERVALS: usize = 1 << 14;
 /// would need and once (Oliveira and Takahashi 2020, *an enhancement of the bisection method average performance preserving
 /// minmax optimality*).
 pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Option<f64> {
-    /// How far towards the middle, as a share of the square of the bracket; the last digits if that is less, so that the root
-    /// is between.
+    /// Displacement towards the middle, as a share of the square of the bracket; if that is less than rounding, the
+    /// last digits, so that the root is bracketed.
     const TOWARDS: f64 = 0.2;
     let (mut at_lo, mut at_hi) = (f(lo), f(hi));
     let is_above = at_lo > 0.0;
@@ -35,7 +35,7 @@ pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Optio
         let by = (TOWARDS * 4.0 * half * half / width).max(digits);
         let aside = (line - mid).abs();
         let moved = if by <= aside { aside - by } else { 0.0 };
-        // Of what is no number the middle is taken.
+        // If the result is not a number, the middle is taken.
         let at = mid + moved.min((room - half).max(0.0)).copysign(line - mid);
         let at = if lo < at && at < hi { at } else { mid };
         if !(lo < at && at < hi) {
@@ -56,7 +56,7 @@ pub(crate) fn sign_change(f: impl Fn(f64) -> f64, (lo, hi): (f64, f64)) -> Optio
 pub(crate) struct Corner<'a> {
     /// f, of the values of a.
     pub(crate) outer: Graph<'a>,
-    /// What is added to values of a before they are put into f.
+    /// Offset added to values of a before they are put into f.
     pub(crate) shift: f64,
     pub(crate) inner: Graph<'a>,
     pub(crate) level: Graph<'a>,
@@ -145,7 +145,7 @@ impl Corner<'_> {
     }
 }
 
-/// Whether two intervals, given by their ends in either order, have nothing in common.
+/// Whether two intervals, given by their ends in either order, are disjoint.
 fn apart(a: (f64, f64), b: (f64, f64)) -> bool {
     a.0.max(a.1) < b.0.min(b.1) || b.0.max(b.1) < a.0.min(a.1)
 }

@@ -50,7 +50,7 @@ impl Plane {
         }
     }
 
-    /// From where to where along p a gap is in a rectangle; `None` if nowhere.
+    /// Interval of p in which a gap lies in a rectangle; `None` if there is none.
     pub(crate) fn within(&self, at: Place, p: Interval, q: Interval) -> Option<(f64, f64)> {
         let by = TAU * f64::from(at.p_turns);
         let band = &self.bands[at.band as usize];
@@ -69,7 +69,7 @@ impl Plane {
         (lo < hi).then_some((lo + by, hi + by))
     }
 
-    /// As [`within`](Self::within), of a rectangle in which the gap is nowhere the place at which it is nearest to being.
+    /// As [`within`](Self::within); if the gap does not enter the rectangle, the place at which it is nearest to it.
     pub(crate) fn about(&self, at: Place, p: Interval, q: Interval) -> (f64, f64) {
         let by = TAU * f64::from(at.p_turns);
         let band = &self.bands[at.band as usize];

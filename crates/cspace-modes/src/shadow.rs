@@ -1,4 +1,5 @@
-//! What of the plane of two parts a mode reaches: the configurations (u, v) of the pair for which the third part can be somewhere.
+//! Shadow of a mode in the plane of two parts: the configurations (u, v) of the pair for which the third part has a
+//! free position.
 
 use core::f64::consts::TAU;
 
@@ -12,7 +13,7 @@ use crate::shape::Shape;
 pub struct Shadow {
     /// Fields along the pair's u and along its v.
     pub fields: [usize; 2],
-    /// Whether the mode comes into each field: those of the smallest u first, in order of v.
+    /// Flags of the fields that the mode enters: those of the smallest u first, in order of v.
     pub reached: Vec<bool>,
 }
 
@@ -21,13 +22,14 @@ struct Fields {
     shadow: Shadow,
     window: [(f64, f64); 2],
     circle: [bool; 2],
-    /// Whether the two coordinates of what is marked are those of the window in the other order.
+    /// Whether the coordinates of the shadow are those of the window in the other order.
     swapped: bool,
 }
 
 impl Modes {
-    /// The projection of a mode to the plane of a pair, by its number in [`PAIRS`](crate::PAIRS), over a window of the pair's u and v: every
-    /// field into which the mode comes, however little. Empty if there is no such mode or pair.
+    /// Computes the projection of a mode onto the plane of a pair, by its number in [`PAIRS`](crate::PAIRS), over a
+    /// window of the pair's u and v: every field that the mode enters, even slightly. Empty if there is no such mode or
+    /// pair.
     ///
     /// ```
     /// use cspace::{Mechanism, Part, mechanism::PartEntry};
@@ -103,7 +105,7 @@ impl Modes {
 }
 
 impl Fields {
-    /// Marks what is between two functions of the first coordinate over an interval.
+    /// Marks the fields between two functions of the first coordinate over an interval.
     fn mark(&mut self, (lo, hi): (f64, f64), at: impl Fn(f64) -> (f64, f64)) {
         let [i, j] = if self.swapped { [1, 0] } else { [0, 1] };
         let window = self.window[i];
@@ -154,7 +156,7 @@ impl Fields {
 }
 
 impl Shape<'_> {
-    /// From where to where q goes at a value of p, over all s.
+    /// Range of q at a value of p, over all s.
     fn q_over(&self, p: f64) -> (f64, f64) {
         let (mut lo, mut hi) = self.s;
         if let Some(span) = self.column.p {

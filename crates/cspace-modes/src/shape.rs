@@ -5,16 +5,17 @@ use core::f64::consts::TAU;
 use crate::column::Column;
 use crate::section::Place;
 
-/// A cell of a column over a layer. Its values are those of the drawing, not less what is no opening.
+/// Cell of a column over a layer. Its values are the original ones, not narrowed by the smallest openings.
 pub(crate) struct Shape<'a> {
     pub(crate) column: Column<'a>,
     pub(crate) place: Place,
     pub(crate) s: (f64, f64),
 }
 
-/// How often an interval about a maximum is divided by the golden section: to 2·10⁻¹² of its width.
+/// Number of golden-section steps for a maximum: to 2·10⁻¹² of the interval's width.
 const DIVISIONS: u32 = 56;
-/// So near to an end, as a share of the interval, it is seen whether a function rises from there on: about 1.5·10⁻¹¹.
+/// Distance from an end, as a share of the interval, at which it is checked whether a function rises from there on:
+/// about 1.5·10⁻¹¹.
 const BESIDE: f64 = 1.0 / (1u64 << 36) as f64;
 
 /// The maximum over an interval of a function that rises up to there and falls from there on.
@@ -50,20 +51,20 @@ fn maximum(f: impl Fn(f64) -> f64, (mut lo, mut hi): (f64, f64)) -> f64 {
 }
 
 impl Shape<'_> {
-    /// From where to where p goes at a value of s.
+    /// Range of p at a value of s.
     pub(crate) fn p(&self, s: f64) -> (f64, f64) {
         let p = self.column.p.map(|p| p.at(s));
         let q = self.column.q.map(|q| q.at(s));
         self.column.plane.about(self.place, p, q)
     }
 
-    /// From where to where q goes at values of s and p of the cell.
+    /// Range of q at values of s and p of the cell.
     pub(crate) fn q_at(&self, s: f64, p: f64) -> (f64, f64) {
         let (lo, hi) = self.q_between(s, p);
         (lo, hi.max(lo))
     }
 
-    /// From where to where q goes at any values of s and p: nowhere if the first number is larger.
+    /// Range of q at any values of s and p; empty if the first number is larger.
     fn q_between(&self, s: f64, p: f64) -> (f64, f64) {
         let q = self.column.q.map(|q| q.at(s));
         match (q, self.gap(p)) {
@@ -80,8 +81,8 @@ impl Shape<'_> {
         span.map(|g| g.turned(self.place.q_turns).at(x))
     }
 
-    /// From where to where q goes at a value of p over some values of s, at the ends of which it may go nowhere: ends are monotone, so on the
-    /// way from there to where it goes somewhere they begin at an end of the gap.
+    /// Range of q at a value of p over some values of s, at the ends of which it may be empty: ends are monotone, so
+    /// where the range first becomes non-empty it begins at an end of the gap.
     pub(crate) fn q_along(&self, (from, to): (f64, f64), p: f64) -> (f64, f64) {
         let (a, b) = (self.q_between(from, p), self.q_between(to, p));
         let (lo, hi) = (a.0.min(b.0), a.1.max(b.1));
@@ -91,14 +92,15 @@ impl Shape<'_> {
         }
     }
 
-    /// From where to where q goes at a value of s: ends of gaps are monotone, so they are farthest at the ends of p.
+    /// Range of q at a value of s: ends of gaps are monotone, so they are extreme at the ends of p.
     pub(crate) fn q(&self, s: f64) -> (f64, f64) {
         let (from, to) = self.p(s);
         let (a, b) = (self.q_at(s, from), self.q_at(s, to));
         (a.0.min(b.0), a.1.max(b.1))
     }
 
-    /// Minimum and maximum p. Ends are the minimum or maximum of monotone functions: they rise, then fall, or the other way.
+    /// Minimum and maximum p. Ends are the minimum or maximum of monotone functions: they rise and then fall, or fall
+    /// and then rise.
     pub(crate) fn p_range(&self) -> (f64, f64) {
         self.range(|s| self.p(s))
     }
@@ -112,7 +114,7 @@ impl Shape<'_> {
         (-maximum(|s| -at(s).0, self.s), maximum(|s| at(s).1, self.s))
     }
 
-    /// A number below and one above all p and all q, found at once.
+    /// Lower and upper bounds of all p and all q, computed together.
     pub(crate) fn hulls(&self) -> [(f64, f64); 2] {
         let plane = self.column.plane;
         let band = &plane.bands[self.place.band as usize];

@@ -26,7 +26,7 @@ pub(crate) struct Slab {
     pub(crate) hi: f64,
     /// The bands of both planes.
     pub(crate) bands: (usize, usize),
-    /// Its first stack.
+    /// Index of its first stack.
     pub(crate) first: usize,
 }
 
@@ -41,12 +41,12 @@ pub(crate) struct Stack {
     pub(crate) first: u32,
 }
 
-/// What the sweep finds.
+/// Result of the sweep.
 #[derive(Debug)]
 pub(crate) struct Swept {
     pub(crate) slabs: Vec<Slab>,
     pub(crate) stacks: Vec<Stack>,
-    /// The cells of all layers, in order, as far as they hang together.
+    /// Connected sets of the cells of all layers, in order.
     pub(crate) sets: Sets,
     pub(crate) cells: u32,
     /// Columns in which critical values could not be separated.

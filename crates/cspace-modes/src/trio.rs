@@ -14,9 +14,9 @@ pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
 /// Two of the three parts.
 #[derive(Debug)]
 pub struct TrioPair {
-    /// Which of the three coordinates is the pair's u, and which its v.
+    /// Coordinates of the pair, among the three: its u and its v.
     pub coordinates: [usize; 2],
-    /// What the two parts leave each other; `None` if the model has no such pair, which then constrains nothing.
+    /// Configuration space of the two parts; `None` if the model has no such pair, which then constrains nothing.
     pub space: Option<FixedAxesSpace>,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Trio {
     pub(crate) pairs: [TrioPair; 3],
 }
 
-/// The parts of a model that turn or slide on an axis, if there are three.
+/// Parts of a model that turn or slide on an axis, if there are three.
 ///
 /// # Errors
 /// If there are fewer or more.
@@ -106,13 +106,13 @@ impl Trio {
         })
     }
 
-    /// Whether a coordinate goes on without limit.
+    /// Whether a coordinate is unbounded.
     pub(crate) fn is_open(&self, k: usize) -> bool {
         let axis = &self.axes[k];
         matches!(axis.motion, AxisMotion::Prismatic { .. }) && axis.range.is_none()
     }
 
-    /// Whether a coordinate comes back after a turn.
+    /// Whether a coordinate repeats after a turn.
     pub(crate) fn is_circle(&self, k: usize) -> bool {
         let axis = &self.axes[k];
         matches!(axis.motion, AxisMotion::Revolute { .. }) && axis.range.is_none()
@@ -148,7 +148,7 @@ impl TrioPair {
         (self.space.as_ref()).is_some_and(|s| !s.patches().is_empty() || s.regions().is_empty())
     }
 
-    /// Whether a coordinate is one of the pair's, and as which of its parts.
+    /// Role of a coordinate in the pair, if it is one of the pair's.
     pub(crate) fn role(&self, coordinate: usize) -> Option<Role> {
         match self.coordinates {
             [u, _] if u == coordinate => Some(Role::Fixed),
@@ -196,7 +196,7 @@ fn entry(
     })
 }
 
-/// That no joint, or chain of joints, connects two of the parts.
+/// Checks that no joint, or chain of joints, connects two of the parts.
 fn check_joints(
     mechanism: &Mechanism,
     parts: [usize; 3],
@@ -235,7 +235,7 @@ fn check_joints(
     Ok(())
 }
 
-/// That two parts do not slide side by side without limits.
+/// Checks that two parts do not slide side by side without limits.
 fn check_slides(pair: [(&String, &Axis); 2]) -> Result<(), ModesError> {
     /// The sine of the angle between directions of sliding below which they are one: a pair's space takes them so.
     const PARALLEL: f64 = 1e-9;

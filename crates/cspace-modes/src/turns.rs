@@ -1,13 +1,13 @@
-//! Cells that hang together, and around which circles a way within them leads: sets of cells that know their turns.
+//! Connected sets of cells that record their turns: around which circles a closed path within a set leads.
 
 /// Turns of the three coordinates.
 pub(crate) type Turns = [i32; 3];
 
-/// Disjoint sets of cells. Of each cell is known in which turn it is, seen from the one that stands for its set; of each set, by what
-/// turns a way within it may come back.
+/// Disjoint sets of cells. Each cell has its turns relative to the root of its set; each set has the lattice of turns
+/// of its closed paths.
 #[derive(Debug)]
 pub(crate) struct Sets {
-    /// The cell above, and the turns of this one less those of it.
+    /// Parent cell, and the turns of this one less those of the parent.
     above: Vec<(u32, Turns)>,
     lattices: Vec<Lattice>,
 }
@@ -46,7 +46,7 @@ impl Sets {
         (root, sum)
     }
 
-    /// Cell `b`, moved by so many turns, is beside cell `a`.
+    /// Records that cell `b`, moved by some turns, is adjacent to cell `a`.
     pub(crate) fn link(&mut self, a: u32, b: u32, by: Turns) {
         let ((root_a, turns_a), (root_b, turns_b)) = (self.find(a), self.find(b));
         // Turns of b seen from the cell that stands for a.
@@ -68,13 +68,13 @@ impl Sets {
         }
     }
 
-    /// The turns by which a way in the set of the cell that stands for it comes back.
+    /// Lattice of turns of closed paths in the set with this root.
     pub(crate) fn lattice(&self, root: u32) -> &Lattice {
         &self.lattices[root as usize]
     }
 }
 
-/// All sums of whole multiples of some vectors: three at most, in echelon form.
+/// Lattice of all integer combinations of some vectors: three at most, in echelon form.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Lattice {
     rows: Vec<[i64; 3]>,
@@ -103,7 +103,7 @@ impl Lattice {
         }
     }
 
-    /// Rows that stand for it alone: first entries positive, and what is above a first entry smaller and not negative.
+    /// Unique reduced rows: first entries positive, and entries above a first entry smaller and not negative.
     pub(crate) fn reduced(&self) -> Vec<[i64; 3]> {
         let mut rows = self.rows.clone();
         for row in &mut rows {

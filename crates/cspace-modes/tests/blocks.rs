@@ -43,7 +43,8 @@ fn blocks_on_a_rail_keep_their_order() {
     }
 }
 
-/// What a picture colours of the plane of two blocks is where the third one has room in the order of the mode, and nothing that is blocked.
+/// Coloured configurations in the plane of two blocks are those where the third one has room in the order of the mode,
+/// and none is blocked.
 #[test]
 fn shadows_are_where_the_third_block_has_room() {
     const REACH: f64 = 10.0;

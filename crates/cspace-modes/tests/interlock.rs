@@ -85,8 +85,8 @@ fn one_rail_moves_while_the_other_is_in_neutral() {
     );
 }
 
-/// With three notches in each rail the plunger holds both rails where it is in a notch of both, nine modes, unless it is shorter than
-/// the gap and one depth: then one rail moves while the other is in any of its notches.
+/// With three notches in each rail the plunger blocks both rails when it is in a notch of both, which gives nine modes,
+/// unless it is shorter than the gap and one depth: then one rail moves while the other is in any of its notches.
 #[test]
 fn modes_merge_at_the_length_of_gap_and_depth() {
     let notches: [&[f64]; 2] = [&[-11.0, 0.0, 11.0]; 2];

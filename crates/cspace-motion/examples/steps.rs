@@ -1,4 +1,5 @@
-//! What a step of a motion costs: `cargo run --release -p cspace-motion --example steps -- MODEL TIME [kinematic]`.
+//! Measures the cost of a motion's steps: `cargo run --release -p cspace-motion --example steps -- MODEL TIME
+//! [kinematic]`.
 
 use std::error::Error;
 use std::path::Path;

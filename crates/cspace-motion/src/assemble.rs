@@ -1,4 +1,4 @@
-//! Where parts begin that joints carry.
+//! Assembly: start configuration of parts that joints carry.
 
 use crate::kinematic::close;
 use crate::linear::Rows;
@@ -12,8 +12,8 @@ const MOST_STEPS: usize = 30;
 /// Joints hold to this, relative to the size of the mechanism.
 const HOLDS: f64 = 1e-12;
 
-/// The coordinates at the start, with joints that hold: parts whose start is not given move to the others if they can, all of them the
-/// shortest way if not. `None` if joints cannot hold.
+/// Start configuration at which all joints hold: parts whose start is not given are moved to the others if possible;
+/// otherwise all parts are moved by the shortest displacement. `None` if joints cannot hold.
 pub(crate) fn assemble(system: &System, pairs: &Pairs) -> Option<Vec<f64>> {
     let start = system.start();
     let room = MOST_ASSEMBLING * system.size();

@@ -5,7 +5,7 @@ use cspace::mechanism::{Drive, DriveMotion};
 /// A coordinate and its derivatives at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Driven {
-    /// Where it is: radians or the model's unit of length.
+    /// Value of the coordinate: radians or the model's unit of length.
     pub value: f64,
     /// Its rate, per second.
     pub rate: f64,
@@ -49,7 +49,7 @@ struct Knot {
 }
 
 impl DriveCurve {
-    /// The motion of a drive whose part starts at `start`, of which a table takes no notice.
+    /// Creates the motion of a drive whose part starts at `start`; a table ignores it.
     pub fn new(drive: &Drive, start: f64) -> Self {
         let shape = match &drive.motion {
             DriveMotion::Rate(rate) => Shape::Even { start, rate: *rate },
@@ -58,7 +58,7 @@ impl DriveCurve {
         Self { shape }
     }
 
-    /// From one place to another in the first second, at an even rate; at its end exactly there.
+    /// Motion from one value to another in the first second, at a constant rate; exact at its end.
     pub(crate) fn from_to(from: f64, to: f64) -> Self {
         let shape = Shape::Spline(natural(&[(0.0, from), (1.0, to)]));
         Self { shape }
@@ -73,7 +73,7 @@ impl DriveCurve {
         Self { shape }
     }
 
-    /// Where the part is at a time.
+    /// Value, rate and acceleration at a time.
     pub fn at(&self, time: f64) -> Driven {
         let still = |value| Driven {
             value,
@@ -101,7 +101,7 @@ impl DriveCurve {
         }
     }
 
-    /// Its rate, if that never changes.
+    /// Rate, if it is constant.
     pub fn even_rate(&self) -> Option<f64> {
         match self.shape {
             Shape::Even { rate, .. } => Some(rate),

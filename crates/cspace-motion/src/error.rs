@@ -2,19 +2,19 @@
 
 use cspace::{ComputeError, MechanismError, PairError, QueryError};
 
-/// Why there is no motion to tell of.
+/// Error of a simulation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateError {
-    /// The mechanism makes no sense, or the space of a pair cannot be computed.
+    /// The mechanism is invalid, or the space of a pair cannot be computed.
     #[error(transparent)]
     Mechanism(#[from] MechanismError),
     /// The duration is not positive, or the time between samples is not.
     #[error("{what} must be positive and finite, and is {value:?}")]
     Time {
-        /// Which.
+        /// Name of the setting.
         what: &'static str,
-        /// Its value.
+        /// Value of the setting.
         value: f64,
     },
     /// Samples are too many to hold.
@@ -22,9 +22,9 @@ pub enum SimulateError {
         "{samples} samples are asked for, and there may be {most}; sample less often, or simulate a shorter time"
     )]
     TooMany {
-        /// How many.
+        /// Number of samples.
         samples: f64,
-        /// How many there may be.
+        /// Largest allowed number of samples.
         most: usize,
     },
     /// Steps are too many to take.
@@ -32,9 +32,9 @@ pub enum SimulateError {
         "{steps:e} steps are asked for, and there may be {most:e}; take longer steps, or simulate a shorter time"
     )]
     TooManySteps {
-        /// How many.
+        /// Number of steps.
         steps: f64,
-        /// How many there may be.
+        /// Largest allowed number of steps.
         most: f64,
     },
     /// Nothing can move.
@@ -67,7 +67,7 @@ pub enum SimulateError {
         fixed: String,
         /// Name of the moving part.
         moving: String,
-        /// How far the moving part is from contact, along or about its axis if both are on axes, otherwise by translation.
+        /// Penetration depth, along or about the axis if both parts are on axes, otherwise by translation.
         depth: f64,
     },
     /// Two parts slide along each other without a gap, as drawn.
@@ -107,18 +107,18 @@ pub enum SimulateError {
         part: String,
         /// Name of the other.
         other: String,
-        /// By how much, in the model's unit of length.
+        /// Gap of the joint, in the model's unit of length.
         gap: f64,
     },
     /// A part is not among those of the mechanism.
     #[error("part {part} is asked for, and the mechanism has {count}, counted from 0")]
     NoPart {
-        /// Its index.
+        /// Index of the part.
         part: usize,
-        /// How many there are.
+        /// Number of parts.
         count: usize,
     },
-    /// A part cannot be dragged as it is asked for.
+    /// A part cannot be dragged as requested.
     #[error("{part} {why}")]
     Drag {
         /// Name of the part.
@@ -131,12 +131,12 @@ pub enum SimulateError {
         "a state has {found} coordinates, and the mechanism has {count}: it is of another model"
     )]
     Count {
-        /// Those of the state.
+        /// Number of coordinates of the state.
         found: usize,
-        /// Those of the mechanism.
+        /// Number of coordinates of the mechanism.
         count: usize,
     },
-    /// It was interrupted.
+    /// The computation was interrupted.
     #[error("interrupted")]
     Interrupted,
     /// A question to a space failed.
@@ -152,7 +152,7 @@ pub enum SimulateError {
 }
 
 impl SimulateError {
-    /// Whether it is that the progress ended the computation, of a space or of the motion.
+    /// Whether the computation, of a space or of the motion, was interrupted by its progress callback.
     pub const fn is_interrupted(&self) -> bool {
         matches!(
             self,

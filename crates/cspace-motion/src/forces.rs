@@ -1,4 +1,4 @@
-//! Whether forces act, and those of joints and drives as they are told.
+//! Forces of joints and drives for recordings, and whether any forces act.
 
 use cspace::pair::Joint;
 use cspace::{Mechanism, Vector};
@@ -6,7 +6,7 @@ use cspace::{Mechanism, Vector};
 use crate::record::{DriveForce, JointForce};
 use crate::system::System;
 
-/// Whether loads, springs or weights act on anything of a mechanism.
+/// Whether loads, springs or weights act on any part of a mechanism.
 ///
 /// ```
 /// use cspace::mechanism::{Load, LoadKind, Mechanism};
@@ -21,7 +21,7 @@ pub fn has_forces(mechanism: &Mechanism) -> bool {
     weighs || !dynamics.loads.is_empty() || !dynamics.springs.is_empty()
 }
 
-/// The forces of joints from their multipliers, those of each joint after the other.
+/// Forces of the joints from their multipliers, in the order of the joints.
 pub(crate) fn joint_forces(system: &System, q: &[f64], multipliers: &[f64]) -> Vec<JointForce> {
     let name = |part: usize| system.mechanism().parts[part].part.name().to_owned();
     let mut mu = multipliers.iter().copied();

@@ -9,10 +9,11 @@ use cspace::{
 
 use crate::system::{Placed, Row, System};
 
-/// Contacts this near count as touching, relative to the size of the pair: a dozen times the resolution of a space, so that
-/// what is computed of a contact does not leave it by rounding.
+/// Tolerance of contacts that count as touching, relative to the size of the pair: a dozen times the resolution of a
+/// space, so that rounding does not open a computed contact.
 const TOUCHING: f64 = 1e-10;
-/// And at least so many times the pair's own resolution, which is larger where parts were moved to break ties.
+/// Lower bound of the tolerance as a multiple of the pair's own resolution, which is larger where parts were moved to
+/// break ties.
 const RESOLUTIONS: f64 = 4.0;
 
 /// Patches that end within this of an orientation are there, too (radians): critical orientations are known to that, and what
@@ -26,14 +27,14 @@ pub struct MovingPair {
     pub fixed: usize,
     /// The index of the other.
     pub moving: usize,
-    /// Its configuration space.
+    /// Configuration space of the pair.
     pub space: PairSpace,
     /// The parts touch if they are no farther apart, in the model's unit of length.
     pub touch: f64,
     /// The coefficient of friction between them.
     pub friction: f64,
     ranges: [Option<(f64, f64)>; 2],
-    /// Its place among all pairs.
+    /// Index among all pairs.
     order: usize,
 }
 
@@ -42,19 +43,19 @@ pub struct MovingPair {
 pub struct Touch {
     /// The pair, as it is listed.
     pub pair: usize,
-    /// Its patch.
+    /// Patch on which they touch.
     pub patch: PatchId,
     /// The features of the fixed and of the moving part.
     pub features: (FeatureId, FeatureId),
     contact: FeatureContact,
-    /// What friction does there, where this is known.
+    /// State of friction, where it is known.
     pub(crate) grip: Grip,
 }
 
-/// What friction does at a contact that is closed.
+/// State of friction at a closed contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Grip {
-    /// Nothing.
+    /// No friction.
     #[default]
     Smooth,
     /// It keeps the features from sliding.
@@ -67,7 +68,7 @@ pub(crate) enum Grip {
 }
 
 impl Touch {
-    /// The same contact with another grip.
+    /// Copy of the contact with another grip.
     pub(crate) fn with(self, grip: Grip) -> Self {
         Self { grip, ..self }
     }
@@ -87,8 +88,8 @@ pub struct Pairs {
 }
 
 impl Pairs {
-    /// Computes the spaces of all pairs of a mechanism that a joint does not connect, each once, in parallel. Pairs whose parts
-    /// never meet are left out, and so are those whose parts both stand still.
+    /// Computes the spaces of all pairs of a mechanism that are not connected by a joint, each once, in parallel. Pairs
+    /// whose parts never meet are left out, and so are pairs whose parts both stand still.
     ///
     /// # Errors
     /// If a space cannot be computed.
@@ -137,7 +138,8 @@ impl Pairs {
         }
     }
 
-    /// Leaves those out of contact of which this is true, and no others: they are not among the list.
+    /// Moves the pairs for which a function is true to those whose contacts are ignored, and all others back to the
+    /// list.
     pub(crate) fn leave_out(&mut self, is_out: impl Fn(&MovingPair) -> bool) {
         let mut all = core::mem::take(&mut self.list);
         all.append(&mut self.left_out);
@@ -145,7 +147,7 @@ impl Pairs {
         (self.left_out, self.list) = all.into_iter().partition(is_out);
     }
 
-    /// The same without friction.
+    /// Removes the friction of all pairs.
     pub(crate) fn smooth(mut self) -> Self {
         for pair in &mut self.list {
             pair.friction = 0.0;
@@ -153,12 +155,12 @@ impl Pairs {
         self
     }
 
-    /// Those that are left out of contact.
+    /// Pairs whose contacts are ignored.
     pub(crate) fn left_out(&self) -> &[MovingPair] {
         &self.left_out
     }
 
-    /// Those that can meet.
+    /// Pairs that can meet.
     pub fn list(&self) -> &[MovingPair] {
         &self.list
     }
@@ -169,7 +171,7 @@ impl Pairs {
     }
 }
 
-/// Whether the parts of a pair can meet, as far as their motions and joints tell.
+/// Whether the parts of a pair can meet, as far as their motions and joints determine it.
 fn can_meet(mechanism: &Mechanism, pair: &PairEntry) -> bool {
     let moves = |i: usize| {
         let part = mechanism.parts.get(i);
@@ -190,7 +192,7 @@ impl Placed<1> for Gap<'_> {
     }
 }
 
-/// How far the point of the moving part is from that of the fixed part, to the left of a normal that does not change.
+/// Displacement of the moving part's point from the fixed part's, to the left of a normal that does not change.
 struct Across {
     normal: [f64; 2],
     on_fixed: [f64; 2],
@@ -224,9 +226,9 @@ impl MovingPair {
         }
     }
 
-    /// The configuration of the pair.
+    /// Configuration of the pair.
     ///
-    /// A coordinate beyond the end of its range by no more than a contact's tolerance is brought back to it.
+    /// A coordinate beyond the end of its range by no more than the contact tolerance is set to that end.
     pub fn coordinates(&self, system: &System, q: &[f64]) -> Coordinates {
         self.coordinates_within(system, q, self.touch)
     }
@@ -250,18 +252,18 @@ impl MovingPair {
         }
     }
 
-    /// Whether the parts are apart, touch or overlap.
+    /// Class of the pair's configuration: free, in contact or blocked.
     ///
     /// # Errors
-    /// If nothing was computed there.
+    /// If the pair's space was not computed at this configuration.
     pub fn classify(&self, system: &System, q: &[f64]) -> Result<Classification, QueryError> {
         self.space.classify(self.coordinates(system, q))
     }
 
-    /// The contacts within a tolerance, the nearest first, each pair of features once.
+    /// Contacts within a tolerance, the nearest first, each pair of features once.
     ///
     /// # Errors
-    /// If nothing was computed there.
+    /// If the pair's space was not computed at this configuration.
     pub fn touches(
         &self,
         index: usize,
@@ -270,16 +272,17 @@ impl MovingPair {
         tolerance: f64,
     ) -> Result<Vec<Touch>, QueryError> {
         let at = self.coordinates(system, q);
-        // A part that lies level on two others, one of which is lower by less than is told, would touch that where it is turned so much.
+        // A part that lies level on two others, one of which is lower by less than the tolerance, would touch the lower
+        // one if turned by this angle.
         let level = tolerance.min(self.touch) / self.space.moving().size();
         self.touches_beside(index, at, tolerance, level.max(BESIDE))
     }
 
-    /// The contacts within a way where the parts touch or overlap, those included that touch at orientations as near; none where the
-    /// parts are apart. Ranges may be exceeded by that way.
+    /// Contacts within a distance where the parts touch or overlap, including contacts at orientations that are as
+    /// close; empty where the parts are apart. Ranges may be exceeded by that distance.
     ///
     /// # Errors
-    /// If nothing was computed there.
+    /// If the pair's space was not computed at this configuration.
     pub(crate) fn overlaps(
         &self,
         index: usize,
@@ -296,10 +299,11 @@ impl MovingPair {
         self.touches_beside(index, at, way, turn)
     }
 
-    /// The contacts within a tolerance at a configuration, and when the moving part is turned by an angle about its middle, either way.
+    /// Contacts within a tolerance at a configuration, and with the moving part turned by an angle about its middle in
+    /// both directions.
     ///
     /// # Errors
-    /// If nothing was computed there.
+    /// If the pair's space was not computed at this configuration.
     pub(crate) fn touches_beside(
         &self,
         index: usize,
@@ -345,15 +349,15 @@ impl MovingPair {
         })
     }
 
-    /// The contact function of a contact and its derivatives by the coordinates of the system: 0 in contact, positive apart,
-    /// in the model's unit of length.
+    /// Contact function and its derivatives by the coordinates of the system: 0 in contact, positive apart, in the
+    /// model's unit of length.
     pub fn function(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
         system.row([self.fixed, self.moving], q, &Gap(&touch.contact))
     }
 
-    /// How fast two features that touch slide on each other: t · (v_moving − v_fixed) of the points that touch, with the unit vector t to the
-    /// left of the normal from the fixed to the moving part. The derivatives of a function that is 0 where the parts are; in the model's unit of
-    /// length.
+    /// Sliding velocity of two features that touch: t · (v_moving − v_fixed) of the points that touch, with the unit
+    /// vector t to the left of the normal from the fixed to the moving part. It is given by the derivatives of a
+    /// function that is 0 at the current configuration; in the model's unit of length.
     pub(crate) fn sliding(&self, touch: &Touch, system: &System, q: &[f64]) -> Row {
         let [a, b] = [self.fixed, self.moving].map(|i| system.placement(i, q));
         let place = touching_place(
@@ -370,10 +374,10 @@ impl MovingPair {
         row.plus(-1.0, &Row::new(row.value))
     }
 
-    /// Where two features touch, in the assembly's frame.
+    /// Point at which two features touch, in the assembly's frame.
     ///
     /// # Errors
-    /// None but for coordinates of another class, which it makes itself.
+    /// None, except for coordinates of another class, which this method itself provides.
     pub fn point(&self, touch: &Touch, system: &System, q: &[f64]) -> Result<Point, QueryError> {
         let place = touch.contact.touching(self.coordinates(system, q))?;
         let p = place.on_fixed.midpoint(place.on_moving);

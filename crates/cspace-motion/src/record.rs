@@ -1,16 +1,16 @@
-//! What is told of a motion: samples and events.
+//! Recording of a motion: samples and events.
 
 use serde::{Deserialize, Serialize};
 
-/// How a simulation ended.
+/// Status at the end of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
-    /// It came to the end of its time.
+    /// The simulation reached the end of its time.
     Done,
-    /// No velocity is allowed: what is driven cannot go on.
+    /// No velocity is allowed: a driven part cannot go on.
     Jammed,
-    /// It cannot be told how it goes on.
+    /// The continuation of the motion is not determined.
     Undetermined,
     /// No accelerations and forces satisfy the laws of contact and friction.
     Inconsistent,
@@ -18,7 +18,7 @@ pub enum Status {
     Interrupted,
 }
 
-/// What happens.
+/// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
@@ -26,19 +26,19 @@ pub enum EventKind {
     Impact,
     /// Two parts come into contact that lasts.
     Touch,
-    /// They part.
+    /// Two parts that were in contact separate.
     Release,
-    /// They no longer slide on each other.
+    /// Two parts no longer slide on each other.
     Stick,
-    /// They begin to slide on each other.
+    /// Two parts begin to slide on each other.
     Slip,
     /// Impacts accumulate, and are over here.
     Rest,
     /// A part comes to an end of its range.
     Limit,
-    /// The balance of forces ends, and parts go to the next one at once.
+    /// The balance of forces ends, and parts jump to the next one.
     Snap,
-    /// What is driven cannot go on: a contact or an end of a range that forbids it.
+    /// A driven part cannot go on: a contact or an end of a range forbids it.
     Jam,
 }
 
@@ -61,7 +61,7 @@ impl core::fmt::Display for End {
     }
 }
 
-/// What an event is about.
+/// Subject of an event.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum What {
@@ -76,14 +76,14 @@ pub enum What {
     },
     /// A part at an end of its range.
     Limit {
-        /// Its name.
+        /// Name of the part.
         part: String,
-        /// Which end.
+        /// End of the range.
         limit: End,
     },
     /// A part.
     Part {
-        /// Its name.
+        /// Name of the part.
         part: String,
     },
 }
@@ -105,14 +105,14 @@ impl core::fmt::Display for What {
 /// Something that happens.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Event {
-    /// When, in seconds.
+    /// Time, in seconds.
     pub t: f64,
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
-    /// Of which parts.
+    /// Parts concerned.
     #[serde(flatten)]
     pub what: What,
-    /// Where, in the assembly's frame; limits are nowhere.
+    /// Position, in the assembly's frame; `None` for limits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,
 }
@@ -120,11 +120,11 @@ pub struct Event {
 /// All coordinates of the system at a time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sample {
-    /// When, in seconds.
+    /// Time, in seconds.
     pub t: f64,
     /// The coordinates, in the order of the system's.
     pub coordinates: Vec<f64>,
-    /// Their rates.
+    /// Rates of all coordinates.
     pub rates: Vec<f64>,
     /// The forces there, of a motion with masses.
     pub forces: Option<Forces>,
@@ -133,30 +133,30 @@ pub struct Sample {
 /// The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s².
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Forces {
-    /// Of each closed contact and each end of a range that is reached.
+    /// Forces of all closed contacts and all ends of ranges that are reached.
     pub contacts: Vec<ContactForce>,
-    /// Of each joint between two parts, in the order of the mechanism's pairs.
+    /// Forces of the joints between two parts, in the order of the mechanism's pairs.
     pub joints: Vec<JointForce>,
-    /// Of each drive.
+    /// Forces of the drives.
     pub drives: Vec<DriveForce>,
 }
 
 /// The force at a contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactForce {
-    /// Which.
+    /// Contact or limit.
     #[serde(flatten)]
     pub what: What,
-    /// Where, in the assembly's frame; limits are nowhere.
+    /// Position, in the assembly's frame; `None` for limits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<[f64; 2]>,
-    /// The force with which the parts press on each other, 0 or more.
+    /// Magnitude of the normal force between the parts, 0 or more.
     pub normal: f64,
     /// The force of friction.
     pub tangential: f64,
 }
 
-/// The force in a joint: what it does to the second of its parts.
+/// Force in a joint: the force on the second of its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct JointForce {
     /// The names of its two parts.
@@ -167,53 +167,54 @@ pub struct JointForce {
     pub torque: f64,
 }
 
-/// What a drive does.
+/// Force and power of a drive.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DriveForce {
     /// The name of the driven part.
     pub part: String,
-    /// Its torque, or its force if the part slides.
+    /// Torque, or force if the part slides.
     pub force: f64,
-    /// Its power: force times rate, in kg·unit²/s³.
+    /// Power: force times rate, in kg·unit²/s³.
     pub power: f64,
 }
 
-/// What became of the energy, in kg·unit²/s²: the end's is the start's and the work of drives less what is lost, but for `drift`.
+/// Energy balance, in kg·unit²/s²: the energy at the end is that at the start plus the work of drives less the losses,
+/// but for `drift`.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Energy {
     /// Kinetic energy, and the potential energy of weights, loads and springs, at the start.
     pub start: f64,
-    /// The same at the end.
+    /// Energy at the end.
     pub end: f64,
-    /// What drives have put in.
+    /// Work done by drives.
     pub drives: f64,
-    /// What friction and dampers have taken.
+    /// Energy lost to friction and dampers.
     pub friction: f64,
-    /// What impacts have taken.
+    /// Energy lost to impacts.
     pub impacts: f64,
-    /// What is left over: the error of the integration.
+    /// Remainder of the balance: the error of the integration.
     pub drift: f64,
 }
 
 /// A contact that forbids a motion, with its share of the proof.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Obstacle {
-    /// Which.
+    /// Contact or limit.
     #[serde(flatten)]
     pub what: What,
-    /// Its multiplier: positive.
+    /// Multiplier: positive.
     pub multiplier: f64,
 }
 
-/// More steps than these are not traced; instants at which contacts change still are.
+/// Largest number of steps that are traced; of longer motions only instants at which contacts change are.
 pub const MOST_TRACED: usize = 200_000;
 
-/// What became of a mechanism.
+/// Recording of a mechanism's motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// How it ended.
+    /// Status at the end.
     pub status: Status,
-    /// When it ended, in seconds.
+    /// Time of the end, in seconds.
     pub until: f64,
     /// Why it ended early.
     pub reason: Option<String>,
@@ -224,12 +225,14 @@ pub struct Record {
     pub samples: Vec<Sample>,
     /// Events in order of time.
     pub events: Vec<Event>,
-    /// All coordinates in order of time, whatever the samples: after each step, unless there are more than [`MOST_TRACED`], and
-    /// twice where contacts change or drives are not smooth, with the rates right before and right after.
+    /// Trace of all coordinates in order of time, independent of the samples: after each step, unless there are more
+    /// than [`MOST_TRACED`], and twice where contacts change or drives are not smooth, with the rates right before and
+    /// right after.
     pub trace: Vec<Sample>,
     /// The balance of energy, of a motion with masses.
     pub energy: Option<Energy>,
-    /// How far closed contacts and joints were open at most after a step, before it was corrected, in the model's unit of length.
+    /// Largest gap or penetration of closed contacts and joints after a step, before it was corrected, in the model's
+    /// unit of length.
     pub open: f64,
 }
 
@@ -237,7 +240,7 @@ pub struct Record {
 const TAKEN_UP: f64 = 1e-9;
 
 impl Record {
-    /// All coordinates and rates where it ends.
+    /// Coordinates and rates at the end.
     pub fn last(&self) -> Option<&Sample> {
         self.trace.last().or(self.samples.last())
     }

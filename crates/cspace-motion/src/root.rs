@@ -2,7 +2,7 @@
 
 /// A root is found to this share of where it is looked for, or to rounding.
 const ROOT: f64 = 1e-15;
-/// And after so many values at most.
+/// Largest number of function values.
 const TRIES: usize = 100;
 
 /// A root between two places: the first has a positive value, the second one below 0. Found by the method of Illinois with

@@ -1,4 +1,4 @@
-//! From a mechanism to what becomes of it.
+//! Simulation of a mechanism: preparation and the three ways to compute its motion.
 
 use core::cell::Cell;
 
@@ -16,21 +16,21 @@ use crate::pairs::Pairs;
 use crate::record::{Record, Sample, Status};
 use crate::system::{PartCoordinates, System};
 
-/// Samples there are unless other times are asked for.
+/// Default number of samples.
 const SAMPLES: f64 = 200.0;
-/// As many as some gigabytes hold.
+/// Largest number of samples: they take some gigabytes.
 const MOST_SAMPLES: usize = 10_000_000;
-/// More steps of one length take days.
+/// Largest number of steps of one length: more would take days.
 const MOST_STEPS: f64 = 1e10;
-/// Whether a motion without inertia goes on is asked after so many steps.
+/// Number of steps of a motion without inertia between two calls of the progress callback.
 const ASK_AFTER: u32 = 64;
 /// A duration is a whole number of steps to this share of one.
 const STEP_ROUNDING: f64 = 1e-6;
 
-/// What is wanted of a simulation.
+/// Settings of a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// How long, in seconds.
+    /// Duration, in seconds.
     pub time: f64,
     /// The time between samples; a 200th of the whole if none is given.
     pub every: Option<f64>,
@@ -42,11 +42,11 @@ pub struct Simulation {
     system: System,
     pairs: Pairs,
     start: Vec<f64>,
-    /// Where a motion is taken up: its time, and the rates.
+    /// Time and rates of the sample from which the motion is restarted.
     taken_up: Option<(f64, Vec<f64>)>,
 }
 
-/// How a motion is followed.
+/// Method by which a motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Way {
     /// Without inertia, as [`Simulation::kinematic`].
@@ -57,42 +57,42 @@ pub enum Way {
     Stepping(f64),
 }
 
-/// What joints between parts that move leave free.
+/// Degrees of freedom left by joints between parts that move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Freedom {
     /// Coordinates that are not driven.
     pub coordinates: usize,
     /// Equations of the joints.
     pub equations: usize,
-    /// Those of them that do not follow from others.
+    /// Number of the equations that do not follow from others.
     pub independent: usize,
 }
 
 impl Freedom {
-    /// How many ways to move are left, contacts aside.
+    /// Number of degrees of freedom left, contacts aside.
     pub fn left(&self) -> usize {
         self.coordinates - self.independent
     }
 
-    /// How many equations follow from others: the mechanism is over-determined by that many.
+    /// Number of equations that follow from others: the mechanism is over-determined by that many.
     pub fn redundant(&self) -> usize {
         self.equations - self.independent
     }
 }
 
 impl Simulation {
-    /// Prepares a mechanism: computes the spaces of its pairs, and brings parts that joints carry to where these hold.
+    /// Prepares a mechanism: computes the spaces of its pairs, and moves parts that joints carry to where these hold.
     ///
     /// # Errors
-    /// If the mechanism makes no sense, nothing of it moves, joints cannot hold, or parts overlap at the start.
+    /// If the mechanism is invalid, nothing in it can move, joints cannot hold, or parts overlap at the start.
     pub fn new(mechanism: &Mechanism) -> Result<Self, SimulateError> {
         Self::new_with(mechanism, &Silent)
     }
 
-    /// As [`new`](Self::new), telling `progress` of the stages of each space.
+    /// As [`new`](Self::new), and reports the stages of each space to `progress`.
     ///
     /// # Errors
-    /// As [`new`](Self::new); and what `progress` returns.
+    /// As [`new`](Self::new), and errors returned by `progress`.
     pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
         Self::new_by(mechanism, &|fixed, moving, relation, options| {
             PairSpace::compute_with(fixed, moving, relation, options, progress)
@@ -124,10 +124,10 @@ impl Simulation {
         })
     }
 
-    /// The same mechanism, taken up where a motion of it has come to: at its time, coordinates and rates.
+    /// Restarts the mechanism from a recorded sample: its time, coordinates and rates.
     ///
     /// # Errors
-    /// If the numbers are not those of the mechanism's coordinates, or parts overlap there.
+    /// If the number of coordinates or rates is not that of the mechanism, or parts overlap there.
     pub fn taken_up(mut self, at: &Sample) -> Result<Self, SimulateError> {
         let count = self.system.count();
         if at.coordinates.len() != count || at.rates.len() != count {
@@ -143,7 +143,7 @@ impl Simulation {
         Ok(self)
     }
 
-    /// The motion as far as it comes: what `progress` ends is kept, with [`Status::Interrupted`].
+    /// Computes the motion; if `progress` interrupts it, the part so far is kept, with [`Status::Interrupted`].
     ///
     /// # Errors
     /// As [`kinematic`](Self::kinematic), [`dynamic`](Self::dynamic) and [`stepping`](Self::stepping).
@@ -196,7 +196,7 @@ impl Simulation {
         inertial::run(system, &self.pairs, start, times, scheme, &goes_on)
     }
 
-    /// As [`kept_with`](Self::kept_with); what `progress` ends is not kept.
+    /// As [`kept_with`](Self::kept_with), but an interrupted motion is an error.
     fn whole(
         &self,
         way: Way,
@@ -220,12 +220,12 @@ impl Simulation {
         &self.pairs
     }
 
-    /// All coordinates at the start.
+    /// Coordinates at the start.
     pub fn start(&self) -> &[f64] {
         &self.start
     }
 
-    /// How many freedoms the joints leave at the start, and how many of their equations follow from others.
+    /// Degrees of freedom that the joints leave at the start, and number of dependent equations.
     pub fn freedom(&self) -> Freedom {
         let (free, lengths) = (self.system.free(), self.system.lengths());
         let joints = self.system.joints(&self.start);
@@ -249,15 +249,15 @@ impl Simulation {
     /// Dynamic motion: parts with masses, impacts and friction.
     ///
     /// # Errors
-    /// If times make no sense, or a part that is free to move has no mass.
+    /// If times are invalid, or a part that is free to move has no mass.
     pub fn dynamic(&self, settings: &Settings) -> Result<Record, SimulateError> {
         self.dynamic_with(settings, &Silent)
     }
 
-    /// As [`dynamic`](Self::dynamic); every now and then `progress` is told of the last stage.
+    /// As [`dynamic`](Self::dynamic); `progress` is called at intervals with the last stage.
     ///
     /// # Errors
-    /// As [`dynamic`](Self::dynamic); and what `progress` returns.
+    /// As [`dynamic`](Self::dynamic), and errors returned by `progress`.
     pub fn dynamic_with(
         &self,
         settings: &Settings,
@@ -266,9 +266,10 @@ impl Simulation {
         self.whole(Way::Dynamic, settings, progress)
     }
 
-    /// Dynamic motion by Moreau–Jean time stepping, in steps no longer than `step`, in seconds: a check of [`dynamic`](Self::dynamic) that
-    /// shares masses, forces and contact functions with it, and nothing of how it goes on. Positions and times of impacts are right
-    /// to the order of a step, and parts overlap by the way of a step: the record's `open` has how deep.
+    /// Dynamic motion by Moreau–Jean time stepping, in steps no longer than `step`, in seconds: a check of
+    /// [`dynamic`](Self::dynamic) that shares masses, forces and contact functions with it, but not the integration.
+    /// Positions and times of impacts are accurate to the order of a step, and parts overlap by up to the displacement
+    /// in one step: the recording's `open` is the penetration.
     ///
     /// # Errors
     /// As [`dynamic`](Self::dynamic), and if the step is not positive or steps are too many.
@@ -276,10 +277,10 @@ impl Simulation {
         self.stepping_with(settings, step, &Silent)
     }
 
-    /// As [`stepping`](Self::stepping); every now and then `progress` is told of the last stage.
+    /// As [`stepping`](Self::stepping); `progress` is called at intervals with the last stage.
     ///
     /// # Errors
-    /// As [`stepping`](Self::stepping); and what `progress` returns.
+    /// As [`stepping`](Self::stepping), and errors returned by `progress`.
     pub fn stepping_with(
         &self,
         settings: &Settings,
@@ -292,7 +293,7 @@ impl Simulation {
     /// [Dynamic](Self::dynamic_with) motion if a part has a mass, otherwise [kinematic](Self::kinematic_with).
     ///
     /// # Errors
-    /// As theirs.
+    /// As for the chosen method.
     pub fn follow_with(
         &self,
         settings: &Settings,
@@ -308,15 +309,15 @@ impl Simulation {
     /// Kinematic motion: drives move slowly, and loads, springs and weights balance at every instant.
     ///
     /// # Errors
-    /// If times make no sense.
+    /// If times are invalid.
     pub fn kinematic(&self, settings: &Settings) -> Result<Record, SimulateError> {
         self.kinematic_with(settings, &Silent)
     }
 
-    /// As [`kinematic`](Self::kinematic); every now and then `progress` is told of the last stage.
+    /// As [`kinematic`](Self::kinematic); `progress` is called at intervals with the last stage.
     ///
     /// # Errors
-    /// As [`kinematic`](Self::kinematic); and what `progress` returns.
+    /// As [`kinematic`](Self::kinematic), and errors returned by `progress`.
     pub fn kinematic_with(
         &self,
         settings: &Settings,
@@ -347,7 +348,7 @@ impl Settings {
     }
 }
 
-/// How many steps no longer than one there are in a time.
+/// Number of steps no longer than `step` in a time.
 fn steps(time: f64, step: f64) -> Result<usize, SimulateError> {
     if !(step > 0.0 && step.is_finite()) {
         let what = "the step";
@@ -364,7 +365,7 @@ fn steps(time: f64, step: f64) -> Result<usize, SimulateError> {
     Ok(steps as usize)
 }
 
-/// That all parts are within their ranges.
+/// Checks that all parts are within their ranges.
 pub(crate) fn check_ranges(system: &System, q: &[f64]) -> Result<(), SimulateError> {
     for (i, part) in system.parts().iter().enumerate() {
         if let PartCoordinates::Axis {

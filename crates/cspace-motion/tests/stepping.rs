@@ -1,7 +1,7 @@
 //! The two schemes of motions with masses against each other: from event to event, and in steps.
 //!
-//! What is compared are all coordinates, in the model's unit and in radians, at samples over the whole time. Steps of h must agree to a
-//! bound, and steps of ten times h must not: so the bounds can fail, and errors fall with h.
+//! The tests compare all coordinates, in the model's unit and in radians, at samples over the whole time. Steps of h
+//! must agree to a bound, and steps of ten times h must not: so the bounds can fail, and errors fall with h.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::Path;
@@ -48,7 +48,8 @@ fn difference(a: &Record, b: &Record) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// That steps of h agree with the motion from event to event to a bound, and steps ten times as long do not; the record of those of h.
+/// Checks that steps of h agree with the event-driven motion to a bound, and that steps ten times as long do not;
+/// returns the recordings of the motion and of steps of h.
 #[track_caller]
 fn agree(simulation: &Simulation, time: f64, h: f64, bound: f64) -> (Record, Record) {
     let settings = settings(time);
@@ -153,7 +154,8 @@ moving = "block"
     ))
 }
 
-/// It slides as s = ½ g (sin α − μ cos α) t², which steps follow exactly, or stays, on two corners of which none bears more than it has to.
+/// A block slides by s = ½ g (sin α − μ cos α) t², which steps follow exactly, or stays, on two corners neither of
+/// which bears more than necessary.
 #[test]
 fn a_block_slides_and_sticks_on_an_incline() {
     let (sin, cos) = 20_f64.to_radians().sin_cos();
@@ -180,7 +182,7 @@ fn a_block_slides_and_sticks_on_an_incline() {
     }
 }
 
-/// It falls onto the incline, bounces from corner to corner, and slides.
+/// A block falls onto the incline, bounces from corner to corner, and slides.
 #[test]
 fn a_block_falls_onto_an_incline() {
     agree(&incline(1.0, 0.3, 0.4), 1.5, 1.5e-5, 4e-4);
@@ -216,7 +218,7 @@ moving = "block"
     agree(&block, 2.0, 1e-4, 4e-4);
 }
 
-/// Its slider strikes its guide four times with two corners at once, lies on it, and changes sides.
+/// A slider strikes its guide four times with two corners at once, lies on it, and changes sides.
 #[test]
 fn a_slider_has_clearance() {
     let (events, steps) = agree(&shipped("slider_crank_clearance"), 0.05, 2e-6, 0.015);
@@ -225,7 +227,7 @@ fn a_slider_has_clearance() {
     }
 }
 
-/// One peck and most of a second.
+/// The simulation covers one peck and most of a second.
 #[test]
 fn a_woodpecker_pecks() {
     agree(&shipped("woodpecker"), 0.2, 1e-5, 0.04);
@@ -287,8 +289,8 @@ rate = 1.9
     }
 }
 
-/// A block slides into the corner of a floor and a wall, where one vertex of it has two contacts; a triangle falls onto a convex corner of
-/// which either side will do.
+/// A block slides into the corner of a floor and a wall, where one of its vertices has two contacts; a triangle falls
+/// onto a convex corner where either of two contacts suffices.
 #[test]
 fn corners_are_met() {
     let scene = |floor: &str, loops: &str, center: [f64; 2], more: &str| {

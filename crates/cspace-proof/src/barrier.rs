@@ -15,17 +15,17 @@ pub(crate) const MOST_TRIANGLES: usize = 1_000_000;
 const LARGEST: f64 = 0.25;
 /// The least, as a share of it: well above what is resolved.
 const LEAST: f64 = 1e-7;
-/// How far the triangles may be from the surface, as a share of the depth.
+/// Largest distance of the triangles from the surface, as a share of the depth.
 const OFF: f64 = 0.25;
 
-/// How much deeper than the deepest of the halves is tried once.
+/// Factor on the deepest of the halves, which is tried once.
 const DEEPER: f64 = 1.5;
 
 /// The pair with its moving part shrunk and drawn about the pivot.
 pub(crate) struct Barrier {
     pub(crate) space: PairSpace,
     pub(crate) depth: f64,
-    /// Whether a depth was asked for.
+    /// Whether the depth was given by the caller.
     given: bool,
     /// The region that is enclosed.
     region: RegionId,
@@ -43,7 +43,7 @@ pub(crate) fn pivot(part: &Part) -> Point {
     part.bounds().center()
 }
 
-/// Where a point of the moving part is, and its orientation.
+/// Position of a point of the moving part, and its orientation.
 fn about(at: Configuration, pivot: Point) -> Configuration {
     let p = at.fixed_from_moving(pivot);
     Configuration::new(p.x, p.y, at.theta)
@@ -61,7 +61,8 @@ fn centered(part: &Part, pivot: Point) -> Result<Part, cspace::PartError> {
 }
 
 impl Barrier {
-    /// As deep as start and goal are apart: a given depth or its half, quarter and so on; without one, about the largest.
+    /// Finds a barrier as deep as start and goal are separated: at a given depth or its half, quarter and so on;
+    /// without one, at about the largest.
     pub(crate) fn find(
         space: &ContactSpace,
         ends: [Configuration; 2],
@@ -105,7 +106,8 @@ impl Barrier {
         Err(failed.unwrap_or(ProofError::TooShallow { least }))
     }
 
-    /// With the moving part smaller by a depth; none if start and goal are not apart then, or nothing is left of it.
+    /// Barrier for the moving part shrunk by a depth; `None` if start and goal are not separated then, or nothing is
+    /// left of the part.
     fn at(
         space: &ContactSpace,
         ends: [Configuration; 2],

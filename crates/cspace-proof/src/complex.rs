@@ -13,7 +13,7 @@ pub(crate) struct Triangle {
     pub(crate) witness: Option<u32>,
 }
 
-/// An edge, the same for all its triangles: two vertices, and the turns of the second more than of the first.
+/// Edge, common to all its triangles: two vertices, and the turns of the second relative to the first.
 type Edge = (u32, u32, i32);
 
 /// A surface of triangles.
@@ -92,8 +92,9 @@ impl Complex {
         if c.1 > more.1 { c } else { more }
     }
 
-    /// Halves an edge and all triangles at it, on the way to halving a triangle at its longest edge: a neighbour with a longer one
-    /// comes first, so that triangles do not become ever narrower (Rivara). Tells which triangles these and the new ones are.
+    /// Bisects an edge and all triangles at it, as part of bisecting a triangle at its longest edge: a neighbour with a
+    /// longer one comes first, so that triangles do not become ever narrower (Rivara). Returns the numbers of these and
+    /// the new triangles.
     pub(crate) fn halve(&mut self, number: u32, lever: f64) -> Vec<u32> {
         let (mut edge, mut length) = self.longest(number, lever);
         while let Some(longer) = (self.edges.get(&edge).into_iter().flatten())

@@ -9,11 +9,12 @@ const LEAST_RADIUS: f64 = 1e-11;
 /// The first step into the material, as a share of the depth, and how much farther each next one goes.
 const FIRST: f64 = 0.1;
 const FARTHER: f64 = 1.6;
-/// The first step from an edge: walls and tips may be so much thinner than the depth.
+/// First step from an edge, as a share of the depth: walls and tips may be that much thinner than the depth.
 const THINNEST: f64 = 1e-4;
 /// Edges farther away, as a share of the depth, are left out: a place where the shrunk part touches is as far as the depth.
 const NEAR: f64 = 1.5;
-/// How far along an edge, as a share of the depth, places beside a point are: a tip holds larger discs away from its end.
+/// Distance along an edge, as a share of the depth, of places beside a point: a tip holds larger discs away from its
+/// end.
 const BESIDE: f64 = 0.4;
 
 /// A disc: its centre, and its radius.
@@ -72,7 +73,7 @@ impl<'a> Material<'a> {
         }
     }
 
-    /// Discs in the middle between the edges near a point and what is opposite of them, however thin the material is there.
+    /// Discs halfway between the edges near a point and the opposite edges, however thin the material is there.
     pub(crate) fn between(&self, from: Point, found: &mut Vec<Disc>) {
         for edge in self.part.edges() {
             if edge.distance(from) > NEAR * self.depth {

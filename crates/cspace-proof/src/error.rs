@@ -6,21 +6,21 @@ use cspace::{PairError, PartError, QueryError};
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProofError {
-    /// Of another class.
+    /// The pair is of another class.
     #[error("proofs are written for planar pairs only")]
     NotPlanar,
-    /// Start or goal cannot be asked about.
+    /// Start or goal cannot be classified.
     #[error(transparent)]
     Query(#[from] QueryError),
-    /// The shrunk part is none.
+    /// The shrunk part is no valid part.
     #[error("the moving part shrunk by {depth:?}: {error}")]
     Part {
-        /// By how much it was to be shrunk.
+        /// Distance by which it was to be shrunk.
         depth: f64,
-        /// What is wrong.
+        /// Reason why it is no part.
         error: PartError,
     },
-    /// The depth that was asked for.
+    /// The requested depth is invalid.
     #[error("a depth has to be positive and finite, not {0:?}")]
     Depth(f64),
     /// The pair with the moving part shrunk cannot be computed.
@@ -34,18 +34,18 @@ pub enum ProofError {
         /// The least depth that was tried.
         least: f64,
     },
-    /// A depth less than is resolved was asked for.
+    /// The requested depth is less than the resolution.
     #[error(
         "a depth of {depth:?} is too fine: a surface so near to the contacts is not resolved; the least depth for this moving part is \
          {finest:?}"
     )]
     TooFine {
-        /// What was asked for.
+        /// Requested depth.
         depth: f64,
         /// The least that is tried.
         finest: f64,
     },
-    /// More triangles than are made.
+    /// The proof needs more triangles than the limit.
     #[error(
         "with a depth of {depth:?} the proof takes more than {limit} triangles; their number grows as one over the depth or faster, and {}",
         more(*given)
@@ -53,9 +53,9 @@ pub enum ProofError {
     TooManyTriangles {
         /// The most that are made.
         limit: usize,
-        /// How deep the surface is.
+        /// Depth of the surface.
         depth: f64,
-        /// Whether that was asked for.
+        /// Whether the depth was requested.
         given: bool,
     },
     /// Triangles around a configuration became as small as is worth trying.
@@ -63,7 +63,7 @@ pub enum ProofError {
         "no two discs of material that overlap were found near x {:?}, y {:?}, theta {:?} (of the middle of the moving part)", at[0], at[1], at[2]
     )]
     NoWitness {
-        /// Where the middle of the moving part's box is, and its orientation.
+        /// Centre of the moving part's box, and its orientation.
         at: [f64; 3],
     },
     /// The proof was made, and is wrong: a fault of this library.

@@ -1,4 +1,4 @@
-//! From a question to a proof.
+//! Construction of a proof for two configurations.
 
 use cspace::{Configuration, ContactSpace, Part, Progress};
 use cspace_check::Proof;
@@ -16,14 +16,14 @@ fn written(part: &Part) -> cspace_check::Part {
     }
 }
 
-/// A proof that no motion leads from one configuration to another, which are in different free regions.
+/// Proves that no motion leads from one configuration to another, which are in different free regions.
 ///
-/// The surface lies about `depth` deep in blocked space, in the model's unit of length; half, a quarter and so on as deep if start
-/// and goal are not apart at that depth. Without one it is as deep as that allows, which takes the fewest triangles. The proof has been
-/// checked.
+/// The surface lies about `depth` deep in blocked space, in the model's unit of length; half, a quarter and so on as
+/// deep if start and goal are not separated at that depth. Without `depth` it is as deep as possible, which needs the
+/// fewest triangles. The proof has been checked.
 ///
 /// # Errors
-/// If there is none, or none of a size that is made; and what `progress` returns.
+/// If there is no proof, or it would exceed the limits; and errors returned by `progress`.
 ///
 /// ```
 /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};

@@ -12,7 +12,7 @@ use crate::witness::{Corners, Materials, Witness};
 
 /// Triangles are not split below this share of the depth: discs much larger than they overlap there, or none do.
 const SMALLEST: f64 = 1e-3;
-/// So many of a patch's witnesses, the last found, are tried before others are looked for.
+/// Number of a patch's last witnesses that are tried before others are searched.
 const REMEMBERED: usize = 8;
 
 /// The triangles of a mesh that are of a region. At a full turn's ends the same vertices come in the same order: they are one.
@@ -96,7 +96,7 @@ pub(crate) fn refine(
     Ok(witnesses)
 }
 
-/// Where the features of a patch touch, or would, at a configuration.
+/// Points at which the features of a patch touch, or would touch, at a configuration.
 fn touching(
     space: &PairSpace,
     patch: u32,

@@ -4,14 +4,15 @@ use cspace::{Part, Point, Rotation, Touching, Vector};
 
 use crate::disc::{Disc, Material};
 
-/// Of a triangle so much less, as a share of the depth, is a witness: rounding leaves it one.
+/// Margin of a triangle's witness, as a share of the depth, so that rounding does not invalidate it.
 const MARGIN: f64 = 1e-6;
-/// The same as a share of the largest coordinate: the checker's bounds are that far apart, and more for orientations of many turns.
+/// Margin as a share of the largest coordinate: the checker's bounds have that error, and more for orientations of many
+/// turns.
 const ROUNDING: f64 = 1e-12;
 /// Triangles of a smaller extent, as a share of the depth, have a witness: if none was found, it is looked for everywhere.
 const SMALL: f64 = 0.3;
 
-/// So many discs of each part are tried with all of the other's.
+/// Number of discs of each part that are tried with all of the other's.
 const PROMISING: usize = 12;
 
 /// A disc of the moving part's material about a point from the pivot, and one of the fixed part's.
@@ -45,7 +46,7 @@ impl Corners {
         core::array::from_fn(|k| (a[k] + b[k] + c[k]) / 3.0)
     }
 
-    /// How far it extends, a radian as far as `lever`.
+    /// Extent of the triangle, with radians multiplied by `lever`.
     pub(crate) fn extent(&self, lever: f64) -> f64 {
         let range = |k: usize| {
             let of = self.corners.map(|c| c[k]);
@@ -54,7 +55,7 @@ impl Corners {
         range(0).max(range(1)).max(range(2) * lever)
     }
 
-    /// Where a point from the pivot is at each corner.
+    /// Position of a point, given from the pivot, at each corner.
     fn places(&self, q: Vector) -> [Point; 3] {
         core::array::from_fn(|k| {
             let [x, y, _] = self.corners[k];
@@ -62,7 +63,7 @@ impl Corners {
         })
     }
 
-    /// How much the discs of a witness overlap at least, at all configurations.
+    /// Lower bound of the overlap of a witness's discs, at all configurations of the triangle.
     pub(crate) fn overlap(&self, of: &Witness) -> f64 {
         let (q, r) = of.moving;
         self.overlap_at(self.places(q), q, r, of.fixed)
@@ -77,11 +78,11 @@ impl Corners {
     }
 }
 
-/// Where discs may be.
+/// Material of both parts in which discs may lie.
 pub(crate) struct Materials<'a> {
     fixed: Material<'a>,
     moving: Material<'a>,
-    /// What the checker is asked for the radii.
+    /// Parts as the checker reads them, asked for the radii.
     checked: [cspace_check::Part; 2],
     pivot: Point,
     pub(crate) depth: f64,

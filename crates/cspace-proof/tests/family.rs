@@ -1,4 +1,4 @@
-//! Of every pair that is kept apart there is a proof: outlines with arcs, thin walls, sharp tips, teeth and several loops.
+//! Every pair that is kept apart has a proof: outlines with arcs, thin walls, sharp tips, teeth and several loops.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 

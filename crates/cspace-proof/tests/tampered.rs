@@ -24,7 +24,7 @@ fn proof() -> Proof {
     prove(&space, from, to, None, &Silent).unwrap()
 }
 
-/// What the checker says of a proof that was changed.
+/// Error of the checker for a proof that was changed.
 #[track_caller]
 fn refused(word: &str, change: impl FnOnce(&mut Proof)) {
     let mut changed = proof();
@@ -87,7 +87,7 @@ fn surfaces_elsewhere_and_parts_of_other_shapes() {
     refused("version", |p| p.version = 2);
 }
 
-/// What the program in Python says of a proof; none where Python is not there.
+/// Output of the program in Python for a proof; `None` where Python is not installed.
 fn python(proof: &Proof, name: &str) -> Option<String> {
     let path = std::env::temp_dir().join(format!("cspace-{name}-{}.json", std::process::id()));
     std::fs::write(&path, serde_json::to_vec(proof).unwrap()).unwrap();

@@ -1,6 +1,7 @@
 //! The classes of the Python package `cspace`, under its module `cspace._rust`.
 //!
-//! What is shown to users is in `python/cspace`: this holds what has to be fast, and what only Rust can do.
+//! User documentation is in `python/cspace`: this crate holds the parts that have to be fast, and those that only Rust
+//! can do.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 

@@ -69,7 +69,7 @@ fn listed(q: &Bound<'_, PyAny>, width: usize) -> Option<Coordinates> {
     Some(coordinates(row))
 }
 
-/// What a caller asks about: one configuration, or rows of them.
+/// Configurations given by a caller: one, or rows of them.
 pub(crate) fn asked<'py>(q: &Bound<'py, PyAny>, space: &PairSpace) -> PyResult<Asked<'py>> {
     let width = width(space);
     if let Some(one) = listed(q, width) {

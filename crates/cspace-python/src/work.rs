@@ -132,7 +132,7 @@ pub(crate) fn here<T: Send>(
         .unwrap_or_else(|panic| Err(internal(said(&*panic))))
 }
 
-/// What a panic says.
+/// Message of a panic.
 fn said(panic: &(dyn core::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| panic.downcast_ref::<&str>().copied());

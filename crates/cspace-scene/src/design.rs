@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 pub struct SceneText {
     /// The text of the file.
     pub text: String,
-    /// Its name, whose extension says whether it is JSON.
+    /// Name of the file; its extension determines whether it is JSON.
     pub file: String,
     /// Values that its parameters were given when it was opened.
     pub set: Vec<SceneSetting>,
@@ -36,21 +36,21 @@ pub struct SceneDesign {
 /// A number of the model that has a name.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneParameter {
-    /// What expressions call it.
+    /// Name in expressions.
     pub name: String,
-    /// Its value; of an angle in radians.
+    /// Value; in radians if it is an angle.
     pub value: f64,
     /// The expression by which its value follows from other parameters.
     pub expression: Option<String>,
-    /// Whether it is written as an angle.
+    /// Whether the value is written as an angle.
     pub is_angle: bool,
-    /// Whether it says how often something is repeated: its values are whole numbers.
+    /// Whether it is a number of copies: its values are whole numbers.
     pub is_count: bool,
     /// The values that a slider offers first.
     pub range: (f64, f64),
 }
 
-/// A model as its text says it, of which the parameters may be given other values.
+/// Model in the form of its text, with parameters that can be given other values.
 #[derive(Debug)]
 pub(crate) struct Design {
     template: Template,
@@ -96,7 +96,7 @@ impl Design {
         })
     }
 
-    /// The design that a scene carries.
+    /// Design carried by a scene.
     ///
     /// # Errors
     /// If its text is neither TOML nor JSON.
@@ -108,7 +108,7 @@ impl Design {
         ))
     }
 
-    /// What a scene carries of it.
+    /// Text of the design for a scene.
     pub(crate) fn text(&self) -> SceneText {
         let file = self.template.path().file_name().unwrap_or_default();
         let set = self.set.iter().map(|s| SceneSetting {
@@ -122,13 +122,13 @@ impl Design {
         }
     }
 
-    /// All values that parameters are given, with further ones: of two for one parameter the last counts.
+    /// Values of parameters, with further ones: if a parameter has two, the last counts.
     pub(crate) fn settings(&self, further: &[SceneSetting]) -> Vec<Setting> {
         let further = further.iter().map(Setting::from);
         self.set.iter().cloned().chain(further).collect()
     }
 
-    /// The text of which the parameters are given values.
+    /// Text whose parameters are given values.
     pub(crate) const fn template(&self) -> &Template {
         &self.template
     }
@@ -138,10 +138,10 @@ impl Design {
         self.template.text_with(&self.settings(further))
     }
 
-    /// The model with further values of its parameters.
+    /// Model with further values of its parameters.
     ///
     /// # Errors
-    /// If the text is no model with these values.
+    /// If the text is not a valid model with these values.
     pub(crate) fn model(&self, further: &[SceneSetting]) -> Result<Model, ModelError> {
         if further.is_empty() {
             return Ok(self.opened.clone());
@@ -153,12 +153,12 @@ impl Design {
         })
     }
 
-    /// What the page shows of the model as it was opened.
+    /// Design of the model as it was opened, for the page.
     pub(crate) fn opened_scene(&self) -> SceneDesign {
         self.scene(&self.opened)
     }
 
-    /// What the page shows of a model of this design.
+    /// Design of a model, for the page.
     pub(crate) fn scene(&self, model: &Model) -> SceneDesign {
         let largest = (model.mechanism.parts.iter()).fold(0.0_f64, |m, p| m.max(p.part.size()));
         let parameters = (model.parameters.iter())
@@ -185,11 +185,11 @@ impl Design {
 fn range(parameter: &Parameter, is_count: bool, largest: f64) -> (f64, f64) {
     /// Below and above, as a share of the value.
     const AROUND: f64 = 0.25;
-    /// Of a parameter that is 0 with a tolerance: so many times the tolerance.
+    /// Largest deviation, as a multiple of the tolerance, for a parameter that is 0 and has a tolerance.
     const TOLERANCES: f64 = 10.0;
-    /// Of a length that is 0, as a share of the size of the largest part.
+    /// Largest deviation for a length that is 0, as a share of the size of the largest part.
     const SHARE: f64 = 0.05;
-    /// Of an angle that is 0 (rad).
+    /// Largest deviation for an angle that is 0 (rad).
     const ANGLE: f64 = core::f64::consts::PI / 18.0;
     let value = parameter.value;
     if is_count {

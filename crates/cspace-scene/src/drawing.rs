@@ -18,7 +18,7 @@ const VERSION: u32 = 2;
 /// The file of a drawing, and how it is read: the model of picked faces follows from it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DrawingSource {
-    /// The name of the file; its extension tells the format.
+    /// Name of the file; its extension determines the format.
     pub file: String,
     /// The bytes of the file; in base 64 as JSON.
     #[serde(with = "base_64")]
@@ -29,7 +29,7 @@ pub struct DrawingSource {
     pub unit: Option<String>,
     /// The command that makes the model, up to its picks: the page shows it.
     pub command: String,
-    /// The layers of a DXF file that are read; all if there are none here.
+    /// Layers of a DXF file that are read; all if empty.
     pub layers: Vec<String>,
     /// The id of the SVG element that is read alone.
     pub id: Option<String>,
@@ -43,25 +43,25 @@ pub struct DrawingSource {
     pub fit: Option<f64>,
 }
 
-/// A drawing, and what it was read from.
+/// Drawing with its source.
 #[derive(Debug, Clone)]
 pub struct OpenedDrawing {
-    /// What it was read from.
+    /// Source from which it was read.
     pub source: DrawingSource,
-    /// What is drawn, in the file's unit.
+    /// Content of the drawing, in the file's unit.
     pub drawing: Drawing,
 }
 
-/// All that the page of a drawing shows. Lengths are in the model's unit.
+/// Data of a drawing's page. Lengths are in the model's unit.
 #[derive(Debug, Clone, Serialize)]
 pub struct DrawingScene {
     /// Always `cspace-drawing`.
     pub format: &'static str,
     /// Always 2.
     pub version: u32,
-    /// What the model is made of.
+    /// Source of the model.
     pub source: DrawingSource,
-    /// All curves, as the ends of lines and arcs.
+    /// Curves, as the ends of lines and arcs.
     pub curves: Vec<Vec<Vertex>>,
     /// The faces, the largest first; of very many the largest only.
     pub faces: Vec<SceneFace>,
@@ -87,7 +87,7 @@ pub struct SceneFace {
     pub inside: Point,
     /// The area, without what lies within.
     pub area: f64,
-    /// The outer boundary, then those of what lies within.
+    /// Outer boundary, then the boundaries of the components within it.
     pub loops: Vec<Vec<Vertex>>,
     /// Why the face alone is no part; it may be one together with others.
     pub refusal: Option<String>,
@@ -121,7 +121,7 @@ pub enum PickError {
 }
 
 impl PickError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &str {
         match self {
             Self::Nothing => "click faces: each click makes a part",
@@ -133,7 +133,7 @@ impl PickError {
 }
 
 impl DrawingSource {
-    /// The file of a drawing, of which `cspace import FILE` makes a model without further options. The drawing's unit, which is
+    /// Source for the file of a drawing, with the default options of `cspace import FILE`. The drawing's unit, which is
     /// the model's, is not known before it is read: see [`OpenedDrawing::of_file`].
     fn of_file(file: &str, data: Vec<u8>) -> Self {
         Self {
@@ -182,8 +182,8 @@ pub fn model_name(file: &Path) -> String {
 }
 
 impl OpenedDrawing {
-    /// The drawing in the bytes of a file of this name, as `cspace view FILE` and `cspace import FILE` read it without further
-    /// options: in the drawing's unit.
+    /// Reads the drawing in the bytes of a file of this name, as `cspace view FILE` and `cspace import FILE` do without
+    /// further options: in the drawing's unit.
     ///
     /// ```
     /// use cspace::Point;
@@ -199,7 +199,7 @@ impl OpenedDrawing {
     /// ```
     ///
     /// # Errors
-    /// If the extension is not that of a drawing, or the bytes are none.
+    /// If the extension is not that of a drawing, or the bytes are not a drawing.
     pub fn of_file(file: &str, data: Vec<u8>) -> Result<Self, DrawingError> {
         let mut source = DrawingSource::of_file(file, data);
         let drawing = source.read()?;
@@ -208,10 +208,10 @@ impl OpenedDrawing {
         Ok(Self { source, drawing })
     }
 
-    /// What a scene says that it was read from.
+    /// Reads the drawing again from the source in a scene.
     ///
     /// # Errors
-    /// If the extension is not that of a drawing, or the bytes are none.
+    /// If the extension is not that of a drawing, or the bytes are not a drawing.
     pub fn from_source(source: DrawingSource) -> Result<Self, DrawingError> {
         let drawing = source.read()?;
         Ok(Self { source, drawing })
@@ -220,7 +220,8 @@ impl OpenedDrawing {
     /// The faces and curves of the drawing.
     ///
     /// # Errors
-    /// If the drawing is one of measured points, its settings or coordinates are beyond use, or its curves cross too often.
+    /// If the drawing consists of measured points, its settings or coordinates are out of range, or its curves cross
+    /// too often.
     pub fn scene(&self) -> Result<DrawingScene, DrawingError> {
         let settings = self.source.settings();
         let reading = self.drawing.reading(&settings)?;
@@ -244,7 +245,7 @@ impl OpenedDrawing {
         })
     }
 
-    /// The model of picked parts, each of which moves freely, with all pairs.
+    /// Model of picked parts, each of which moves freely, with all pairs.
     ///
     /// # Errors
     /// If nothing is picked, a point is in no face, a face is picked twice, or two parts have the same name.
@@ -269,10 +270,10 @@ impl OpenedDrawing {
         Ok(model)
     }
 
-    /// The model of picked parts as TOML: the file that `cspace import` writes of the same picks.
+    /// Model of picked parts as TOML: equal to the file that `cspace import` writes for the same picks.
     ///
     /// # Errors
-    /// As [`OpenedDrawing::model`]; and if what was written is refused.
+    /// As [`OpenedDrawing::model`], and if the written model is refused by the reader.
     pub fn toml(&self, picked: &[PickedPart]) -> Result<String, PickError> {
         let text = cspace_io::model::to_toml(&self.model(picked)?);
         cspace_io::model::from_toml(&text, "model.toml")?;
@@ -280,8 +281,8 @@ impl OpenedDrawing {
     }
 }
 
-/// A part and a face have the same outline if their areas and boxes differ by no more than this, as a share of the box: both are made of
-/// the same lines and arcs, of which the face's may begin elsewhere and are cut where others end on them.
+/// Tolerance, as a share of the box, of areas and boxes by which a part and a face have the same outline: both consist
+/// of the same lines and arcs, but the face's may begin elsewhere and are cut where others end on them.
 const SAME: f64 = 1e-9;
 
 /// The face of each part, if all parts are one face, each another.

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use crate::design::SceneSetting;
 use crate::scene::SceneMotion;
 
-/// All that is changed of a model: values of its parameters first, then parts.
+/// Changes of a model: values of its parameters first, then parts.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 pub struct Edits {
     /// Values for parameters.
@@ -23,18 +23,18 @@ pub struct Edits {
 /// A part that replaces one of the mechanism's.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct EditedPart {
-    /// Which one.
+    /// Index of the part.
     pub index: usize,
-    /// Its loops.
+    /// Loops of the part.
     pub loops: Vec<Vec<Vertex>>,
-    /// How it moves relative to the ground.
+    /// Motion relative to the ground.
     pub motion: SceneMotion,
-    /// How much it is grown, or shrunk where this is negative, in the model's unit of length.
+    /// Distance by which it is grown, or shrunk if negative, in the model's unit of length.
     #[serde(default)]
     pub offset: f64,
 }
 
-/// Why an edited mechanism is none.
+/// Reason why an edited mechanism is invalid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EditError {
@@ -57,9 +57,9 @@ pub enum EditError {
     Part {
         /// The part.
         index: usize,
-        /// Its name.
+        /// Name of the part.
         name: String,
-        /// What is wrong.
+        /// Reason why they are no part.
         error: PartError,
     },
     /// A part is shrunk to nothing.
@@ -67,9 +67,9 @@ pub enum EditError {
     Nothing {
         /// The part.
         index: usize,
-        /// Its name.
+        /// Name of the part.
         name: String,
-        /// By how much.
+        /// Distance of the offset.
         by: f64,
     },
     /// The mechanism makes no sense.
@@ -77,13 +77,14 @@ pub enum EditError {
     Mechanism(#[from] MechanismError),
 }
 
-/// The mechanism with these parts in place of its own.
+/// Copy of the mechanism with edited parts.
 ///
-/// Names of features stay where loops have as many vertices as before and the part is not grown. A declared symmetry that
-/// the part no longer has is left out. A joint with a part that does not move goes with the pivot or the direction of the edited part.
+/// Names of features are kept where loops have as many vertices as before and the part is not grown. A declared
+/// symmetry that the part no longer has is removed. A joint with a part that does not move follows the pivot or the
+/// direction of the edited part.
 ///
 /// # Errors
-/// If an index is no part's or is there twice, loops make no part, or joints and motions contradict each other.
+/// If an index is out of range or occurs twice, loops make no part, or joints and motions contradict each other.
 pub fn edited(model: &Mechanism, parts: &[EditedPart]) -> Result<Mechanism, EditError> {
     let mut model = model.clone();
     let mut done = vec![false; model.parts.len()];
@@ -151,7 +152,7 @@ fn with_names_of(part: Part, other: &Part) -> Result<Part, PartError> {
     Ok(named)
 }
 
-/// A joint between a part and one that does not move is where the part's motion says.
+/// Moves a joint between a part and one that does not move to the place given by the part's motion.
 fn take_joints_along(model: &mut Mechanism, part: usize) {
     let motion = |i: usize| model.parts[i].axis.map(|a| a.motion);
     let own = motion(part);

@@ -1,9 +1,8 @@
-//! What a page shows of parts and their configuration spaces, as data.
+//! Data shown by a page: parts and their configuration spaces.
 //!
-//! A [`Scene`] is all that the page is given; `docs/page.md` in the project's repository describes every field. It is made of what
-//! was [`Opened`]: a model or a saved space. Parameters of the model can be given
-//! other values and parts can be [`edited`]; a model can be made of the faces of an
-//! [`OpenedDrawing`].
+//! A [`Scene`] is all data that the page is given; `docs/page.md` in the project's repository describes every field. It
+//! is made from a model or a saved space that was [`Opened`]. Parameters of the model can be given other values and
+//! parts can be [`edited`]; a model can be made from the faces of an [`OpenedDrawing`].
 
 mod base_64;
 mod design;

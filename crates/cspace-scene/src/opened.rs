@@ -1,4 +1,4 @@
-//! What a page shows: a model, or a saved space.
+//! Content of a page: a model, or a saved space.
 
 use cspace::pair::Joint;
 use cspace::{
@@ -20,11 +20,11 @@ pub struct Opened {
     pub model: Mechanism,
     /// The pairs that are shown, in their windows.
     pub pairs: Vec<PairEntry>,
-    /// Whether the general method is used whatever the class.
+    /// Whether the general method is used for pairs of any class.
     pub general: bool,
     /// The space of the one pair, if it was read.
     pub saved: Option<PairSpace>,
-    /// What is to be played.
+    /// Recordings to be played.
     pub records: Vec<SceneRecord>,
     design: Option<Design>,
 }
@@ -34,7 +34,7 @@ pub struct Opened {
 pub struct EditAnswer {
     /// The pair with its space.
     pub pair: ScenePair,
-    /// All parts of the model.
+    /// Parts of the model.
     pub parts: Vec<ScenePart>,
     /// The parameters of the model, if it has any.
     pub design: Option<SceneDesign>,
@@ -52,7 +52,7 @@ pub enum EditedPairError {
         /// Number of pairs.
         pairs: usize,
     },
-    /// The edited parts are none.
+    /// The edited parts are invalid.
     #[error(transparent)]
     Edit(#[from] EditError),
     /// Values for parameters of a model that has none, or whose text is not here.
@@ -61,7 +61,7 @@ pub enum EditedPairError {
     /// A part was edited, and does not follow parameters any more.
     #[error("the part {} was edited by hand and follows no parameter; undo its edits first", shown::quoted(.0))]
     Drawn(String),
-    /// With other values of its parameters the model has other parts.
+    /// The model has other parts with the new values of its parameters.
     #[error("with these values the model has other parts")]
     OtherParts,
     /// The space cannot be computed.
@@ -70,7 +70,7 @@ pub enum EditedPairError {
     /// The model cannot be read with these values, or not be written.
     #[error(transparent)]
     Model(#[from] ModelError),
-    /// It cannot be written as JSON.
+    /// The space cannot be written as JSON.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }
@@ -88,7 +88,8 @@ impl Opened {
         }
     }
 
-    /// With the text that the model was read from, and the values that its parameters were given: the page offers sliders for them.
+    /// Adds the text that the model was read from, and the values given to its parameters: the page offers sliders for
+    /// them.
     pub fn with_text(mut self, template: Template, set: Vec<Setting>) -> Self {
         self.design = Design::new(template, set);
         self
@@ -130,7 +131,7 @@ impl Opened {
         Self {
             model,
             pairs: vec![pair],
-            // What was computed without symmetry is computed without it again.
+            // A space computed without symmetry is computed without it again.
             general: space.class() == PairClass::General,
             saved: Some(space),
             records: Vec::new(),
@@ -138,10 +139,10 @@ impl Opened {
         }
     }
 
-    /// What a scene says it was made of.
+    /// Opens the source stored in a scene.
     ///
     /// # Errors
-    /// If the model is none.
+    /// If the text is not a valid model.
     pub fn from_source(source: &SceneSource) -> Result<Self, ModelError> {
         let model = cspace_io::model::from_toml(&source.model, "the model of this page")?;
         let opened = Self::model(model, source.pairs.clone(), source.general);
@@ -152,7 +153,7 @@ impl Opened {
         Ok(Self { design, ..opened })
     }
 
-    /// What the scene is made of, if the model can be written and read again.
+    /// Source of the scene, if the model can be written and read again.
     fn source(&self) -> Option<SceneSource> {
         let model = cspace_io::model::to_toml(&self.model);
         cspace_io::model::from_toml(&model, "model.toml").ok()?;
@@ -178,7 +179,8 @@ impl Opened {
         }
     }
 
-    /// A pair with its space, or why it has none; `clock` tells how long a computation took (seconds since anything).
+    /// A pair with its space, or with the reason why it has none; `clock` returns a time in seconds, from which the
+    /// duration of the computation is determined.
     pub fn pair(
         &self,
         index: usize,
@@ -199,10 +201,10 @@ impl Opened {
         Some(pair.unwrap_or_else(|error| self.unknown(entry).failed(error)))
     }
 
-    /// The model with the values and parts of an edit, and its requirements.
+    /// Model with the values and parts of an edit, and its requirements.
     ///
     /// # Errors
-    /// If there are no such parameters, the text is no model with these values, or the parts are none.
+    /// If there are no such parameters, the text is not a valid model with these values, or the parts are invalid.
     pub fn edited(&self, edits: &Edits) -> Result<Model, EditedPairError> {
         let mut model = match &self.design {
             Some(design) => design.model(&edits.set)?,
@@ -228,10 +230,10 @@ impl Opened {
         Ok(model)
     }
 
-    /// The text of the model with its parameters, and all values that they are given.
+    /// Text of the model with its parameters, and the values that they are given.
     ///
     /// # Errors
-    /// If the model has none here, or parts were edited, which do not follow parameters.
+    /// If the text is not available, or parts were edited, which do not follow parameters.
     pub fn template(&self, edits: &Edits) -> Result<(&Template, Vec<Setting>), EditedPairError> {
         if let Some(part) = edits.parts.first() {
             let name = self.model.parts.get(part.index).map(|p| p.part.name());
@@ -241,7 +243,7 @@ impl Opened {
         Ok((design.template(), design.settings(&edits.set)))
     }
 
-    /// A pair of an edited model: its window goes with the model's parameters.
+    /// Pair of an edited model, with the window that follows from the model's parameters.
     ///
     /// # Errors
     /// If there is no such pair.
@@ -253,10 +255,10 @@ impl Opened {
         Ok(*now.unwrap_or(entry))
     }
 
-    /// The edited mechanism, and the space of one of its pairs.
+    /// Edited mechanism, and the space of one of its pairs.
     ///
     /// # Errors
-    /// If there is no such pair, the edit is none, or the space cannot be computed.
+    /// If there is no such pair, the edit is invalid, or the space cannot be computed.
     pub fn edited_space(
         &self,
         index: usize,
@@ -268,10 +270,10 @@ impl Opened {
         Ok((model, space))
     }
 
-    /// A pair after an edit; `clock` as for [`pair`](Self::pair).
+    /// Pair after an edit; `clock` as for [`pair`](Self::pair).
     ///
     /// # Errors
-    /// If there is no such pair, the edit is none, or the space cannot be computed.
+    /// If there is no such pair, the edit is invalid, or the space cannot be computed.
     pub fn edited_pair(
         &self,
         index: usize,
@@ -301,11 +303,11 @@ impl Opened {
         ScenePair::unknown(pair, class, fixed, moving)
     }
 
-    /// The edited model as TOML that is read back as it is: the text of its file with other values where no part was edited, otherwise
-    /// numbers alone.
+    /// Edited model as TOML that is read back unchanged: the text of its file with other values if no part was edited,
+    /// otherwise only numbers.
     ///
     /// # Errors
-    /// If the edit is none, or what was written is refused.
+    /// If the edit is invalid, or the written model is refused by the reader.
     pub fn edited_text(&self, edits: &Edits) -> Result<String, EditedPairError> {
         if let (Some(design), []) = (&self.design, &edits.parts[..])
             && let Some(text) = design.text_with(&edits.set)
@@ -342,7 +344,7 @@ impl Opened {
     }
 }
 
-/// How the parts of a saved space move relative to the ground, as far as it says so.
+/// Axes of the parts of a saved space relative to the ground, as far as they are known.
 fn axes(space: &PairSpace) -> [Option<Axis>; 2] {
     match space {
         PairSpace::FixedAxes(space) => {

@@ -47,7 +47,7 @@ fn opened(set: &[Setting]) -> Opened {
     Opened::model(model, pairs, false).with_text(template, set.to_vec())
 }
 
-/// What the page has of it, as another program reads it.
+/// Copy by way of the page: sent as JSON and opened again.
 fn sent(opened: &Opened) -> Opened {
     let scene = json!(opened.scene());
     let source: SceneSource = serde_json::from_value(scene["source"].clone()).unwrap();

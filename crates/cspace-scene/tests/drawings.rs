@@ -68,8 +68,8 @@ fn faces_that_are_no_part_say_why() {
     assert_eq!(refused, [true, false, false]);
 }
 
-/// Two layers with a square each, in inches, of which the command reads one in millimetres: each option changes the model, and the
-/// scene's source makes the same one to the last bit.
+/// Two layers with a square each, in inches, of which the command reads one in millimetres: each option changes the
+/// model, and the scene's source makes an equal one to the last bit.
 #[test]
 fn the_source_has_every_option() {
     let square = |layer: &str, x: f64| {

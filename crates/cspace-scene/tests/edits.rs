@@ -46,7 +46,7 @@ fn coin(radius: f64, offset: f64) -> Value {
     })
 }
 
-/// What a pair's space says of the moving part at (x, 0, 0).
+/// Class of the moving part at (x, 0, 0) in a pair's space.
 fn class_at(pair: &Value, x: f64) -> Classification {
     let file = SavedFile::from_json(pair["space"].as_str().unwrap(), "space.json").unwrap();
     let at = Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
@@ -57,13 +57,13 @@ fn parts(edits: &[Value]) -> Edits {
     serde_json::from_value(json!({ "parts": edits })).unwrap()
 }
 
-/// The first pair after an edit, as the page is told.
+/// First pair after an edit, as sent to the page.
 fn edit(opened: &Opened, edits: &[Value]) -> Result<Value, String> {
     let answer = opened.edited_pair(0, &parts(edits), &|| 0.0, &Silent);
     answer.map(|a| json!(a)).map_err(|e| e.to_string())
 }
 
-/// That something fails with these words.
+/// Checks that something fails with these words.
 #[track_caller]
 fn fails<T: Debug, E: Display>(result: Result<T, E>, words: &[&str]) {
     let error = result.map_err(|e| e.to_string()).unwrap_err();

@@ -1,4 +1,4 @@
-//! The scene says what the library says, and stands in a page whatever it says.
+//! The scene agrees with the library, and can be embedded in a page whatever its content.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::BTreeSet;
@@ -27,7 +27,7 @@ fn numbers() -> impl Iterator<Item = f64> {
     })
 }
 
-/// The space in a pair's JSON is the pair's space: both say the same of many configurations.
+/// Checks that the space in a pair's JSON is the pair's space: both classify many configurations equally.
 #[track_caller]
 fn is_the_space(pair: &Value, space: &PairSpace) {
     let read = SavedFile::from_json(pair["space"].as_str().unwrap(), "scene.json")

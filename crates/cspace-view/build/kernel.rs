@@ -14,7 +14,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// What the crate and what it depends on are made of, beside this crate's folder.
+/// Crates that this one and its dependencies consist of, beside this crate's folder.
 const CRATES: [&str; 10] = [
     "cspace",
     "cspace-answers",
@@ -28,12 +28,13 @@ const CRATES: [&str; 10] = [
     "cspace-wasm",
 ];
 
-/// Where Debian's packages `rustc-web`, `cargo-web` and `lld` are: they compile for WebAssembly where rustup cannot be had.
+/// Folder of Debian's packages `rustc-web`, `cargo-web` and `lld`, which compile for WebAssembly where rustup is not
+/// available.
 const SYSTEM: &str = "/usr/bin";
 
-/// What compiles for WebAssembly.
+/// Compiler for WebAssembly.
 enum Compiler {
-    /// That which compiles this, with the target's library.
+    /// Compiler of this build, with the target's library.
     Own,
     /// The system's, which compiles the library too.
     System,
@@ -106,7 +107,7 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
         Compiler::Own => Command::new(env::var_os("CARGO").unwrap_or("cargo".into())),
         Compiler::System => Command::new(Path::new(SYSTEM).join("cargo")),
     };
-    // What this build was told is not meant for that one.
+    // Settings of this build are not meant for that one.
     for (name, _) in env::vars_os() {
         let told = name.to_string_lossy();
         let kept = ["CARGO_HOME", "CARGO_NET_OFFLINE", "CARGO_HTTP_CAINFO"].contains(&&*told);
@@ -153,7 +154,7 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
     if output.status.success() {
         return Ok(target.join(TARGET).join("wasm/cspace_wasm.wasm"));
     }
-    /// The last lines say what is wrong.
+    /// Number of the last lines, which contain the error.
     const LINES: usize = 12;
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();

@@ -1,8 +1,8 @@
-//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: nothing bundled is
-//! kept with the sources.
+//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: no
+//! bundle is kept with the sources.
 //!
-//! Where that cannot be done the crate is built all the same, and the page's commands say what to install: all else of the
-//! project needs neither.
+//! If that is not possible, the crate is built without the page, and the page's commands report the missing programs:
+//! the rest of the project does not need them.
 
 mod kernel;
 
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-/// What the page is made of, files and folders in `page/`.
+/// Sources of the page, files and folders in `page/`.
 const SOURCES: [&str; 7] = [
     "package.json",
     "package-lock.json",
@@ -22,10 +22,10 @@ const SOURCES: [&str; 7] = [
     "style.css",
 ];
 
-/// What npm installs follows from these.
+/// Files that determine the packages installed by npm.
 const INSTALLED: [&str; 3] = ["package.json", "package-lock.json", ".npmrc"];
 
-/// What the library includes, from the page's folder in the build.
+/// Files included in the library, from the page's folder in the build.
 const BUNDLE: [(&str, &str); 5] = [
     ("index.html", "index.html"),
     ("style.css", "style.css"),
@@ -79,12 +79,12 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     let work = &out.join("page");
     check_node()?;
     fs::create_dir_all(work)?;
-    // What is no longer among the sources is not to be found.
+    // Files that are no longer among the sources are removed.
     let _ = fs::remove_dir_all(work.join("src"));
     for name in SOURCES {
         copy(&sources.join(name), &work.join(name))?;
     }
-    // What may fail soon comes before what takes minutes.
+    // Steps that fail early come before those that take minutes.
     install(work)?;
     let kernel = work.join("build/kernel");
     fs::create_dir_all(&kernel)?;
@@ -99,7 +99,7 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     Ok(())
 }
 
-/// The folder of everything that cargo builds, of which `out` is four folders below.
+/// Folder of all build results, of which `out` is four folders below.
 fn target(out: &Path) -> PathBuf {
     out.ancestors().nth(4).unwrap_or(out).to_owned()
 }
@@ -147,7 +147,7 @@ fn npm(folder: &Path, arguments: &[&str]) -> Result<(), Box<dyn Error>> {
     if output.status.success() {
         return Ok(());
     }
-    /// The first lines say what is wrong.
+    /// Number of the first lines, which contain the error.
     const LINES: usize = 8;
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     let said: Vec<&str> = said.lines().filter(|l| !l.trim().is_empty()).collect();

@@ -5,17 +5,17 @@ use serde::Serialize;
 use crate::page::{Kernel, Page};
 use cspace_scene::Scene;
 
-/// Where a page is shown.
+/// Way in which a page is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Place {
-    /// From a file: it may ask nobody.
+    /// Opened from a file: it may send no requests.
     File,
-    /// From the server, which it may ask.
+    /// Opened from the server, to which it may send requests.
     Served,
 }
 
 impl Page {
-    /// One file with the scene in it, which asks no other: its policy forbids the network.
+    /// Writes one file with the scene in it, which loads nothing else: its policy forbids the network.
     ///
     /// # Errors
     /// If the scene cannot be written as JSON, which plain data always can.
@@ -62,7 +62,7 @@ impl Page {
         .concat())
     }
 
-    /// What the page may load, as a Content-Security-Policy: its own script by its hash, and nothing from elsewhere.
+    /// Content-Security-Policy of the page: it may load its own script by its hash, and nothing from elsewhere.
     pub(crate) fn policy(&self, place: Place) -> String {
         let asks = match place {
             Place::File => "",

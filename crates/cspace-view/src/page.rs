@@ -13,19 +13,19 @@ const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
 const WORKER: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/worker.js"));
 const KERNEL: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/kernel.txt"));
 
-/// Where a page's style, scene and script go.
+/// Places of a page's style, scene and script.
 const PLACES: [&str; 3] = ["<!--style-->", "<!--scene-->", "<!--script-->"];
 
 /// The page without a scene.
 #[derive(Debug, Clone)]
 pub struct Page {
-    /// What is before, between and after the places.
+    /// Text before, between and after the places.
     pub(crate) around: [String; 4],
     pub(crate) style: String,
     pub(crate) script: String,
     /// The hash of the script, by which a policy allows it and no other.
     pub(crate) hash: String,
-    /// What the script computes with.
+    /// Kernel with which the script computes.
     pub(crate) kernel: Option<Kernel>,
 }
 
@@ -42,10 +42,10 @@ pub(crate) struct Kernel {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PageError {
-    /// It was not bundled when the crate was built.
+    /// The page was not bundled when the crate was built.
     #[error("this program was built without its page: {reason}")]
     NotBundled {
-        /// Why.
+        /// Reason.
         reason: &'static str,
     },
     /// The template has not exactly one place for the style, then the scene, then the script.
@@ -57,15 +57,15 @@ pub enum PageError {
     /// Style or script would end early.
     #[error("the page's {what} has {text:?} in it, where a browser takes it to end")]
     Ends {
-        /// Which of the two.
+        /// Style or script.
         what: &'static str,
-        /// What ends it.
+        /// Text that ends it.
         text: &'static str,
     },
 }
 
 impl PageError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub const fn help(&self) -> &'static str {
         match self {
             Self::NotBundled { .. } => {
@@ -77,10 +77,10 @@ impl PageError {
 }
 
 impl Page {
-    /// The page that was bundled.
+    /// Returns the page that was bundled.
     ///
     /// # Errors
-    /// If it was not, for want of Node.
+    /// If it was not bundled, because Node was missing.
     pub fn bundled() -> Result<Self, PageError> {
         if !REASON.is_empty() {
             return Err(PageError::NotBundled { reason: REASON });
@@ -94,7 +94,7 @@ impl Page {
         Ok(page)
     }
 
-    /// A page of an HTML template, with one place each for style, scene and script, of a style and a script.
+    /// Creates a page from an HTML template, with one place each for style, scene and script, a style and a script.
     ///
     /// # Errors
     /// If the template has no such places, or style or script cannot stand in it.
@@ -124,10 +124,10 @@ impl Page {
     }
 }
 
-/// Where a browser takes a script to end, or to go on otherwise than it is written.
+/// Texts at which a browser ends a script, or reads it differently.
 const SCRIPT_ENDS: &[&str] = &["</script", "<!--"];
 
-/// That nothing in a source ends the element it stands in.
+/// Checks that a source has no text that ends the element it stands in.
 fn check_ends(what: &'static str, source: &str, ends: &[&'static str]) -> Result<(), PageError> {
     let source = source.to_ascii_lowercase();
     match ends.iter().find(|&&text| source.contains(text)) {

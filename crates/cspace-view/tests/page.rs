@@ -1,4 +1,4 @@
-//! A page stands whatever the scene in it says, and asks nobody.
+//! A page works whatever the content of its scene, and sends no requests.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use cspace::part::PartFeature;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 const TEMPLATE: &str = "<head><!--style--></head><body><!--scene-->|<!--script--></body>";
 
-/// What a browser takes for the content of the scene's element: all up to the first that looks like its end.
+/// Content of the scene's element as a browser takes it: all up to the first text that looks like its end.
 fn scene_in(html: &str) -> Value {
     let (_, rest) = html
         .split_once(r#"<script type="application/json" id="scene">"#)
@@ -119,7 +119,7 @@ fn templates_without_places_are_refused() {
     }
 }
 
-/// The bundled page is one, or the error says what to install.
+/// The page is bundled, or the error names the missing programs.
 #[test]
 fn the_page_is_bundled_or_says_why_not() {
     match Page::bundled() {

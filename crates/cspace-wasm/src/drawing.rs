@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::fault;
 
-/// A drawing, and what it was read from.
+/// Drawing with its source.
 #[wasm_bindgen]
 pub struct Drawing {
     opened: OpenedDrawing,
@@ -20,7 +20,7 @@ impl Drawing {
         Ok(Self { opened })
     }
 
-    /// The drawing that a scene says it was made of: the JSON of its `source`.
+    /// Reads the drawing from the JSON of a scene's `source`.
     #[wasm_bindgen(js_name = fromSource)]
     pub fn from_source(source: &str) -> Result<Drawing, JsError> {
         let source: cspace_scene::DrawingSource = serde_json::from_str(source).map_err(fault)?;
@@ -45,7 +45,7 @@ impl Drawing {
     }
 }
 
-/// What is wrong with a drawing, and what to do, as the command says it.
+/// Error in a drawing, and advice, in the words of the command.
 fn told(file: &str, error: &DrawingError) -> JsError {
     fault(format_args!("{file}: {error} ({})", error.help()))
 }

@@ -4,7 +4,7 @@ use cspace::{ContactSpace, CurveGeometry};
 use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::JsValue;
 
-/// So many pieces of an arc are as many as a picture needs.
+/// Largest number of pieces of an arc: enough for a picture.
 const MOST_PIECES: f64 = 512.0;
 /// A piece of an arc turns by no less than this (radians).
 const NARROWEST: f64 = 1e-3;

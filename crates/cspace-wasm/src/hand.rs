@@ -9,31 +9,31 @@ use wasm_bindgen::prelude::*;
 use crate::model::told;
 use crate::{fault, plain};
 
-/// All parts of a model, with the spaces of its pairs: what is dragged pushes what is in its way.
+/// All parts of a model, with the spaces of its pairs: a dragged part pushes the parts in its way.
 #[wasm_bindgen(js_name = Hand)]
 pub struct MechanismHand {
     mechanism: Mechanism,
     hand: Hand,
 }
 
-/// What became of a drag.
+/// Result of a drag.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Came {
     /// The coordinates of each part: none, [u], or [x, y, theta].
     parts: Vec<Vec<f64>>,
     reached: bool,
-    /// What stops it, in words; nothing if it came there.
+    /// Obstacles, in words; empty if the part reached its target.
     stopped: Vec<String>,
     /// Names of parts that overlap each other.
     overlapping: Vec<(String, String)>,
-    /// Names of parts that went at once to where forces balance.
+    /// Names of parts that jumped to another balance of forces.
     snaps: Vec<String>,
 }
 
 #[wasm_bindgen(js_class = Hand)]
 impl MechanismHand {
-    /// The mechanism that a scene says it was made of, edited; its parts are where it starts.
+    /// Creates the edited mechanism of a scene's source; its parts are at their start.
     #[wasm_bindgen(constructor)]
     pub fn new(source: &str, edits: &str) -> Result<MechanismHand, JsError> {
         let source: SceneSource = serde_json::from_str(source).map_err(fault)?;

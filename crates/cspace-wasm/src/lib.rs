@@ -1,8 +1,9 @@
-//! The library for JavaScript: what the page and the npm package `cspace` compute with.
+//! Library for JavaScript: the kernel of the page and of the npm package `cspace`.
 //!
-//! A [`Pair`](pair::Pair) is a configuration space that was computed, and answers questions about it. A [`Model`](model::Model) is a
-//! model, of whose pairs spaces are computed, also once its parts are edited; it is planned and set in motion. A [`MechanismHand`](hand::MechanismHand) drags all of its parts. Types for TypeScript are in `types.ts`, and come with
-//! what the compiler writes. A [`Drawing`](drawing::Drawing) shows its faces, of which a model is made.
+//! A [`Pair`](pair::Pair) is a computed configuration space that answers queries. A [`Model`](model::Model) computes
+//! the spaces of its pairs, also after its parts are edited, and plans and simulates motions. A
+//! [`MechanismHand`](hand::MechanismHand) drags all of its parts. A [`Drawing`](drawing::Drawing) shows its faces, from
+//! which a model is made. Types for TypeScript are in `types.ts`, and are added to the compiler's output.
 
 mod drawing;
 mod drawn;
@@ -14,11 +15,11 @@ mod surface;
 
 use wasm_bindgen::prelude::*;
 
-/// What the answers are, for TypeScript.
+/// TypeScript types of the answers.
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");
 
-/// An error for JavaScript, which says what is wrong.
+/// Error for JavaScript, with a message.
 fn fault(error: impl core::fmt::Display) -> JsError {
     JsError::new(&error.to_string())
 }

@@ -16,7 +16,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::fault;
 
-/// A model and those of its pairs that are shown.
+/// Model with the pairs that are shown.
 #[wasm_bindgen]
 pub struct Model {
     opened: Opened,
@@ -25,10 +25,10 @@ pub struct Model {
 /// A contact that is dragged: it is where a straight motion first meets a contact.
 #[derive(Deserialize)]
 struct ContactDrag {
-    /// Where the motion begins, [x, y, theta] or [u, v], and its displacement.
+    /// Start of the motion, [x, y, theta] or [u, v], and its displacement.
     from: Vec<f64>,
     along: Vec<f64>,
-    /// Which coordinate is to have the value at the contact.
+    /// Coordinate that is to have the value at the contact.
     of: Of,
     value: f64,
     /// Parameters that may change: name, from, to.
@@ -56,7 +56,7 @@ impl From<Of> for Coordinate {
     }
 }
 
-/// Values of parameters, or why there are none.
+/// Values of parameters, or the reason why there are none.
 #[derive(Serialize)]
 struct ContactAnswer {
     set: Vec<SceneSetting>,
@@ -87,7 +87,7 @@ pub(crate) fn coordinates(c: &[f64]) -> Result<Coordinates, JsError> {
 
 #[wasm_bindgen]
 impl Model {
-    /// The model that a scene says it was made of: the JSON of its `source`.
+    /// Reads the model from the JSON of a scene's `source`.
     #[wasm_bindgen(js_name = fromSource)]
     pub fn from_source(source: &str) -> Result<Model, JsError> {
         let source = serde_json::from_str(source).map_err(fault)?;
@@ -132,7 +132,7 @@ impl Model {
         self.opened.edited_text(&parsed(edits)?).map_err(fault)
     }
 
-    /// What `cspace check --format json` answers of the edited model.
+    /// Answer of `cspace check --format json` for the edited model.
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
@@ -140,8 +140,9 @@ impl Model {
         json(&rows)
     }
 
-    /// The values of parameters that put a contact of a pair where it is dragged to, with the smallest change relative to the ranges: what is
-    /// dragged is a `ContactDrag`, and the answer `{"set": [{"name", "value"}], "none": why there are none}`.
+    /// Finds values of parameters that move a contact of a pair to where it is dragged, with the smallest change
+    /// relative to the ranges. `dragged` is a `ContactDrag`, and the answer `{"set": [{"name", "value"}], "none": why
+    /// there are none}`.
     #[wasm_bindgen(js_name = putContact)]
     pub fn put_contact(&self, pair: usize, edits: &str, dragged: &str) -> Result<String, JsError> {
         let edits = parsed(edits)?;
@@ -172,8 +173,8 @@ impl Model {
         })
     }
 
-    /// What `cspace plan --format json` answers of a pair of the edited model: a path from one configuration to another, or out
-    /// where the other is empty, if need be the widest; or why there is none.
+    /// Answer of `cspace plan --format json` for a pair of the edited model: a path from one configuration to another,
+    /// or to free space outside where `to` is empty, if requested the widest; or the reason why there is none.
     pub fn plan(
         &self,
         pair: usize,
@@ -215,8 +216,8 @@ impl Model {
         ))
     }
 
-    /// What `cspace simulate --format json` answers of the edited mechanism, with states between samples: its motion while the
-    /// slowest drive makes a turn, with masses if it has any.
+    /// Answer of `cspace simulate --format json` for the edited mechanism, with states between samples: its motion
+    /// while the slowest drive makes a turn, with masses if it has any.
     pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
         let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;
         let has_masses = model.has_masses();
@@ -243,9 +244,9 @@ impl Model {
     }
 }
 
-/// How long the slowest drive that turns evenly takes for a turn (s).
+/// Duration of one turn of the slowest drive that turns evenly (s).
 fn turn(model: &Mechanism) -> f64 {
-    /// Without such a drive.
+    /// Default without such a drive.
     const USUAL: f64 = 2.0;
     let drives = model.dynamics.drives.iter();
     let times = drives.filter_map(|drive| {

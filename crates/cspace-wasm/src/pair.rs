@@ -43,14 +43,14 @@ struct Touch {
     normal: (f64, f64),
 }
 
-/// Where a motion got to.
+/// End of a motion.
 #[derive(Serialize)]
 struct Reached {
     at: Vec<f64>,
     stopped: Option<PatchId>,
 }
 
-/// What a coordinate of a pair with fixed axes is.
+/// Kind and range of a coordinate of a pair with fixed axes.
 #[derive(Serialize)]
 struct AxisInfo {
     kind: &'static str,
@@ -61,10 +61,11 @@ struct AxisInfo {
 
 #[wasm_bindgen]
 impl Pair {
-    /// The space of which this is the saved data; `own` says whether this module has computed it.
+    /// Reads a space from its saved data; `own` says whether this module has computed it.
     ///
-    /// Sines of other machines may differ in their last bit, and by them the order of two roots that are all but one: of a pair with
-    /// fixed axes that was computed elsewhere, the partition is computed again. That takes less time than to read many another space.
+    /// Sines of other machines may differ in their last bit, which may exchange the order of two nearly equal roots:
+    /// for a pair with fixed axes that was computed elsewhere, the partition is computed again. That takes less time
+    /// than reading many other spaces.
     #[wasm_bindgen(constructor)]
     pub fn new(json: &str, own: bool) -> Result<Pair, JsError> {
         let head: Head = serde_json::from_str(json).map_err(fault)?;
@@ -130,7 +131,8 @@ impl Pair {
         })
     }
 
-    /// What `cspace classify` says; nothing outside the window or the ranges of motion, and of what is not finite.
+    /// Answer of `cspace classify`; nothing outside the window or the ranges of motion, and for numbers that are not
+    /// finite.
     #[wasm_bindgen(unchecked_return_type = "Classification | undefined")]
     pub fn classify(&self, c: &[f64]) -> Result<Option<String>, JsError> {
         let class = self.space.classify(self.coordinates(c)?);
@@ -145,8 +147,8 @@ impl Pair {
         }
     }
 
-    /// What `cspace contacts` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest
-    /// first.
+    /// List of `cspace contacts`: features no farther apart than a distance (model unit; the resolution unless given),
+    /// nearest first.
     #[wasm_bindgen(unchecked_return_type = "Touch[]")]
     pub fn touching(&self, c: &[f64], within: Option<f64>) -> Result<JsValue, JsError> {
         let at = self.coordinates(c)?;
@@ -158,9 +160,9 @@ impl Pair {
     /// The first that it lists, however far they are apart; nothing outside the window or the ranges of motion.
     #[wasm_bindgen(unchecked_return_type = "Touch | null")]
     pub fn nearest(&self, c: &[f64]) -> Result<JsValue, JsError> {
-        /// More than rounding, as a share.
+        /// Margin beyond rounding, as a share.
         const MORE: f64 = 1e-6;
-        /// Of parts that overlap, features are looked for within this share of their size first, and then within ever more.
+        /// First radius of the search for features of overlapping parts, as a share of their size; it then grows.
         const FIRST: f64 = 1.0 / 4096.0;
         let at = self.coordinates(c)?;
         let size = self.space.fixed().size().max(self.space.moving().size());
@@ -192,14 +194,14 @@ impl Pair {
             .collect())
     }
 
-    /// The configuration itself if it may be moved to; otherwise the first contact on the straight way.
+    /// Advances on a straight line: to `to` if the motion is free; otherwise to the first contact.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
     pub fn advance(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
         reached(from, Slider::new(&self.space).advance(from, to))
     }
 
-    /// As `advance`, then on along the surface, as near to `to` as it leads. Never blocked if `from` is not.
+    /// As `advance`, then slides on along the surface, as near to `to` as possible. Never blocked if `from` is not.
     #[wasm_bindgen(unchecked_return_type = "Reached")]
     pub fn slide(&self, from: &[f64], to: &[f64]) -> Result<JsValue, JsError> {
         let (from, to) = (self.coordinates(from)?, self.coordinates(to)?);
@@ -254,7 +256,7 @@ impl Pair {
         made.map_err(fault)
     }
 
-    /// What u and v of a pair with fixed axes are.
+    /// Kinds and ranges of u and v of a pair with fixed axes.
     #[wasm_bindgen(unchecked_return_type = "[AxisInfo, AxisInfo]")]
     pub fn axes(&self) -> Result<JsValue, JsError> {
         let space = self.on_axes()?;
@@ -269,7 +271,7 @@ impl Pair {
         Ok(plane::curves(self.on_axes()?, deviation).into())
     }
 
-    /// All free space of a pair with fixed axes, as polygons that do not overlap.
+    /// Free space of a pair with fixed axes, as polygons that do not overlap.
     #[wasm_bindgen(js_name = freePolygons, unchecked_return_type = "FreePolygon[]")]
     pub fn free_polygons(&self, deviation: f64) -> Result<JsValue, JsError> {
         Ok(plane::free(self.on_axes()?, deviation).into())
@@ -302,12 +304,13 @@ impl Pair {
         }
     }
 
-    /// Of lower pairs, and outside, there is nothing to say.
+    /// Features near a configuration; none for lower pairs, and outside of the space.
     fn near(&self, at: Coordinates, within: f64) -> Vec<NearFeatures> {
         self.space.near_features(at, within).unwrap_or_default()
     }
 
-    /// Of a pair with fixed axes in the assembly, of another in the fixed part's frame.
+    /// Contact of two features: in the assembly's frame for a pair with fixed axes, otherwise in the fixed part's
+    /// frame.
     fn touch(&self, at: Coordinates, near: &NearFeatures) -> Touch {
         let place = match (&self.space, at) {
             (PairSpace::FixedAxes(space), Coordinates::Axes { u, .. }) => {

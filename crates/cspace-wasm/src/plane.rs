@@ -29,7 +29,7 @@ pub(crate) fn curves(space: &FixedAxesSpace, deviation: f64) -> Array {
     branches.collect()
 }
 
-/// All free space: an array of `FreePolygon`.
+/// Free space as an array of `FreePolygon`.
 pub(crate) fn free(space: &FixedAxesSpace, deviation: f64) -> Array {
     let gaps = space.free_gaps().map(|gap| {
         let sides = followed(|share| gap.ends(share), deviation);

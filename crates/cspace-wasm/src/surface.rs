@@ -6,9 +6,9 @@ use cspace::{
 use js_sys::{Float32Array, Object, Reflect, Uint32Array};
 use wasm_bindgen::JsValue;
 
-/// So many columns of a patch are as many as a picture needs.
+/// Largest number of columns of a patch: enough for a picture.
 const MOST: f64 = 64.0;
-/// However small an arc is, a column turns by no more than this (radians): its light is to look round.
+/// Largest turn of a column (radians), even of a small arc, so that its shading looks round.
 const WIDEST: f64 = 1.0;
 /// Rows are halved at most so often.
 const HALVINGS: u32 = 6;

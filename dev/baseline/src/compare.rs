@@ -1,4 +1,4 @@
-//! How far a stack and its surface are from the exact contact space, and where they say what is not so.
+//! Errors of a stack and its surface relative to the exact contact space, and where they are wrong.
 
 use core::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::{Layer, Stack, Surface};
 
-/// What is wrong with a polyhedral surface.
+/// Errors of a polyhedral surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
     /// The largest gap, in the model's unit: half way between two consecutive slices, from the straight boundary line to the
@@ -18,7 +18,7 @@ pub struct Errors {
     pub largest_gap: f64,
     /// The orientation of the largest gap, radians.
     pub largest_gap_theta: f64,
-    /// How many boundary lines were compared.
+    /// Number of boundary lines that were compared.
     pub boundary_lines: usize,
     /// Layers in which free and blocked configurations are joined: the surface has a hole there, or is torn between neighbours,
     /// or goes across what separates two pieces of contact. Every patch that begins or ends between two slices makes one.
@@ -75,8 +75,9 @@ pub fn errors(stack: &Stack, surface: &Surface, space: &ContactSpace) -> Errors 
     })
 }
 
-/// How many bands of the exact space have none of the orientations (in radians, increasing, within one turn): what happens in
-/// them a stack of slices there cannot show, and what changes at both their ends it takes for one change, or for none.
+/// Number of bands of the exact space that contain none of the orientations (in radians, increasing, within one turn).
+/// A stack of slices there cannot show the changes in such a band, and takes the changes at both its ends for one
+/// change, or for none.
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part, Vertex};
@@ -136,7 +137,7 @@ impl Continued {
         Self { above }
     }
 
-    /// Whether a patch, or what continues it between two orientations, is another.
+    /// Whether a patch is connected with another one by patches that continue it between two orientations.
     fn leads(&self, from: u32, to: u32, (lo, hi): (f64, f64)) -> bool {
         let mut open = vec![from];
         let mut seen = vec![from];

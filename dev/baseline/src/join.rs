@@ -1,11 +1,11 @@
-//! Which curve of a slice continues which of the one below.
+//! Continuation of the curves of a slice in the one above.
 
 use cspace::{FeatureName, Slice};
 
 /// The features that touch.
 type Contact = (FeatureName, FeatureName);
 
-/// What curves are told apart by: their features, and at first also those of the curves before and after them.
+/// Key that distinguishes curves: their features, and at first also those of the curves before and after them.
 type Key = (Contact, Option<(Contact, Contact)>);
 
 /// Pairs of curves, of the lower and of the upper slice, in order of the lower: each is in one pair at most.

@@ -1,4 +1,4 @@
-//! What makes a critical orientation of the exact contact space.
+//! Kinds of critical orientations of the exact contact space.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,8 +7,8 @@ use cspace::{
     Vector,
 };
 
-/// Orientations nearer than this (radians) are the same: the space has those of one event as one number, the angles of normals are
-/// computed here anew.
+/// Largest difference (radians) of equal orientations: the space stores one number per event, but the angles of normals
+/// are computed here anew.
 const SAME: f64 = 1e-9;
 
 /// A patch narrower than this share of the parts' size, where it begins or ends, begins or ends in a point: its width grows with
@@ -18,7 +18,7 @@ const POINT: f64 = 1e-5;
 /// Contact curves that cross at an angle with a smaller sine are tangent there.
 const TANGENT: f64 = 1e-3;
 
-/// The events at one critical orientation. Several can happen at once.
+/// Kinds of events at one critical orientation. Several can happen at once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Kinds {
     /// One contact: a normal at the end of a feature opposes one of the other part. Sides are parallel, or the end of an arc
@@ -28,15 +28,15 @@ pub struct Kinds {
     pub end: bool,
     /// Two contacts whose curves become tangent: a passage opens or closes between them, or one begins to reach beyond the other.
     pub tangent: bool,
-    /// Three contacts at once.
+    /// Three contacts at the same time.
     pub triple: bool,
 }
 
-/// The kinds of each critical orientation of a space, in their order: told by the patches that begin or end there.
+/// Kinds of each critical orientation of a space, in their order, determined by the patches that begin or end there.
 ///
-/// A patch that begins or ends over some width does so because its features' normals oppose each other no longer, or because
-/// its neighbour changes. In a point it does so where its two boundaries meet: the end of a feature and another contact, or two
-/// other contacts, or the same other contact twice, which is then tangent.
+/// A patch that begins or ends with a positive width does so because its features' normals cease to oppose each other,
+/// or because its neighbour changes. A patch begins or ends in a point where its two boundaries meet: the end of a
+/// feature and another contact, or two other contacts, or the same other contact twice, which is then tangent.
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part, Vertex};
@@ -75,13 +75,13 @@ pub fn of(space: &ContactSpace) -> Vec<(f64, Kinds)> {
     critical.iter().copied().zip(kinds).collect()
 }
 
-/// How far apart two orientations are, around the turn.
+/// Difference of two orientations, around the turn.
 fn off(a: f64, b: f64) -> f64 {
     let off = a - b;
     (off - TAU * (off / TAU).round()).abs()
 }
 
-/// What a patch tells by beginning or ending at an orientation.
+/// Adds the kinds of criticality for which a patch begins or ends at an orientation.
 fn add(kinds: &mut Kinds, space: &ContactSpace, index: u32, patch: PatchRef<'_>, theta: f64) {
     let data = patch.data();
     let normals = [

@@ -1,8 +1,8 @@
-//! The general algorithm of Bajaj and Sacks as section 2 of Sacks (1999) reviews it: what the library is measured against.
+//! General algorithm of Bajaj and Sacks as reviewed in section 2 of Sacks (1999), with which the library is compared.
 //!
-//! Slices are taken at closely spaced orientations, and a polyhedral surface with straight boundary lines is put through their
-//! contours. Nothing of this is part of the product; [`Stack`] and [`Surface`] are here to be timed, and [`compare`] says by how
-//! much, and where, they are wrong.
+//! Slices are taken at closely spaced orientations, and a polyhedral surface with straight boundary lines is put
+//! through their contours. None of this is part of the product; [`Stack`] and [`Surface`] are here to be timed, and
+//! [`compare`] measures their errors.
 //!
 //! | step of the general algorithm | here |
 //! |---|---|
@@ -10,8 +10,8 @@
 //! | slices at closely spaced orientations | [`Stack`], by the product's own kernel, [`cspace::Slicer`] |
 //! | polyhedral approximation from the contours | [`Surface`] |
 //!
-//! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4. [`kinds`] tells what makes
-//! the critical orientations of an exact space.
+//! [`paper`] has the pairs of Figure 5 and their published numbers, [`survey`] the shares of section 4. [`kinds`]
+//! determines the kinds of the critical orientations of an exact space.
 
 pub mod compare;
 pub mod critical;

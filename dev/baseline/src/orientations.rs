@@ -1,4 +1,4 @@
-//! Where slices are taken.
+//! Orientations of slices.
 
 use core::f64::consts::{PI, TAU};
 
@@ -7,7 +7,7 @@ use cspace::Band;
 /// The paper's separation of slices, radians (section 4): no wider one gave it the right topology and an accuracy of 1 %.
 pub const SEPARATION: f64 = 0.005;
 
-/// The most slices of a turn that are asked for: more is a mistake in the separation, and would fill the memory.
+/// Largest number of slices of a turn: more is a mistake in the separation, and would fill the memory.
 pub const MOST_SLICES: f64 = 1e6;
 
 /// A separation that slices cannot have.
@@ -15,7 +15,7 @@ pub const MOST_SLICES: f64 = 1e6;
 #[error("slices cannot be {0} rad apart: a turn takes between one and {MOST_SLICES} of them")]
 pub struct SeparationError(pub f64);
 
-/// How many equal parts of at most `separation` an interval of the given width has.
+/// Number of equal parts of at most `separation` in an interval of the given width.
 fn parts(width: f64, separation: f64) -> Result<usize, SeparationError> {
     if separation > 0.0 && separation.is_finite() && TAU / separation <= MOST_SLICES {
         Ok((width / separation).ceil().max(1.0) as usize)
@@ -29,8 +29,8 @@ fn middles(lo: f64, width: f64, n: usize) -> impl Iterator<Item = f64> {
     (0..n).map(move |k| lo + (k as f64 + 0.5) / n as f64 * width)
 }
 
-/// Orientations over a turn at most `separation` apart, in radians, without knowing of critical ones: the middles of ⌈2π/s⌉ equal
-/// parts of [−π, π).
+/// Orientations over a turn at most `separation` apart, in radians, without regard to critical ones: the middles of
+/// ⌈2π/s⌉ equal parts of [−π, π).
 ///
 /// ```
 /// let plain = cspace_baseline::evenly(cspace_baseline::SEPARATION)?;
@@ -39,7 +39,7 @@ fn middles(lo: f64, width: f64, n: usize) -> impl Iterator<Item = f64> {
 /// ```
 ///
 /// # Errors
-/// If a turn cannot be divided so.
+/// If the separation is not valid.
 pub fn evenly(separation: f64) -> Result<Vec<f64>, SeparationError> {
     Ok(middles(-PI, TAU, parts(TAU, separation)?).collect())
 }

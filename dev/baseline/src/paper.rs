@@ -1,4 +1,4 @@
-//! The pairs of Figure 5 of Sacks (1999): what it says of them, and models of them.
+//! Pairs of Figure 5 of Sacks (1999): their published numbers, and models of them.
 //!
 //! The models are links to the repository's `models/`, so that they are packed with this crate.
 
@@ -13,9 +13,9 @@ pub struct PaperPair {
     pub old_slices: u32,
     /// Slices of the paper's algorithm.
     pub new_slices: u32,
-    /// Those without symmetry, in parentheses there; the same where there is no symmetry.
+    /// Slices without symmetry, in parentheses there; equal to the others where there is no symmetry.
     pub new_slices_without_symmetry: u32,
-    /// Which average it belongs to.
+    /// Group in whose average it is included.
     pub group: Group,
     /// A model of it, as `models/paper` in the repository has it: a reconstruction, as the drawings are not public.
     pub model: &'static str,

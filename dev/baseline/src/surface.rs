@@ -19,7 +19,8 @@ pub struct Layer {
     pub joined: Vec<(u32, u32)>,
     /// Number of curves of either slice that are joined to none: there the surface has holes.
     pub open: usize,
-    /// Whether the joined curves make closed loops: each curve has a partner, and the partners follow each other as they do.
+    /// Whether the joined curves form closed loops: each curve has a partner, and partners of consecutive curves are
+    /// consecutive.
     pub closed: bool,
     /// Corners (x, y, θ).
     pub vertices: Vec<Configuration>,
@@ -34,7 +35,7 @@ pub struct Layer {
 pub struct Surface {
     /// The layers, in order of orientation.
     pub layers: Vec<Layer>,
-    /// How far a straight piece may be from the arc it stands for, in the model's unit.
+    /// Largest distance of a straight piece from its arc, in the model's unit.
     pub accuracy: f64,
 }
 
@@ -71,8 +72,8 @@ impl Surface {
         }
     }
 
-    /// Whether a configuration is free, as the surface has it: `None` where its layer is open, so that the surface separates
-    /// nothing.
+    /// Whether a configuration is free according to the surface: `None` where its layer is open, so that the surface
+    /// does not separate free from blocked space.
     pub fn is_free(&self, c: Configuration) -> Option<bool> {
         let lowest = self.layers.first()?.theta.0;
         let theta = c.theta - TAU * ((c.theta - lowest) / TAU).floor();
@@ -81,7 +82,7 @@ impl Surface {
         layer.is_free(c.position(), theta)
     }
 
-    /// How many triangles it has.
+    /// Number of triangles.
     pub fn triangles(&self) -> usize {
         self.layers.iter().map(|l| l.triangles.len()).sum()
     }
@@ -145,7 +146,8 @@ impl Layer {
         }
     }
 
-    /// Counts how often a ray meets the contour half way between the two slices' corners.
+    /// Whether a position is free, by the parity of a ray's crossings with the contour halfway between the two slices'
+    /// corners.
     fn is_free(&self, p: Point, theta: f64) -> Option<bool> {
         if !self.closed {
             return None;
@@ -169,9 +171,10 @@ impl Layer {
     }
 }
 
-/// How many straight pieces stand for a curve: a chord of angle α is r (1 − cos α/2) from its arc.
+/// Number of straight pieces for a curve: a chord of angle α is r (1 − cos α/2) from its arc.
 fn pieces(curve: &CurveGeometry, accuracy: f64) -> u32 {
-    /// Chords of a turn: fewer would have no length, more are too many whatever accuracy is asked for.
+    /// Smallest and largest number of chords of a turn: fewer than two have no length, and the upper limit holds for
+    /// any accuracy.
     const FEWEST: f64 = 2.0;
     const MOST: f64 = 4096.0;
     match *curve {

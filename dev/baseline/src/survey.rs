@@ -1,9 +1,9 @@
 //! The survey of 2500 mechanisms in section 4 of Sacks (1999), and what special methods save by it.
 
-/// How many mechanisms are of what kind.
+/// Shares of the kinds of mechanisms.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Survey {
-    /// Where the figures are from.
+    /// Source of the figures.
     pub source: &'static str,
     /// Mechanisms that are a single pair.
     pub pairs: f64,
@@ -21,9 +21,9 @@ pub struct Survey {
     pub general_of_mixed: f64,
     /// Special pairs of such a mechanism, on average.
     pub special_of_mixed: f64,
-    /// What the paper concludes: the share of pairs that special methods cover.
+    /// Conclusion of the paper: the share of pairs that special methods cover.
     pub paper_share: f64,
-    /// And by how much they shorten the average time.
+    /// Conclusion of the paper: the share by which they shorten the average time.
     pub paper_saving: f64,
 }
 
@@ -51,7 +51,7 @@ macro_rules! model {
     };
 }
 
-/// Models whose pairs are special, by name, as `models` in the repository has them: they tell what special methods save.
+/// Models whose pairs are special, by name, from `models` in the repository: they show the savings by special methods.
 pub const MODELS: [(&str, &str); 7] = [
     model!("cam_plate"),
     model!("cam_tappet"),
@@ -63,10 +63,10 @@ pub const MODELS: [(&str, &str); 7] = [
 ];
 
 impl Survey {
-    /// The share of planar pairs that need no general method.
+    /// Share of planar pairs that need no general method.
     ///
-    /// The survey does not say of how many pairs the mechanisms consist that have special pairs alone; `pairs_of_special` is
-    /// their number. With 1, the least possible, the share is the paper's 90 %; it grows with it.
+    /// The survey does not give the number of pairs of mechanisms with special pairs alone: `pairs_of_special`. With 1,
+    /// the smallest possible, the share is the paper's 90 %; it grows with the number.
     ///
     /// ```
     /// use cspace_baseline::survey::SURVEY;

@@ -1,4 +1,4 @@
-//! Pairs on fixed axes: what one does without contact curves, which is to ask a collision library at every cell of a grid.
+//! Pairs on fixed axes by a method without contact curves: a collision library is asked at every cell of a grid.
 //!
 //! The library is `parry2d`, as for single configurations. (Convex pieces would need a decomposition of polygons with holes,
 //! which it has not, and are slower: a gear has many.)
@@ -22,15 +22,15 @@ use crate::{Failure, median};
 
 /// Cells along each coordinate.
 const CELLS: usize = 1024;
-/// Rows that are tried to tell how long all take.
+/// Number of rows from which the time of all is estimated.
 const TRIED: usize = 16;
-/// If all rows take longer than this, only some are run, seconds.
+/// Estimated time, in seconds, beyond which only some rows are run.
 const LONG: f64 = 2.0;
-/// Every so many rows then.
+/// Then one of so many rows is run.
 const EVERY: usize = 8;
-/// Verdicts on which grid and space disagree of which the oracle is asked, at most.
+/// Largest number of disagreements between grid and space of which the oracle is asked.
 const ASKED: usize = 3000;
-/// Runs of which the space's time is the middle one.
+/// Number of runs, of which the median time counts.
 const RUNS: usize = 15;
 
 /// A grid beside the space of the same pair.
@@ -40,17 +40,17 @@ pub(crate) struct Row {
     pub(crate) seconds_of_space: f64,
     pub(crate) cells: [usize; 2],
     pub(crate) seconds_of_grid: f64,
-    /// Every so many rows were run, and the time is scaled.
+    /// One of so many rows was run, and the time is scaled.
     pub(crate) every: usize,
     /// Verdicts compared; those in contact are left out.
     pub(crate) compared: usize,
     pub(crate) differ: usize,
-    /// Those of them of which brute force is certain, of so many that it was asked about.
+    /// Differing verdicts of which brute force is certain, among those that it was asked about.
     pub(crate) certain: usize,
     pub(crate) grid_wrong: usize,
-    /// How large a cell is.
+    /// Size of a cell.
     pub(crate) step: [f64; 2],
-    /// How far points of the parts move within a cell: clearances of less are not seen.
+    /// Largest displacement of points of the parts within a cell: smaller clearances are missed.
     pub(crate) moved: f64,
     pub(crate) resolution_of_space: f64,
     pub(crate) play: Option<Play>,
@@ -61,9 +61,9 @@ pub(crate) struct Row {
 pub(crate) struct Play {
     /// The fixed part's coordinate.
     pub(crate) at: f64,
-    /// As the space has it.
+    /// Play by the space.
     pub(crate) exact: f64,
-    /// As the grid has it.
+    /// Play by the grid.
     pub(crate) seen: f64,
 }
 

@@ -14,7 +14,7 @@ use std::process::ExitCode;
 use clap::{Parser, ValueEnum};
 use serde::Serialize;
 
-/// What went wrong, for people.
+/// Error, for people.
 pub(crate) type Failure = Box<dyn std::error::Error>;
 
 /// Compare the cspace library with stacks of polygon Minkowski sums and with collision checkers, and count its memory
@@ -57,10 +57,10 @@ enum Format {
     Json,
 }
 
-/// Everything that was measured; a part that was not asked for is empty.
+/// Measurements; a part that was not requested is empty.
 #[derive(Serialize, Default)]
 pub(crate) struct Results {
-    /// How far chords may be from arcs, as a share of the larger part's size.
+    /// Largest distance of chords from arcs, as a share of the larger part's size.
     pub(crate) chord: f64,
     /// Seconds that each tool had to refine a stack.
     pub(crate) limit: f64,
@@ -68,7 +68,7 @@ pub(crate) struct Results {
     pub(crate) checks: Vec<checks::Row>,
     pub(crate) grids: Vec<grids::Row>,
     pub(crate) memory: Vec<memory::Row>,
-    /// What was left out, and why.
+    /// Benchmarks that were left out, and why.
     pub(crate) left_out: Vec<String>,
 }
 

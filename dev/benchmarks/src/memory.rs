@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::Failure;
 
-/// Bytes of a pair, by what the allocator was asked for.
+/// Memory of a pair in bytes, as requested from the allocator.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct Row {
     pub(crate) pair: String,
-    /// The most at once during the computation.
+    /// Peak during the computation.
     pub(crate) peak_bytes: u64,
-    /// What is kept with the result.
+    /// Memory kept with the result.
     pub(crate) result_bytes: u64,
     pub(crate) peak_bytes_without_symmetry: u64,
     pub(crate) result_bytes_without_symmetry: u64,

@@ -12,7 +12,7 @@ pub(crate) struct Pair {
     pub(crate) name: &'static str,
     pub(crate) fixed: Part,
     pub(crate) moving: Part,
-    /// Where the parts work, clear of contact by some hundredths.
+    /// Working configuration of the parts, some hundredths clear of contact.
     pub(crate) working: Configuration,
 }
 
@@ -38,7 +38,7 @@ fn models() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
 }
 
-/// All pairs; the gears have 10 and 9 teeth, and mesh a little more than half the sum of these apart.
+/// Pairs of the benchmarks; the gears have 10 and 9 teeth, and mesh a little more than half the sum of these apart.
 pub(crate) fn pairs() -> Result<Vec<Pair>, Box<dyn Error>> {
     let mut pairs = vec![Pair {
         name: "gears 10/9",

@@ -34,10 +34,10 @@ pub(crate) fn middle(oracle: &Oracle, theta: f64) -> Point {
 /// Halvings of the square of positions.
 const DEPTH: u32 = 6;
 
-/// The least and the largest that the blocked area may be.
+/// Lower and upper bound of the blocked area.
 ///
 /// A square of positions is free or blocked as a whole if the margin of the verdict in its middle is more than half its
-/// diagonal; otherwise it is quartered. What is left counts for the larger bound only.
+/// diagonal; otherwise it is quartered. The remaining squares count for the upper bound only.
 pub(crate) fn bounds(oracle: &Oracle, theta: f64) -> (f64, f64) {
     let half = oracle.size();
     let (mut blocked, mut unknown) = (0.0, 0.0);

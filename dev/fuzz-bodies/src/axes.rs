@@ -9,7 +9,7 @@ use cspace_oracle::{Case, Oracle};
 use crate::Finding;
 use crate::draw::Bytes;
 
-/// Positions asked of each space.
+/// Number of positions asked of each space.
 const POSITIONS: usize = 40;
 
 /// Nearer to contact than this share of the size an answer does not count: the parts are turned about pivots some sizes
@@ -40,7 +40,7 @@ fn axis(bytes: &mut Bytes<'_>, case: &Case) -> Axis {
     axis.within(lo, lo + bytes.one_of(&[0.5, 1.0, 2.0, 3.0]))
 }
 
-/// Where a motion takes a part: a turn and a shift.
+/// Placement of a part after a motion: a turn and a shift.
 fn place(axis: &Axis, t: f64) -> (f64, Vector) {
     match axis.motion {
         AxisMotion::Fixed => (0.0, Vector::ZERO),

@@ -11,7 +11,7 @@ use cspace_load::draw::ties;
 use cspace_oracle::{Case, families};
 use rand::RngCore;
 
-/// How far a number may be from the tie it was drawn at: rounding, the resolution, and what is clearly different.
+/// Distances of a number from the tie at which it was drawn: rounding, the resolution, and clearly different ones.
 const NUDGES: [f64; 12] = [
     0.0, 0.0, 0.0, 0.0, 1e-16, 1e-15, 1e-13, 1e-12, 1e-10, 1e-8, 1e-5, 1e-2,
 ];
@@ -25,17 +25,17 @@ impl<'a> Bytes<'a> {
         Self(Unstructured::new(data))
     }
 
-    /// Whether all are read.
+    /// Whether all bytes are read.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// What is not read yet.
+    /// Bytes that are not read yet.
     pub fn rest(self) -> &'a [u8] {
         self.0.take_rest()
     }
 
-    /// One byte.
+    /// Next byte.
     pub fn byte(&mut self) -> u8 {
         self.0.arbitrary().unwrap_or_default()
     }
@@ -45,7 +45,7 @@ impl<'a> Bytes<'a> {
         usize::from(self.byte()) % n.max(1)
     }
 
-    /// One of some values.
+    /// Chooses one of some values.
     pub fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }
@@ -103,7 +103,7 @@ impl RngCore for Bytes<'_> {
     }
 }
 
-/// Two outlines that favour ties, with some vertices moved and some arcs bent by a little.
+/// Two outlines that favour ties, with some vertices moved and some arcs bent slightly.
 ///
 /// # Errors
 /// If the outlines are no parts.
@@ -130,7 +130,7 @@ pub fn nearly_tied(bytes: &mut Bytes<'_>) -> Result<Case, PartError> {
     Ok(case)
 }
 
-/// A pair of one of the families that run into the degenerate, at one of its values or near it.
+/// Pair of one of the families that approach degenerate cases, at one of its values or near it.
 ///
 /// # Errors
 /// If the outlines are no parts.

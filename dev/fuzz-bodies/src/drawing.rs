@@ -65,7 +65,7 @@ fn run(data: &[u8], bases: &[&[u8]], format: Format) -> Result<u64, Finding> {
     }
 }
 
-/// What is said is one line and says what to do; a part that is written as DXF is read again as it was.
+/// Checks that messages are one line with advice, and that a part written as DXF is read back unchanged.
 fn judge(bytes: &[u8], format: Format) -> Result<u64, Finding> {
     let finding =
         |said: String| Finding::new(format!("{said}, of\n{}", String::from_utf8_lossy(bytes)));

@@ -1,4 +1,4 @@
-//! What a target has found.
+//! Findings of a target.
 
 use core::fmt;
 use std::error::Error;
@@ -10,9 +10,9 @@ use cspace_io::model;
 /// An answer that is wrong.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// What was asked, what was said, and what is right.
+    /// Question, answer, and correct answer.
     pub what: String,
-    /// The parts it was asked of, as the text of a model file.
+    /// Parts concerned, as the text of a model file.
     pub model: Option<String>,
 }
 

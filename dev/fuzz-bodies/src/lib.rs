@@ -1,4 +1,4 @@
-//! What the fuzz targets do.
+//! Bodies of the fuzz targets.
 //!
 //! A [`Target`] makes an input of bytes, asks the library, and judges the answer by something that shares no code with it. The
 //! same function is run in two ways: by libFuzzer, which looks for bytes that reach new code (folder `dev/fuzz` of the
@@ -32,16 +32,16 @@ mod slice;
 
 pub use finding::Finding;
 
-/// One thing to fuzz.
+/// Fuzz target.
 #[derive(Debug, Clone, Copy)]
 pub struct Target {
-    /// Its name, also that of its program and of its folders of inputs.
+    /// Name, also that of its program and of its folders of inputs.
     pub name: &'static str,
     /// Runs it on bytes: how many answers of the library were judged, 0 where the bytes mean nothing.
     pub run: fn(&[u8]) -> Result<u64, Finding>,
 }
 
-/// All targets.
+/// Fuzz targets.
 pub const TARGETS: [Target; 7] = [
     Target {
         name: "model_reader",
@@ -78,10 +78,10 @@ pub fn target(name: &str) -> Option<&'static Target> {
     TARGETS.iter().find(|t| t.name == name)
 }
 
-/// What the program of a target does with bytes.
+/// Runs a target on bytes.
 ///
 /// # Panics
-/// If something was found: so libFuzzer hears of it. The message has the finding and, if there is one, its model.
+/// If there is a finding, so that libFuzzer records it. The message has the finding and, if there is one, its model.
 #[allow(clippy::panic)]
 pub fn fuzz(name: &str, data: &[u8]) {
     match target(name).map(|t| (t.run)(data)) {

@@ -9,19 +9,19 @@ use rand_chacha::ChaCha8Rng;
 use crate::draw::{Bytes, member, nearly_tied};
 use crate::{Finding, axes};
 
-/// Pairs with more edges of one part times those of the other are left to other tests: they take long.
+/// Largest product of the parts' numbers of edges; larger pairs take long and are left to other tests.
 const MOST_EDGES: usize = 600;
 
-/// Configurations asked of each contact space.
+/// Number of configurations asked of each contact space.
 const CONFIGURATIONS: usize = 60;
 
 /// Bands compared with slices from scratch.
 const BANDS: usize = 6;
 
-/// Of so many pairs one is also computed the other way round, with two threads, and tried with a classifier.
+/// One of so many pairs is also computed the other way round, with two threads, and tried with a classifier.
 const THOROUGH: usize = 16;
 
-/// Of so many pairs one is put on fixed axes.
+/// One of so many pairs is put on fixed axes.
 const ON_AXES: usize = 4;
 
 pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
@@ -41,7 +41,8 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
         bands: BANDS,
         thorough,
     };
-    // What is asked does not depend on how the pair was drawn: a smaller input with the same pair finds the same.
+    // The queries do not depend on how the pair was drawn, so that a smaller input with the same pair has the same
+    // findings.
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let about = |f: Finding| f.about(&case.fixed, &case.moving, case.window);
     let report = check(&case, effort, &mut rng, &Silent)

@@ -6,24 +6,24 @@ use cspace_oracle::{Case, Oracle};
 use crate::draw::{Bytes, nearly_tied};
 use crate::{Finding, area};
 
-/// Pairs with more edges of one part times those of the other are left to other tests: they take long.
+/// Largest product of the parts' numbers of edges; larger pairs take long and are left to other tests.
 const MOST_EDGES: usize = 400;
 
 /// A slice at a critical orientation is that a little above: 1e-7 rad beside a tangency. Nearer to contact than this share of
 /// the size that may matter.
 const CLEAR: f64 = 1e-6;
 
-/// How far apart curves that follow each other may be, as a share of the size: those that all but touch cross at a place
-/// known only to the square root of the rounding.
+/// Largest distance between successive curves, as a share of the size: curves that nearly touch cross at a place known
+/// only to the square root of the rounding.
 const CLOSED: f64 = 1e-6;
 
-/// The same of areas, as a share of the square of the size: what [`CLEAR`] makes of the boundary's length.
+/// Tolerance of areas, as a share of the square of the size: [`CLEAR`] times the boundary's length.
 const SAME_AREA: f64 = 1e-4;
 
-/// Half the width of the window (radians) of the contact space of which the orientation is the middle.
+/// Half the width of the window (radians) of the contact space around the orientation.
 const WINDOW: f64 = 0.02;
 
-/// Positions asked beside curves, and anywhere.
+/// Number of positions asked beside curves, and anywhere.
 const POSITIONS: usize = 12;
 
 /// Distances from curves, as shares of the size.
@@ -67,7 +67,7 @@ pub(crate) fn run(data: &[u8]) -> Result<u64, Finding> {
         })
 }
 
-/// Whether every curve begins where the one before it ends.
+/// Checks that every curve begins where the one before it ends.
 fn closed(slice: &Slice, size: f64) -> Result<(), String> {
     for (i, curve) in slice.curves.iter().enumerate() {
         let Some(next) = slice.curves.get(curve.next as usize) else {
@@ -152,7 +152,7 @@ mod tests {
         let mut open = right.clone();
         open.curves[0].next = u32::MAX;
         assert!(closed(&open, 2.0).is_err());
-        // Of a smaller moving part, and of another orientation.
+        // A slice of a smaller moving part, and of another orientation.
         let smaller = Slice::compute(&case.fixed, &square("moving", 0.3), 0.2);
         assert!(judged(&smaller).is_err());
         let turned = Slice {

@@ -10,7 +10,7 @@ use cspace_fuzz::{Target, target};
 use rand::{Rng, RngCore, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// No input may take longer, whatever else the machine does.
+/// Time limit for any input, even on a busy machine.
 const LONGEST: Duration = Duration::from_secs(20);
 
 /// The longest random input, bytes.

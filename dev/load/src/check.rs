@@ -1,4 +1,4 @@
-//! One pair, computed and judged.
+//! Computation and check of one pair.
 
 use std::time::Instant;
 
@@ -9,14 +9,14 @@ use rand_chacha::ChaCha8Rng;
 use crate::report::{Fault, Report, is_right};
 use crate::trial::{CERTAIN, Trial};
 
-/// How hard to look.
+/// Effort of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
-    /// Configurations to ask.
+    /// Number of configurations to ask.
     pub configurations: usize,
     /// Bands to compare with slices from scratch, at most.
     pub bands: usize,
-    /// Also compute with two threads and the other way round, and try the classifier.
+    /// Whether to compute with two threads and the other way round, too, and to try the classifier.
     pub thorough: bool,
 }
 
@@ -75,7 +75,8 @@ pub fn check(
     Ok(report)
 }
 
-/// Where the inverse pair says otherwise than the oracle: of a window, it covers the negative orientations.
+/// Configurations at which the inverse pair disagrees with the oracle; for a window, it covers the negative
+/// orientations.
 fn inverse(
     case: &Case,
     kept: &[(Configuration, Verdict)],
@@ -99,7 +100,7 @@ fn inverse(
         .collect())
 }
 
-/// Where the classifier says otherwise than the space it was made from.
+/// Configurations at which the classifier disagrees with the space it was made from.
 fn classifier(space: &ContactSpace, kept: &[(Configuration, Verdict)]) -> Vec<Fault> {
     let classifier = space.classifier();
     kept.iter()
@@ -108,7 +109,7 @@ fn classifier(space: &ContactSpace, kept: &[(Configuration, Verdict)]) -> Vec<Fa
         .collect()
 }
 
-/// Whether two threads give what this thread's pool gave.
+/// Whether two threads give the same result as this thread's pool.
 fn same_with_two_threads(
     case: &Case,
     options: &Options,
@@ -116,7 +117,7 @@ fn same_with_two_threads(
     progress: &dyn Progress,
 ) -> Result<bool, ComputeError> {
     let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(2).build() else {
-        // No more threads are to be had: nothing is found out about them.
+        // If no more threads are available, the check is skipped.
         return Ok(true);
     };
     let compute = || {

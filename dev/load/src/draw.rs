@@ -1,4 +1,4 @@
-//! Which pair has which number.
+//! Numbered random pairs.
 
 use cspace::{Part, PartError};
 use cspace_oracle::{Case, Family, families};
@@ -7,16 +7,16 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::outline::{Loops, negative, outline};
 
-/// The name that stands for outlines that favour ties, beside those of the families.
+/// Name for outlines that favour ties, beside those of the families.
 pub const TIES: &str = "ties";
 
-/// Of all pairs, this share is of outlines that favour ties; the rest is of the families.
+/// Share of outlines that favour ties among all pairs; the others are of the families.
 const SHARE_OF_TIES: f64 = 0.75;
 
-/// How often an outline is drawn again if it is no part, before the pair counts as refused.
+/// Number of attempts to draw an outline that is a part, before the pair counts as refused.
 const ATTEMPTS: usize = 20;
 
-/// An endless list of pairs: the same for the same seed, each known by its number.
+/// Endless list of pairs: deterministic for a seed, each given by its number.
 #[derive(Debug, Clone)]
 pub struct Source {
     seed: u64,
@@ -24,7 +24,7 @@ pub struct Source {
     ties: bool,
 }
 
-/// One of them.
+/// Pair drawn from the list.
 #[derive(Debug, Clone)]
 pub struct Drawn {
     /// The family, and the value of its number.
@@ -82,7 +82,7 @@ impl Source {
 /// Two outlines that favour ties; the one perhaps the negative of the other, or the same.
 ///
 /// # Errors
-/// What is wrong with the last of several outlines if none of them is a part.
+/// Reports the error of the last of several outlines if none of them is a part.
 pub fn ties(rng: &mut impl Rng) -> Result<Case, PartError> {
     let moving = accepted("moving", rng, outline)?;
     let loops: Loops = moving
@@ -103,7 +103,7 @@ pub fn ties(rng: &mut impl Rng) -> Result<Case, PartError> {
     })
 }
 
-/// The first of some outlines that is a part, or what is wrong with the last.
+/// First of some outlines that is a part, or the error of the last.
 fn accepted<R: Rng>(
     name: &str,
     rng: &mut R,

@@ -1,4 +1,4 @@
-//! What was found, as model files.
+//! Findings, written as model files.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -10,7 +10,7 @@ use cspace_oracle::Case;
 /// Configurations in the comment of one file.
 const SHOWN: usize = 8;
 
-/// Writes the pair of a number into the folder, with what is to be said of it above.
+/// Writes the pair of a number into the folder, with the remarks above.
 pub(crate) fn write(
     folder: &Path,
     number: u64,

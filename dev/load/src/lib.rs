@@ -1,12 +1,12 @@
-//! Pairs without end, each contact space judged by brute force.
+//! Endless series of pairs whose contact spaces are checked by brute force.
 //!
-//! [`Source`] draws pairs: from outlines that favour ties, and from the [families](mod@cspace_oracle::families) that run into
-//! the degenerate. [`check`](fn@check) computes the contact space of one and compares it with the oracle, with slices from
-//! scratch and with itself. [`Tally`] counts. The command `cspace-load` does that in a loop; the tests do it once for all
-//! families.
+//! [`Source`] draws pairs: from outlines that favour ties, and from the [families](mod@cspace_oracle::families) that
+//! approach degenerate cases. [`check`](fn@check) computes the contact space of one and compares it with the oracle,
+//! with slices from scratch and with itself. [`Tally`] counts. The command `cspace-load` does that in a loop; the tests
+//! do it once for all families.
 //!
-//! [`structure`] asks how certain the structure of contact spaces is, of pairs drawn on a grid and the same with noise. The
-//! command `cspace-structure` prints it.
+//! [`structure`] measures how certain the structure of contact spaces is, for pairs drawn on a grid and for variants
+//! with noise. The command `cspace-structure` prints it.
 //!
 //! ```
 //! use cspace::Silent;

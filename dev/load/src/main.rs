@@ -44,10 +44,10 @@ fn list() -> Result<(), String> {
     print(&text)
 }
 
-/// Whether nothing was found that must not be.
+/// Runs the load test; returns whether there were no faults.
 fn load(args: &Args) -> Result<bool, String> {
     let mut state = match &args.state {
-        // What cannot even be looked at is told by reading it.
+        // A file that cannot be examined is reported when it is read.
         Some(path) if path.try_exists().unwrap_or(true) => State::read(path)?,
         _ => State::new(args.seed, args.family.clone()),
     };

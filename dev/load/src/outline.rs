@@ -18,7 +18,7 @@ const RADII: [f64; 6] = [0.25, 0.5, 0.75, 1.0, 1.5, 2.0];
 /// Sweeps of arcs, in multiples of 15°.
 const SWEEPS: [i32; 8] = [1, 2, 3, 4, 6, 8, 12, 14];
 
-/// What one outline may be.
+/// Number of kinds of outlines.
 const KINDS: usize = 9;
 
 /// An outline, turned and shifted.

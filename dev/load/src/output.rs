@@ -1,13 +1,13 @@
-//! What is printed. A stream that takes nothing any more ends no thread.
+//! Output to the terminal. A closed stream ends no thread.
 
 use std::any::Any;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 
-/// To standard output. Its reader may have what it wanted, as `head` does.
+/// Prints to standard output. Its reader may close it early, as `head` does.
 ///
 /// # Errors
-/// What goes wrong with it otherwise.
+/// If writing fails for another reason.
 pub fn print(text: &str) -> Result<(), String> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
@@ -21,7 +21,7 @@ pub fn note(line: impl Display) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// What a panic said.
+/// Message of a panic.
 pub fn panic_text(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<String>().map(String::as_str);
     let text = text.or_else(|| panic.downcast_ref::<&str>().copied());

@@ -1,23 +1,23 @@
-//! What is found out about one pair.
+//! Results for one pair.
 
 use cspace::{Classification, Configuration, ContactSpace};
 use cspace_oracle::Verdict;
 
-/// Something that must not be.
+/// Fault: a result that must not occur.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fault {
     /// A configuration is classified otherwise than by brute force.
     Wrong {
-        /// Where.
+        /// Configuration.
         at: Configuration,
-        /// What brute force says.
+        /// Verdict of brute force.
         verdict: Verdict,
     },
-    /// A slice from scratch that is not doubtful says otherwise than brute force.
+    /// A slice from scratch that is not doubtful disagrees with brute force.
     Scratch {
-        /// Where.
+        /// Configuration.
         at: Configuration,
-        /// What brute force says.
+        /// Verdict of brute force.
         verdict: Verdict,
     },
     /// In the middle of a band the slice of the space and that from scratch have different numbers of loops, and neither is
@@ -36,49 +36,50 @@ pub enum Fault {
     Open {
         /// The orientation.
         theta: f64,
-        /// How far apart, as a share of the size.
+        /// Distance of the ends, as a share of the size.
         gap: f64,
     },
     /// One thread and two give different contact spaces.
     Threads,
     /// The space is not read back as plain data.
     Saved,
-    /// The inverse pair says otherwise than brute force.
+    /// The inverse pair disagrees with brute force.
     Inverse {
-        /// Where, as a configuration of the pair itself.
+        /// Configuration of the pair itself.
         at: Configuration,
-        /// What brute force says.
+        /// Verdict of brute force.
         verdict: Verdict,
     },
-    /// The classifier says otherwise than the slice.
+    /// The classifier disagrees with the slice.
     Classifier {
-        /// Where.
+        /// Configuration.
         at: Configuration,
     },
 }
 
-/// What came of one pair.
+/// Results for one pair.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
-    /// Configurations asked.
+    /// Number of configurations asked.
     pub asked: u64,
-    /// Those whose verdict counts.
+    /// Configurations whose verdict counts.
     pub certain: u64,
-    /// Those of them beside contact.
+    /// Certain configurations beside contact.
     pub near: u64,
-    /// Those of the certain ones that are free.
+    /// Certain configurations that are free.
     pub free: u64,
-    /// Otherwise than the oracle says, but nearer to contact than [`ContactSpace::resolution`].
+    /// Configurations classified otherwise than by the oracle, but nearer to contact than [`ContactSpace::resolution`].
     pub within_resolution: u64,
     /// Slices taken from the contact space.
     pub slices: u64,
-    /// Those of them that are doubtful.
+    /// Slices that are doubtful.
     pub doubtful_slices: u64,
-    /// Configurations that these tell otherwise than the oracle, while they are classified rightly.
+    /// Configurations that doubtful slices classify otherwise than the oracle, while the space classifies them
+    /// correctly.
     pub doubtful_wrong: u64,
     /// Bands sliced from scratch.
     pub bands: u64,
-    /// Those of them of which one of the two slices is doubtful: loops are not counted.
+    /// Bands of which one of the two slices is doubtful: their loops are not counted.
     pub doubtful_bands: u64,
     /// Shells decided cell by cell.
     pub conflicts: u64,
@@ -90,11 +91,11 @@ pub struct Report {
     pub feature_pairs: u64,
     /// Seconds the contact space took.
     pub computed: f64,
-    /// What must not be.
+    /// Faults found.
     pub faults: Vec<Fault>,
 }
 
-/// Whether a configuration is classified as brute force has it.
+/// Whether the space classifies a configuration as brute force does.
 pub(crate) fn is_right(space: &ContactSpace, c: Configuration, verdict: Verdict) -> bool {
     let expected = if verdict.overlap {
         Classification::Blocked

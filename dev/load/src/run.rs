@@ -38,7 +38,7 @@ fn stopped() -> bool {
     STOP.load(Ordering::Relaxed)
 }
 
-/// Runs until enough pairs are done, time is over, or it is stopped; the state says how far it came.
+/// Runs until enough pairs are done, time is over, or the run is interrupted; the state records its progress.
 pub(crate) fn run(args: &Args, source: &Source, state: &mut State) -> Result<(), String> {
     let begin = Instant::now();
     let workers = match args.threads {
@@ -87,7 +87,7 @@ pub(crate) fn run(args: &Args, source: &Source, state: &mut State) -> Result<(),
     })
 }
 
-/// Some pairs in order; from the first on that was not begun or was broken off, there may be none.
+/// Results of some pairs in order; after the first one that was not begun or was broken off, results may be missing.
 fn batch(
     args: &Args,
     source: &Source,
@@ -125,7 +125,7 @@ fn batch(
     done.into_inner().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// One pair; none if it was broken off.
+/// Result of one pair; `None` if it was broken off.
 fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
     let begin = Instant::now();
     let mut tally = Tally {
@@ -178,7 +178,7 @@ fn one(args: &Args, number: u64, mut drawn: Drawn) -> Option<Tally> {
     Some(tally)
 }
 
-/// A smaller pair whose worst fault is of the same kind, and what was found of it.
+/// A smaller pair whose worst fault is of the same kind, with its faults.
 fn shrunk(
     case: &Case,
     effort: Effort,
@@ -200,7 +200,7 @@ fn shrunk(
     (Ok(small), found)
 }
 
-/// The worst of what was found, as the end of a file's name.
+/// Worst of the faults, as the end of a file's name.
 fn kind(faults: &[Fault]) -> &'static str {
     let kinds = faults.iter().map(|f| match f {
         Fault::Wrong { .. } => "0-wrong",
@@ -235,7 +235,7 @@ fn describe(fault: &Fault) -> String {
     }
 }
 
-/// Writes a finding, if a folder was given, and says so.
+/// Writes a finding, if a folder was given, and prints a note.
 fn tell(args: &Args, number: u64, drawn: &Drawn, kind: &str, said: &[String]) {
     note(format_args!(
         "pair {number} ({}): {kind}: {}",

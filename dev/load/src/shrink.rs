@@ -5,9 +5,9 @@ use cspace_oracle::Case;
 
 use crate::outline::Loops;
 
-/// The pair with loops, vertices and bulges left out as long as it `still` has the fault.
+/// Removes loops, vertices and bulges of a pair as long as it `still` has the fault.
 ///
-/// Nothing that is left can be left out by itself; it need not be the smallest pair there is.
+/// Each of the remaining elements is needed for the fault; the pair need not be the smallest possible.
 pub fn shrink(case: &Case, still: &dyn Fn(&Case) -> bool) -> Case {
     let mut best = case.clone();
     while let Some(smaller) = smaller(&best).into_iter().find(|c| still(c)) {

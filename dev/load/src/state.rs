@@ -1,4 +1,4 @@
-//! How far it went, in a file.
+//! State of a run, in a file.
 
 use std::fs::File;
 use std::io::{Read, Write};
@@ -7,20 +7,20 @@ use std::path::Path;
 use cspace_load::Tally;
 use serde::{Deserialize, Serialize};
 
-/// A state has some twenty numbers; what is larger is none.
+/// Largest size of a state file, which has some twenty numbers.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// What it takes to go on.
+/// State of an interrupted run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct State {
-    /// Which pairs.
+    /// Seed of the pairs.
     pub(crate) seed: u64,
-    /// Of which family, if of one.
+    /// Family of the pairs, if they are of one.
     #[serde(default)]
     pub(crate) family: Option<String>,
     /// The first pair that is not done.
     pub(crate) next: u64,
-    /// What was found before it.
+    /// Counts of the pairs before it.
     pub(crate) tally: Tally,
 }
 

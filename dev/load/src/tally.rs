@@ -1,4 +1,4 @@
-//! What was done and what was found.
+//! Counts over all pairs.
 
 use core::fmt;
 
@@ -11,63 +11,63 @@ use crate::report::{Fault, Report};
 pub struct Tally {
     /// Pairs drawn.
     pub pairs: u64,
-    /// Of these, one of the outlines was refused as a part.
+    /// Pairs of which one of the outlines was refused as a part.
     pub refused: u64,
-    /// Given up after the time limit.
+    /// Pairs given up after the time limit.
     pub given_up: u64,
-    /// Configurations asked.
+    /// Number of configurations asked.
     pub asked: u64,
-    /// Of these, the oracle's verdict counts.
+    /// Configurations for which the oracle's verdict counts.
     pub certain: u64,
-    /// Of these, beside contact.
+    /// Certain configurations beside contact.
     pub near: u64,
-    /// Of the certain ones, free.
+    /// Certain configurations that are free.
     pub free: u64,
-    /// Of the certain ones, classified otherwise.
+    /// Certain configurations that are classified otherwise than by the oracle.
     pub wrong: u64,
     /// Pairs with a wrong configuration.
     pub wrong_pairs: u64,
     /// Slices taken from contact spaces.
     #[serde(default)]
     pub slices: u64,
-    /// Of these, doubtful.
+    /// Slices that are doubtful.
     #[serde(default)]
     pub doubtful_slices: u64,
-    /// Of the certain configurations, told otherwise by these slices, while they are classified rightly.
+    /// Certain configurations that doubtful slices classify wrongly, while the space classifies them correctly.
     #[serde(default)]
     pub doubtful_wrong: u64,
     /// Pairs with such configurations.
     #[serde(default)]
     pub doubtful_wrong_pairs: u64,
-    /// Certain beyond the margin, but nearer to contact than the resolution that the space itself reports: the space says
-    /// otherwise, as it may.
+    /// Configurations classified otherwise than by the oracle, certain beyond the margin, but nearer to contact than
+    /// the resolution that the space itself reports.
     pub within_resolution: u64,
     /// Bands compared with slices from scratch.
     pub bands: u64,
-    /// Of these, one of the two slices is doubtful.
+    /// Bands of which one of the two slices is doubtful.
     #[serde(default)]
     pub doubtful_bands: u64,
-    /// Configurations that a slice from scratch tells otherwise than the oracle, and is not doubtful.
+    /// Configurations at which a slice from scratch disagrees with the oracle, and is not doubtful.
     #[serde(default)]
     pub scratch_wrong: u64,
-    /// Bands of which the numbers of loops differ.
+    /// Bands whose two slices have different numbers of loops.
     pub loops_differ: u64,
     /// Slices in which a curve does not begin where the one before it ends, and that are not doubtful.
     pub open: u64,
     /// Pairs with shells that were decided cell by cell.
     pub conflict_pairs: u64,
-    /// Such shells.
+    /// Number of such shells.
     pub conflicts: u64,
-    /// Pairs looked at thoroughly: by one thread and two, the other way round, and with a classifier.
+    /// Pairs checked thoroughly: by one thread and two, with exchanged parts, and with a classifier.
     pub thorough: u64,
-    /// Of these, one thread and two give different results.
+    /// Pairs for which one thread and two give different results.
     pub threads_differ: u64,
-    /// Of these, the space is not read back as plain data.
+    /// Pairs whose space is not read back from its data.
     #[serde(default)]
     pub saved_differ: u64,
-    /// Configurations at which the inverse pair says otherwise than the oracle.
+    /// Configurations at which the inverse pair disagrees with the oracle.
     pub inverse_wrong: u64,
-    /// Configurations at which the classifier says otherwise than the slice.
+    /// Configurations at which the classifier disagrees with the slice.
     pub classifier_differs: u64,
     /// Pairs at which the library panicked.
     pub panics: u64,
@@ -163,7 +163,7 @@ impl Tally {
         self.seconds += other.seconds;
     }
 
-    /// Whether something was found that must not be. Conflicts are decided in another way, and slow pairs are slow.
+    /// Whether no faults were found. Conflicts are decided by another method and do not count, nor do slow pairs.
     pub fn is_clean(&self) -> bool {
         [
             self.wrong,

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::report::{Fault, Report, is_right};
 
-/// What the margin of a verdict must exceed to count, as a share of the pair's size.
+/// Margin above which a verdict counts, as a share of the pair's size.
 pub(crate) const CERTAIN: f64 = 1e-10;
 
 /// Roundings of a configuration and of where the parts are drawn that may add up, as a share of their coordinates.
@@ -21,24 +21,26 @@ const STEPS: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 /// Positions asked at each orientation.
 const POSITIONS: usize = 20;
 
-/// Of all configurations, this share is searched for along random motions, so that the space is not asked where contact is.
+/// Share of the configurations that are searched for along random motions, so that the space is not asked where contact
+/// is.
 const SEARCHED: f64 = 0.1;
 
 /// Bands narrower than this (radians) are not sliced from scratch: slices see ties within their own rounding, and take the
 /// slice a little above.
 const NARROW: f64 = 1e-7;
 
-/// How far apart the curves of a loop may be, as a share of the size: curves that all but touch cross at a place known only
-/// to the square root of the rounding, and the library says 1e-6.
+/// Largest distance between the curves of a loop, as a share of the size: curves that nearly touch cross at a place
+/// known only to the square root of the rounding, and the library's documented error is 1e-6.
 const CLOSED: f64 = 1e-6;
 
-/// Every so many configurations that the slice knows rightly are also classified, which makes a slice of its own.
+/// One of so many configurations that the slice classifies correctly is also classified by the space, which makes a
+/// slice of its own.
 const CLASSIFIED: u64 = 8;
 
 /// Configurations kept for further checks.
 const KEPT: usize = 200;
 
-/// One contact space being asked.
+/// Check of one contact space.
 pub(crate) struct Trial<'a> {
     pub(crate) case: &'a Case,
     pub(crate) space: &'a ContactSpace,
@@ -76,7 +78,8 @@ impl Trial<'_> {
         }
     }
 
-    /// Compares the middle of bands with slices from scratch: how many loops there are, and what is beside these' curves.
+    /// Compares slices in the middle of bands with slices from scratch: their numbers of loops, and positions beside
+    /// their curves.
     pub(crate) fn bands(&mut self, most: usize) {
         let bands = self.space.bands();
         let step = bands.len().div_ceil(most.max(1)).max(1);
@@ -142,13 +145,13 @@ impl Trial<'_> {
         }
     }
 
-    /// How far from their origins the parts are drawn.
+    /// Distance of the parts from their origins.
     fn drawn(&self) -> f64 {
         let (f, m) = (self.oracle.fixed_center(), self.oracle.moving_center());
         f.to_vector().length() + m.to_vector().length()
     }
 
-    /// Asks about a position; tells what the oracle says of it, if that is certain.
+    /// Checks a position; returns the oracle's verdict, if that is certain.
     fn ask(
         &mut self,
         slice: &Slice,
@@ -161,7 +164,7 @@ impl Trial<'_> {
         self.judged(slice, c, verdict, near).then_some((c, verdict))
     }
 
-    /// Tells whether the verdict counts.
+    /// Compares a verdict; returns whether it counts.
     fn judged(&mut self, slice: &Slice, c: Configuration, verdict: Verdict, near: bool) -> bool {
         self.report.asked += 1;
         let size = self.oracle.size();
@@ -193,7 +196,7 @@ impl Trial<'_> {
         true
     }
 
-    /// Anywhere, near critical orientations, at multiples of 15°, and near what is worth a look.
+    /// Random orientation: anywhere, near critical ones, at multiples of 15°, or near notable configurations.
     fn orientation(&mut self, i: usize) -> f64 {
         let window = self.space.window();
         let criticals = self.space.critical_orientations();
@@ -244,7 +247,7 @@ impl Trial<'_> {
         Some(curve.point(s) + curve.free_normal(s) * self.step())
     }
 
-    /// A corner of one part beside an edge of the other: the space is not asked where that is.
+    /// Position with a corner of one part beside an edge of the other, found without asking the space.
     fn beside_a_contact(&mut self, theta: f64) -> Option<Point> {
         let on_fixed = self.rng.random_bool(0.5);
         let s = self.rng.random_range(0.0..1.0);

@@ -13,10 +13,10 @@ pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
 /// A pair that takes longer is given up when its next stage begins.
 const LIMIT: Duration = Duration::from_secs(300);
 
-/// How often the watchdog looks.
+/// Interval between checks by the watchdog.
 const TICK: Duration = Duration::from_millis(200);
 
-/// What each worker is at.
+/// Current task of each worker.
 pub(crate) struct Watch {
     at: Vec<Mutex<Option<At>>>,
     over: AtomicBool,
@@ -56,8 +56,8 @@ impl Watch {
             .unwrap_or_else(PoisonError::into_inner) = None;
     }
 
-    /// Tells of every pair that takes too long, until [`finish`](Self::finish). What is told of here may never end, so
-    /// it is also handed on at once.
+    /// Reports every pair that takes too long, until [`finish`](Self::finish). A pair that is reported here may never
+    /// end, so it is also passed on at once.
     pub(crate) fn look(&self, slow: &(dyn Fn(u64) + Sync)) {
         while !self.over.load(Ordering::Relaxed) {
             for at in &self.at {

@@ -1,7 +1,7 @@
-//! No file imports a file that imports it, directly or around: data flows one way.
+//! No file imports a file that imports it, directly or indirectly: data flows in one direction.
 //!
-//! Imports are read from the source: `use` declarations and paths that begin with `crate`, `self` or `super`. A name that a
-//! module only hands on counts as an import of the file that defines it, and handing on is none.
+//! Imports are read from the source: `use` declarations and paths that begin with `crate`, `self` or `super`. A name
+//! that a module only re-exports counts as an import of the file that defines it, and a re-export is no import.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +13,7 @@ use syn::{Attribute, File, Item, UseTree, Visibility};
 /// The names of the modules from the root of a crate to a file.
 type Module = Vec<String>;
 
-/// What a file defines and hands on, and what it names.
+/// Names that a file defines and hands on, and names that it uses.
 #[derive(Default)]
 struct Source {
     file: PathBuf,
@@ -67,7 +67,7 @@ fn name_of(item: &Item) -> Option<String> {
     })
 }
 
-/// All paths of a `use` declaration, each with the name it gets.
+/// Paths of a `use` declaration, each with the resulting name.
 fn leaves(tree: &UseTree, before: &[String], out: &mut Vec<(String, Vec<String>)>) {
     let with = |name: String| [before, &[name]].concat();
     match tree {
@@ -218,7 +218,7 @@ fn imports(sources: &BTreeMap<Module, Source>) -> BTreeMap<Module, BTreeSet<Modu
         .collect()
 }
 
-/// A way from a file back to itself, if there is one.
+/// Cycle of imports from a file back to itself, if there is one.
 fn circle(imports: &BTreeMap<Module, BTreeSet<Module>>, start: &Module) -> Option<Vec<Module>> {
     let mut came_from: BTreeMap<&Module, &Module> = BTreeMap::new();
     let mut queue = std::collections::VecDeque::from([start]);

@@ -9,8 +9,8 @@ use cspace_oracle::{Case, Oracle};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
-/// What the margin of a verdict must exceed to count, as a share of the pair's size: parts that overlap by less than 9e-10 of the larger
-/// one's radius are taken to fit.
+/// Margin above which a verdict counts, as a share of the pair's size: parts that overlap by less than 9e-10 of the
+/// larger one's radius are taken to fit.
 const CERTAIN: f64 = 4e-9;
 
 /// Curves are known to this, as a share of the pair's size, unless they are tangent to others.
@@ -28,7 +28,7 @@ struct Counts {
     /// Places of curves that are farther from contact than [`EXACT`].
     off: u32,
     parts: u32,
-    /// Parts of which it is not found that they fit into a frame of their own shape.
+    /// Number of parts that are not found to fit into a frame of their own shape.
     missed: u32,
     wrong: Vec<String>,
 }
@@ -91,8 +91,8 @@ fn check(number: u64, case: &Case, rng: &mut ChaCha8Rng, counts: &mut Counts) {
     }
 }
 
-/// The part in a frame of its own shape, which fits where it was drawn, in as many places at once as it has loops: that is missed now
-/// and then where the contacts of several loops coincide.
+/// Tests a part in a frame of its own shape, which fits where it was drawn, in as many places at once as it has loops:
+/// this is sometimes missed where the contacts of several loops coincide.
 fn fits_itself(number: u64, case: &Case, counts: &mut Counts) {
     let part = &case.moving;
     let fits: Slice = NoFit::within(part, part).at(0.0);

@@ -1,7 +1,7 @@
-//! Pairs of thousands of features: what they take, and which are refused.
+//! Pairs of thousands of features: their cost, and which are refused.
 //!
 //! `cargo run --release -p cspace-oracle --example large` runs them all; with a name only that pair, so that
-//! `/usr/bin/time -v` tells what it took at most of memory.
+//! `/usr/bin/time -v` reports its peak memory.
 
 use core::f64::consts::TAU;
 use std::time::Instant;

@@ -1,4 +1,4 @@
-//! What the library is judged by: brute force at single configurations, and drawn shapes.
+//! Reference for the library's tests: brute force at single configurations, and drawn shapes.
 //!
 //! Nothing here knows of configuration spaces, and of the library only the input types are used:
 //! [`Oracle`] decides whether two parts overlap by intersecting their boundaries and testing points,

@@ -7,19 +7,19 @@ use rand::Rng;
 
 use crate::{Oracle, Verdict};
 
-/// A configuration a known way from contact.
+/// Configuration at a known distance from contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearContact {
     /// The configuration.
     pub configuration: Configuration,
     /// Whether it is on the free side.
     pub free: bool,
-    /// How far it was moved from contact: a length as a share of the pair's size, or an angle in radians. Contact is no
-    /// farther than that, but may be nearer.
+    /// Displacement from contact: a length as a share of the pair's size, or an angle in radians. The nearest contact
+    /// is no farther than that, but may be nearer.
     pub step: f64,
     /// Whether it was moved by turning alone: in θ only, or about its own centre if drawn far from its origin.
     pub turned: bool,
-    /// What the oracle says of it; certain.
+    /// Verdict of the oracle on it; certain.
     pub verdict: Verdict,
     /// The contact it was moved from, to about 1e-14 of the size: free itself.
     pub contact: Configuration,
@@ -28,13 +28,13 @@ pub struct NearContact {
 /// The steps from contact, as shares of the pair's size.
 const STEPS: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 
-/// About `n` configurations near contact, on both sides of it, four about each of random places of contact space; fewer
-/// when the pair has hardly any contact to be found.
+/// About `n` configurations near contact, on both sides of it, four at each of several random places of contact space;
+/// fewer if the pair has hardly any contacts.
 pub fn near_contact(oracle: &Oracle, rng: &mut impl Rng, n: usize) -> Vec<NearContact> {
     near_contact_about(oracle, &[], rng, n)
 }
 
-/// As [`near_contact`], where half of the searches begin about the given configurations, as near as 1e-7 of the size:
+/// As [`near_contact`], with half of the searches beginning near the given configurations, as near as 1e-7 of the size:
 /// for pockets of free space that would never be met by chance.
 pub fn near_contact_about(
     oracle: &Oracle,
@@ -105,7 +105,7 @@ struct Path {
     by: Vector,
     theta: f64,
     turn: f64,
-    /// Its length, as a share of the pair's size, or its angle.
+    /// Length of the displacement, as a share of the pair's size, or its angle.
     length: f64,
 }
 
@@ -147,7 +147,7 @@ impl Path {
     }
 }
 
-/// Finds contact on a path whose ends differ, and what is near there.
+/// Finds contact on a path whose ends are classified differently, and configurations near it.
 fn step_off(
     oracle: &Oracle,
     path: &Path,

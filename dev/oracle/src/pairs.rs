@@ -9,7 +9,7 @@ use crate::shapes::*;
 /// Two parts to try the library on.
 #[derive(Debug, Clone)]
 pub struct Pair {
-    /// What is tried.
+    /// Name of the case.
     pub name: String,
     /// The fixed part.
     pub fixed: Part,
@@ -19,7 +19,7 @@ pub struct Pair {
     pub notable: Vec<Configuration>,
 }
 
-/// All pairs.
+/// Pairs for tests.
 pub fn pairs() -> Vec<Pair> {
     let mut all = Vec::new();
     plain(&mut all);
@@ -32,7 +32,7 @@ pub fn pairs() -> Vec<Pair> {
     all
 }
 
-/// The pair of that name.
+/// Pair with a given name.
 ///
 /// # Panics
 /// If there is none.
@@ -408,7 +408,7 @@ fn wheels(all: &mut Vec<Pair>) {
     add(all, "ratchet 8 and pawl", ratchet(8), pawl(), &[]);
 }
 
-/// The same shapes drawn small, or far away.
+/// Shapes drawn small, or far away.
 fn scales(all: &mut Vec<Pair>) {
     let far = |p: &Part, x: f64, y: f64| shifted(p, x, y);
     add(

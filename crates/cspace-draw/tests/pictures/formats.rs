@@ -5,10 +5,10 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, S
 
 use crate::scenes::all;
 
-/// Of so many dots at most one in all may differ by more than an edge that is drawn a little otherwise.
+/// Largest share of dots that may differ by more than an edge that is drawn slightly differently.
 const DIFFERENT: f64 = 1e-3;
 
-/// The same without text, which programs lay out in their own ways.
+/// Copy without text, which programs lay out in their own ways.
 fn without_text(scene: &Scene) -> Scene {
     fn shapes(items: &[Item]) -> Vec<Item> {
         (items.iter())

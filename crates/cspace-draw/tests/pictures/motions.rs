@@ -1,4 +1,4 @@
-//! What a page of a motion must show.
+//! Required content of a motion's page.
 
 use cspace_draw::{Anchor, Dot, Item, PictureOptions, Scene, Step, Text, motion, svg};
 
@@ -20,7 +20,7 @@ fn all_texts(scene: &Scene) -> Vec<Text> {
     found
 }
 
-/// The corners of the shape that says something where the mouse is.
+/// Corners of the shape with a given tooltip.
 fn shape(items: &[Item], said: &str) -> Option<Vec<Dot>> {
     items.iter().find_map(|item| match item {
         Item::Shape { path, title, .. } if title.as_deref() == Some(said) => {
@@ -35,7 +35,8 @@ fn shape(items: &[Item], said: &str) -> Option<Vec<Dot>> {
     })
 }
 
-/// A bar begins and ends below the times of its contact, those of one time lie in lanes of their own, and what is short is seen.
+/// A bar begins and ends below the times of its contact, simultaneous bars lie in lanes of their own, and short ones
+/// are visible.
 #[test]
 fn bars_are_below_their_times() {
     let space = axes_space("geneva.toml");
@@ -63,7 +64,7 @@ fn bars_are_below_their_times() {
     assert!((shape(&scene.items, "impact").unwrap()[0].x - at(0.3)).abs() < 0.01);
 }
 
-/// A page of any size holds all that is said, without letters over its edges.
+/// A page of any size contains all text, without letters over its edges.
 #[test]
 fn pages_of_any_size_hold_their_text() {
     let space = axes_space("geneva.toml");
@@ -92,7 +93,7 @@ fn pages_of_any_size_hold_their_text() {
     }
 }
 
-/// Without anything there is still a page.
+/// An empty motion still gives a page.
 #[test]
 fn nothing_is_drawn_of_nothing() {
     let picture = cspace_draw::MotionPicture {

@@ -1,4 +1,4 @@
-//! What planes of motions must show, whatever is in them.
+//! Required content of planes of motions, for any data.
 
 use cspace::Classification;
 use cspace_draw::{Area, Dot, Item, PictureOptions, Scene, Text, plane, png, svg};
@@ -15,7 +15,7 @@ const MODELS: [&str; 6] = [
     "cam_tappet.toml",
 ];
 
-/// All labels within the plane: those that have an edge.
+/// Labels within the plane: those with an outline.
 fn labels(scene: &Scene) -> Vec<Text> {
     let inner = scene.items.iter().filter_map(|i| match i {
         Item::Clipped { items, .. } => Some(items),
@@ -56,8 +56,8 @@ fn files_are_small_and_labels_apart() {
     }
 }
 
-/// Where it is free the ground of a region is seen within a few dots, however thin the channel; where it is blocked by more
-/// than lines are wide, it is not.
+/// Free space has the colour of its region within a few dots, however thin the channel; space that is blocked by more
+/// than the width of lines has not.
 #[test]
 fn free_space_is_seen_however_thin() {
     for name in MODELS {
@@ -154,7 +154,7 @@ fn free_space_is_seen_however_thin() {
     }
 }
 
-/// What of u and v a picture shows that is told nothing: a turn from −180° to 180°, else the extent and a margin.
+/// Default ranges of u and v in a picture: a turn from −180° to 180°, else the extent and a margin.
 fn seen(space: &cspace::FixedAxesSpace) -> [(f64, f64); 2] {
     let (u, v) = space.axes();
     let whole = space.extent();
@@ -169,7 +169,7 @@ fn seen(space: &cspace::FixedAxesSpace) -> [(f64, f64); 2] {
     [of(u, whole[0]), of(v, whole[1])]
 }
 
-/// A slide without limits goes on beyond what is known of: it is free there, however far one looks.
+/// A slide without limits goes on beyond the computed range: it is free there at any distance.
 #[test]
 fn slides_without_limits_go_on() {
     let wall = cspace::Part::rectangle("wall", (0.0, 0.0), 2.0, 2.0).unwrap();

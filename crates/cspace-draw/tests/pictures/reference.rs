@@ -1,6 +1,7 @@
-//! Pictures are those that are kept in `tests/reference/`, but for less than can be seen.
+//! Pictures equal those kept in `tests/reference/`, except for invisible differences.
 //!
-//! Where a picture is to change, `CSPACE_PICTURES=write cargo test -p cspace-draw` writes the new ones, to be looked at.
+//! To change pictures, `CSPACE_PICTURES=write cargo test -p cspace-draw` writes the new ones, which are then to be
+//! inspected.
 
 use std::path::Path;
 
@@ -8,7 +9,7 @@ use cspace_draw::svg;
 
 use crate::scenes::all;
 
-/// Numbers of a picture may differ by so many dots: they are rounded to a hundredth.
+/// Largest difference of numbers in a picture, in dots: they are rounded to a hundredth.
 const SAME: f64 = 0.03;
 
 #[test]

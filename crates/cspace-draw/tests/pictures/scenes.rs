@@ -172,7 +172,7 @@ pub(crate) fn page(space: &FixedAxesSpace) -> MotionPicture<'_> {
     }
 }
 
-/// One of every kind, by name.
+/// One scene of every kind, by name.
 pub(crate) fn all() -> Vec<(&'static str, Scene)> {
     let ratchet = planar_space("ratchet_pawl.toml");
     let snap = planar_space("snap_fastener.toml");

@@ -4,7 +4,8 @@ use cspace::{Edge, Point};
 
 use super::split::Arrangement;
 
-/// A half-edge: twice its piece's number for the piece from its start to its end, one more for the way back.
+/// Half-edge: twice its piece's number for the direction from its start to its end, plus one for the opposite
+/// direction.
 pub(super) type Half = u32;
 
 /// Half-edges around one face or one component, with the face on the left.
@@ -60,7 +61,7 @@ fn area(arrangement: &Arrangement, halves: &[Half]) -> f64 {
         .sum()
 }
 
-/// All cycles: from each half-edge to the one that is next to the right of the way back at its end.
+/// Cycles of half-edges: each is followed by the one next to the right of its reverse at its end.
 fn follow(arrangement: &Arrangement) -> Vec<Vec<Half>> {
     let count = 2 * arrangement.pieces.len();
     let mut next: Vec<Half> = vec![0; count];
@@ -86,10 +87,10 @@ fn follow(arrangement: &Arrangement) -> Vec<Vec<Half>> {
     cycles
 }
 
-/// The half-edges that leave each vertex, counter-clockwise.
+/// Half-edges that leave each vertex, in counter-clockwise order.
 ///
-/// They are ordered where they leave a circle about the vertex, of half the shortest chord there, so that tangent ones are
-/// told apart by their curvature: at distance r an arc has turned by asin(κ r / 2) from its tangent.
+/// They are ordered where they leave a circle about the vertex, of half the shortest chord there, so that tangent ones
+/// are distinguished by their curvature: at distance r an arc has turned by asin(κ r / 2) from its tangent.
 pub(super) fn stars(arrangement: &Arrangement) -> Vec<Vec<Half>> {
     let mut stars: Vec<Vec<Half>> = vec![Vec::new(); arrangement.vertices.len()];
     for half in 0..2 * arrangement.pieces.len() as Half {

@@ -11,13 +11,13 @@ use super::split::Arrangement;
 /// A bounded face: what its outer boundary encloses, without what lies within it.
 #[derive(Debug)]
 pub(crate) struct Face {
-    /// Its outer boundary, then those of what lies within it.
+    /// Outer boundary, then the boundaries of the components within it.
     pub(super) cycles: Vec<u32>,
     /// The area of its material.
     pub(crate) area: f64,
 }
 
-/// All bounded faces of an arrangement.
+/// Bounded faces of an arrangement.
 #[derive(Debug)]
 pub(crate) struct Faces {
     pub(super) arrangement: Arrangement,
@@ -128,7 +128,7 @@ impl Faces {
         self.curves(self.faces[face].cycles[0])
     }
 
-    /// The edges around a face, also those of what lies within it.
+    /// Edges around a face, including those of the components within it.
     pub(super) fn edges(&self, face: usize) -> impl Iterator<Item = Edge> {
         (self.faces[face].cycles.iter()).flat_map(|&cycle| self.curves(cycle))
     }
@@ -169,7 +169,7 @@ impl Faces {
         self.tree = RTree::bulk_load(boxes);
     }
 
-    /// A number for each piece, the same for those that hang together.
+    /// Number of the connected component of each piece.
     fn components(&self) -> Vec<u32> {
         let mut lowest: Vec<u32> = (0..self.arrangement.vertices.len() as u32).collect();
         fn root(lowest: &mut [u32], mut v: u32) -> u32 {
@@ -189,7 +189,7 @@ impl Faces {
     }
 }
 
-/// The widest stretches of a line, of which the middles are looked at.
+/// Number of the widest stretches of a line whose middles are tried.
 const WIDEST: usize = 8;
 
 /// The middles of the widest stretches inside of edges on the line through a point, along one axis or the other.

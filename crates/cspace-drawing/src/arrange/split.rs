@@ -166,7 +166,7 @@ fn cut(piece: &Piece, at: &mut [(f64, u32)], pieces: &mut Vec<Piece>) {
         }
         pieces.push(Piece {
             ends: [start.1, end.1],
-            // Of the whole of a line the bulge stays 0, and of an arc as given.
+            // The bulge of a whole piece stays as given, 0 for a line.
             bulge: match (start.0, end.0) {
                 (0.0, 1.0) => piece.bulge,
                 _ => ((end.0 - start.0) * quarter)

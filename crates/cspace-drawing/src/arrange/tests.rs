@@ -147,8 +147,8 @@ fn a_point_inside_is_inside() {
     }
 }
 
-/// Random lines and arcs: faces tile what they enclose, by Euler's formula, by their areas, and by points that are in the
-/// face in which counting crossings of rays with its boundary says they are.
+/// Random lines and arcs: faces tile the area that they enclose, by Euler's formula, by their areas, and by points that
+/// are in the face found by counting crossings of rays with its boundary.
 #[test]
 fn random_arrangements_are_planar() {
     let mut random = ChaCha8Rng::seed_from_u64(42);

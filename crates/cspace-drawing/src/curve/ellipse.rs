@@ -13,13 +13,13 @@ use crate::affine::Affine;
 pub struct EllipseArc {
     /// The centre.
     pub center: Point,
-    /// From the centre to the point of t = 0.
+    /// Vector from the centre to the point of t = 0.
     pub u: Vector,
-    /// From the centre to the point of t = π/2.
+    /// Vector from the centre to the point of t = π/2.
     pub v: Vector,
-    /// Where it starts.
+    /// Parameter at the start.
     pub from: f64,
-    /// Where it ends.
+    /// Parameter at the end.
     pub to: f64,
 }
 

@@ -24,18 +24,18 @@ pub enum Curve {
 }
 
 impl Curve {
-    /// Where it starts.
+    /// Start point.
     pub fn start(&self) -> Point {
         self.at(0, 0.0).0
     }
 
-    /// Where it ends.
+    /// End point.
     pub fn end(&self) -> Point {
         let last = self.spans().saturating_sub(1);
         self.at(last, 1.0).0
     }
 
-    /// How many spans it has. Within a span it is smooth; where two meet it may have a corner.
+    /// Number of spans. Within a span the curve is smooth; where two meet it may have a corner.
     pub fn spans(&self) -> usize {
         match self {
             Self::Ellipse(ellipse) => ellipse.spans(),
@@ -81,7 +81,7 @@ impl Curve {
         }
     }
 
-    /// The same curve from its end to its start.
+    /// Copy of the curve from its end to its start.
     #[must_use]
     pub fn reversed(&self) -> Self {
         match self {

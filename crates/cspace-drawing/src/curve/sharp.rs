@@ -1,4 +1,4 @@
-//! Where a curve turns sharply: at cusps, and where it nearly has one.
+//! Sharp turns of a curve: cusps, and turns that are nearly cusps.
 
 use super::Curve;
 
@@ -25,7 +25,7 @@ impl Curve {
             let interval = [i, i + 1].map(|i| i as f64 / INTERVALS as f64);
             self.search(span, interval, within, HALVINGS, &mut found);
         }
-        // What turns on in the next interval is one turn.
+        // A turn that continues in the next interval is one turn.
         found.dedup_by(|next, before| {
             let goes_on = next[0] <= before[1];
             if goes_on {

@@ -37,7 +37,7 @@ pub enum SplineError {
     /// The knots go down, or are all the same.
     #[error("its knots do not go up")]
     Order,
-    /// A knot has a higher multiplicity than the degree, and the spline goes on elsewhere.
+    /// A knot has a higher multiplicity than the degree, so that the spline jumps there.
     #[error("it is in several pieces: a knot in it has a higher multiplicity than its degree")]
     Broken,
     /// A weight is not positive.
@@ -46,10 +46,10 @@ pub enum SplineError {
 }
 
 impl Spline {
-    /// A spline of control points with weights; of as many knots as there are control points, and degree + 1 more.
+    /// Creates a spline of control points with weights. There are degree + 1 more knots than control points.
     ///
     /// # Errors
-    /// If the numbers do not go together.
+    /// If the numbers are inconsistent.
     pub fn new(
         degree: usize,
         knots: Vec<f64>,
@@ -110,7 +110,7 @@ impl Spline {
         self.spans.len()
     }
 
-    /// De Boor's algorithm, on the control points and on those of the derivative at once.
+    /// Evaluates point and derivative by De Boor's algorithm.
     pub(super) fn at(&self, span: usize, s: f64) -> (Point, Vector) {
         let n = self.degree;
         let k = self.spans[span.min(self.spans.len() - 1)];

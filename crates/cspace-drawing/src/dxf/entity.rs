@@ -176,7 +176,7 @@ impl<'r, 'a> Reader<'r, 'a> {
         Ok(Some(item))
     }
 
-    /// What follows an entity and belongs to it, up to SEQEND.
+    /// Entities attached to this one, which follow it up to SEQEND.
     fn attached(&mut self, kind: &[u8]) -> Result<Vec<Vec<Group<'a>>>> {
         let mut attached = Vec::new();
         while let Some(next) = self.next {
@@ -195,7 +195,7 @@ impl<'r, 'a> Reader<'r, 'a> {
     }
 }
 
-/// What other types are.
+/// Classifies an entity of any other type.
 fn other(kind: &[u8]) -> What {
     What::Ignored(match kind {
         b"TEXT" | b"MTEXT" | b"ATTRIB" | b"ATTDEF" | b"RTEXT" | b"ARCALIGNEDTEXT" => "a text",

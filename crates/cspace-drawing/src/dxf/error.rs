@@ -1,6 +1,6 @@
 //! Why a file cannot be read as DXF at all.
 
-/// What is wrong with the file, at a line of it (of a binary file, at a byte).
+/// Error in the file, at a line of it (of a binary file, at a byte).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct DxfError {
     pub(crate) line: usize,

@@ -10,11 +10,11 @@ use super::names::{Names, folded};
 use super::tables::{Layers, read_header, read_tables};
 use crate::unit::Unit;
 
-/// What is in a file, blocks apart.
+/// Content of a file, with its blocks separate.
 pub(super) struct File {
     pub(super) unit: Option<Unit>,
     pub(super) layers: Layers,
-    /// By folded name.
+    /// Blocks by folded name.
     pub(super) blocks: HashMap<String, Block>,
     pub(super) items: Vec<Item>,
 }

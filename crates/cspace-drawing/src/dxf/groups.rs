@@ -2,10 +2,10 @@
 
 use super::error::{DxfError, Result};
 
-/// What a binary file begins with.
+/// First bytes of a binary file.
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
-/// Whether the bytes of a file are those of binary DXF.
+/// Whether the bytes of a file are binary DXF.
 pub(crate) fn is_binary(bytes: &[u8]) -> bool {
     bytes.starts_with(SENTINEL)
 }
@@ -21,14 +21,14 @@ pub(super) struct Group<'a> {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Value<'a> {
-    /// As it is written, without blanks around it.
+    /// Text as it is written, without blanks around it.
     Text(&'a [u8]),
     Real(f64),
     Integer(i64),
 }
 
 impl<'a> Group<'a> {
-    /// The bytes of a text; empty where the value is none.
+    /// Bytes of a text; empty if the value is no text.
     pub(super) fn text(&self) -> &'a [u8] {
         match self.value {
             Value::Text(text) => text,
@@ -36,7 +36,7 @@ impl<'a> Group<'a> {
         }
     }
 
-    /// Whether it begins something of this name.
+    /// Whether the group begins an item of this name.
     pub(super) fn begins(&self, name: &[u8]) -> bool {
         self.code == 0 && self.text() == name
     }
@@ -81,7 +81,7 @@ impl<'a> Group<'a> {
     }
 
     fn shown(&self) -> String {
-        /// More characters than that tell nothing.
+        /// Largest number of characters shown in a message.
         const LONGEST: usize = 40;
         match self.value {
             Value::Text(text) => {
@@ -136,7 +136,7 @@ impl<'a> Groups<'a> {
         }
     }
 
-    /// Whether lines can be told: binary files have none.
+    /// Whether messages can name lines: binary files have none.
     pub(super) fn has_lines(&self) -> bool {
         self.form == Form::Text
     }
@@ -261,7 +261,7 @@ impl<'a> Groups<'a> {
         Ok(array)
     }
 
-    /// A signed integer of so many bytes, the lowest first.
+    /// Reads a signed integer of N bytes, little-endian.
     fn int<const N: usize>(&mut self) -> Result<i64> {
         let mut wide = [0; 8];
         wide[..N].copy_from_slice(&self.array::<N>()?);

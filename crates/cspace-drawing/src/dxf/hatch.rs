@@ -15,7 +15,7 @@ use crate::affine::Affine;
 use crate::curve::EllipseArc;
 use crate::drawing::{Path, Piece};
 
-/// The outlines of HATCH; those of texts that it leaves out are none.
+/// Outlines of HATCH, without the boxes of texts that it leaves out.
 pub(super) fn hatch(record: &Record<'_, '_>) -> Result<What> {
     const TEXT_BOX: i64 = 8;
     let (first, _) = record.point(10)?;
@@ -137,13 +137,13 @@ fn drawn(groups: &[Group<'_>]) -> Result<What> {
     })
 }
 
-/// Where an arc begins and how far it turns, in degrees, positive counter-clockwise.
+/// Start angle and sweep of an arc, in degrees, positive counter-clockwise.
 struct Sweep {
     from: f64,
     angle: f64,
 }
 
-/// Angles of clockwise arcs are written as those of their mirror image.
+/// Reads the sweep of an arc. Clockwise arcs are stored with the angles of their mirror image.
 fn sweep(record: &Record<'_, '_>) -> Result<Sweep> {
     let [from, to] = [50, 51].map(|c| record.real(c));
     let (from, to) = (from?.unwrap_or(0.0), to?.unwrap_or(360.0));

@@ -39,27 +39,27 @@ pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
         hidden: None,
     };
     for item in items {
-        // What is not in a block is drawn once, and need not be kept.
+        // Entities outside of blocks are drawn once, and need not be kept.
         flat.add(Cow::Owned(item), &ground)?;
     }
     Ok(flat.drawing)
 }
 
-/// What a block's entities are drawn on.
+/// Drawing context of a block's entities.
 struct Ground {
     map: Affine,
-    /// The layer of what is on layer 0 in the block.
+    /// Layer for entities on layer 0 of the block.
     layer: Option<Arc<str>>,
     blocks: Arc<[Arc<str>]>,
-    /// Why what is on layer 0 in the block is not drawn; or nothing of it, if frozen.
+    /// Reason why entities on layer 0 of the block are not drawn; if frozen, nothing of the block is.
     hidden: Option<Hidden>,
 }
 
 struct Flat<'f> {
     file: &'f File,
-    /// Folded names of the layers asked for; all where there are none.
+    /// Folded names of the requested layers; all if empty.
     layers: Vec<String>,
-    /// Whether the outlines of hatches are taken.
+    /// Whether the outlines of hatches are read.
     hatches: bool,
     drawing: Drawing,
     /// The blocks that are being inserted.
@@ -102,7 +102,7 @@ impl Flat<'_> {
             self.ignore(origin, reason);
             return Ok(());
         }
-        // Of an insert, what its block has on other layers may be drawn.
+        // Even if an insert is on a hidden layer, entities of its block on other layers may be drawn.
         if !is_insert && let Some(reason) = self.reason(hidden, layer) {
             if let What::Path(path) = &item.what {
                 self.drawing.elsewhere.push(Elsewhere {

@@ -1,4 +1,4 @@
-//! What a DXF file has: entities, and blocks of them.
+//! Items of a DXF file: entities, and blocks of them.
 
 use std::sync::Arc;
 
@@ -14,20 +14,20 @@ pub(super) struct Item {
     pub(super) layer: Arc<str>,
     pub(super) handle: Arc<str>,
     pub(super) line: usize,
-    /// Whether it is on a sheet of paper, not in the drawing itself.
+    /// Whether it is in paper space, and not in the drawing itself.
     pub(super) on_paper: bool,
     pub(super) is_invisible: bool,
     pub(super) what: What,
 }
 
-/// What an entity is.
+/// Kind of an entity, with its data.
 #[derive(Clone)]
 pub(super) enum What {
     Path(Path),
     Insert(Box<Insert>),
     /// The outlines of a fill.
     Hatch(Vec<Path>),
-    /// No outline, and why.
+    /// Entity that is no outline, with the reason.
     Ignored(&'static str),
     /// An outline that cannot be used.
     Problem(Box<Fault>),
@@ -59,7 +59,7 @@ impl What {
 #[derive(Clone)]
 pub(super) struct Insert {
     pub(super) block: Arc<str>,
-    /// From the block's coordinates, its base point at the origin, to those the insert is in.
+    /// Map from the block's coordinates, with its base point at the origin, to those of the insert.
     pub(super) map: Affine,
     /// The steps from column to column and from row to row.
     pub(super) steps: [Vector; 2],

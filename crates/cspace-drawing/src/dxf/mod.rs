@@ -1,8 +1,8 @@
 //! Drawings in DXF: text and binary, of R12 to R2018.
 //!
-//! A file is read group by group ([`groups`]). Its tables tell which layers are drawn ([`tables`]), its entities become
-//! paths in coordinates of their own block ([`entity`], [`shapes`], [`polyline`], [`spline`], [`hatch`]), and inserting the blocks makes a flat
-//! drawing of them ([`insert`]).
+//! A file is read group by group ([`groups`]). Its tables determine which layers are drawn ([`tables`]), its entities
+//! become paths in coordinates of their own block ([`entity`], [`shapes`], [`polyline`], [`spline`], [`hatch`]), and
+//! inserting the blocks makes a flat drawing of them ([`insert`]).
 
 mod entity;
 mod error;
@@ -24,7 +24,7 @@ pub(crate) use groups::is_binary;
 use crate::drawing::Drawing;
 use crate::source::Source;
 
-/// The drawing in the bytes of a file, or what of it is asked for.
+/// Reads the drawing in the bytes of a file, or its requested part.
 pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DxfError> {
     insert::flatten(file::read(bytes)?, source)
 }

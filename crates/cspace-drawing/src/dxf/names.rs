@@ -25,7 +25,8 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// Follows what the header says in `$DWGCODEPAGE`, with the feature `encodings`. Files of R2007 and later are in UTF-8 whatever it says.
+    /// Sets the encoding named in the header's `$DWGCODEPAGE`, with the feature `encodings`. Files of R2007 and later
+    /// are always in UTF-8.
     #[cfg_attr(not(feature = "encodings"), allow(clippy::unused_self))]
     pub(super) fn set_code_page(&mut self, page: &[u8]) {
         #[cfg(not(feature = "encodings"))]

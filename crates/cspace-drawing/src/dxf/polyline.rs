@@ -33,7 +33,7 @@ pub(super) fn vertices(groups: &[Group<'_>]) -> Result<Vec<(Point, f64)>> {
     Ok(vertices)
 }
 
-/// POLYLINE, of which every vertex is an entity of its own.
+/// Reads a POLYLINE, whose vertices are entities of their own.
 pub(super) fn polyline(head: &Record<'_, '_>, vertices: &[Vec<Group<'_>>]) -> Result<What> {
     const CLOSED: i64 = 1;
     const IN_SPACE: i64 = 8;

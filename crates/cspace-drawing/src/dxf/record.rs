@@ -43,7 +43,7 @@ impl<'g, 'a> Record<'g, 'a> {
         ))
     }
 
-    /// Whether the entity's plane is looked at from behind; none if it is no plane parallel to the drawing's.
+    /// Whether the entity's plane is seen from behind; `None` if it is not parallel to the drawing's.
     pub(super) fn is_from_behind(&self) -> Result<Option<bool>> {
         if self.find(210).is_none() && self.find(230).is_none() {
             return Ok(Some(false));
@@ -56,7 +56,7 @@ impl<'g, 'a> Record<'g, 'a> {
     }
 }
 
-/// That a plane is no plane of the drawing.
+/// Problem: the entity's plane is not the plane of the drawing.
 pub(super) fn tilted(at: Point) -> What {
     What::problem(
         Some(at),
@@ -65,7 +65,7 @@ pub(super) fn tilted(at: Point) -> What {
     )
 }
 
-/// That something is not flat.
+/// Problem: the entity is not flat.
 pub(super) fn not_flat(at: Point) -> What {
     What::problem(
         Some(at),

@@ -118,9 +118,11 @@ pub(super) fn ellipse(record: &Record<'_, '_>) -> Result<What> {
 fn sweep(angle: f64, turn: f64) -> f64 {
     /// Rounding of angles, in turns: no sweep is that small.
     const NONE: f64 = 1e-10;
-    /// How much less than a turn a turn may be: nearer ends would not say where the circle is.
+    /// An arc that is shorter than a turn by less than this share counts as a full turn: closer ends would not
+    /// determine the circle.
     const LESS: f64 = 1e-8;
-    /// How much more than a turn it may be: 2π as files have it with five digits. Arcs end within a turn of their start.
+    /// An arc that is longer than a turn by less than this share counts as a full turn: 2π written with five digits.
+    /// Arcs end within a turn of their start.
     const MORE: f64 = 3e-6;
     let sweep = angle.rem_euclid(turn);
     let is_over = angle > turn && angle - turn < MORE * turn;

@@ -1,4 +1,4 @@
-//! What a DXF file says of the drawing as a whole: its unit, its encoding, its layers.
+//! Data of a DXF file on the drawing as a whole: its unit, its encoding, its layers.
 
 use std::collections::HashMap;
 
@@ -14,7 +14,7 @@ pub(super) struct Layers(HashMap<String, Hidden>);
 /// Why a layer is not drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Hidden {
-    /// Switched off: what is inserted on it is drawn all the same, where it is on layers that are.
+    /// Switched off: entities inserted on it are drawn all the same, if they are on visible layers.
     Off,
     /// Frozen: neither is.
     Frozen,

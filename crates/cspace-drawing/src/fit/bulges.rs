@@ -7,7 +7,8 @@ use super::run::Run;
 /// Arcs sweep at most 225 degrees: this is tan(225°/4). A circle needs two.
 const MOST: f64 = 1.496_605_762_665_489;
 
-/// The bulge of the arc from p to q through a point: tan(φ / 2), where φ is the angle by which the way p, point, q turns.
+/// Bulge of the arc from p to q through a point: tan(φ / 2), where φ is the angle by which the polyline p, point, q
+/// turns.
 pub(super) fn bulge_through(p: Point, at: Point, q: Point) -> f64 {
     let (a, b) = (at - p, q - at);
     let (cross, dot) = (a.cross(b), a.dot(b));
@@ -20,7 +21,7 @@ pub(super) fn bulge_through(p: Point, at: Point, q: Point) -> f64 {
     }
 }
 
-/// The samples that arcs are tested at, in order: all, or of every so many those that are farthest to either side.
+/// Samples at which arcs are tested, in order: all, or from each block those that are farthest to either side.
 #[derive(Debug)]
 pub(super) struct Tested {
     samples: Vec<usize>,
@@ -29,7 +30,8 @@ pub(super) struct Tested {
 }
 
 impl Tested {
-    /// Of every block of samples those that stand out most from the smoothed points, or from the chord of the block.
+    /// Selects from every block of samples those that stand out most to either side of the smoothed points, or of the
+    /// chord of the block.
     pub(super) fn new(run: &Run, block: usize) -> Self {
         let (n, block) = (run.points.len(), block.max(1));
         let mut samples: Vec<usize> = Vec::new();
@@ -55,7 +57,7 @@ impl Tested {
         }
     }
 
-    /// Those after one sample and before another, which may be a turn on.
+    /// Tested samples after one sample and before another, which may be a turn further.
     fn between(&self, from: usize, to: usize) -> impl Iterator<Item = usize> {
         let n = self.around.unwrap_or(usize::MAX);
         let turns = from.checked_div(n).unwrap_or(0);
@@ -70,8 +72,8 @@ impl Tested {
     }
 }
 
-/// The bulges of the arcs between two samples that pass the tested samples between within the band of this half width; none
-/// if there are none. All arcs between two points are nested, so that each sample allows an interval.
+/// Bulges of the arcs between two samples that pass the tested samples between them within the band of this half width;
+/// `None` if there are none. All arcs between two points are nested, so that each sample allows an interval.
 pub(super) fn allowed(
     run: &Run,
     tested: &Tested,

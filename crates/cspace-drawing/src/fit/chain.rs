@@ -15,13 +15,13 @@ const CORNER: f64 = 0.01;
 /// Turning by more than this, in radians, is turning back: pieces in other directions than the curve's would cross there.
 const BACK: f64 = 2.8;
 
-/// How often a run is halved that cannot be fitted: by then it is a piece of few tolerances.
+/// Largest number of times that a run is halved if it cannot be fitted: by then it is a piece of a few tolerances.
 const HALVINGS: u32 = 20;
 
 /// The length within which a curve turns sharply if that is a corner, as a share of the tolerance: nobody sees how it turns.
 const SHARP_WITHIN: f64 = 0.25;
 
-/// On which side of a curve the pieces may be.
+/// Side of a curve on which the fitted pieces may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Sided {
     Both,
@@ -95,7 +95,7 @@ pub(crate) fn outline(
     Ok(outline)
 }
 
-/// Whether two directions of travel make a corner.
+/// Whether two directions of travel form a corner.
 fn turns(a: Vector, b: Vector) -> bool {
     angle(a, b) > CORNER
 }
@@ -104,7 +104,7 @@ fn angle(a: Vector, b: Vector) -> f64 {
     a.cross(b).atan2(a.dot(b)).abs()
 }
 
-/// What is known of the end of a curve beside another stretch, whose direction is exact if it is an edge's.
+/// Constraint at the end of a curve beside another stretch, whose direction is exact if it is an edge's.
 fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
     match angle(other, own) {
         turn if turn <= CORNER && is_edge => RunEnd::Along(other),
@@ -113,8 +113,8 @@ fn run_end((other, is_edge): (Vector, bool), own: Vector) -> RunEnd {
     }
 }
 
-/// Fits a run and adds it. What is not fitted as a whole is fitted in two halves that are tangent where they meet: the shorter
-/// a run of a curve, the nearer it is to an arc.
+/// Fits a run and adds it. If it cannot be fitted as a whole, it is fitted in two halves that are tangent where they
+/// meet: the shorter a run of a curve, the nearer it is to an arc.
 fn add_run(
     outline: &mut Outline,
     parts: &[Part<'_>],

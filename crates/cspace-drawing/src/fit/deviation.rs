@@ -1,12 +1,12 @@
-//! How far samples are from the pieces that were fitted to them.
+//! Distances of samples from the pieces fitted to them.
 
 use cspace::{Point, Vertex};
 
 use super::fitted::Fitted;
 use super::run::Run;
 
-/// The least and the largest distance of the pieces from the samples, to the left of the direction of travel. None if a
-/// number is none.
+/// Smallest and largest distance of the pieces from the samples, to the left of the direction of travel. `None` if a
+/// number is not finite.
 pub(super) fn range(
     run: &Run,
     joints: &[usize],
@@ -43,8 +43,8 @@ pub(super) fn range(
     Some(range)
 }
 
-/// How far the pieces fitted to a run are from other samples of the same curve, in the same order: each is nearest to a piece
-/// near the one before.
+/// Largest distance of the pieces fitted to a run from other samples of the same curve, in the same order: each is
+/// compared with a piece near the one before.
 pub(crate) fn of_others(others: &Run, run: &Run, fitted: &Fitted) -> Option<f64> {
     let n = fitted.vertices.len();
     let piece = |i: usize| {

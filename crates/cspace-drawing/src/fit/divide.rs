@@ -1,11 +1,11 @@
-//! The fewest pieces between samples that are tangent to each other.
+//! Division of a run into the fewest pieces between samples that are tangent to each other.
 //!
 //! A piece from sample i to sample j that leaves i at the angle δ to the curve has half the sweep a = φ − δ, where φ is the
 //! angle from the curve's direction at i to the chord; it arrives at j at the angle a − ψ, where ψ is that from the chord to
 //! the curve's direction at j. So a chain of tangent pieces is a path through states (sample, δ), and dynamic programming
-//! finds the one of fewest pieces. Angles are told apart by cells as wide as a small part of the tolerance makes them; of the
-//! ways into a cell the one is kept that stays farther from the edges of the band. A chain arrives at a given angle but for
-//! part of a cell.
+//! finds the one with the fewest pieces. Angles are distinguished by cells whose width corresponds to a small part of
+//! the tolerance; of the paths into a cell, the one that stays farther from the edges of the band is kept. A chain
+//! arrives at a given angle except for part of a cell.
 
 use super::bulges::{Tested, allowed};
 use super::run::{Run, RunEnd};
@@ -22,11 +22,11 @@ pub(super) struct Division {
     pub(super) bulges: Vec<f64>,
 }
 
-/// All pieces between candidates for joints that pass the samples between within a band.
+/// Arcs between candidates for joints that pass the samples between them within a band.
 struct Arcs {
-    /// The samples at which pieces may meet.
+    /// Samples at which pieces may meet.
     candidates: Vec<usize>,
-    /// By the candidate they start at.
+    /// Arcs by the candidate at which they start.
     from: Vec<Vec<Arc>>,
     /// How wide the cells of angles are at each candidate, and the angle they are around: that at which the longest piece
     /// leaves, for directions of samples may be known to few digits.
@@ -41,7 +41,7 @@ struct Arcs {
 
 /// The pieces between two samples.
 struct Arc {
-    /// How many candidates on it ends.
+    /// Number of candidates from its start to its end.
     on: usize,
     /// φ and ψ.
     angles: [f64; 2],
@@ -53,18 +53,18 @@ struct Arc {
 /// Cells of angles on either side of the curve's direction.
 const CELLS: i32 = 24;
 
-/// How wide the cells in the middle are, by the tolerance over the length of the longest piece: the angle at its ends is some
-/// ten times that.
+/// Width of the cells in the middle, as a multiple of the tolerance over the length of the longest piece: the angle at
+/// its ends is some ten times that.
 const CELL: f64 = 0.8;
 
-/// After so many cells they grow: where a line goes over into a curve, and between samples that are far apart, the direction
-/// of the samples is known to few digits.
+/// Number of cells of equal width, beyond which they grow: where a line changes into a curve, and between samples that
+/// are far apart, the direction of the samples is known to few digits.
 const EVEN: f64 = 5.0;
 
 impl Arcs {
     /// The arcs of a run between candidates within a band of this half width.
     fn new(run: &Run, tested: &Tested, candidates: Vec<usize>, limits: Limits) -> Self {
-        /// After so many ends that no arc reaches the next will not be reached either.
+        /// Number of successive unreachable ends after which further ends are not tried.
         const MISSES: usize = 3;
         let mut arcs = Self {
             count: if run.is_closed {
@@ -181,11 +181,11 @@ fn angles(run: &Run, from: usize, to: usize) -> [f64; 2] {
     ]
 }
 
-/// The best way found into a cell.
+/// Best path found into a cell.
 #[derive(Debug, Clone, Copy)]
 struct State {
     pieces: u32,
-    /// The sum of the squares of how far the pieces are from the middle of what is allowed.
+    /// Sum of the squared distances of the pieces from the middle of the allowed range.
     cost: f64,
     /// The angle to the curve.
     delta: f64,
@@ -195,12 +195,12 @@ struct State {
     half: f64,
 }
 
-/// Candidates that are looked at together: what is that far ahead has no say in which pieces are best here.
+/// Number of candidates in one division: candidates farther ahead do not influence which pieces are best here.
 const WINDOW: usize = 8192;
 
 /// A division while it is made.
 struct Path {
-    /// By candidates.
+    /// Indices of the candidates.
     joints: Vec<usize>,
     /// Half of each sweep.
     halves: Vec<f64>,
@@ -251,7 +251,7 @@ fn fewest(
 }
 
 impl Path {
-    /// Goes on with so many pieces of another path.
+    /// Appends the first `pieces` pieces of another path.
     fn join(&mut self, rest: &Self, pieces: usize) {
         self.deltas[self.joints.len() - 1] = rest.deltas[0];
         self.joints.extend(&rest.joints[1..=pieces]);
@@ -336,7 +336,7 @@ fn in_window(
         }
     }
     let ends = match arriving {
-        // What is left of the angle is taken up by small changes.
+        // The remaining angle is taken up by small corrections.
         Some(_) => -1..=1,
         None => -CELLS..=CELLS,
     };
@@ -373,26 +373,26 @@ fn in_window(
 const PER_RUN: usize = 64;
 const PER_PIECE: usize = 16;
 
-/// Those of a run through measured points, which may go over from a line into an arc at any of them.
+/// As above, for a run through measured points, which may change from a line into an arc at any of them.
 const PER_PROFILE: usize = 400;
 const PER_PIECE_OF_PROFILE: usize = 32;
 
-/// What a division keeps to.
+/// Limits of a division.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     /// Half the width of the band.
     pub(super) width: f64,
-    /// How much nearer than a cell's width a chain comes to the angle that it is to arrive at.
+    /// Factor by which a chain comes closer than a cell's width to the required angle at its end.
     pub(super) exactness: f64,
 }
 
-/// The best division of a run within limits, tangent but for what small changes will mend. `pieces` is about how many there
-/// will be.
+/// Best division of a run within limits, tangent except for small remaining corrections. `pieces` is about the expected
+/// number of pieces.
 ///
-/// Where there are many samples joints are first sought at some of them, and then again with more of those near the ones found,
-/// down to every one: where a line goes over into an arc it matters at which.
+/// If there are many samples, joints are first sought at some of them, and then again with more samples near the joints
+/// found, down to every one: where a line changes into an arc the exact sample matters.
 pub(super) fn divide(run: &Run, pieces: usize, limits: Limits) -> Option<Division> {
-    /// How much finer samples are looked at near joints, each time.
+    /// Factor by which the samples near joints become finer, each time.
     const FINER: usize = 16;
     let n = run.points.len();
     let (least, per_piece) = match run.is_measured {
@@ -439,10 +439,10 @@ fn over(run: &Run, tested: &Tested, candidates: Vec<usize>, limits: Limits) -> O
     fewest(&arcs, 0, arcs.count, ends.0, ends.1).map(|path| path.division(&arcs))
 }
 
-/// A closed run is begun where a chain that goes around twice has its joints the second time, at the angles that it has there:
-/// by then it has forgotten where it began.
+/// Division of a closed run: a chain that goes around twice is cut at the joints of its second turn, at the angles that
+/// it has there: by then it does not depend on its start any more.
 fn closed(arcs: &Arcs) -> Option<Division> {
-    /// Joints that are tried.
+    /// Number of joints that are tried.
     const TRIED: usize = 8;
     let n = arcs.count;
     let around = fewest(arcs, 0, 2 * n, None, None)?;
@@ -468,8 +468,8 @@ fn closed(arcs: &Arcs) -> Option<Division> {
     best.map(|path| path.division(arcs))
 }
 
-/// About how many pieces there will be: those of a chain that need not be tangent, each as long as it may be, found by steps
-/// that double and then by halves.
+/// Approximate number of pieces: those of a chain that need not be tangent, each as long as possible, found by doubling
+/// steps and then by bisection.
 pub(super) fn roughly(run: &Run) -> usize {
     let tested = Tested::new(run, 1);
     let end = run.len() - 1;

@@ -1,4 +1,4 @@
-//! What fitting gives.
+//! Results of fitting.
 
 use cspace::{Point, Vertex};
 
@@ -7,9 +7,9 @@ use cspace::{Point, Vertex};
 pub(crate) struct Fitted {
     /// The start of every piece, with its bulge; the end of an open run is not among them.
     pub(crate) vertices: Vec<Vertex>,
-    /// Where an open run ends.
+    /// End of an open run.
     pub(crate) end: Point,
-    /// How far the samples are from the pieces, at most.
+    /// Largest distance of the samples from the pieces.
     pub(crate) deviation: f64,
     /// The largest angle between two pieces, in radians.
     pub(crate) kink: f64,

@@ -14,9 +14,9 @@ pub(super) struct Part<'c> {
     span: usize,
     /// The fractions of the span at which it starts and ends; down if it is travelled backward.
     range: [f64; 2],
-    /// Where it starts and ends: at a sharp turn in the corner that stands for it.
+    /// Start and end: at a sharp turn, the corner that stands for it.
     ends: [Point; 2],
-    /// What the curve is moved by at its start and its end.
+    /// Displacement of the curve at its start and its end.
     moved: [Vector; 2],
     /// The length, and the derivative by the span's parameter, that is rounding: as where a control point is at the end.
     still: f64,

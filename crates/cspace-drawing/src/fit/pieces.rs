@@ -5,18 +5,18 @@ use super::fitted::Fitted;
 use super::run::Run;
 use super::{divide, tangent};
 
-/// How much narrower the band is made for the next try, at least and at most, and in all: small changes that make pieces tangent
-/// take some of it, and a band of a share s asks for s^(-1/3) times the pieces.
+/// Factors by which the band is narrowed for the next try, at least and at most, and in all: the small corrections that
+/// make pieces tangent take some of it, and a band of a share s needs s^(-1/3) times the pieces.
 const NARROWER: f64 = 0.96;
 const MUCH_NARROWER: f64 = 0.8;
 const NARROWEST: f64 = 0.375;
 
-/// Bands one after another that no chain of pieces passes: then none passes a narrower one. One that passes may be missed,
-/// for chains are told apart by cells of angles.
+/// Number of successive bands for which no chain of pieces is found, after which narrower ones are not tried. A chain
+/// may be missed, for chains are distinguished by cells of angles.
 const MISSES: usize = 3;
 
-/// How much more exactly, for each next try, pieces arrive in the direction that an end has: the more exactly, the smaller
-/// are the changes that make them tangent there.
+/// Factor, for each next try, by which pieces arrive more exactly in the direction of an end: the more exactly, the
+/// smaller are the corrections that make them tangent there.
 const MORE_EXACTLY: f64 = 8.0;
 
 /// Fits lines and arcs to a run. None if the samples do not allow it: they are too coarse for the tolerance.
@@ -24,7 +24,7 @@ pub(crate) fn fit(run: &Run) -> Option<Fitted> {
     fit_within(run, &mut None)
 }
 
-/// As [`fit`], from the limits on at which more samples of a curve are to be fitted than before; sets those at which these were.
+/// As [`fit`], beginning with the limits at which fewer samples of the same curve were fitted before; updates these.
 pub(super) fn fit_within(run: &Run, from: &mut Option<Limits>) -> Option<Fitted> {
     let pieces = divide::roughly(run);
     let mut limits = from.take().unwrap_or(Limits {
@@ -65,9 +65,9 @@ pub(super) fn fit_within(run: &Run, from: &mut Option<Limits>) -> Option<Fitted>
     None
 }
 
-/// The same without joints of pieces that lie on one line or circle: a closed run may have been begun on one.
+/// Removes joints of pieces that lie on one line or circle: a closed run may begin inside of one.
 fn merged(mut fitted: Fitted, is_closed: bool) -> Fitted {
-    /// How near curvatures are that are the same, as a share of what bends the shorter piece by its own length.
+    /// Tolerance of equal curvatures, as a share of the curvature that bends the shorter piece by its own length.
     const SAME: f64 = 1e-9;
     let mut i = usize::from(!is_closed);
     while i < fitted.vertices.len() && fitted.vertices.len() > 2 {

@@ -1,7 +1,7 @@
 //! Lines and arcs from measured points.
 //!
-//! The points are divided where they turn sharply; between such corners they are a run of samples like those of a curve.
-//! Points that scatter are smoothed where pieces meet, so that a joint is not as far off as a point may be. Where a corner
+//! The points are divided at sharp turns; between such corners they are a run of samples like those of a curve. Points
+//! that scatter are smoothed where pieces meet, so that a joint is not as far off as a point may be. Where a corner
 //! lies between two points, the pieces before and after it are continued until they meet.
 
 use cspace::{Point, Vector, Vertex};
@@ -10,8 +10,8 @@ use super::chain::{Outline, Sided};
 use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
 
-/// How far directions are measured from a point, in tolerances: over that length points within the tolerance show a
-/// direction to a twelfth of a radian.
+/// Length over which directions are measured from a point, in tolerances: over that length points within the tolerance
+/// determine a direction to a twelfth of a radian.
 const REACH: f64 = 25.0;
 
 /// Turning by more than this, in radians, within that reach, is a corner: three times what scatter may seem to turn.
@@ -20,7 +20,7 @@ const CORNER: f64 = 0.35;
 /// A corner of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Corner {
-    /// At a point.
+    /// Corner at a point.
     At(usize),
     /// Between a point and the next.
     After(usize),
@@ -91,7 +91,7 @@ pub(crate) fn profile(
     Some(outline)
 }
 
-/// Where the profile turns sharply.
+/// Sharp turns of the profile.
 fn corners(points: &[Point], reach: f64) -> Vec<Corner> {
     let n = points.len();
     let turns: Vec<f64> = (0..n).map(|i| turn(points, i, reach)).collect();
@@ -116,12 +116,12 @@ fn corners(points: &[Point], reach: f64) -> Vec<Corner> {
     corners
 }
 
-/// Whether a corner lies between a point and the next: the two share its angle, each turns more than the points beyond them,
-/// and those hardly turn.
+/// Whether a corner lies between a point and the next: the two share its angle, each turns more than the points beyond
+/// them, and those hardly turn.
 fn is_between(turns: &[f64], i: usize) -> bool {
-    /// What a curve beside a corner may turn, as a share of the corner.
+    /// Largest angle by which a curve beside a corner may turn, as a share of the corner.
     const BESIDE: f64 = 0.15;
-    /// How much more a point turns than a curve beside it, and at least, in radians, to have a part in a corner.
+    /// Factor by which a point of a corner turns more than a curve beside it, and its smallest turn in radians.
     const MORE: f64 = 3.0;
     const LEAST: f64 = 0.01;
     let n = turns.len();
@@ -134,7 +134,7 @@ fn is_between(turns: &[f64], i: usize) -> bool {
         && beside < BESIDE * whole
 }
 
-/// Whether no point within reach turns more; the first of equals does.
+/// Whether no point within reach turns more; of equal turns the first counts.
 fn is_sharpest(points: &[Point], turns: &[f64], i: usize, reach: f64) -> bool {
     let n = points.len();
     let within = |step: usize| {
@@ -162,7 +162,8 @@ fn turn(points: &[Point], i: usize, reach: f64) -> f64 {
     a.cross(b).atan2(a.dot(b))
 }
 
-/// How far points are from the cubic through their neighbours, by the median: of clean points next to nothing.
+/// Scatter of points: the median of their distances from the cubic through their neighbours, which is almost 0 for
+/// clean points.
 pub(crate) fn scatter(points: &[Point]) -> f64 {
     let n = points.len();
     if n < 5 {
@@ -236,7 +237,7 @@ fn smoothed(
 ) -> Option<(Point, Vector)> {
     /// Points on either side.
     const TRIED: [isize; 4] = [15, 10, 6, 4];
-    /// How near, in tolerances: nearer than pieces are, so that nothing is smoothed away.
+    /// Distance in tolerances: less than that of pieces, so that nothing is smoothed away.
     const NEAR: f64 = 0.8;
     let i = i as isize;
     let here = at(i)?;
@@ -293,8 +294,9 @@ fn parabola(points: &[(f64, f64)]) -> Option<[f64; 3]> {
     Some([c[0], c[1] / scale, c[2] / (scale * scale)])
 }
 
-/// Closes the loop of stretches, each of which has its own last vertex: at a corner that is a point it is the next one's first,
-/// and where the corner is between two points the pieces are continued to where they meet, if they do.
+/// Closes the loop of stretches, each of which has its own last vertex: at a corner that is a point it is the first
+/// vertex of the next stretch, and where the corner is between two points the pieces are continued to their
+/// intersection, if there is one.
 fn meet(vertices: &mut Vec<Vertex>, starts: &[usize], corners: &[Corner]) {
     let n = vertices.len();
     let mut is_dropped = vec![false; n];
@@ -330,7 +332,7 @@ fn meet(vertices: &mut Vec<Vertex>, starts: &[usize], corners: &[Corner]) {
     });
 }
 
-/// Where two pieces meet that are continued: the one forward, the other backward. None if that is far off.
+/// Intersection of two pieces that are continued, one forward, the other backward. `None` if it is far away.
 fn meeting(before: (Vertex, Point), after: (Vertex, Point)) -> Option<Point> {
     let (p, q) = (before.1, after.0.point());
     let gap = p.distance(q);

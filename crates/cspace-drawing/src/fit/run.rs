@@ -1,4 +1,4 @@
-//! What is fitted: samples of a smooth curve.
+//! Input of fitting: samples of a smooth curve.
 
 use cspace::{Point, Vector};
 
@@ -7,14 +7,14 @@ use cspace::{Point, Vector};
 pub(crate) struct Run {
     /// The samples. A closed run does not repeat its first.
     pub(crate) points: Vec<Point>,
-    /// Where a joint at each sample would be, if not there: of points that scatter.
+    /// Smoothed positions of joints at the samples, for points that scatter.
     pub(crate) joints: Option<Vec<Point>>,
     /// Unit vectors to the left of the direction of travel.
     pub(crate) normals: Vec<Vector>,
     pub(crate) is_closed: bool,
     /// Whether the samples are measured points, and not those of a curve.
     pub(crate) is_measured: bool,
-    /// What is known of the directions at the ends of an open run.
+    /// Constraints of the directions at the ends of an open run.
     pub(crate) ends: [RunEnd; 2],
     pub(crate) band: Band,
 }
@@ -24,11 +24,11 @@ pub(crate) struct Run {
 pub(crate) enum RunEnd {
     /// A corner: any direction.
     Free,
-    /// Tangent to what is there, in this direction of travel.
+    /// Tangent to the adjacent edge, in this direction of travel.
     Along(Vector),
 }
 
-/// How far pieces may be from samples, measured to the left of the direction of travel.
+/// Allowed distances of pieces from samples, to the left of the direction of travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Band {
     pub(crate) lo: f64,
@@ -64,7 +64,7 @@ impl Band {
         (self.hi - self.lo) / 2.0
     }
 
-    /// Its middle.
+    /// Middle of the band.
     pub(crate) fn middle(&self) -> f64 {
         (self.hi + self.lo) / 2.0
     }
@@ -74,7 +74,7 @@ impl Band {
         self.hi.max(-self.lo)
     }
 
-    /// How far beyond it pieces are whose least and largest distances to the left are these; 0 within.
+    /// Excess of the smallest and largest distances of pieces over the band; 0 within.
     pub(super) fn excess(&self, range: [f64; 2]) -> f64 {
         // The ends of a run are on the curve, whatever the band.
         let excess = (self.lo.min(0.0) - range[0]).max(range[1] - self.hi.max(0.0));
@@ -100,7 +100,7 @@ impl Run {
         self.normals[i % self.points.len()]
     }
 
-    /// Where a joint at a sample is: in the middle of the band, but the ends of an open run where they are.
+    /// Position of a joint at a sample: in the middle of the band, except for the ends of an open run.
     pub(super) fn joint(&self, i: usize) -> Point {
         let is_end = !self.is_closed && (i == 0 || i + 1 == self.points.len());
         if is_end {

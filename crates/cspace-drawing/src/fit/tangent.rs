@@ -25,7 +25,7 @@ pub(super) struct Made {
 /// Newton's method has then doubled its digits often enough, or never will.
 const MOST_STEPS: usize = 12;
 
-/// What moving a joint along the curve costs, of what moving it across costs.
+/// Cost of moving a joint along the curve, as a share of that of moving it across.
 const ALONG: f64 = 0.05;
 
 /// The pieces made tangent; with lines for arcs where the band allows, or with arcs alone. None if they cannot be.
@@ -40,7 +40,7 @@ pub(super) fn make(run: &Run, division: &Division, with_lines: bool) -> Option<M
     }
     let rows = chain.rows();
     let kink = rows.iter().map(|r| r.error.abs()).fold(0.0, f64::max);
-    // What has not converged is no chain of tangent pieces.
+    // Pieces that have not converged are no tangent chain.
     if kink.is_nan() || kink > 1e3 * SMOOTH {
         return None;
     }
@@ -69,7 +69,7 @@ pub(super) fn make(run: &Run, division: &Division, with_lines: bool) -> Option<M
 
 struct Pieces<'r> {
     run: &'r Run,
-    /// All joints, of a closed run without the last.
+    /// Joints; for a closed run without the last.
     joints: Vec<Point>,
     /// The normals of the curve there.
     normals: Vec<Vector>,
@@ -78,12 +78,12 @@ struct Pieces<'r> {
     is_line: Vec<bool>,
 }
 
-/// An equation: what it misses by, and its coefficients.
+/// Equation: its residual, and its coefficients.
 struct Row {
     error: f64,
-    /// Of the places of joints.
+    /// Coefficients of the joints' positions.
     places: Vec<(usize, Vector)>,
-    /// Of half sweeps.
+    /// Coefficients of the half sweeps.
     halves: Vec<(usize, f64)>,
 }
 
@@ -167,7 +167,7 @@ impl<'r> Pieces<'r> {
         rows
     }
 
-    /// How much a joint may be moved, for the same weight, along and across the curve; not at all at ends.
+    /// Displacement of a joint for a given correction, weighted along and across the curve; 0 at ends.
     fn place_change(&self, joint: usize, by: Vector) -> Vector {
         let is_end = !self.run.is_closed && (joint == 0 || joint + 1 == self.joints.len());
         if is_end {
@@ -177,7 +177,7 @@ impl<'r> Pieces<'r> {
         n * n.dot(by) + n.right() * (n.right().dot(by) / ALONG)
     }
 
-    /// The same for half a sweep: what moves the middle of an arc as far as its ends.
+    /// As above, for half a sweep, weighted so that the middle of an arc moves as far as its ends.
     fn half_change(&self, piece: usize, by: f64) -> f64 {
         if self.is_line[piece] {
             return 0.0;

@@ -114,7 +114,7 @@ fn size(case: &Case) -> f64 {
     range(|p| p.x).hypot(range(|p| p.y))
 }
 
-/// How far the samples between two are from the arc of a bulge, at most.
+/// Largest distance of the samples between two others from the arc of a bulge.
 fn farthest(points: &[Point], from: usize, to: usize, bulge: f64) -> f64 {
     let (p, q) = (points[from], points[to % points.len()]);
     let chord = q - p;

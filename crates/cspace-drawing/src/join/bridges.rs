@@ -1,4 +1,4 @@
-//! What other layers have between the ends of open chains.
+//! Entities of other layers between the ends of open chains.
 
 use std::collections::{HashSet, VecDeque};
 
@@ -27,13 +27,14 @@ pub(super) struct Bridges<'d> {
     tree: RTree<LinkEnd>,
     /// Ends nearer than this are one.
     reach: f64,
-    /// Links that are still looked at, of all gaps together: what is no drawing of parts may have any number of both.
+    /// Number of links that may still be examined, for all gaps together: a file that is no drawing of parts may have
+    /// any number of both.
     left: usize,
 }
 
-/// What lies in a gap.
+/// Entities that lie in a gap.
 pub(super) struct Bridge<'d> {
-    /// Where the gap ends.
+    /// End of the gap.
     pub(super) to: Point,
     entities: Vec<(&'d Origin, Option<LayerReason>)>,
 }
@@ -72,8 +73,8 @@ impl<'d> Bridges<'d> {
         }
     }
 
-    /// The fewest pieces from the end of a chain to a place at which another end is; closed outlines on the chain's own layer are
-    /// not taken, for these are drawn as they should be.
+    /// Shortest sequence of pieces from the end of a chain to another end. Closed outlines on the chain's own layer are
+    /// not used, for they are complete.
     pub(super) fn from(
         &mut self,
         start: Point,
@@ -127,9 +128,9 @@ impl<'d> Bridges<'d> {
 }
 
 impl Bridge<'_> {
-    /// What lies in the gap from a point, in words.
+    /// Description of the entities in the gap from a point.
     pub(super) fn told(&self, from: Point) -> String {
-        /// More entities than that are not named.
+        /// Largest number of entities that are named.
         const MOST: usize = 4;
         let named = self.entities.iter().take(MOST).map(|(origin, reason)| {
             let why = reason.map_or("which belongs to another outline", LayerReason::of_which);
@@ -147,7 +148,7 @@ impl Bridge<'_> {
         )
     }
 
-    /// What to do, one for each layer and reason.
+    /// Advice on how to close the gap, one sentence for each layer and reason.
     pub(super) fn ways(&self, own: &str) -> Vec<String> {
         let mut ways: Vec<String> = Vec::new();
         for (origin, reason) in &self.entities {

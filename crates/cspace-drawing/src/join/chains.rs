@@ -18,7 +18,7 @@ impl Segment<'_> {
     }
 }
 
-/// Follows the links. Of open chains that have an ambiguous end nothing more is said.
+/// Follows the links. Open chains with an ambiguous end, which is reported already, cause no further problem.
 pub(super) fn collect<'d>(
     pieces: &Pieces<'d>,
     drawing: &Drawing,
@@ -156,7 +156,7 @@ fn tell_open(
                 pieces.point(*e),
                 &origin_of(drawing, pieces.segments[piece].entity).layer,
             );
-            // A gap between the two ends of the chain is told once.
+            // A gap between the two ends of the chain is reported once.
             if bridged.is_some_and(|p| p.distance(from) <= reach) {
                 break;
             }

@@ -10,12 +10,12 @@ use super::joined::{Joined, origin_of};
 use super::pieces::{End, Pieces, end, of_end};
 use crate::drawing::{Drawing, Problem};
 
-/// More ends at one place than that are not told apart.
+/// Largest number of ends at one place that are distinguished.
 const MOST_NEAR: usize = 16;
 
 type Near = GeomWithData<[f64; 2], End>;
 
-/// Joins ends; the pieces whose ends could be joined in several ways are told, with a problem for each such place.
+/// Joins ends; returns the pieces whose ends could be joined in several ways, and adds a problem for each such place.
 pub(super) fn join(
     pieces: &mut Pieces<'_>,
     drawing: &Drawing,
@@ -82,7 +82,8 @@ fn at_of(pieces: &Pieces<'_>, e: End) -> [f64; 2] {
     [p.x, p.y]
 }
 
-/// Makes two ends one: those of one arc by its whole circle, others at the end of a line, whose coordinates the file has, or else between the two.
+/// Joins two ends: if an arc closes to a full circle, on this circle; otherwise at the end of a line, whose coordinates
+/// are in the file, or else in the middle between the two.
 fn close(pieces: &mut Pieces<'_>, a: End, b: End, apart: f64, round: f64, joined: &mut Joined<'_>) {
     let (p, q) = (pieces.point(a), pieces.point(b));
     let piece = of_end(a).0;

@@ -1,4 +1,4 @@
-//! What joining makes of a drawing.
+//! Results of joining the entities of a drawing.
 
 use cspace::Point;
 use cspace::part::Bounds;
@@ -33,7 +33,7 @@ impl Chain<'_> {
         boxes.fold(Bounds::EMPTY, Bounds::union).diagonal()
     }
 
-    /// Whether it goes somewhere and back the same way.
+    /// Whether the chain goes forth and back on the same path.
     pub(super) fn encloses_nothing(&self, round: f64) -> bool {
         match &self.pieces[..] {
             [one] => !matches!(one.shape, Shape::Curve(_)),
@@ -48,7 +48,7 @@ impl Chain<'_> {
     }
 }
 
-/// What was done to make loops of a drawing.
+/// Loops and open chains of a drawing, and the changes made to join them.
 #[derive(Debug, Default)]
 pub(crate) struct Joined<'d> {
     pub(crate) loops: Vec<Chain<'d>>,
@@ -56,21 +56,21 @@ pub(crate) struct Joined<'d> {
     pub(crate) open: Vec<Chain<'d>>,
     /// The gaps that were closed, wider than rounding, and where.
     pub(crate) gaps: Vec<(f64, Point)>,
-    /// How many pieces were drawn twice, or lay within others.
+    /// Number of pieces that were drawn twice, or lay within others.
     pub(crate) duplicates: usize,
-    /// How many pieces overlapped others and were made one with them.
+    /// Number of pieces that overlapped others and were merged with them.
     pub(crate) merged: usize,
-    /// How many pieces had no length, or less than would be joined.
+    /// Number of pieces without length, or shorter than the joining distance.
     pub(crate) tiny: usize,
     /// The extent of the largest of them, 0 if none has any.
     pub(crate) largest_removed: f64,
     /// The entities of chains that are not closed.
     pub(crate) unused: Vec<u32>,
-    /// Chains that are not closed, and ends that may be joined in several ways.
+    /// Problems: chains that are not closed, and ends that may be joined in several ways.
     pub(crate) problems: Vec<Problem>,
 }
 
-/// Where an entity comes from.
+/// Origin of an entity in the file.
 pub(super) fn origin_of(drawing: &Drawing, entity: u32) -> &Origin {
     &drawing.entities[entity as usize].origin
 }

@@ -1,8 +1,8 @@
-//! Loops from loose pieces.
+//! Joining of loose pieces to loops.
 //!
-//! All paths are taken apart into pieces that know their neighbours ([`pieces`]). Pieces that are drawn twice or overlap are
-//! merged ([`overlaps`]), ends that nearly meet are joined, the nearest first ([`ends`]), and what is then closed is a loop
-//! ([`chains`]). Where one is missing that another layer has, that is told ([`bridges`]).
+//! All paths are divided into pieces that know their neighbours ([`pieces`]). Pieces that are drawn twice or overlap
+//! are merged ([`overlaps`]), ends that nearly meet are joined, the nearest first ([`ends`]), and closed chains become
+//! loops ([`chains`]). If a piece is missing that another layer has, this is reported ([`bridges`]).
 
 mod bridges;
 mod chains;

@@ -18,25 +18,25 @@ const CIRCLE: u8 = 2;
 /// A piece on the line or circle it lies on.
 struct Laid {
     piece: usize,
-    /// What the line or circle is known by: its kind and two or three lengths.
+    /// Key of the line or circle: its kind and two or three lengths.
     kind: u8,
     key: [f64; 3],
-    /// Start and end: x of a flat line, y of a steep one, the angle on a circle; and whether the piece runs the other way.
+    /// Interval: x of a flat line, y of a steep one, the angle on a circle; and whether the piece runs in the other direction.
     from: f64,
     to: f64,
     is_backward: bool,
-    /// Length of the interval for a unit of length: |cos| or |sin| of a line's angle to the x axis, 1/r on a circle.
+    /// Interval parameter per unit of length: |cos| or |sin| of a line's angle to the x axis, 1/r on a circle.
     unit: f64,
 }
 
 impl Laid {
-    /// Its ends, the lower first.
+    /// Ends of the piece, the lower first.
     fn ends(&self) -> [End; 2] {
         let sides = if self.is_backward { [1, 0] } else { [0, 1] };
         sides.map(|side| end(self.piece, side))
     }
 
-    /// From where to where, cut where the angle comes back to zero.
+    /// Intervals of the piece, cut where the angle returns to zero.
     fn intervals(self) -> impl Iterator<Item = (f64, f64, usize)> {
         let goes_round = self.kind == CIRCLE && self.to > TAU;
         let first = (
@@ -72,7 +72,7 @@ pub(super) fn merge(pieces: &mut Pieces<'_>, round: f64, joined: &mut Joined<'_>
     }
 }
 
-/// How far apart keys may be of pieces whose places agree to rounding: it shows enlarged in directions and centres.
+/// Tolerance factor of keys of pieces whose places agree to rounding, which is enlarged in directions and centres.
 const SLACK: f64 = 1e3;
 
 fn near(a: &Laid, b: &Laid, key: usize, round: f64) -> bool {
@@ -209,7 +209,7 @@ fn sweep(
     }
 }
 
-/// Whether two pieces lie on one line or circle, to rounding.
+/// Whether two pieces lie on the same line or circle, to rounding.
 fn is_same_line(pieces: &Pieces<'_>, a: &Laid, b: &Laid, round: f64) -> bool {
     let (long, short) = if (a.to - a.from) * b.unit >= (b.to - b.from) * a.unit {
         (a, b)
@@ -264,8 +264,8 @@ fn unite(
         };
         // Where both end together the one that is kept is joined to what the other was joined to.
         let together = [(lo - from).abs() <= slack, (hi - to).abs() <= slack];
-        // What goes on in its path stays if the other cannot stand for it: paths side by side share an edge, and each
-        // needs it.
+        // A piece that is joined within its path is kept if the other cannot replace it: paths side by side share an
+        // edge, and each needs it.
         let is_needed = |side: usize| {
             let stands = together[side] && pieces.linked(kept[side]).is_none();
             pieces.linked(dropped[side]).is_some() && !stands
@@ -347,7 +347,7 @@ fn cut(pieces: &mut Pieces<'_>, at: End, to: Point, middle: Point) {
     pieces.move_end(at, to);
 }
 
-/// Removes curves that are drawn twice, to the last bit and either way.
+/// Removes curves that are drawn twice, equal to the last bit, in either direction.
 fn same_curves(pieces: &mut Pieces<'_>, joined: &mut Joined<'_>) {
     let mut seen = HashSet::new();
     for i in 0..pieces.segments.len() {

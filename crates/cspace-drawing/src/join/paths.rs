@@ -9,15 +9,15 @@ struct Whole {
     first: usize,
     starts: Vec<Point>,
     bulges: Vec<f64>,
-    /// Where an open path ends.
+    /// End of an open path.
     end: Option<Point>,
     middle: Point,
-    /// How far the ends are from the middle, on average: rings around one another have one middle.
+    /// Mean distance of the ends from the middle: concentric rings have the same middle.
     radius: f64,
 }
 
-/// Removes paths of several pieces that are those of another path, either way around; says how many pieces. Pieces that two
-/// paths share otherwise, as parts side by side do, stay.
+/// Removes paths of several pieces that coincide with another path, in either direction; returns the number of pieces.
+/// Pieces that two paths share otherwise, as parts side by side do, are kept.
 pub(super) fn remove_repeated(pieces: &mut Pieces<'_>, round: f64) -> usize {
     let mut wholes = wholes(pieces);
     wholes.sort_by(|a, b| {
@@ -104,7 +104,7 @@ fn wholes(pieces: &Pieces<'_>) -> Vec<Whole> {
 }
 
 impl Whole {
-    /// Whether another path of as many pieces is the same one, from any vertex on if it is closed, either way.
+    /// Whether another path has equal pieces, in either direction, and from any vertex on if it is closed.
     fn is_same(&self, other: &Self, round: f64) -> bool {
         let n = self.starts.len();
         let near = |a: Point, b: Point| a.distance(b) <= 2.0 * round;

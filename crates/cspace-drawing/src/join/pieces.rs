@@ -6,13 +6,13 @@ use cspace::part::Bounds;
 use crate::curve::Curve;
 use crate::drawing::{Drawing, Piece, edge};
 
-/// Rounding of coordinates in files, as a share of the drawing's size: what is nearer than that is one place.
+/// Rounding of coordinates in files, as a share of the drawing's size: points nearer than that are one place.
 pub(crate) const ROUND: f64 = 1e-9;
 
 /// An end of a piece: twice its number, and one more for where it ends.
 pub(super) type End = u32;
 
-/// What is known of the shape between two ends.
+/// Shape of a piece between its two ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Shape<'d> {
     /// A line or an arc of this bulge.
@@ -34,7 +34,7 @@ impl Shape<'_> {
 /// A piece of a path.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'d> {
-    /// Where it starts and ends.
+    /// Start and end.
     pub(super) ends: [Point; 2],
     pub(super) shape: Shape<'d>,
     /// The entity of the drawing that it belongs to.
@@ -100,8 +100,8 @@ impl<'d> Pieces<'d> {
         Self { segments }
     }
 
-    /// Removes pieces of no extent, and loose ones within the distance at which ends are joined; says how many, and the extent
-    /// of the largest that has one. The ends that were joined to them are joined.
+    /// Removes pieces of no extent, and loose ones shorter than the distance at which ends are joined; returns their
+    /// number, and the extent of the largest that has one. The ends that were joined to them are joined.
     pub(super) fn remove_tiny(&mut self, none: f64, join: f64) -> (usize, f64) {
         let mut removed = 0;
         let mut largest: f64 = 0.0;
@@ -110,7 +110,7 @@ impl<'d> Pieces<'d> {
             let is_loose = segment.links == [None; 2];
             let is_loop = segment.links[0] == Some(end(i, 1));
             let least = if is_loose { join } else { none };
-            // What is drawn may return to where it starts.
+            // A drawn piece may return to its start.
             let [start, end] = segment.ends;
             let extent = segment.shape.bounds(start, end).diagonal();
             if extent > least || (is_loop && extent > none) {
@@ -147,7 +147,7 @@ impl<'d> Pieces<'d> {
         self.segments[piece].links[side]
     }
 
-    /// Whether a piece goes on at both ends.
+    /// Whether a piece is joined at both ends.
     pub(super) fn is_held(&self, piece: usize) -> bool {
         self.segments[piece].links.iter().all(Option::is_some)
     }
@@ -169,7 +169,7 @@ impl<'d> Pieces<'d> {
         self.segments[piece].ends[side] = to;
     }
 
-    /// Makes a circle of an arc whose ends are one; false of what is no arc of more than half a turn.
+    /// Makes a circle of an arc whose ends coincide; false if it is not an arc of more than half a turn.
     pub(super) fn close_circle(&mut self, piece: usize) -> bool {
         let Segment {
             ends: [start, end_point],

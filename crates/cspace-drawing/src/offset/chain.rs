@@ -68,7 +68,8 @@ impl Places {
     }
 }
 
-/// Links that lie on each other are one; those of opposite directions, between which there is no room, are none.
+/// Removes repeated links: links that coincide are merged, and links of opposite directions, which have no space
+/// between them, cancel.
 fn once(links: Vec<Link>, near: f64) -> Vec<Link> {
     let mut between: BTreeMap<(usize, usize), Vec<Link>> = BTreeMap::new();
     for link in links {

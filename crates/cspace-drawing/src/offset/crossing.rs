@@ -1,7 +1,7 @@
-//! Where two lines or arcs cross.
+//! Crossings of two lines or arcs.
 //!
-//! A line or circle is the zeros of n · q − κ q² / 2, with q the way from the edge's start, n its left normal there and κ its
-//! curvature, so that arcs of any radius are computed as well as lines.
+//! A line or circle is the zeros of n · q − κ q² / 2, with q the vector from the edge's start, n its left normal there
+//! and κ its curvature, so that arcs of any radius are computed as well as lines.
 
 use cspace::{Edge, Point, Vector};
 

@@ -15,15 +15,15 @@ use super::raw::Raw;
 pub(super) struct Piece {
     /// The number of the curve that it is a piece of.
     pub(super) raw: usize,
-    /// That curve.
+    /// Curve with that number.
     pub(super) whole: Edge,
     pub(super) curve: Edge,
 }
 
-/// The piece of a curve between two places on it.
+/// Piece of a curve between two places on it.
 ///
-/// Its sweep is twice the angle from the curve's direction at its start to its chord: as exact as the places are, wherever they
-/// lie.
+/// Its sweep is twice the angle from the curve's direction at its start to its chord: as exact as the places are,
+/// wherever they lie.
 pub(super) fn between(whole: &Edge, start: Point, end: Point) -> Edge {
     if (start, end) == (whole.start, whole.end) {
         return *whole;
@@ -114,7 +114,7 @@ fn fraction(curve: &Edge, p: Point) -> f64 {
     2.0 * half_turn(curve, curve.start_direction(), way) / curve.sweep().abs()
 }
 
-/// Half of what an arc turns on a way along it, which is the angle from the direction that it has at first to the way.
+/// Half the turn of an arc along a chord: the angle from its initial direction to the chord.
 fn half_turn(arc: &Edge, from: Vector, way: Vector) -> f64 {
     let angle = (arc.bulge.signum() * from.cross(way)).atan2(from.dot(way));
     let angle = angle.rem_euclid(PI);

@@ -27,20 +27,20 @@ use tolerance::{LARGEST, NEAR, SLACK};
 pub struct Offset {
     /// The part, its loops in the order of those they come from. It has several pieces where the other falls apart.
     pub part: Part,
-    /// What is otherwise than in the part that it comes from, such as a hole that is closed; in words.
+    /// Changes of topology from the original part, such as a hole that is closed; in words.
     pub changes: Vec<String>,
 }
 
 impl Offset {
-    /// Every piece with the holes in it as a part of its own, with a number where there are several.
+    /// Pieces with their holes as parts of their own, with a number if there are several.
     ///
     /// # Errors
-    /// If the part is none any more once it is divided.
+    /// If a piece is no valid part.
     pub fn pieces(&self) -> Result<Vec<Part>, PartError> {
         let loops = self.part.loops().iter().map(|l| l.vertices().to_vec());
         let loops: Vec<Vec<Vertex>> = loops.collect();
         let rings: Vec<nest::Ring> = loops.iter().map(|l| nest::Ring::of(l)).collect();
-        // What is nested too deep stays one.
+        // A part with too deeply nested loops is not divided.
         let groups = nest(&rings.iter().collect::<Vec<_>>()).unwrap_or_default();
         if groups.len() < 2 {
             return Ok(vec![self.part.clone()]);
@@ -60,13 +60,13 @@ pub enum OffsetError {
     NoNumber(f64),
     /// The distance is beyond the largest coordinate of a part.
     TooFar(f64),
-    /// Nothing of the part is as thick.
+    /// No place of the part is as thick.
     Nothing,
     /// The outline falls apart.
     Apart {
-        /// What becomes of it, in words.
+        /// Description of the change, in words.
         what: String,
-        /// Where edges come together that do not follow each other in the part.
+        /// Place at which edges meet that are not adjacent in the part.
         at: Option<Point>,
         /// The loops and edges of the part that come together.
         edges: Option<[(usize, usize); 2]>,
@@ -76,7 +76,7 @@ pub enum OffsetError {
 }
 
 impl OffsetError {
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> &'static str {
         match self {
             Self::NoNumber(_) => "give a length, such as 0.1, or below 0 to make the part smaller",
@@ -114,11 +114,12 @@ impl fmt::Display for OffsetError {
 
 impl core::error::Error for OffsetError {}
 
-/// The part at a distance: what is within it of the material, or for one below 0 what is farther than it from all that is not
-/// material. Lines stay lines and arcs arcs; about convex corners (of what is around, if it is below 0) there are arcs.
+/// Offset of a part by a distance: the points within the distance of the material, or, for a negative one, the points
+/// farther than that from all points outside the material. Lines stay lines and arcs stay arcs; at convex corners (of
+/// the outside, for a negative distance) arcs are added.
 ///
-/// Loops may close or join where material grows, which is told. Where it becomes smaller and loops join or are divided, or a
-/// piece goes, that is an error unless `split`.
+/// If loops close or join where material grows, this is reported. If the part shrinks and loops join or are divided, or
+/// a piece vanishes, that is an error unless `split`.
 ///
 /// # Errors
 /// If nothing is left, or the outline falls apart.
@@ -191,14 +192,14 @@ fn directed(vertices: &[Vertex], by: f64) -> Vec<Vertex> {
         .collect()
 }
 
-/// How many outer loops and holes a part has.
+/// Number of outer loops and of holes of a part.
 fn counts(part: &Part) -> [usize; 2] {
     let outer = part.loops().iter().filter(|l| l.signed_area() > 0.0);
     let outer = outer.count();
     [outer, part.loops().len() - outer]
 }
 
-/// How the numbers of pieces and holes differ, in words.
+/// Changes in the numbers of pieces and holes, in words.
 fn changes(from: &Part, to: &Part) -> Vec<String> {
     let mut changes = Vec::new();
     let words = [["piece", "pieces"], ["hole", "holes"]];
@@ -215,7 +216,7 @@ fn changes(from: &Part, to: &Part) -> Vec<String> {
 
 type Joint = ([(usize, usize); 2], Point);
 
-/// Where edges come together that are farthest apart along the part's loops.
+/// Place at which edges meet that are farthest apart along the part's loops.
 fn farthest_joint(part: &Part, raw: &[Raw], rings: &[Ring]) -> Option<Joint> {
     let apart = |[(l, e), (m, g)]: [(usize, usize); 2]| {
         if l != m {

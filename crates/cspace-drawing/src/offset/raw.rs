@@ -1,4 +1,4 @@
-//! The curves at a distance from single edges and vertices, of which the offset outline is made.
+//! Curves at a distance from single edges and vertices, which the offset outline consists of.
 
 use cspace::{Edge, Part, Vector};
 
@@ -12,7 +12,7 @@ pub(super) struct Raw {
     pub(super) of: (usize, usize),
 }
 
-/// The edges of each loop with what is to be grown on the left: the material, or for a distance below 0 what is around it.
+/// Edges of each loop with the material to be grown on the left: the part's, or for a negative distance the outside.
 pub(super) fn around(part: &Part, by: f64) -> Vec<Vec<Edge>> {
     (part.loops().iter())
         .map(|l| {
@@ -26,8 +26,8 @@ pub(super) fn around(part: &Part, by: f64) -> Vec<Vec<Edge>> {
         .collect()
 }
 
-/// The curves at a distance to the right of all edges. Those of concave arcs of a smaller radius are nowhere the nearest, and
-/// left out; between the curves of edges that meet in a convex corner is an arc about the corner.
+/// Curves at a distance to the right of all edges. Those of concave arcs with a smaller radius are never the nearest,
+/// and left out; between the curves of edges that meet in a convex corner there is an arc about the corner.
 pub(super) fn raw(loops: &[Vec<Edge>], distance: f64, near: f64) -> Vec<Raw> {
     let mut raw = Vec::new();
     for (number, edges) in loops.iter().enumerate() {

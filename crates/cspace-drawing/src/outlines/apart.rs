@@ -7,7 +7,7 @@ use super::result::Apart;
 use crate::drawing::{Drawing, Origin};
 use crate::fit::Outline;
 
-/// Where the outermost loop of a group begins.
+/// Origin of the first entity in a group's outermost loop.
 fn origin<'d>(drawing: &'d Drawing, outlines: &[Outline], group: &[usize]) -> Option<&'d Origin> {
     let outer = outlines.get(*group.first()?)?;
     let entity = outer.entities.first()?;
@@ -35,7 +35,7 @@ pub(super) fn by_layer(
     merged
 }
 
-/// The layers of which several parts are; what is in a block is a part because of that.
+/// Layers that contain several parts; entities in a block are not counted, because the block is a part.
 pub(super) fn apart(
     drawing: &Drawing,
     outlines: &[Outline],

@@ -11,7 +11,7 @@ use crate::join::ROUND;
 pub(super) struct Tip {
     pub(super) entity: u32,
     pub(super) at: Point,
-    /// Whether the tip is all of a line there and back, which encloses nothing.
+    /// Whether the tip is a line drawn forth and back, which encloses nothing.
     pub(super) is_spike: bool,
 }
 
@@ -40,7 +40,7 @@ pub(super) fn blunt(outline: &mut Outline, vertex: usize, by: f64) -> Option<Tip
         if n < if comes_back { 4 } else { 3 } {
             return None;
         }
-        // What is left of the two sides goes on as the one that leaves.
+        // The remainder of the two sides continues as the one that leaves.
         let next = (vertex + 1) % n;
         if comes_back {
             outline.vertices[before].bulge = outline.vertices[next].bulge;

@@ -7,8 +7,8 @@ use cspace::{Point, Vector, Vertex};
 use crate::fit::{Outline, Sided};
 use crate::join::{Chain, ROUND, Shape};
 
-/// A fit is taken over where its tolerance, in the size of the copy, is at least this share of the one asked for, and not more: tolerances
-/// are shares of boxes, and the box of a turned copy has another diagonal.
+/// Smallest ratio of a fit's tolerance, scaled to the copy, to the requested one with which the fit is used again; the
+/// ratio may not exceed 1. Tolerances are shares of boxes, and the box of a turned copy has another diagonal.
 const LEAST_TOLERANCE: f64 = 0.7;
 
 /// The form of a chain: what no turn, shift or change of size alters, as bits, and the points that go along.
@@ -30,7 +30,7 @@ struct Model {
 pub(super) struct Copies(HashMap<(Vec<u64>, Sided), Vec<Model>>);
 
 impl Copies {
-    /// The fit of a chain of which one was fitted that is a copy.
+    /// Fit of a chain that is a copy of a fitted one.
     pub(super) fn of(&self, chain: &Chain<'_>, fit: f64, sided: Sided) -> Option<Outline> {
         let form = form(chain);
         let models = self.0.get(&(form.numbers, sided))?;

@@ -5,8 +5,9 @@ use cspace::{PartError, Point, Vertex};
 
 use crate::drawing::edge;
 
-/// Whether curves may be apart of which fitted edges cross or touch. They are not where two edges cross and both go on, either
-/// way, to where they are farther apart than the curves may be from them: then the curves cross too.
+/// Whether the curves may be separate although their fitted edges cross or touch. They are not if two edges cross and
+/// both continue, in both directions, to where they are farther apart than the tolerance of the fit: then the curves
+/// cross too.
 pub(super) fn may_be_of_fit(vertices: &[Vertex], error: &PartError, fit: f64) -> bool {
     let (edge_index, other_edge, at) = match *error {
         PartError::Touching { .. } => return true,

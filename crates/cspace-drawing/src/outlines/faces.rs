@@ -29,7 +29,7 @@ pub struct DrawnFace {
     pub area: f64,
     /// The box.
     pub bounds: Bounds,
-    /// The outer boundary, then those of what lies within; material on the left.
+    /// Outer boundary, then the boundaries of the components within it; material on the left.
     pub loops: Vec<Vec<Vertex>>,
     /// Why the face alone is no part, such as that its boundary touches itself; it may be one together with others.
     pub refusal: Option<PartError>,
@@ -42,11 +42,11 @@ pub struct DrawnFaces {
     pub faces: Vec<DrawnFace>,
     /// The number of faces.
     pub count: usize,
-    /// All curves that are drawn, as the ends of lines and arcs; of a closed one the last vertex is the first again.
+    /// Drawn curves, as the ends of lines and arcs; for a closed one the last vertex equals the first.
     pub curves: Vec<Vec<Vertex>>,
 }
 
-/// All that is drawn, divided.
+/// Faces of the drawing.
 struct Divided {
     faces: arrange::Faces,
     /// The entity of each edge.
@@ -246,7 +246,7 @@ fn closed_by_a_line(mut chain: Chain<'_>) -> (Chain<'_>, bool) {
 
 /// The point with the fewest digits that is in the face well inside, as near to the point found as its room allows.
 fn in_few_digits(faces: &arrange::Faces, face: usize, inside: Point) -> Point {
-    /// How far the point may move, as a share of its distance from the boundary.
+    /// Largest displacement of the point, as a share of its distance from the boundary.
     const SHARE: f64 = 0.5;
     let room = SHARE * faces.room(face, inside);
     let mut unit = 10.0_f64.powf(room.log10().floor() + 1.0);
@@ -266,7 +266,7 @@ fn in_few_digits(faces: &arrange::Faces, face: usize, inside: Point) -> Point {
     inside
 }
 
-/// That no face is at a point, and which is the nearest.
+/// Error: no face is at a point; it names the nearest one.
 fn no_face(faces: &arrange::Faces, at: Point) -> DrawingError {
     let nearest = (0..faces.faces.len())
         .map(|face| (faces.room(face, at), face))

@@ -7,7 +7,7 @@ use super::copies::Copies;
 use crate::fit::{NotFitted, Outline, Sided};
 use crate::join::{Chain, Shape};
 
-/// What a fit depends on in one drawing, joined in one way: the chain, a line that closes it counted, and the tolerance.
+/// Key of a fit in one drawing, joined in one way: the chain, a line that closes it counted, and the tolerance.
 #[derive(PartialEq, Eq, Hash)]
 struct Key {
     first: u32,

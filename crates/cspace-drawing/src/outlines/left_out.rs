@@ -52,8 +52,8 @@ impl LeftOut {
     }
 }
 
-/// The vertices of a chain whose curves are not fitted: of a curve some places on it, for what it encloses does not depend on
-/// how it gets from one to the next.
+/// Vertices of a chain whose curves are not fitted: some points of each curve, since nesting does not depend on its
+/// exact shape.
 pub(super) fn corners(chain: &Chain<'_>) -> Vec<Vertex> {
     /// Places on a span.
     const PLACES: u32 = 4;

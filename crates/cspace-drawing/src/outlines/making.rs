@@ -1,4 +1,4 @@
-//! The way from a drawing to parts.
+//! Making of parts from a drawing.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -23,7 +23,7 @@ use crate::nest::{Ring, nest};
 use crate::shown;
 use crate::source::OFFERED;
 
-/// A drawing on its way to parts.
+/// State of a drawing while parts are made from it.
 pub(super) struct Making<'d> {
     pub(super) drawing: &'d Drawing,
     pub(super) settings: &'d Settings,
@@ -31,9 +31,9 @@ pub(super) struct Making<'d> {
     /// The size of the drawing.
     size: f64,
     pub(super) joined: Joined<'d>,
-    /// What cannot be used, and is an error.
+    /// Problems that are errors.
     problems: Vec<Problem>,
-    /// What cannot be used, and is left out.
+    /// Problems whose entities are left out.
     pub(super) told: Vec<Problem>,
     /// Entities that would be outlines.
     pub(super) unused: Vec<u32>,
@@ -50,7 +50,7 @@ const WITH_LEFT_OUT: &str =
 struct Closed<'d> {
     outline: Outline,
     ring: Ring,
-    /// Whether it may be a loop of a part; if not, that is a problem already.
+    /// Whether it may be a loop of a part; if not, the problem is reported already.
     is_usable: bool,
     /// The chain, where it is fitted again once it is known which side is material.
     again: Option<Chain<'d>>,
@@ -107,7 +107,7 @@ impl<'d> Making<'d> {
         self.told.push(problem);
     }
 
-    /// Lists what is in open chains; their ends are listed already.
+    /// Lists the entities of open chains; their ends are listed already.
     fn leave_out_chains(&mut self) {
         self.unused = core::mem::take(&mut self.joined.unused);
         if !self.settings.partial {
@@ -144,7 +144,7 @@ impl<'d> Making<'d> {
         Ok(self.result(parts, &outlines, crossing))
     }
 
-    /// What was made, of which loops.
+    /// Collects the result: the parts and the loops used for them.
     pub(super) fn result(
         self,
         parts: Vec<Part>,
@@ -202,7 +202,7 @@ impl<'d> Making<'d> {
         if sided {
             self.refit(&mut loops, &groups);
         }
-        // Of loops that are in no part nothing is kept.
+        // Loops that are in no part are not kept.
         let mut outlines = Vec::new();
         let groups = (groups.into_iter())
             .map(|group| {
@@ -221,8 +221,8 @@ impl<'d> Making<'d> {
         (outlines, groups)
     }
 
-    /// The groups of which all is there: of an outline that is left out the holes are no parts, nor is what has a hole that
-    /// is left out.
+    /// Groups that are complete: the holes of an outline that is left out are no parts, nor is an outline with a hole
+    /// that is left out.
     fn usable(&mut self, groups: Vec<Vec<usize>>, loops: &[Closed<'d>]) -> Vec<Vec<usize>> {
         let left_out = LeftOut::of(&self.joined.open, self.join_within());
         let (kept, others): (Vec<Vec<usize>>, Vec<Vec<usize>>) =
@@ -242,12 +242,12 @@ impl<'d> Making<'d> {
         kept
     }
 
-    /// How near a chain is to be to what it is fitted to.
+    /// Tolerance of the fit for a chain.
     pub(super) fn fit_of(&self, chain: &Chain<'_>) -> f64 {
         self.fit_within(|| chain.size())
     }
 
-    /// How near a loop of a size is to be to what it is fitted to: it may be a small part of a large drawing.
+    /// Tolerance of the fit for a loop of a size: it may be a small part of a large drawing.
     pub(super) fn fit_within(&self, size: impl FnOnce() -> f64) -> f64 {
         self.settings.fit.unwrap_or_else(|| {
             let size = match self.settings.one_part {
@@ -359,9 +359,9 @@ impl<'d> Making<'d> {
         }
     }
 
-    /// Says that nothing was fitted, and of points that scatter how much they do.
+    /// Reports that nothing was fitted, and for scattered points the size of the scatter.
     pub(super) fn refuse_fit(&mut self, chain: &Chain<'_>, at: NotFitted) {
-        /// Of points that scatter independently few are farther off than that many times the median.
+        /// Multiple of the median distance beyond which few of the points lie if they scatter independently.
         const FARTHEST: f64 = 4.0;
         let fit = self.fit_of(chain);
         let points: Vec<Point> = chain.pieces.iter().map(|p| p.start).collect();
@@ -412,7 +412,7 @@ impl<'d> Making<'d> {
         }
     }
 
-    /// Where outermost loops cross or touch.
+    /// Problem of outermost loops that cross or touch.
     fn crossing(&self, (outlines, groups): &(Vec<Outline>, Vec<Vec<usize>>)) -> Option<Problem> {
         if groups.len() < 2 || self.settings.one_part.is_some() {
             return None;
@@ -481,7 +481,7 @@ impl<'d> Making<'d> {
     }
 
     pub(super) fn nothing(&self) -> DrawingError {
-        /// More reasons than that are not told.
+        /// Largest number of reasons that are given.
         const MOST_REASONS: usize = 4;
         let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
         for ignored in &self.ignored {

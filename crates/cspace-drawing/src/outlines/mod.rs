@@ -31,7 +31,7 @@ use fits::Fits;
 use making::Making;
 use settings::check;
 
-/// A drawing that is read in one way: what is found for one question about it is kept for the next.
+/// Drawing with the settings for reading it; results for one query are kept for the next.
 pub struct Reading<'d> {
     drawing: Cow<'d, Drawing>,
     settings: &'d Settings,
@@ -41,14 +41,14 @@ pub struct Reading<'d> {
 }
 
 impl Reading<'_> {
-    /// The parts that the drawing shows.
+    /// Makes the parts that the drawing shows.
     ///
-    /// Loose pieces are joined to loops, what is drawn twice is taken once, curves become tangent lines and arcs, and loops
+    /// Loose pieces are joined to loops, repeated pieces are used once, curves become tangent lines and arcs, and loops
     /// within loops are holes.
     ///
     /// # Errors
-    /// If anything cannot be used, such as a chain that is not closed, unless that is to be left out; if nothing is left; or
-    /// if loops cross or touch.
+    /// If an entity cannot be used, such as a chain that is not closed, unless such entities are to be left out; if
+    /// nothing is left; or if loops cross or touch.
     pub fn outlines(&self) -> Result<Outlines, DrawingError> {
         if self.settings.picks.is_empty() {
             return Making::new(&self.drawing, self.settings, &self.fits)?.make();
@@ -57,20 +57,20 @@ impl Reading<'_> {
         self.partially()?.picked()
     }
 
-    /// The faces into which all that is drawn divides the plane: for a choice among them, where [`Reading::outlines`] refuses
+    /// Faces into which the drawn curves divide the plane: for a choice among them, where [`Reading::outlines`] refuses
     /// the drawing because its curves cross, meet in threes or end freely.
     ///
     /// # Errors
-    /// If the coordinates are beyond use, nothing is drawn, or the curves cross too often.
+    /// If the coordinates are out of range, nothing is drawn, or the curves cross too often.
     pub fn faces(&self) -> Result<DrawnFaces, DrawingError> {
         check_divisible(&self.drawing)?;
         self.partially()?.faces()
     }
 
-    /// The parts that the drawing shows, and what of it cannot be used: for a picture of both.
+    /// Parts that the drawing shows, and its entities that cannot be used: for a picture of both.
     ///
     /// # Errors
-    /// If the coordinates are beyond use.
+    /// If the coordinates are out of range.
     pub fn survey(&self) -> Result<Survey, DrawingError> {
         let mut making = self.partially()?;
         let outlines = making.outlines();
@@ -93,10 +93,10 @@ impl Reading<'_> {
 }
 
 impl Drawing {
-    /// The drawing as it is read with settings.
+    /// Prepares to read the drawing with settings.
     ///
     /// # Errors
-    /// If the settings are beyond use.
+    /// If the settings are invalid.
     pub fn reading<'d>(&'d self, settings: &'d Settings) -> Result<Reading<'d>, DrawingError> {
         check(settings)?;
         Ok(Reading {
@@ -107,10 +107,10 @@ impl Drawing {
         })
     }
 
-    /// The parts that the drawing shows; see [`Reading::outlines`].
+    /// Makes the parts that the drawing shows; see [`Reading::outlines`].
     ///
     /// # Errors
-    /// If the settings are beyond use, and as [`Reading::outlines`].
+    /// If the settings are invalid, and as [`Reading::outlines`].
     pub fn outlines(&self, settings: &Settings) -> Result<Outlines, DrawingError> {
         self.reading(settings)?.outlines()
     }
@@ -144,7 +144,7 @@ impl Drawing {
     }
 }
 
-/// That curves bound faces, and not measured points.
+/// Checks that faces are bounded by curves, and not by measured points.
 fn check_divisible(drawing: &Drawing) -> Result<(), DrawingError> {
     match drawing.is_measured {
         false => Ok(()),

@@ -6,7 +6,7 @@ use crate::drawing::{Drawing, Problem};
 use crate::fit::Outline;
 use crate::nest::MOST_AROUND;
 
-/// What is wrong with loops, at the entities that drew them.
+/// Problem of invalid loops, at the entities that drew them.
 pub(super) fn no_part(drawing: &Drawing, error: &PartError, outlines: &[&Outline]) -> Problem {
     let entity = |l: usize, v: usize| {
         let entity = outlines.get(l).and_then(|o| o.entities.get(v));
@@ -65,7 +65,7 @@ pub(super) fn no_part(drawing: &Drawing, error: &PartError, outlines: &[&Outline
     }
 }
 
-/// That a loop is within more others than parts have.
+/// Problem: a loop is nested more deeply than parts allow.
 pub(super) fn too_deep(drawing: &Drawing, outline: &Outline) -> Problem {
     let entity = outline.entities.first();
     Problem {

@@ -1,4 +1,4 @@
-//! What is made of a drawing.
+//! Parts made from a drawing, and a report on how.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -17,23 +17,24 @@ pub struct Outlines {
     pub parts: Vec<Part>,
     /// The unit that the file names.
     pub unit: Option<Unit>,
-    /// How many entities of each type the parts are made of.
+    /// Number of entities of each type that the parts are made of.
     pub used: BTreeMap<String, usize>,
-    /// What was left out.
+    /// Entities that were left out.
     pub ignored: Vec<Ignored>,
-    /// Layers of which several outlines are parts by themselves.
+    /// Layers with several outlines that are separate parts.
     pub apart: Vec<Apart>,
     /// The gaps that were closed, and where.
     pub joined: Vec<(f64, Point)>,
-    /// What was fitted.
+    /// Report on fitted curves.
     pub fitted: FittedReport,
     /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
     pub crossing: Option<Problem>,
-    /// How many pieces were drawn twice, or lay within others.
+    /// Number of pieces that were drawn twice, or lay within others.
     pub duplicates: usize,
-    /// How many pieces overlapped others and were made one with them.
+    /// Number of pieces that overlapped others and were merged with them.
     pub merged: usize,
-    /// How many pieces had no length, or were removed because ends within [`Settings::join`](crate::Settings::join) are one.
+    /// Number of pieces that had no length, or were removed because ends within
+    /// [`Settings::join`](crate::Settings::join) are joined.
     pub tiny: usize,
     /// The extent of the largest of them, 0 if none has any.
     pub largest_removed: f64,
@@ -44,13 +45,13 @@ pub struct Outlines {
 pub struct Apart {
     /// The layer; empty where a format has none.
     pub layer: Arc<str>,
-    /// What the parts are called.
+    /// Names of the parts.
     pub parts: Vec<String>,
 }
 
 impl Outlines {
-    /// That short pieces were removed because ends near to each other are one by default, and how long they are; `None` if none
-    /// has any extent, or it was said which ends are one.
+    /// Warning that short pieces were removed because ends close to each other are joined by default, and how long they
+    /// are; `None` if no piece has any extent, or the distance was given.
     pub fn short_pieces(&self, settings: &Settings) -> Option<String> {
         (settings.join.is_none() && self.largest_removed > 0.0).then(|| {
             format!(
@@ -63,7 +64,7 @@ impl Outlines {
     }
 }
 
-/// What a drawing shows, and what of it cannot be used.
+/// Usable parts of a drawing, and the entities that cannot be used.
 #[derive(Debug, Clone)]
 pub struct Survey {
     /// The parts.
@@ -74,14 +75,14 @@ pub struct Survey {
     pub problems: Vec<Problem>,
 }
 
-/// How well lines and arcs were fitted.
+/// Quality of the fitted lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FittedReport {
     /// The number of curves.
     pub curves: usize,
     /// The number of lines and arcs they became.
     pub pieces: usize,
-    /// How far these are from the curves, at most.
+    /// Largest distance of these from the curves.
     pub deviation: f64,
     /// The largest angle between neighbours that should be tangent, in radians; rounding.
     pub kink: f64,

@@ -1,34 +1,35 @@
-//! How parts are made of a drawing.
+//! Settings for making parts from a drawing.
 
 use cspace::Point;
 
 use crate::error::DrawingError;
 
-/// How near ends are that are one, as a share of the drawing's size, unless it is said.
+/// Default distance at which ends are joined, as a share of the drawing's size.
 pub const DEFAULT_JOIN: f64 = 1e-5;
 
-/// How far lines and arcs may be from what they are fitted to, as a share of the loop's size, or of the drawing's where it is one
-/// part, unless it is said.
+/// Default tolerance of fitted lines and arcs, as a share of the loop's size, or of the drawing's size if it is one
+/// part.
 pub const DEFAULT_FIT: f64 = 1e-4;
 
-/// How a drawing is read.
+/// Settings for reading a drawing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
     /// Every length of the drawing is multiplied by it first.
     pub scale: f64,
-    /// Ends nearer than this are one, in lengths after scaling; [`DEFAULT_JOIN`] where it is not said.
+    /// Ends nearer than this are joined, in lengths after scaling; [`DEFAULT_JOIN`] by default.
     pub join: Option<f64>,
-    /// Curves and points become lines and arcs within this, in lengths after scaling; [`DEFAULT_FIT`] where it is not said.
+    /// Tolerance with which curves and points become lines and arcs, in lengths after scaling; [`DEFAULT_FIT`] by
+    /// default.
     pub fit: Option<f64>,
-    /// On which side of the curves the lines and arcs may be.
+    /// Side of the curves on which the lines and arcs may be.
     pub side: FitSide,
-    /// Whether what cannot be used is left out, and listed, instead of being an error.
+    /// Whether entities that cannot be used are left out, and listed, instead of being an error.
     pub partial: bool,
-    /// One part of this name of all loops, instead of one of every outermost loop.
+    /// Name of the single part made from all loops, instead of one part from every outermost loop.
     pub one_part: Option<String>,
-    /// One part of all outermost loops of each layer, with their holes, instead of one of every such loop.
+    /// Whether all outermost loops of a layer, with their holes, make one part, instead of one part each.
     pub by_layer: bool,
-    /// Whether loops of many edges are traces of something else, which fewer lines and arcs are fitted to.
+    /// Whether loops of many edges are traces of curves, to which fewer lines and arcs are fitted.
     pub trace: bool,
     /// The parts are the faces at points, instead of one of every outermost loop; see [`Reading::faces`].
     ///
@@ -39,19 +40,19 @@ pub struct Settings {
 /// Faces that are one part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pick {
-    /// The name of the part; the one that import gives where there is none.
+    /// Name of the part; the default name of the import if `None`.
     pub name: Option<String>,
     /// A point in each face, in lengths after scaling.
     pub at: Vec<Point>,
 }
 
-/// On which side of a curve lines and arcs may be that are fitted to it.
+/// Side of a curve on which fitted lines and arcs may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FitSide {
-    /// On both.
+    /// Both sides.
     #[default]
     Both,
-    /// Outside of the material alone: the part is as large as drawn, or larger.
+    /// Outside of the material: the part is as large as drawn, or larger.
     Outside,
     /// Inside of the material alone: the part is as large as drawn, or smaller.
     Inside,
@@ -74,7 +75,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings, with what cannot be used left out.
+    /// Copy of the settings that leaves out entities that cannot be used.
     pub(super) fn partially(&self) -> Self {
         Self {
             partial: true,
@@ -83,7 +84,7 @@ impl Settings {
     }
 }
 
-/// That lengths are lengths.
+/// Checks that all given lengths are positive.
 pub(super) fn check(settings: &Settings) -> Result<(), DrawingError> {
     let positive = |x: f64| x > 0.0 && x.is_finite();
     let wrong = |what: &str, x: f64| {

@@ -14,11 +14,11 @@ const FEWEST: usize = 64;
 /// Large parts by fewer lines and arcs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Traced {
-    /// How near to the edges the lines and arcs are to be.
+    /// Tolerance of the lines and arcs.
     pub fit: f64,
-    /// How many lines and arcs the part then has.
+    /// Number of lines and arcs of the resulting part.
     pub pieces: usize,
-    /// How far they are from the edges, at most.
+    /// Largest distance of these from the edges.
     pub deviation: f64,
 }
 
@@ -40,7 +40,8 @@ pub(super) fn outline(edges: &[Edge], fit: f64, sided: Sided, entity: u32) -> Op
 
 /// Points of all edges, so that what passes them keeps to long edges too.
 fn points(edges: &[Edge]) -> Vec<Point> {
-    /// An edge is long if it is so many times the median, and is cut into as short ones, but not into more than `MOST`.
+    /// Length of an edge, as a multiple of the median, from which it is divided into short ones, but not into more than
+    /// `MOST`.
     const LONG: f64 = 4.0;
     const MOST: f64 = 64.0;
     let mut lengths: Vec<f64> = edges.iter().map(Edge::length).collect();
@@ -56,7 +57,7 @@ fn points(edges: &[Edge]) -> Vec<Point> {
 }
 
 impl Traced {
-    /// The largest part of which nothing is to be said, in edges.
+    /// Largest part, in edges, that is not examined.
     pub const LARGE: usize = 100;
 
     /// The lines and arcs of a part of more than [`Traced::LARGE`] lines, all loops that may be traces fitted: within what its
@@ -103,10 +104,10 @@ impl Traced {
     }
 }
 
-/// How far the chords of a part are off the curve that they trace: the largest sagitta but for a few. None if most of its corners
-/// are sharp.
+/// Error of the chords of a part from the curve that they trace: the largest sagitta but for a few. `None` if most of
+/// its corners are sharp.
 fn sagitta(part: &Part) -> Option<f64> {
-    /// A corner of a trace turns by no more, in radians: a circle has 13 chords then.
+    /// Largest turn at a corner of a trace, in radians: a circle has 13 chords then.
     const SMOOTH: f64 = 0.5;
     /// The share of sagittas that are no larger: at a corner that is drawn chords are longer than on the curves beside it.
     const SHARE: f64 = 0.9;

@@ -10,9 +10,9 @@ use super::length::{View, physical, user_units};
 use crate::affine::Affine;
 use crate::unit::Unit;
 
-/// From the coordinates of the root's content to the drawing's, whose y axis points up; and the unit that the page is measured
-/// in; and the frame of its percentages. The origin is the lower left corner of the page; of one whose view box does not begin at 0, 0, whoever drew it has
-/// chosen the origin, and it stays.
+/// Map from the coordinates of the root's content to the drawing's, whose y axis points up; the unit of the page; and
+/// the frame of its percentages. The origin is the lower left corner of the page; if its view box does not begin at 0,
+/// 0, the author has chosen the origin, and it is kept.
 pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>, View) {
     let length = |name| root.attribute(name).and_then(physical);
     let (width, height) = (length("width"), length("height"));
@@ -61,12 +61,12 @@ pub(super) fn page(root: Node<'_, '_>) -> (Affine, Option<Unit>, View) {
     (map, unit, View::of(view))
 }
 
-/// The map of a frame of its own, whose corner and sides are lengths in the frame around: its view box is fitted into its sides;
-/// and what percentages in it are of. A symbol's sides are those of the element that uses it. A side that is not given is that
-/// of the frame around.
+/// Map of a nested frame, whose corner and sides are lengths in the surrounding frame: its view box is fitted into its
+/// sides; and the frame of percentages in it. A symbol's sides are those of the element that uses it. A side that is
+/// not given is that of the surrounding frame.
 ///
 /// # Errors
-/// If a side or a coordinate of the corner is no length.
+/// If a side or a coordinate of the corner is not a length.
 pub(super) fn frame(
     node: Node<'_, '_>,
     used_by: Option<Node<'_, '_>>,
@@ -110,7 +110,7 @@ pub(super) fn frame(
     Ok((map, View::of(view)))
 }
 
-/// How a view box is fitted into the sides of its frame.
+/// Rule by which a view box is fitted into the sides of its frame.
 fn aspect(node: Node<'_, '_>) -> AspectRatio {
     let text = node.attribute("preserveAspectRatio");
     text.and_then(|t| AspectRatio::from_str(t).ok())

@@ -7,7 +7,7 @@ use svgtypes::{Length, LengthUnit, ViewBox};
 
 use crate::unit::Unit;
 
-/// The frame that percentages are of: the innermost view box around, in its own coordinates. Sides that are not known are none.
+/// Frame of percentages: the innermost surrounding view box, in its own coordinates. Unknown sides are `None`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct View {
     pub(super) width: Option<f64>,
@@ -32,10 +32,10 @@ impl View {
         }
     }
 
-    /// The length that an attribute gives in user units; none where it is not given, or `auto`.
+    /// Length given by an attribute, in user units; `None` if it is missing, or `auto`.
     ///
     /// # Errors
-    /// If it is no length, or relative to a font or to a side that the file does not tell.
+    /// If it is not a length, or relative to a font or to an unknown side.
     pub(super) fn length(self, node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
         let Some(text) = node.attribute(name).filter(|t| t.trim() != "auto") else {
             return Ok(None);
@@ -73,7 +73,7 @@ fn percent(text: &str) -> Option<f64> {
     (length.unit == LengthUnit::Percent).then_some(length.number)
 }
 
-/// A length in user units, of which an inch has 96. None of one that is relative to a font or a frame, or is no number.
+/// Length in user units, 96 to the inch. `None` if it is relative to a font or a frame, or not a number.
 pub(super) fn user_units(text: &str) -> Option<f64> {
     let (number, unit) = physical(text)?;
     Some(match unit {

@@ -18,7 +18,7 @@ use crate::drawing::Drawing;
 use crate::error::DrawingError;
 use crate::source::Source;
 
-/// The drawing in the bytes of a file; of the element of an id alone, or of layers alone, if that is asked for.
+/// Reads the drawing in the bytes of a file; only the element of an id, or some layers, if requested.
 pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingError> {
     let text = core::str::from_utf8(bytes).map_err(|e| {
         let message = format!("byte {} is no UTF-8", e.valid_up_to());

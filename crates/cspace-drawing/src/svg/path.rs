@@ -8,10 +8,10 @@ use svgtypes::{PathParser, PathSegment};
 use crate::curve::{Curve, EllipseArc, Spline};
 use crate::drawing::{Path, Piece};
 
-/// The subpaths of path data. Those that are not closed are closed by a line where the path is filled.
+/// Subpaths of path data. A subpath that is not closed is closed by a line where the path is filled.
 ///
 /// # Errors
-/// What is wrong with the data.
+/// Describes the error in the data.
 pub(super) fn paths(data: &str, is_filled: bool) -> Result<Vec<Path>, String> {
     let mut pen = Pen::default();
     for segment in PathParser::from(data) {
@@ -41,7 +41,7 @@ struct Pen {
     open: Option<Path>,
     start: Point,
     at: Point,
-    /// The control point that a smooth curve reflects, and of which degree its curve is.
+    /// Control point that a smooth curve reflects, and the degree of its curve.
     control: Option<(usize, Point)>,
 }
 
@@ -51,7 +51,7 @@ impl Pen {
             .extend(self.open.take().filter(|p| !p.pieces.is_empty()));
     }
 
-    /// The path, begun where the pen is if there is none.
+    /// Open path; if there is none, it is begun at the pen.
     fn path(&mut self) -> &mut Path {
         let at = self.at;
         self.open.get_or_insert_with(|| Path::from(at))

@@ -14,7 +14,7 @@ use crate::drawing::{Path, Piece};
 /// The paths of a shape; none if the element is no shape.
 ///
 /// # Errors
-/// What is wrong with the element's attributes.
+/// Describes the error in the element's attributes.
 pub(super) fn shape(
     node: Node<'_, '_>,
     view: View,
@@ -70,7 +70,7 @@ fn ellipse(node: Node<'_, '_>, view: View) -> Result<Vec<Path>, String> {
     Ok(vec![path])
 }
 
-/// One radius stands for both.
+/// Radii of a rectangle's corners; if only one is given, it is used for both.
 fn radii(node: Node<'_, '_>, view: View) -> Result<(f64, f64), String> {
     Ok(match (view.length(node, "rx")?, view.length(node, "ry")?) {
         (Some(rx), Some(ry)) => (rx, ry),

@@ -1,4 +1,4 @@
-//! What of an element's style matters: whether it is drawn at all, and where it is told to be.
+//! Relevant styles of an element: whether it is drawn at all, and whether a style moves it.
 
 use std::collections::HashMap;
 
@@ -8,20 +8,20 @@ use roxmltree::{Document, Node};
 #[derive(Default)]
 pub(super) struct Sheet(HashMap<String, Vec<(String, String)>>);
 
-/// What an element has from its own and the elements around it.
+/// Style of an element, from its own attributes and those of the elements around it.
 #[derive(Debug, Clone)]
 pub(super) struct Style {
     pub(super) is_filled: bool,
     pub(super) is_stroked: bool,
     pub(super) is_hidden: bool,
-    /// Not drawn, and nothing within it either.
+    /// Whether neither the element nor its content is drawn.
     pub(super) is_absent: bool,
     /// Whether a style moves the element, as its attribute `transform` would.
     pub(super) moves: bool,
 }
 
 impl Default for Style {
-    /// Without any style an element is filled.
+    /// Default style: filled.
     fn default() -> Self {
         Self {
             is_filled: true,
@@ -34,7 +34,7 @@ impl Default for Style {
 }
 
 impl Sheet {
-    /// The rules of all `style` elements. Of selectors those of one class or one type are followed.
+    /// Collects the rules of all `style` elements. Only selectors of one class or one type are supported.
     pub(super) fn of(document: &Document<'_>) -> Self {
         let mut sheet = Self::default();
         let styles = document
@@ -54,7 +54,7 @@ impl Sheet {
         sheet
     }
 
-    /// The style of an element within others of a style. What is nearer to the element comes last, and wins.
+    /// Style of an element within a surrounding style. Declarations nearer to the element come last, and win.
     pub(super) fn style(&self, node: Node<'_, '_>, outer: &Style) -> Style {
         let mut style = Style {
             moves: false,

@@ -24,7 +24,7 @@ const MOST_ELEMENTS: usize = 2_000_000;
 /// The deepest that elements are nested or used in one another.
 const DEEPEST: usize = 200;
 
-/// What to do about an element that cannot be read.
+/// Advice for an element that cannot be read.
 const MEND: &str = "export the drawing again, or mend the element";
 
 pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, DrawingError> {
@@ -67,23 +67,23 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     Ok(walk.drawing)
 }
 
-/// What an element is drawn on.
+/// Drawing context of an element.
 #[derive(Clone)]
 struct Ground {
     map: Affine,
-    /// What percentages are of.
+    /// View that percentages refer to.
     view: View,
     style: Style,
     layer: Arc<str>,
     /// The names of the elements around, and of the element itself.
     names: Arc<[Arc<str>]>,
-    /// Whether it is, or is within, the element that was asked for.
+    /// Whether the element is, or is within, the requested one.
     is_chosen: bool,
     depth: usize,
 }
 
 struct Walk<'d, 'i> {
-    /// Where each line of the file begins.
+    /// Offsets of the lines in the file.
     lines: Vec<usize>,
     source: &'d Source,
     ids: HashMap<&'d str, Node<'d, 'i>>,
@@ -181,7 +181,7 @@ impl<'d, 'i> Walk<'d, 'i> {
         Ok(())
     }
 
-    /// A shape, if it is one. What defines, describes or moves others is none.
+    /// Adds an element that is a shape. Elements that define, describe or move others are ignored.
     fn drawn(&mut self, node: Node<'d, 'i>, ground: &Ground) {
         let Some(paths) = shape(node, ground.view, ground.style.is_filled) else {
             return;
@@ -228,7 +228,7 @@ impl<'d, 'i> Walk<'d, 'i> {
         }
     }
 
-    /// What a `use` refers to, moved.
+    /// Draws the target of a `use` element, moved.
     fn used(&mut self, node: Node<'d, 'i>, ground: &Ground) -> Result<(), DrawingError> {
         let reference = node
             .attribute("href")
@@ -333,7 +333,7 @@ impl<'d, 'i> Walk<'d, 'i> {
     }
 }
 
-/// Whether an id is a name that somebody gave: programs make theirs of the type and a number, `path123` or `rect3-5`.
+/// Whether an id is a name given by a person: programs use the type and a number, `path123` or `rect3-5`.
 fn is_name(id: &str, kind: &str) -> bool {
     let rest = id.strip_prefix(kind).unwrap_or(id);
     let rest = rest.strip_prefix("layer").unwrap_or(rest);

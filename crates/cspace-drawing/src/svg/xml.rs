@@ -15,13 +15,13 @@ pub(super) const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 /// The most prefixes that are declared for a file: programs add some, and each costs a look at all of the file.
 const MOST: usize = 32;
 
-/// The most elements of a file, those of its own entities included.
+/// Largest number of elements in a file, including those of its own entities.
 const MOST_NODES: u32 = 4_000_000;
 
 /// The document that a text is.
 ///
 /// # Errors
-/// What is wrong with the XML.
+/// Describes the error in the XML.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     // Some programs declare entities for their namespaces; the reader bounds what they expand to.
     let options = ParsingOptions {
@@ -32,8 +32,8 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Error> {
     Document::parse_with_options(text, options)
 }
 
-/// The text with every prefix declared in its root element that no element declares; none if there is none to declare. Lines
-/// stay the same.
+/// Declares in the root element every prefix that no element declares; `None` if there is none to declare. The numbers
+/// of lines do not change.
 pub(super) fn declared(text: &str) -> Option<String> {
     let at = after_root_name(text)?;
     let mut declarations = String::new();

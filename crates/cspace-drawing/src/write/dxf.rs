@@ -146,7 +146,7 @@ impl Out {
         self.group(0, "ENDSEC");
     }
 
-    /// What files of R2000 say of everything: its handle, its owner, and what it is.
+    /// Writes the marks that R2000 requires of every object: its handle, its owner, and its classes.
     fn mark(&mut self, handle: &str, owner: &str, classes: &[&str]) {
         if self.is_new() {
             self.group(5, handle);

@@ -12,7 +12,7 @@ pub use svg::svg;
 /// Closed loops of lines and arcs of one name: a part, or the boundary of free space in a slice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawn {
-    /// What it is called; the layer it is on.
+    /// Name of the drawn part and of its layer.
     pub name: String,
     /// The loops.
     pub loops: Vec<Vec<Vertex>>,
@@ -27,7 +27,7 @@ impl Drawn {
         }
     }
 
-    /// The same moved: a point q goes to (x, y) + R q.
+    /// Copy moved by a configuration: a point q goes to (x, y) + R q.
     #[must_use]
     pub fn moved(mut self, by: Configuration) -> Self {
         if by != Configuration::default() {

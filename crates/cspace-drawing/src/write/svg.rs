@@ -75,7 +75,7 @@ fn data(out: &mut String, vertices: &[Vertex]) {
     out.push('Z');
 }
 
-/// In an attribute, without what XML has no place for.
+/// Escapes text for an attribute, without characters that XML does not allow.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

@@ -11,7 +11,7 @@ use super::table::{Result, Table, number};
 use crate::file::Host;
 use crate::shown::quoted;
 
-/// Where drawings are that a model names, and on whose behalf they are read.
+/// Access to the drawings that a model names, with the host for which they are read.
 #[derive(Clone, Copy)]
 pub(crate) struct Files<'a> {
     /// The folder that the names of drawings are relative to.
@@ -29,13 +29,13 @@ impl<'a> Files<'a> {
     }
 }
 
-/// What a model says for all of its parts.
+/// Settings of a model that hold for all of its parts.
 pub(super) struct Setting<'a> {
     /// The drawings that it may name.
     pub(super) files: &'a Files<'a>,
     /// The label of the unit of length.
     pub(super) unit: Option<&'a str>,
-    /// What whoever reads the model should know, at its place.
+    /// Notes for the reader of the model, each at its place.
     pub(super) notes: Vec<ModelError>,
 }
 
@@ -185,7 +185,7 @@ fn picks(table: &Table<'_>) -> Result<Vec<Pick>> {
     }
 }
 
-/// One layer, or several.
+/// Layer names: one, or a list.
 fn layers(table: &Table<'_>) -> Result<Vec<String>> {
     match table.get("layer") {
         Some(Node::List(list)) => (list.iter())

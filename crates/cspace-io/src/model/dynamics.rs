@@ -1,4 +1,4 @@
-//! What makes a mechanism move, from a file's tree of values.
+//! Reads masses, drives, loads, springs and friction from a file's tree of values.
 
 use cspace::mechanism::{Dynamics, DynamicsError, DynamicsItem, PairSurface, PartDynamics};
 use cspace::{Mechanism, Vector};
@@ -17,7 +17,7 @@ pub(super) fn read_dynamics(
     mut parts: Vec<PartDynamics>,
     pairs: Vec<PairSurface>,
 ) -> Result<Dynamics> {
-    // What nothing is said of is not stored.
+    // Default values are not stored.
     while parts.last() == Some(&PartDynamics::default()) {
         parts.pop();
     }
@@ -52,7 +52,7 @@ fn item_lists<'a>(table: &Table<'a>) -> Result<Lists<'a>> {
     Ok((KEYS.map(|key| table.place.key(key)), lists))
 }
 
-/// What is wrong with numbers that can be read, at the key that has them.
+/// Error for values that can be read but are invalid, at their key in the file.
 fn in_the_file(table: &Table<'_>, mechanism: &Mechanism, error: &DynamicsError) -> ModelError {
     let root = &table.place;
     let item = |key: &str, i: usize| root.key(key).item(i).called(format!("{key} {i}"));

@@ -1,4 +1,4 @@
-//! One entry of a loop: a vertex, an arc to the next vertex, or the rounding of a corner.
+//! Entries of a loop: a vertex, an arc to the next vertex, or the rounding of a corner.
 
 use cspace::part::{ArcSize, Direction, OutlineBuilder};
 use cspace::{Point, Vertex};
@@ -10,10 +10,10 @@ use super::suggest::nearest;
 use super::table::{Result, Scalar, Table, number};
 use crate::shown::quoted;
 
-/// What a loop may have, in the order in which it is read about.
+/// Help text that lists the entries of a loop.
 pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y, bulge], an arc { arc_to = [x, y], radius = r }, a rounded corner { fillet = r }, or a pattern { repeat = 20, about = [0, 0], path = [...] }";
 
-/// What an entry says.
+/// Parsed entry of a loop.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Entry<T = f64> {
     /// A vertex; the bulge is of the edge that leaves it.
@@ -29,7 +29,7 @@ pub(super) enum Entry<T = f64> {
     Fillet(T),
 }
 
-/// What is known of an arc besides its ends.
+/// Data of an arc besides its ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Arc<T = f64> {
     Radius(T, Direction, ArcSize),
@@ -198,7 +198,7 @@ fn point<T: Scalar>(table: &Table<'_>, key: &str) -> Result<Point<T>> {
     (table.place_at(key)?).ok_or_else(|| table.missing(key, &format!("{key} = [1.5, -2]")))
 }
 
-/// Which way an arc turns; counter-clockwise where it is not given.
+/// Direction of an arc; counter-clockwise by default.
 fn direction(table: &Table<'_>) -> Result<Direction> {
     const NAMES: [&str; 2] = ["ccw", "cw"];
     match table.text("direction")? {

@@ -1,13 +1,13 @@
-//! What can be wrong with a model file.
+//! Errors in a model file.
 
 use core::fmt;
 
 use super::place::Place;
 use crate::shown;
 
-/// Something wrong in a file: where it is, what it is, and what to do about it.
+/// Error in a file: its place, its description, and advice on how to correct it.
 ///
-/// Displayed, it is one line without control characters, whatever the file is called and says.
+/// Displayed, it is one line without control characters, whatever the file's name and content.
 ///
 /// ```
 /// let text = "[[part]]\nname = \"pin\"\nloops = [[[0, 0], [1]]]\n";
@@ -28,7 +28,7 @@ struct Inner {
     file: String,
     position: Option<(usize, usize)>,
     place: Place,
-    /// How many characters behind the beginning of the place.
+    /// Offset from the beginning of the place, in characters.
     further: usize,
     message: String,
     help: Option<String>,
@@ -59,19 +59,19 @@ impl ModelError {
         self
     }
 
-    /// At so many characters behind the beginning of its place.
+    /// Adds an offset from the beginning of its place, in characters.
     pub(super) fn further_by(mut self, characters: usize) -> Self {
         self.0.further = characters;
         self
     }
 
-    /// At a place that begins at a line and column, counted from 1.
+    /// Sets the line and column of its place, counted from 1.
     pub(crate) fn at(mut self, position: Option<(usize, usize)>) -> Self {
         self.0.position = position.map(|(line, column)| (line, column + self.0.further));
         self
     }
 
-    /// Where in the tree of values.
+    /// Place in the tree of values.
     pub(super) fn tree_place(&self) -> &Place {
         &self.0.place
     }
@@ -91,17 +91,17 @@ impl ModelError {
         self.0.position.map(|p| p.1)
     }
 
-    /// Where in the model: the part, loop and vertex, the joint or pair; empty for the file as a whole.
+    /// Place in the model: the part, loop and vertex, the joint or pair; empty for the file as a whole.
     pub fn place(&self) -> &str {
         self.0.place.words()
     }
 
-    /// What is wrong.
+    /// Message: the error itself.
     pub fn message(&self) -> &str {
         &self.0.message
     }
 
-    /// What to do about it.
+    /// Advice on how to correct the error.
     pub fn help(&self) -> Option<&str> {
         self.0.help.as_deref()
     }

@@ -16,7 +16,7 @@ const LONGEST: usize = 10_000;
 /// The deepest nesting of parentheses, signs and powers: each takes some of the stack.
 const DEEPEST: usize = 100;
 
-/// What is wrong with an expression, and where in its text.
+/// Error in an expression, and its position in the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Wrong {
     /// Characters before it.
@@ -88,7 +88,7 @@ const CONSTANTS: [(&str, f64); 5] = [
     ("turn", TAU),
 ];
 
-/// Whether a name is taken by a function or a constant.
+/// Whether a name is that of a function or a constant.
 pub(super) fn is_taken(name: &str) -> bool {
     constant(name).is_some() || function(name).is_some()
 }
@@ -135,7 +135,7 @@ enum Step {
 /// An expression that was parsed.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Expression {
-    /// In the order of evaluation, each with where it is written.
+    /// Steps in the order of evaluation, each with its position in the text.
     steps: Box<[(Step, u32)]>,
 }
 
@@ -196,7 +196,7 @@ impl Expression {
         })
     }
 
-    /// The value, given those of all parameters.
+    /// Value for given values of all parameters.
     pub(super) fn evaluate<T: Real>(&self, values: &[T]) -> Result<T> {
         let mut stack: Vec<T> = Vec::new();
         for &(step, at) in &self.steps {
@@ -248,7 +248,7 @@ fn power<T: Real>(a: T, b: T) -> T {
         && (1.0..=MOST_FACTORS).contains(&y)
         && y.fract() == 0.0
     {
-        // Of an enclosure, factor by factor.
+        // Powers of an enclosure are multiplied factor by factor.
         return (1..y as u32).fold(a, |product, _| product * a);
     }
     let value = x.powf(y);
@@ -416,7 +416,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A name, of which the first character is there.
+    /// Reads a name, of which the first character is known.
     fn name(&mut self) -> String {
         let from = self.at;
         self.at += 1;
@@ -493,7 +493,7 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// What a name stands for.
+    /// Resolves a name: a parameter's number, or a constant.
     fn named(&mut self, name: &str, at: usize) -> Result<()> {
         if let Some(number) = (self.number)(name) {
             self.push(Step::Name(number), at);

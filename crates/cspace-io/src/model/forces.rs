@@ -138,7 +138,7 @@ pub(super) fn read_springs(
         let table = Table::with_others(node, place.clone(), keys, &OTHERS, HELP)?;
         let (part, other) = ends(&table, parts)?;
         let kind = table.text("type")?.unwrap_or("linear");
-        // What a spring of this type has no use for would be taken for a statement about it.
+        // A key that a spring of this type does not use would be taken for a statement about it.
         let only = |keys: &[&str]| {
             let help = format!("a {kind} spring has the keys {}", keys.join(", "));
             Table::new(node, place.clone(), keys, &help).map_err(|e| e.with_help(help.as_str()))

@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::place::{Place, Step};
 
-/// Line and column of a place in TOML text that can be read, or of the last value on the way that exists.
+/// Line and column of a place in valid TOML text, or of the last value on the path to it that exists.
 pub(super) fn in_toml(text: &str, place: &Place) -> Option<(usize, usize)> {
     let root = DeTable::parse(text).ok()?;
     let mut at = None;
@@ -48,7 +48,8 @@ pub(super) fn in_toml(text: &str, place: &Place) -> Option<(usize, usize)> {
 
 type Children<'a> = (Option<&'a DeTable<'a>>, Option<&'a toml::de::DeArray<'a>>);
 
-/// The bytes of TOML text in which the values of parameters stand; of a table those of its `value`. `None` of one that is not there.
+/// Byte range of a parameter's value in TOML text; for a table that of its `value`. `None` if there is no such
+/// parameter.
 pub(super) fn parameter_in_toml(text: &str, name: &str) -> Option<Range<usize>> {
     let root = DeTable::parse(text).ok()?;
     let mut span = None;
@@ -71,7 +72,7 @@ fn children<'a>(value: &'a DeValue<'a>) -> Children<'a> {
     }
 }
 
-/// Line and column of a place in JSON text that can be read, or of the last value on the way that exists.
+/// Line and column of a place in valid JSON text, or of the last value on the path to it that exists.
 pub(super) fn in_json(text: &str, place: &Place) -> Option<(usize, usize)> {
     let mut value: &RawValue = serde_json::from_str(text).ok()?;
     for (i, step) in place.way().iter().enumerate() {
@@ -95,12 +96,12 @@ pub(super) fn in_json(text: &str, place: &Place) -> Option<(usize, usize)> {
     Some(line_and_column(text, offset_in(text, value.get())))
 }
 
-/// Where a piece of the text begins in it.
+/// Offset of a piece of the text.
 fn offset_in(text: &str, piece: &str) -> usize {
     piece.as_ptr() as usize - text.as_ptr() as usize
 }
 
-/// Where the key begins whose value begins at `offset`: what is before a value is its key in quotes, and a colon.
+/// Offset of the key whose value begins at `offset`: a value is preceded by its key in quotes, and a colon.
 fn key_before(text: &str, offset: usize) -> usize {
     let before = text[..offset].trim_end().trim_end_matches(':').trim_end();
     let inner = before.strip_suffix('"').unwrap_or(before);

@@ -28,7 +28,7 @@ impl<T> DrawnLoop<T> {
     }
 }
 
-/// The loops that a value says: several where it is a pattern.
+/// Reads the loops of a value: several if it is a pattern.
 pub(super) fn read_loops<T: Scalar>(
     loops: &Place,
     index: usize,
@@ -58,7 +58,7 @@ pub(super) fn read_loops<T: Scalar>(
     }
 }
 
-/// A loop as often as its table says.
+/// Copies of a loop according to the pattern in its table.
 fn repeated<T: Scalar>(table: &Table<'_>, drawn: DrawnLoop<T>) -> Result<Vec<DrawnLoop<T>>> {
     let pattern = Pattern::read(table)?;
     if pattern.count == 1 {
@@ -72,7 +72,7 @@ fn repeated<T: Scalar>(table: &Table<'_>, drawn: DrawnLoop<T>) -> Result<Vec<Dra
     Ok(copies.into_iter().map(copy).collect())
 }
 
-/// A loop of vertices alone, of which there may be a million.
+/// Reads a loop of vertices alone, of which there may be a million.
 fn read_vertices<T: Scalar>(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop<T>> {
     let mut vertices = Vec::with_capacity(nodes.len());
     for (i, node) in nodes.iter().enumerate() {
@@ -118,9 +118,9 @@ fn read_circle<T: Scalar>(place: Place, node: &Node) -> Result<Vec<DrawnLoop<T>>
 /// A loop while it is drawn.
 struct Sketch<T> {
     place: Place,
-    /// None before the first vertex.
+    /// Builder of the outline; `None` before the first vertex.
     pen: Option<OutlineBuilder<T>>,
-    /// Where the first vertex is.
+    /// First vertex.
     start: Point<T>,
     /// The bulge of the edge that leaves the last vertex.
     bulge: T,
@@ -128,7 +128,7 @@ struct Sketch<T> {
     entries: Vec<usize>,
     /// For every vertex drawn the entry that rounds it, if there is one.
     fillets: Vec<Option<usize>>,
-    /// How each entry is called.
+    /// Kind of each entry, for messages.
     names: Vec<&'static str>,
 }
 
@@ -241,7 +241,7 @@ impl<T: Scalar> Sketch<T> {
         self.place.item(entry).further(&format!("{name} {entry}"))
     }
 
-    /// What cannot be drawn, at the entry that asks for it.
+    /// Error for an outline that cannot be drawn, at the entry that causes it.
     fn refused(&self, error: &OutlineError) -> ModelError {
         let entry = |vertex: usize| {
             let last = self.entries.last().copied().unwrap_or_default();

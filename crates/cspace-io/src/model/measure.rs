@@ -9,7 +9,7 @@ use super::table::{Result, angle_of, number};
 use crate::LARGEST_ANGLE;
 use crate::shown;
 
-/// What a number measures, which decides how it may be written.
+/// Quantity that a number measures, which determines how it may be written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Measure {
     /// Written as a number alone.
@@ -21,7 +21,7 @@ pub(super) enum Measure {
 }
 
 impl Measure {
-    /// Of the coordinate of a part on an axis.
+    /// Measure of the coordinate of a part on an axis.
     pub(super) fn along(axis: &Axis) -> Self {
         match axis.motion {
             AxisMotion::Revolute { .. } => Self::Angle,
@@ -29,7 +29,7 @@ impl Measure {
         }
     }
 
-    /// Of its derivative by time.
+    /// Measure of the derivative by time.
     pub(super) const fn rate(self) -> Self {
         match self {
             Self::Number => Self::Number,
@@ -37,7 +37,7 @@ impl Measure {
         }
     }
 
-    /// What is expected, in words.
+    /// Description of the expected value, for messages.
     const fn expected(self) -> &'static str {
         match self {
             Self::Number => "a finite number",
@@ -46,7 +46,7 @@ impl Measure {
         }
     }
 
-    /// How it is written.
+    /// Example of the notation.
     const fn example(self) -> &'static str {
         match self {
             Self::Number => "2.5",

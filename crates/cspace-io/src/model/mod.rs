@@ -1,8 +1,8 @@
-//! The file format of mechanisms: parts, motions, joints, pairs, and what makes them move, in TOML or JSON.
+//! File format of mechanisms: parts, motions, joints, pairs, and dynamics, in TOML or JSON.
 //!
-//! A file is read in three steps, each of which reports what it finds wrong as a [`ModelError`]: bytes become text,
-//! text becomes a tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's
-//! repository tells how a model is written, `docs/model.schema.json` is its schema.
+//! A file is read in three steps, each of which reports errors as a [`ModelError`]: bytes become text, text becomes a
+//! tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's repository
+//! describes the format, `docs/model.schema.json` is its schema.
 
 mod drawings;
 mod dynamics;

@@ -9,7 +9,7 @@ use super::place::Place;
 use super::table::Result;
 use crate::shown::quoted;
 
-/// How a name is given.
+/// Help text on how to give a name.
 const HELP: &str = "give it as names = { \"line 3 of loop 0\" = \"tip\" }: what is printed, and what it is to be called";
 
 /// The part with the names that a file gives its edges and vertices.
@@ -78,7 +78,7 @@ fn edge(part: &Part, feature: PartFeature) -> Option<Edge> {
     edges.find(|e| e.index == index as usize)
 }
 
-/// What an edge is.
+/// Kind of an edge, for messages.
 fn kind_of(edge: &Edge) -> &'static str {
     match edge {
         e if e.is_line() => "line",

@@ -1,4 +1,4 @@
-//! A tree of values, the same for TOML and JSON.
+//! Tree of values, common to TOML and JSON.
 
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;
@@ -29,7 +29,7 @@ pub(super) enum Node {
 }
 
 impl Node {
-    /// What the value is, in words, for a message.
+    /// Description of the value, for a message.
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Null => "null".into(),

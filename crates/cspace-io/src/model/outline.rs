@@ -86,7 +86,7 @@ fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
     error
 }
 
-/// What is wrong with loops, at the loop and vertex where it is.
+/// Error for invalid loops, at the loop and vertex concerned.
 fn no_part(loops: &Place, error: &PartError) -> ModelError {
     let place = match place_in_loops(error) {
         (None, _) => loops.clone(),

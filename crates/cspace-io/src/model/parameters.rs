@@ -1,8 +1,8 @@
 //! Parameters of a model, and expressions of them in place of its numbers.
 //!
-//! The values of `[parameter]` are evaluated in the order in which they depend on each other. Then every text of the tree that stands
-//! where a number may is evaluated and replaced by its value, before anything else is read. A text that is no expression is left as it
-//! is: if a number is expected there, its error is the reader's.
+//! The values of `[parameter]` are evaluated in the order in which they depend on each other. Then every text of the
+//! tree that stands in place of a number is evaluated and replaced by its value, before anything else is read. A text
+//! that is no expression is left unchanged: if a number is expected there, the reader reports the error.
 
 use std::collections::HashMap;
 
@@ -63,28 +63,28 @@ const TABLE: &str = "names";
 /// A number of a model that has a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
-    /// What expressions call it.
+    /// Name in expressions.
     pub name: String,
-    /// Its value; of an angle in radians.
+    /// Value; in radians if it is an angle.
     pub value: f64,
-    /// How the value is written, if it is written as an expression.
+    /// Expression of the value, if it is written as one.
     pub expression: Option<String>,
     /// Whether the value is written as an angle, with a unit.
     pub is_angle: bool,
-    /// Whether the value was set for this reading and is not that of the file.
+    /// Whether the value was set for this reading and differs from the file.
     pub is_set: bool,
-    /// How far below and above the value it may be, if the model says so.
+    /// Largest deviations below and above the value, if the model gives them.
     pub deviations: Option<(f64, f64)>,
-    /// How likely it is where within its tolerance, if the model says so.
+    /// Distribution of the value within its tolerance, if the model gives one.
     pub distribution: Option<Distribution>,
-    /// The zone of the point of which it is a coordinate, if it has one.
+    /// Position tolerance of the point of which it is a coordinate, if it has one.
     pub position: Option<Position>,
     /// The entries of the model in which numbers depend on it, such as `part "pin"`, and keys of the model itself.
     pub used_by: Vec<String>,
 }
 
 impl Parameter {
-    /// Its value, off by a deviation: what it follows from stays.
+    /// Setting of the value plus a deviation; its expression is kept as a term.
     pub fn deviated(&self, by: f64) -> Setting {
         match &self.expression {
             Some(expression) => Setting {
@@ -146,7 +146,7 @@ pub(super) struct Failure {
 }
 
 impl Failure {
-    /// This failure in place of an error, if the error is that a text stands where a number is expected.
+    /// Replacement for an error, if the error is that a text stands where a number is expected.
     pub(super) fn explains(&self, error: &ModelError) -> Option<ModelError> {
         let place = error.tree_place();
         // Errors of points and vertices are those of their list.
@@ -184,7 +184,7 @@ impl Entry {
         })
     }
 
-    /// What messages call it.
+    /// Name in messages.
     pub(super) fn words(&self, mechanism: &Mechanism) -> String {
         match self.item {
             Some(i) if self.key == "part" => {
@@ -197,7 +197,7 @@ impl Entry {
     }
 }
 
-/// All parameters of a model, with their values.
+/// Parameters of a model, with their values.
 #[derive(Default)]
 pub(super) struct Parameters {
     all: Vec<Parameter>,
@@ -205,7 +205,7 @@ pub(super) struct Parameters {
     values: Vec<f64>,
     /// Enclosures of the values over the ranges of a variation, with their derivatives by the parameter that is varied; none without one.
     varied: Vec<Dual<1, Ball>>,
-    /// Whether each depends on one that is varied or has a range.
+    /// Flags of the parameters that depend on one that is varied or has a range.
     moves: Vec<bool>,
     /// For each parameter those that its value depends on directly.
     needs: Vec<Vec<u32>>,
@@ -213,7 +213,7 @@ pub(super) struct Parameters {
     uses: Vec<Vec<Entry>>,
 }
 
-/// How the value of a parameter is given.
+/// Source of a parameter's value.
 #[derive(Clone, Copy)]
 enum Given<'a> {
     Value(f64),
@@ -386,7 +386,7 @@ impl Parameters {
                 if let Some(variation) = variation {
                     let moves = expression.names().any(|n| this.moves[n as usize]);
                     this.moves[i as usize] |= moves;
-                    // What it follows from, and its own deviation.
+                    // The deviations it depends on, and its own.
                     let (own, _) = variation.of(&parameter.name, 0.0);
                     let from = if moves {
                         expression.evaluate(&this.varied).map_err(wrong)?
@@ -576,15 +576,15 @@ impl Parameters {
         }
     }
 
-    /// The parameters, each with what depends on it, be it by other parameters; `words` tells how an entry is called. Remarks on those
-    /// that nothing depends on.
+    /// Assigns to each parameter the entries that depend on it, directly or by other parameters; `words` describes an
+    /// entry. Adds notes on parameters on which nothing depends.
     pub(super) fn used(
         mut self,
         place: &Place,
         words: impl Fn(&Entry) -> String,
     ) -> Result<(Vec<Parameter>, Vec<ModelError>)> {
         let order = self.order(|_| place)?;
-        // Those that depend on others come before these.
+        // Dependent entries come before those that they depend on.
         for &i in order.iter().rev() {
             let mut uses = core::mem::take(&mut self.uses[i as usize]);
             uses.sort_unstable();
@@ -607,7 +607,7 @@ impl Parameters {
     }
 }
 
-/// What is wrong in a text of the file.
+/// Error in a text of the file.
 fn in_text(place: &Place, text: &str, wrong: &Wrong) -> ModelError {
     let message = format!("in {}: {}", quoted(text), wrong.message);
     // Behind the quote.
@@ -616,7 +616,7 @@ fn in_text(place: &Place, text: &str, wrong: &Wrong) -> ModelError {
         .further_by(1 + wrong.at)
 }
 
-/// What is wrong in the value of a parameter, which may be one that was set.
+/// Error in the value of a parameter, which may have been set from outside.
 fn in_given(place: &Place, text: &str, wrong: &Wrong, setting: Option<&Setting>) -> ModelError {
     match setting {
         None => in_text(place, text, wrong),

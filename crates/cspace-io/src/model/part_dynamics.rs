@@ -17,7 +17,7 @@ pub(super) const KEYS: [&str; 6] = [
     "rate",
 ];
 
-/// What the table of a part says of its mass and motion; `axis` is how it moves.
+/// Reads mass and motion from the table of a part; `axis` is how it moves.
 pub(super) fn read_part_dynamics(table: &Table<'_>, axis: Option<Axis>) -> Result<PartDynamics> {
     let mass = match (table.number("mass")?, table.number("density")?) {
         (Some(_), Some(_)) => {
@@ -69,7 +69,7 @@ fn rate(table: &Table<'_>, node: &Node, axis: Option<Axis>) -> Result<PartVeloci
     measure.read(&place, "rate", node).map(PartVelocity::Axis)
 }
 
-/// That a part on an axis is not fixed.
+/// Checks that a part on an axis is not fixed.
 fn moves(table: &Table<'_>, key: &str, axis: &Axis) -> Result<()> {
     if axis.motion != AxisMotion::Fixed {
         return Ok(());
@@ -80,7 +80,7 @@ fn moves(table: &Table<'_>, key: &str, axis: &Axis) -> Result<()> {
         .with_help(fault.help()))
 }
 
-/// That what is given for a part on an axis is no list.
+/// Checks that the value given for a part on an axis is not a list.
 fn one_number(table: &Table<'_>, key: &str, node: &Node, help: &str) -> Result<()> {
     let Node::List(_) = node else { return Ok(()) };
     let found = node.describe();

@@ -17,7 +17,7 @@ use super::suggest::nearest;
 use super::table::{Result, Table};
 use crate::shown::quoted;
 
-/// How outlines are written.
+/// Help text on how outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
 pub(super) fn read_parts(
@@ -125,7 +125,7 @@ fn read_part(
     Ok((entry, dynamics))
 }
 
-/// The part at the distance that the table gives. What is otherwise in it is noted.
+/// Part at the distance given in the table. Changes of its topology are noted.
 fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result<Part> {
     let split = table.flag("split")?;
     let Some(by) = table.number("offset")? else {
@@ -144,7 +144,7 @@ fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result
     Ok(made.part)
 }
 
-/// Symmetry is found from the outline anyway; what is declared must not contradict it.
+/// Checks a declared symmetry: symmetry is found from the outline anyway, and a declaration must not contradict it.
 fn check_symmetry(table: &Table<'_>, entry: &PartEntry) -> Result<()> {
     let Err(MechanismError::Symmetry {
         declared, largest, ..
@@ -169,7 +169,7 @@ fn check_symmetry(table: &Table<'_>, entry: &PartEntry) -> Result<()> {
 fn read_motion(place: Place, node: &Node) -> Result<Option<Axis>> {
     const KINDS: [&str; 4] = ["fixed", "revolute", "prismatic", "planar"];
     const HELP: &str = "give it as motion = { type = \"planar\" }";
-    // Of each type's keys alone one is suggested; the others are refused by the type.
+    // Keys that belong to one type only are not suggested; the type refuses those of others.
     const OTHERS: [&str; 3] = ["center", "direction", "range"];
     let keys: &[&str] = match kind_of(node) {
         Some("revolute") => &["type", "center", "range"],
@@ -232,7 +232,7 @@ pub(super) fn direction(table: &Table<'_>) -> Result<Vector> {
             .error("direction", "the direction is zero")
             .with_help("give a vector with a length, such as direction = [1, 0]"));
     }
-    // Too short to be told from zero, or too long to be measured, it is none either.
+    // A vector that is too short to differ from zero, or too long to be measured, is no direction either.
     let direction = Vector::new(x, y);
     let length = direction.unit().length();
     if !(0.5..2.0).contains(&length) {

@@ -141,7 +141,7 @@ fn too_many(table: &Table<'_>, key: &str, count: usize, length: usize) -> Result
     }
 }
 
-/// The turn of the copy k of so many: exact for quarter turns.
+/// Rotation of copy k of `count`: exact for quarter turns.
 fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     let quarters = (4 * k) / count;
     let rest = (4 * k) % count;
@@ -156,7 +156,7 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
-/// What a point becomes at an axis through the origin.
+/// Reflection of a point at an axis through the origin.
 fn axis_of<T: Scalar>(table: &Table<'_>, axis: &str) -> Result<fn(Point<T>) -> Point<T>> {
     match axis {
         "x" => Ok(|p| Point::new(p.x, -p.y)),
@@ -288,7 +288,7 @@ fn is_one<T: Scalar>(p: Point<T>, q: Point<T>) -> bool {
 }
 
 impl<T: Scalar> Entry<T> {
-    /// Where its vertex is; none of a fillet.
+    /// Position of its vertex; `None` for a fillet.
     fn at(&self) -> Option<Point<T>> {
         match self {
             Self::Vertex(v) => Some(v.point()),
@@ -348,14 +348,14 @@ impl<T: Scalar> Arc<T> {
     }
 }
 
-/// Where a loop is repeated about a point.
+/// Repetition of a loop about a point.
 pub(super) struct Pattern<T> {
     pub(super) count: usize,
     about: Point<T>,
 }
 
 impl<T: Scalar> Pattern<T> {
-    /// The value of the key `pattern`; a single copy where there is none.
+    /// Reads the key `pattern`; a single copy if there is none.
     pub(super) fn read(table: &Table<'_>) -> Result<Self> {
         const HELP: &str = "give it as pattern = { count = 6, about = [0, 0] }";
         let Some(node) = table.get("pattern") else {

@@ -1,11 +1,11 @@
-//! Places in a file: in words for people, and as the way through its tree of values.
+//! Places in a file: a description for people, and the path through its tree of values.
 
 /// A step from a value into it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
-    /// To the value of a key.
+    /// Step to the value of a key.
     Key(String),
-    /// To an item of a list.
+    /// Step to an item of a list.
     Item(usize),
 }
 
@@ -18,17 +18,17 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// In words.
+    /// Description of the place.
     pub(super) fn words(&self) -> &str {
         &self.words
     }
 
-    /// The way from the root.
+    /// Path from the root.
     pub(super) fn way(&self) -> &[Step] {
         &self.way
     }
 
-    /// Whether the key is meant that the way ends with, not its value.
+    /// Whether the place is the last key of the path, and not its value.
     pub(super) fn is_key(&self) -> bool {
         self.is_key
     }
@@ -49,13 +49,13 @@ impl Place {
         self
     }
 
-    /// The same place, in these words.
+    /// Copy of the place with other words.
     pub(super) fn called(mut self, words: impl Into<String>) -> Self {
         self.words = words.into();
         self
     }
 
-    /// The same place, with more words.
+    /// Copy of the place with more words.
     pub(super) fn further(mut self, words: &str) -> Self {
         if !self.words.is_empty() {
             self.words.push_str(", ");

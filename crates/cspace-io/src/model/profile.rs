@@ -1,7 +1,7 @@
 //! Deviations of form: `profile = 0.02` of a part, or `profile = { "tip" = 0.01 }` of its features.
 //!
-//! A number is a tolerance. It becomes a parameter of its own, `pawl_profile = { value = 0, tol = 0.02 }`, by which the outline is off along
-//! its normals; an expression says by what it is off.
+//! A number is a tolerance. It becomes a parameter of its own, `pawl_profile = { value = 0, tol = 0.02 }`, by which the
+//! outline is offset along its normals; an expression gives the offset itself.
 
 use std::collections::BTreeMap;
 
@@ -23,9 +23,9 @@ pub(super) const KEY: &str = "profile";
 
 const HELP: &str = "give how far the outline may be off: profile = 0.02, or of features: profile = { \"tip\" = 0.02 }";
 
-/// How far edges of a part are off.
+/// Offsets of a part's edges.
 pub(super) struct Profile<T> {
-    /// All that are not named.
+    /// Offset of all edges that are not named.
     whole: T,
     named: Vec<(PartFeature, T)>,
 }
@@ -157,18 +157,18 @@ impl<T: Scalar> Profile<T> {
         })
     }
 
-    /// How far an edge is off.
+    /// Offset of an edge.
     fn of(&self, edge: PartFeature) -> T {
         let named = self.named.iter().find(|n| n.0 == edge);
         named.map_or(self.whole, |n| n.1)
     }
 
-    /// Whether nothing is off.
+    /// Whether all offsets are zero.
     pub(super) fn is_zero(&self) -> bool {
         self.whole.value() == 0.0 && self.named.iter().all(|n| n.1.value() == 0.0)
     }
 
-    /// What is left once edges are off by the values already.
+    /// Remainder of the offsets once edges are off by their values: the value is 0, the derivative stays.
     pub(super) fn beyond(self) -> Self {
         let rest = |x: T| x - T::constant(x.value());
         Self {

@@ -1,4 +1,4 @@
-//! From files and text to models.
+//! Reading of models from files and text.
 
 use std::path::{Path, PathBuf};
 
@@ -20,8 +20,8 @@ use super::table::{Result, Table};
 use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::shown;
 
-/// The largest models read, in bytes: either takes some 2 GB of memory and ten seconds to tell what is in it. A part may have
-/// a million vertices, which JSON has room for.
+/// Largest model files, in bytes: each takes some 2 GB of memory and ten seconds to read. A part may have a million
+/// vertices, for which JSON has room.
 const LARGEST_TOML: u64 = 16 << 20;
 const LARGEST_JSON: u64 = 64 << 20;
 
@@ -46,18 +46,18 @@ const KEYS: [&str; 14] = [
     "spring",
 ];
 
-/// A model as a file says it: a mechanism, and the parameters that its numbers are expressions of.
+/// Model as written in a file: a mechanism, and the parameters of the expressions for its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// Parts, motions, joints and pairs, in numbers.
     pub mechanism: Mechanism,
     /// The model's parameters, by name.
     pub parameters: Vec<Parameter>,
-    /// What the design must do, in the order of the file.
+    /// Requirements of the design, in the order of the file.
     pub requirements: Vec<Requirement>,
 }
 
-/// How many bytes are read of a model of this name.
+/// Largest number of bytes read from a model of this name.
 fn largest(path: &Path) -> u64 {
     if extension(path) == "json" {
         LARGEST_JSON
@@ -84,7 +84,7 @@ pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelErro
     read_hosted(path.as_ref(), &Host::default()).map(|m| m.mechanism)
 }
 
-/// As [`read`], on behalf of a program that has been asked about the model already.
+/// As [`read`], for a host program, which was already asked whether the model may be read.
 pub(crate) fn read_hosted(path: &Path, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
     check_extension(path)?;
     from_text(path, &read_text(path, largest(path))?, host)
@@ -111,7 +111,7 @@ fn check_extension(path: &Path) -> core::result::Result<(), ModelError> {
     Ok(())
 }
 
-/// The model in the text of a file, whose extension tells whether it is JSON.
+/// Reads a model from the text of a file; the extension determines whether it is JSON.
 pub(crate) fn from_text(
     path: &Path,
     text: &str,
@@ -130,7 +130,7 @@ pub(crate) fn from_text(
     Ok(model)
 }
 
-/// The text of a file, whose extension tells whether it is JSON.
+/// Source text of a file; the extension determines whether it is JSON.
 fn source_of<'t>(
     path: &Path,
     text: &'t str,
@@ -148,14 +148,14 @@ fn source_of<'t>(
     })
 }
 
-/// What a model is called that gives itself no name.
+/// Default name of a model without one: the file's name without its extension.
 fn name_of(path: &Path) -> String {
     path.file_stem()
         .map(|s| shown::text(&s.to_string_lossy()).into_owned())
         .unwrap_or_default()
 }
 
-/// A model of which the parameters may still be given other values: its text is read once.
+/// Template of a model whose parameters may be given other values: its text is read once.
 ///
 /// ```
 /// use cspace_io::Host;
@@ -195,8 +195,8 @@ impl Template {
         Self::from_text(read_text(path, largest(path))?, path)
     }
 
-    /// A template of a text that is in no file; `path` is what errors call it, its extension says whether it is JSON, and drawings are
-    /// beside it.
+    /// Creates a template from a text that is in no file. `path` is its name in errors; its extension determines
+    /// whether it is JSON, and drawings are searched beside it.
     ///
     /// # Errors
     /// If the text is neither TOML nor JSON.
@@ -221,7 +221,7 @@ impl Template {
         &self.text
     }
 
-    /// The path of the file, or what stands for one.
+    /// Path of the file, or the one that stands for it.
     pub fn path(&self) -> &Path {
         &self.path
     }
@@ -238,7 +238,7 @@ impl Template {
         parts.iter().any(is_drawn)
     }
 
-    /// The model with the values that the host sets.
+    /// Model with the values that the host sets.
     ///
     /// # Errors
     /// If the text is no model with these values; the error names the line, part, loop and vertex.
@@ -284,7 +284,7 @@ impl Template {
             };
             text.replace_range(place, &value);
         }
-        // What was written is what is read.
+        // The written text must be read back as the model.
         let read = Self::from_text(text.clone(), &self.path).ok()?;
         let read = read.model(&Host::default()).ok()?;
         let wanted = self.model(&Host {
@@ -296,8 +296,8 @@ impl Template {
         is_same.then_some(text)
     }
 
-    /// The derivatives of the numbers of a model of this template by one of its parameters, in dual numbers: through expressions,
-    /// patterns, arcs and fillets.
+    /// Computes the derivatives of the numbers of a model of this template by one of its parameters, in dual numbers:
+    /// through expressions, patterns, arcs and fillets.
     ///
     /// ```
     /// use cspace_io::Host;
@@ -313,7 +313,7 @@ impl Template {
     /// ```
     ///
     /// # Errors
-    /// If the numbers have no derivatives, as where the parameter decides how often something is repeated.
+    /// If the numbers have no derivatives, as where the parameter is the number of copies.
     pub fn slopes(
         &self,
         host: &Host<'_>,
@@ -328,9 +328,10 @@ impl Template {
         slopes(&tree, &model.mechanism)
     }
 
-    /// Enclosures of the numbers of a model of this template, and of their derivatives by one of its parameters, where
-    /// parameters are off their values by what is in `ranges` (the name, from and to). A formula that encloses nothing, as
-    /// the angle of an arc that varies, gives all reals; arcs and fillets are on the sides on which they are in the model.
+    /// Computes enclosures of the numbers of a model of this template, and of their derivatives by one of its
+    /// parameters, where parameters deviate from their values within `ranges` (the name, from and to). A formula
+    /// without a finite enclosure, as for the angle of an arc that varies, gives all reals; arcs and fillets are on the
+    /// same sides as in the model.
     ///
     /// ```
     /// use cspace_io::Host;
@@ -346,7 +347,7 @@ impl Template {
     /// ```
     ///
     /// # Errors
-    /// If the numbers have no derivatives, as where the parameter decides how often something is repeated.
+    /// If the numbers have no derivatives, as where the parameter is the number of copies.
     pub fn enclosures(
         &self,
         host: &Host<'_>,
@@ -414,7 +415,7 @@ impl Source<'_> {
     }
 }
 
-/// Reads a model from TOML text; `file` is what errors call it.
+/// Reads a model from TOML text; `file` is its name in errors.
 ///
 /// ```
 /// use cspace_io::model;
@@ -445,7 +446,7 @@ pub(crate) fn toml_in(
     source.model(source.tree()?, files)
 }
 
-/// Reads a model from JSON text; `file` is what errors call it.
+/// Reads a model from JSON text; `file` is its name in errors.
 ///
 /// ```
 /// let text = r#"{"part": [{"name": "pin", "loops": [[[6, 0, 1], [8, 0, 1]]]}]}"#;
@@ -473,9 +474,9 @@ pub(crate) fn json_in(
     source.model(source.tree()?, files)
 }
 
-/// What is wrong with the text as JSON.
+/// Error for text that is not valid JSON.
 pub(crate) fn no_json(error: &serde_json::Error) -> ModelError {
-    // The position is told apart from the message; the library tells it at the message's end.
+    // The position is removed from the message, at whose end the library repeats it.
     let message = error.to_string();
     let end = format!(" at line {} column {}", error.line(), error.column());
     let message = message.strip_suffix(&end).unwrap_or(&message);

@@ -44,7 +44,7 @@ pub(super) fn read_joints(
     Ok(joints)
 }
 
-/// What is wrong with a joint, in the words of the file.
+/// Error for an invalid joint, in the words of the file.
 fn no_joint(place: &Place, error: &MechanismError, parts: &[PartEntry]) -> ModelError {
     match *error {
         MechanismError::JoinedTwice { first, .. } => {
@@ -69,7 +69,7 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEnt
     const HELP: &str =
         "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]";
     const PARTS: &str = "a joint connects two parts: parts = [\"link\", \"pawl\"]";
-    // Of each type's keys alone one is suggested; the others are refused by the type.
+    // Keys that belong to one type only are not suggested; the type refuses those of others.
     let keys: &[&str] = match kind_of(node) {
         Some("rigid") => &["type", "parts"],
         Some("prismatic") => &["type", "parts", "at", "direction"],
@@ -95,7 +95,7 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEnt
     let kind = table
         .text("type")?
         .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
-    // What a joint of this type has no use for would be taken for a statement about it.
+    // A key that a joint of this type does not use would be taken for a statement about it.
     let only = |keys: &[&str]| {
         let help = format!("a {kind} joint has the keys {}", keys.join(", "));
         Table::new(node, place.clone(), keys, &help).map_err(|e| e.with_help(help.as_str()))

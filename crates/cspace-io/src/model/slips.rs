@@ -1,4 +1,4 @@
-//! What a model says that is allowed, and most likely not meant.
+//! Slips: statements in a model that are allowed, but most likely not meant.
 
 use core::f64::consts::TAU;
 
@@ -11,28 +11,28 @@ use crate::shown;
 pub struct Slip {
     /// The part, loop and vertex, or the pair.
     pub place: String,
-    /// What is there.
+    /// Description of the slip.
     pub message: String,
-    /// What to do if it is one.
+    /// Advice on how to correct it.
     pub help: String,
 }
 
-/// Directions of two edges that miss each other by less than this (radians) are meant to be one: a thousandth of a radian is
-/// less than any corner that is made, and more than what three digits of a drawing leave.
+/// Largest difference (radians) of two directions that are meant to be equal: a thousandth of a radian is less than any
+/// intended corner, and more than the error of three digits in a drawing.
 const NEARLY_TANGENT: f64 = 1e-3;
 
-/// By less than this (radians) they are one in the computation as well.
+/// Largest difference (radians) of two directions that are equal in the computation as well.
 const TANGENT: f64 = 1.0 / (1_u64 << 26) as f64;
 
-/// A bulge beyond this, with so few digits after the point, is rarely that of an arc, of more than 4 atan 2 ≈ 254°: it is more
-/// likely a radius or a height.
+/// A bulge beyond this with so few decimals is rarely that of an arc, which would turn by more than 4 atan 2 ≈ 254°: it
+/// is more likely a radius or a height.
 const LARGE_BULGE: f64 = 2.0;
 const DIGITS: f64 = 1000.0;
 
-/// Parts of which one is so many times as large as the other are rarely drawn in one unit.
+/// Ratio of the sizes of two parts beyond which they are rarely drawn in one unit.
 const UNLIKE_SIZES: f64 = 1000.0;
 
-/// What in a model is most likely not meant.
+/// Finds statements in a model that are most likely not meant.
 ///
 /// - An angle of more than a turn that is a whole number of radians: degrees without `deg`.
 /// - A line and an arc that meet with directions that miss each other by less than 0.001 rad.
@@ -100,7 +100,7 @@ fn turn(d: Vector, e: Vector) -> f64 {
     d.cross(e).atan2(d.dot(e)).abs()
 }
 
-/// Whether two directions are most likely meant to be one, and are not.
+/// Whether two directions are most likely meant to be equal, and are not.
 pub(super) fn is_nearly_tangent(d: Vector, e: Vector) -> bool {
     (TANGENT..NEARLY_TANGENT).contains(&turn(d, e))
 }

@@ -15,20 +15,22 @@ use super::table::{Result, number};
 /// Derivatives of a model's numbers by one of its parameters; or, of another type, enclosures of the numbers with theirs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Slopes<T = f64> {
-    /// Of each part, in the order of the model.
+    /// Derivatives for each part, in the order of the model.
     pub parts: Vec<PartSlopes<T>>,
-    /// Of each requirement, by its name.
+    /// Derivatives for each requirement, by its name.
     pub requirements: BTreeMap<String, RequirementSlopes<T>>,
 }
 
 /// Derivatives of the numbers of a part.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PartSlopes<T = f64> {
-    /// Of every vertex of every loop: x, y and bulge. Empty of a part whose outline does not depend on anything that varies.
+    /// Derivatives of x, y and bulge of every vertex of every loop. Empty for a part whose outline does not depend on
+    /// anything that varies.
     pub loops: Vec<Vec<[T; 3]>>,
-    /// Of the centre or the direction of its axis, as it is given; `None` if it does not depend on anything that varies.
+    /// Derivatives of the centre or the direction of its axis, as it is given; `None` if it does not depend on anything
+    /// that varies.
     pub axis: Option<[T; 2]>,
-    /// Likewise of the range of its motion.
+    /// Derivatives of the range of its motion; `None` if it does not depend on anything that varies.
     pub range: Option<[T; 2]>,
 }
 
@@ -36,16 +38,16 @@ pub struct PartSlopes<T = f64> {
 /// varies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RequirementSlopes<T = f64> {
-    /// Of the configuration at which it is measured.
+    /// Derivatives of the configuration at which it is measured.
     pub at: [Option<T>; 3],
-    /// Of the displacement of a motion.
+    /// Derivatives of the displacement of a motion.
     pub along: [Option<T>; 3],
 }
 
 /// A number with its derivative, and what encloses both.
 type Given = Dual<1, Ball>;
 
-/// What is wanted of a number that varies.
+/// Result type of the evaluation of a number that varies.
 pub(super) trait Slope: Copy {
     fn of(number: Dual<1, Ball>) -> Self;
 }
@@ -62,7 +64,7 @@ impl Slope for Dual<1, Ball> {
     }
 }
 
-/// The derivatives in a tree of which the numbers have them.
+/// Collects the derivatives from a tree whose numbers have them.
 pub(super) fn slopes<T: Slope>(tree: &Node, mechanism: &Mechanism) -> Result<Slopes<T>> {
     let items = |key: &str| match entry(tree, key) {
         Some(Node::List(items)) => &items[..],
@@ -90,7 +92,7 @@ fn entry<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
     }
 }
 
-/// Whether anything in a value depends on what varies.
+/// Whether anything in a value depends on a parameter that varies.
 fn depends(node: &Node) -> bool {
     match node {
         Node::Varied(_) => true,
@@ -108,7 +110,7 @@ fn varied(node: &Node) -> Option<Dual<1, Ball>> {
 }
 
 fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>> {
-    // Of what is offset or drawn elsewhere, only that it depends is known.
+    // Derivatives of parts that are offset or drawn elsewhere are unknown; only whether they depend on it is known.
     for key in ["offset", "scale", "trace", "join"] {
         if entry(node, key).is_some_and(depends) {
             let message = format!("`{key}` depends on the parameter, and has no derivatives");

@@ -6,21 +6,21 @@ use cspace::{Mechanism, Part, Point, Vector, Vertex};
 
 use super::slips::is_nearly_tangent;
 
-/// No vertex is moved farther, as a share of the part's size.
+/// Largest displacement of a vertex, as a share of the part's size.
 const FARTHEST: f64 = 1e-3;
 
 /// Lines whose directions are so nearly parallel (sine of the angle between) have no corner that could be rounded: between
 /// them an arc is half a circle.
 const PARALLEL: f64 = 1e-2;
 
-/// What was done to a part.
+/// Changes made to a part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Snapped {
     /// The part.
     pub part: String,
-    /// How many joints of a line and an arc are tangent now.
+    /// Number of joints of a line and an arc that are tangent now.
     pub joints: usize,
-    /// How far a point of the outline was moved at most, in the model's unit.
+    /// Largest displacement of a point of the outline, in the model's unit.
     pub moved: f64,
 }
 
@@ -102,7 +102,7 @@ struct Arc {
     start: Point,
     end: Point,
     bulge: f64,
-    /// At how many ends it is tangent now, and was not.
+    /// Number of ends at which it is tangent now, and was not.
     joints: usize,
 }
 
@@ -124,7 +124,7 @@ fn tangent(vertices: &[Vertex], k: usize) -> Option<Arc> {
     let line_after = (at(k + 1).bulge == 0.0).then(|| (at(k + 2).point() - end).unit());
     let starts = line_before.filter(|d| is_nearly_tangent(*d, turned(-0.5 * sweep)));
     let ends = line_after.filter(|d| is_nearly_tangent(turned(0.5 * sweep), *d));
-    // What is tangent already stays so.
+    // Directions that are tangent already are kept.
     let tangent_at =
         |d: Option<Vector>, of: Vector| d.filter(|d| d.cross(of).abs() < 1e-3 && d.dot(of) > 0.0);
     let both = (

@@ -25,7 +25,7 @@ impl<'a> Table<'a> {
         Self::with_others(node, place, keys, &[], help)
     }
 
-    /// The same where other keys are refused later, with a reason: they are never what was meant.
+    /// As above, with further keys that are refused later, with a reason: they are never suggested.
     pub(super) fn with_others(
         node: &'a Node,
         place: Place,

@@ -16,7 +16,7 @@ use super::to_toml;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn to_json(mechanism: &Mechanism) -> String {
-    // What is written as TOML is TOML, and its values are those of JSON.
+    // The TOML text is valid, and its values are those of JSON.
     let tree: Value = toml::from_str(&to_toml(mechanism)).unwrap_or_default();
     let mut text = serde_json::to_string_pretty(&tree).unwrap_or_default();
     text.push('\n');

@@ -8,13 +8,12 @@ use cspace::{Axis, AxisMotion, JointEntry, Mechanism, PairEntry, PartEntry, Vert
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
 use super::toml_values::{point, text, two, vector};
 
-/// The model as the text of a TOML file. Reading it gives the same model: numbers are written
-/// with as many digits as that takes, angles in radians.
+/// Writes the model as the text of a TOML file. Reading it gives an equal model: numbers are written with as many
+/// digits as necessary, angles in radians.
 ///
-/// Pairs are left out when they are what a file without pairs stands for and none has a friction of its own. A model that breaks
-/// the reader's rules, say by an index that is no part's (whose name is written as empty), a
-/// number that is not finite or a control character in a name, is written all the same, and
-/// refused when read.
+/// Pairs are left out if they equal the default pairs of a file without pairs and none has a friction of its own. A
+/// model that breaks the reader's rules, for example by a part index out of range (the name is written as empty), a
+/// number that is not finite or a control character in a name, is written without an error, and refused when read.
 ///
 /// ```
 /// use cspace::{Mechanism, Part, PartEntry};
@@ -53,7 +52,7 @@ fn name_of(mechanism: &Mechanism, part: usize) -> String {
     text(mechanism.parts.get(part).map_or("", |p| p.part.name()))
 }
 
-/// The text so far.
+/// Text so far.
 struct Out(String);
 
 impl Out {
@@ -88,7 +87,7 @@ impl Out {
     }
 
     fn vertex(&mut self, Vertex { x, y, bulge }: Vertex) {
-        // Writing to a string cannot fail. A bulge of −0 is told from 0 to be read as it was.
+        // Writing to a string cannot fail. A bulge of −0 is distinguished from 0, so that it is read back unchanged.
         let _ = if bulge.to_bits() == 0 {
             writeln!(self.0, "    [{x:?}, {y:?}],")
         } else {

@@ -1,21 +1,21 @@
-//! How far a parameter may be from its value, and how likely it is where.
+//! Tolerance of a parameter: its largest deviations, and its distribution.
 
 use super::node::Node;
 use super::suggest::nearest;
 use super::table::{Result, Table, angle_of, number};
 use crate::shown::{self, quoted};
 
-/// Half the width of a tolerance is so many standard deviations of a normal distribution, if nothing is said.
+/// Default number of standard deviations in half the width of a tolerance, for a normal distribution.
 const SIGMA: f64 = 3.0;
 
-/// How likely a parameter is where within its tolerance.
+/// Distribution of a parameter within its tolerance.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Distribution {
-    /// Everywhere alike.
+    /// Uniform distribution.
     Uniform,
     /// Normal, about the middle of the tolerance.
     Normal {
-        /// How many standard deviations half the width of the tolerance is.
+        /// Number of standard deviations in half the width of the tolerance.
         sigma: f64,
     },
     /// Most likely at the value, and linearly less towards the limits.
@@ -33,7 +33,7 @@ pub struct Position {
     pub zone: f64,
 }
 
-/// What the table of a parameter says of its tolerance.
+/// Tolerance read from the table of a parameter.
 pub(super) struct Tolerance {
     extent: Option<Extent>,
     /// The key that is given as an angle, if one is.
@@ -43,9 +43,9 @@ pub(super) struct Tolerance {
 }
 
 enum Extent {
-    /// How far it may be below and above the value.
+    /// Largest deviations below and above the value.
     Deviations(f64, f64),
-    /// Its smallest and its largest value.
+    /// Smallest and largest value.
     Limits(f64, f64),
 }
 
@@ -90,7 +90,7 @@ impl Tolerance {
         })
     }
 
-    /// How far the parameter may be below and above its value.
+    /// Largest deviations of the parameter below and above its value.
     pub(super) fn deviations(&self, table: &Table<'_>, of: Written) -> Result<Option<(f64, f64)>> {
         let value = of.value;
         if let Some(key) = self.angle.filter(|_| !of.may_be_angle) {
@@ -138,11 +138,11 @@ impl Tolerance {
     }
 }
 
-/// What is known of the value of a parameter.
+/// Value of a parameter, as read.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Written {
     pub(super) value: f64,
-    /// Whether it was set in place of that of the file.
+    /// Whether it was set from outside, in place of the value in the file.
     pub(super) is_set: bool,
     /// Whether the file has an angle, or an expression.
     pub(super) may_be_angle: bool,

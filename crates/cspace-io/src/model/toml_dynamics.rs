@@ -19,7 +19,7 @@ fn number(x: f64) -> String {
     format!("{x:?}")
 }
 
-/// What is not the default, 0.
+/// Text of a number that differs from the default, 0.
 fn other_than_0(x: f64) -> Option<String> {
     (x != 0.0).then(|| number(x))
 }

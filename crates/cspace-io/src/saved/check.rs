@@ -1,4 +1,4 @@
-//! What the library does not ask of a saved space, and a file must fulfil.
+//! Checks of a saved space that the library does not make.
 
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, PairSpace};

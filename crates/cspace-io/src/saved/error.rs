@@ -1,8 +1,8 @@
-//! What is said of a saved space that is not read.
+//! Errors for saved spaces that cannot be read.
 
 use crate::ModelError;
 
-/// How a damaged or outdated file is replaced.
+/// Advice on how to replace a damaged or outdated file.
 pub(super) const AGAIN: &str = "write the file again with `cspace export MODEL -o OUT.json`";
 
 pub(super) fn wrong(message: &str, file: &str) -> ModelError {

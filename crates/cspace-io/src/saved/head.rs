@@ -1,4 +1,4 @@
-//! What tells a saved space from other JSON, before it is looked into.
+//! Head of a saved space, which distinguishes it from other JSON before the data are read.
 
 use cspace::space::{DataError, SAVED_VERSION};
 use serde::de::IgnoredAny;
@@ -17,7 +17,7 @@ pub(super) fn head<'t>(
 ) -> Result<(String, Head<'t>), ModelError> {
     let wrong = |message: String| wrong(&message, file);
     if !is_object(text) {
-        // Text that is no JSON at all is told apart.
+        // Text that is no JSON at all has its own error.
         serde_json::from_str::<IgnoredAny>(text).map_err(|e| no_json(&e).in_file(file))?;
         return Err(wrong("it is no contact space: not an object".into()));
     }
@@ -66,7 +66,8 @@ fn is_object(text: &str) -> bool {
     text.trim_start().starts_with('{')
 }
 
-/// What tells a saved contact space, its version, and what it is called; not looked into, for it may be anything.
+/// Head of a saved contact space: format, version, name, unit and checksum. The values are kept as raw text, for they
+/// may be anything.
 #[derive(serde::Deserialize)]
 pub(super) struct Head<'t> {
     #[serde(borrow)]

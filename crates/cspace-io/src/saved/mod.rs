@@ -2,9 +2,9 @@
 //!
 //! A saved space is JSON. Its format is called `contact-space`, `fixed-axes-space` or `lower-pair`, its version is
 //! [`SAVED_VERSION`](cspace::space::SAVED_VERSION); schemas of the same names in the folder `docs` of the project's repository describe every field and
-//! its unit. Numbers are read back as the very numbers that were written. Two optional keys, `name` and `unit`, repeat what
-//! the model said of itself. The key `checksum` tells whether anything else was changed since: what was, or has none, is computed
-//! again from the parts in the file.
+//! its unit. Numbers are read back unchanged to the last bit. Two optional keys, `name` and `unit`, repeat the model's
+//! labels. The key `checksum` shows whether the data were changed since: if they were, or there is no checksum, the
+//! space is computed again from the parts in the file.
 
 mod check;
 mod error;
@@ -29,7 +29,7 @@ use trust::{checksum, trusted};
 /// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.
 const LARGEST: u64 = 1 << 30;
 
-/// What a file holds.
+/// Content of a file.
 #[derive(Debug)]
 pub enum Document {
     /// Parts, motions, joints and pairs.
@@ -60,7 +60,7 @@ pub enum Document {
 pub struct SavedFile {
     /// The space.
     pub space: PairSpace,
-    /// What the model is called; `None` in files of earlier versions.
+    /// Name of the model; `None` in files of earlier versions.
     pub name: Option<String>,
     /// The model's label for the unit of length, if it has one.
     pub unit: Option<String>,
@@ -72,14 +72,15 @@ impl SavedFile {
         with_labels(&self.space, self.name.as_deref(), self.unit.as_deref())
     }
 
-    /// What [`to_json`](Self::to_json) has written; `file` is what errors call it.
+    /// Reads the text written by [`to_json`](Self::to_json); `file` is its name in errors.
     ///
-    /// The space is as it was written if the file's checksum says so; otherwise it is computed from the file's parts, which takes as
-    /// long as it took before.
+    /// If the file's checksum is right, the space is the one that was written; otherwise it is computed from the file's
+    /// parts, which takes as long as the first computation.
     ///
     /// # Errors
     /// If the text is no JSON, of another format or version, or damaged; if a name or the unit has control characters,
-    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE); or if what was changed cannot be computed again.
+    /// or an orientation is beyond [`LARGEST_ANGLE`](crate::LARGEST_ANGLE); or if a changed space cannot be computed
+    /// again.
     pub fn from_json(text: &str, file: &str) -> Result<Self, ModelError> {
         let text = without_mark(text);
         let (format, head) = head(text, file, &[CONTACT_SPACE, FIXED_AXES, LOWER_PAIR])?;
@@ -131,15 +132,15 @@ impl SavedFile {
 /// ```
 ///
 /// # Errors
-/// If the file cannot be read, or is neither; the error says where and what to do.
+/// If the file cannot be read, or is neither; the error names the place and gives advice.
 pub fn read(path: impl AsRef<Path>) -> Result<Document, ModelError> {
     read_hosted(path, &Host::default())
 }
 
-/// As [`read`], on behalf of a program.
+/// As [`read`], for a host program.
 ///
 /// # Errors
-/// As [`read`]; and where the program's guard refuses a file.
+/// As [`read`], and if the host's guard refuses a file.
 pub fn read_hosted(path: impl AsRef<Path>, host: &Host<'_>) -> Result<Document, ModelError> {
     let path = path.as_ref();
     (host.guard)(path).map_err(|refused| {
@@ -158,7 +159,7 @@ pub fn read_hosted(path: impl AsRef<Path>, host: &Host<'_>) -> Result<Document, 
     model::read_hosted(path, host).map(|m| Document::Model(Box::new(m)))
 }
 
-/// As [`read`], from what a reader gives; `file` is what errors call it. Text that begins with a brace is JSON, other text TOML.
+/// As [`read`], from a reader; `file` is its name in errors. Text that begins with a brace is JSON, other text TOML.
 ///
 /// # Errors
 /// As [`read`].
@@ -166,10 +167,10 @@ pub fn read_from(source: impl std::io::Read, file: &str) -> Result<Document, Mod
     read_from_hosted(source, file, &Host::default())
 }
 
-/// As [`read_from`], on behalf of a program, whose guard is asked before a drawing is opened that the model names.
+/// As [`read_from`], for a host program, whose guard is asked before a drawing is opened that the model names.
 ///
 /// # Errors
-/// As [`read_from`]; and where the guard refuses.
+/// As [`read_from`], and if the guard refuses a file.
 pub fn read_from_hosted(
     source: impl std::io::Read,
     file: &str,
@@ -192,7 +193,7 @@ pub fn read_from_hosted(
     Ok(Document::Model(Box::new(model)))
 }
 
-/// The contact space in JSON text; `file` is what errors call it.
+/// Reads a contact space from JSON text; `file` is its name in errors.
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part, Vertex};
@@ -221,7 +222,7 @@ pub fn from_json(text: &str, file: &str) -> Result<ContactSpace, ModelError> {
     }
 }
 
-/// The configuration space, of a pair of any class, in JSON text; `file` is what errors call it.
+/// Reads the configuration space of a pair of any class from JSON text; `file` is its name in errors.
 ///
 /// # Errors
 /// If the text is no JSON, of another format or version, or damaged.
@@ -248,9 +249,9 @@ pub fn to_json(space: &ContactSpace) -> String {
     labelled(PairData::Planar(space.data()), None, None)
 }
 
-/// The configuration space of a pair of any class as indented JSON text, with a line break at the end.
+/// Writes the configuration space of a pair of any class as indented JSON text, with a line break at the end.
 ///
-/// To write what the model is called and its unit as well, see [`with_labels`].
+/// To write the model's name and unit as well, see [`with_labels`].
 pub fn pair_to_json(space: &PairSpace) -> String {
     with_labels(space, None, None)
 }

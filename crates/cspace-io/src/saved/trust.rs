@@ -1,9 +1,9 @@
-//! Whether a saved space is as it was written: a file that was changed since is not believed, but computed again.
+//! Check of whether a saved space is unchanged: the data of a changed file are not used, but computed again.
 //!
-//! That data refer to what is there and fit the parts does not make them the space of these parts: no check of that kind is
-//! cheaper than the computation. So a file has a checksum of its data, and where that is missing or another, the space is
-//! computed from the parts in the file, in its window and by its method. It guards against edits and damage, not against
-//! forgery.
+//! Data can refer to existing items and fit the parts without being the space of these parts: no check of that kind is
+//! cheaper than the computation. So a file has a checksum of its data, and where it is missing or differs, the space is
+//! computed from the parts in the file, in its window and by its method. It guards against edits and damage, not
+//! against forgery.
 
 use std::io;
 
@@ -51,9 +51,9 @@ pub(super) fn checksum(data: &PairData<'_>) -> String {
 /// The hash FNV-1a of 64 bits.
 struct Sum(u64);
 
-/// What FNV-1a begins with.
+/// Initial value of the FNV-1a hash.
 const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
-/// What it multiplies by.
+/// Multiplier of the FNV-1a hash.
 const FNV_PRIME: u64 = 0x0100_0000_01b3;
 
 impl io::Write for Sum {

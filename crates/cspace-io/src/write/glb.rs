@@ -14,10 +14,11 @@ const FLOAT: u32 = 5126;
 /// Targets of buffer views, section 3.6.1.
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
-/// The first patch of which the number is no `f32`: applications' attributes may not be integers of four bytes.
+/// Number of patches from which on a number is not exact as an `f32`: attributes of applications may not be integers of
+/// four bytes.
 const TOO_MANY_PATCHES: u32 = 1 << 24;
 
-/// What the one node is called.
+/// Name of the only node.
 const NODE: &str = "contact surface";
 
 /// Why a mesh has no GLB file.
@@ -27,7 +28,7 @@ pub enum GlbError {
     /// A coordinate is not finite in single precision.
     #[error("a coordinate is beyond single precision, which is all that the format has")]
     Coordinate,
-    /// Lengths are told in four bytes.
+    /// Lengths are stored in four bytes.
     #[error("the mesh is larger than the 4 GiB that the format can hold")]
     Size,
     /// Patches are numbered in single precision.
@@ -42,11 +43,11 @@ struct Arrays {
     normals: Vec<[f32; 3]>,
     patches: Vec<u32>,
     indices: Vec<u32>,
-    /// What the coordinates are, in words.
+    /// Description of the coordinates.
     coordinates: String,
 }
 
-/// Colours of patches, one after the other: those of Okabe and Ito, which the colour-blind tell apart, without black.
+/// Colours of patches, used in turn: those of Okabe and Ito, which the colour-blind can distinguish, without black.
 const COLORS: [[u8; 4]; 7] = [
     [230, 159, 0, 255],
     [86, 180, 233, 255],
@@ -159,7 +160,7 @@ impl Arrays {
         Ok(arrays)
     }
 
-    /// At each vertex the direction of the sum of its triangles' normals, each as long as its triangle is large.
+    /// Normal at each vertex: the direction of the sum of its triangles' normals, weighted by area.
     fn normals_of_triangles(&self) -> Vec<[f32; 3]> {
         let mut sums = vec![[0.0_f64; 3]; self.positions.len()];
         for t in self.indices.chunks_exact(3) {
@@ -212,7 +213,7 @@ impl Arrays {
         out
     }
 
-    /// What the bytes mean.
+    /// Header of the file: describes the meaning of the bytes.
     fn description(&self, bytes: usize) -> Value {
         let asset = json!({ "version": "2.0", "generator": "cspace" });
         if self.indices.is_empty() {
@@ -239,7 +240,7 @@ impl Arrays {
                     "material": 0,
                 }],
             }],
-            // Who looks from blocked space sees the surface as well.
+            // The surface is visible from blocked space as well.
             "materials": [{
                 "name": "contact",
                 "doubleSided": true,

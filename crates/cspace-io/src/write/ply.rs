@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 use super::mesh::Mesh;
 
-/// How numbers are written.
+/// Encoding of numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Encoding {
-    /// As they are in memory, little end first.
+    /// Binary numbers, little-endian.
     #[default]
     Binary,
-    /// As text, with all their digits.
+    /// Text with all digits.
     Ascii,
 }
 

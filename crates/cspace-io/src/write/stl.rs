@@ -5,10 +5,11 @@ use std::fmt::Write;
 use super::mesh::Mesh;
 use super::ply::Encoding;
 
-/// The mesh as an STL file: triangles with coordinates (x, y, θ) in single precision, which is all the format has.
+/// Writes the mesh as an STL file: triangles with coordinates (x, y, θ) in single precision, which is all the format
+/// has.
 ///
-/// Triangles of which two corners are one place in single precision are left out; that opens no edge, because the edges
-/// that remain of such a triangle are one edge, there and back.
+/// Triangles with two corners that are equal in single precision are left out. This opens no edge, because the
+/// remaining edges of such a triangle coincide in opposite directions.
 ///
 /// ```
 /// use cspace::{ContactSpace, Options, Part, Vertex};

@@ -1,4 +1,4 @@
-//! Arcs by radius, point and centre, rounded corners and circles: what they become, and what is said of bad ones.
+//! Arcs by radius, point and centre, rounded corners and circles: their geometry, and the messages for bad ones.
 
 use core::f64::consts::PI;
 
@@ -9,7 +9,7 @@ fn toml(loops: &str) -> String {
     format!("[[part]]\nname = \"p\"\nloops = {loops}\n")
 }
 
-/// The loops of a part; JSON says the same.
+/// Loops of a part; JSON must give the same.
 #[track_caller]
 fn loops(loops: &str) -> Vec<Vec<Vertex>> {
     let read = model::from_toml(&toml(loops), "m.toml").unwrap();
@@ -183,7 +183,7 @@ fn error(loops: &str) -> ModelError {
     model::from_toml(&toml(loops), "m.toml").unwrap_err()
 }
 
-/// Place, line and column, message and help of what is said.
+/// Errors have place, line and column, message and help.
 #[test]
 fn errors_name_the_entry_and_say_what_to_do() {
     for (loops, place, column, message, help) in [
@@ -433,7 +433,7 @@ fn errors_of_the_whole_outline_name_entries() {
     assert_eq!(error.message(), says);
 }
 
-/// Whatever is written: a part whose arcs are what was asked for, or an error that says where and what to do.
+/// Any text gives a part with the requested arcs, or an error with its place and advice.
 #[test]
 fn any_entries_give_a_part_or_an_error() {
     use rand::{Rng, SeedableRng, rngs::StdRng};

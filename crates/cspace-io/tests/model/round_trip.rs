@@ -1,4 +1,4 @@
-//! What is written as TOML is read as it was.
+//! Models written as TOML are read back unchanged.
 
 use cspace::pair::Joint;
 use cspace::{Axis, JointEntry, Mechanism, PairEntry, Part, PartEntry, Point, Vector, Vertex};

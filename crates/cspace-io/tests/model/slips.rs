@@ -1,4 +1,4 @@
-//! What is most likely a slip is told, and what is not is not.
+//! Slips are reported, and nothing else is.
 
 use cspace_io::model::{self, slips};
 

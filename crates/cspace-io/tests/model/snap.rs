@@ -29,7 +29,7 @@ fn mechanism(part: Part) -> cspace::Mechanism {
     mechanism
 }
 
-/// A polygon about the origin with rounded corners of random radii, its numbers cut to so many digits.
+/// Polygon about the origin with rounded corners of random radii, its numbers cut to some digits.
 fn rounded_polygon(rng: &mut ChaCha8Rng, digits: f64, reversed: bool) -> Part {
     let n = rng.random_range(3..9);
     let corner = |k: usize, r: f64| {

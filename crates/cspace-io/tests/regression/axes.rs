@@ -32,7 +32,7 @@ impl OnAxes {
         }
     }
 
-    /// Where the moving part is in the fixed part's frame.
+    /// Configuration of the moving part in the fixed part's frame.
     fn relative(&self, (u, v): (f64, f64)) -> Configuration {
         let place = |axis: &Axis, t: f64| match axis.motion {
             AxisMotion::Fixed => (0.0, Vector::ZERO),
@@ -85,7 +85,7 @@ impl OnAxes {
         certain
     }
 
-    /// Whether random positions beyond the resolution are blocked, and how many of a thousand they are.
+    /// Checks that random positions beyond the resolution are blocked; returns how many of a thousand there are.
     fn only_blocked(&self) -> usize {
         let range = self.space.axes().1.range.unwrap_or((-3.1, 3.1));
         let mut rng = ChaCha8Rng::seed_from_u64(9);

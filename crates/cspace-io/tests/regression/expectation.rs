@@ -1,4 +1,4 @@
-//! What `NAME.expect.toml` says of the pair in `NAME.toml` or `NAME.json`. Angles are in radians.
+//! Format of `NAME.expect.toml`, the expectations for the pair in `NAME.toml` or `NAME.json`. Angles are in radians.
 
 use serde::Deserialize;
 
@@ -6,7 +6,7 @@ use serde::Deserialize;
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Expectation {
-    /// Each computes a contact space.
+    /// Expectations for contact spaces, each of which is computed.
     #[serde(default)]
     pub(crate) planar: Vec<Planar>,
     pub(crate) axes: Option<Axes>,
@@ -14,7 +14,7 @@ pub(crate) struct Expectation {
     pub(crate) named_test: Option<String>,
 }
 
-/// Of a contact space.
+/// Expectations for a contact space.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Planar {
@@ -28,25 +28,26 @@ pub(crate) struct Planar {
     pub(crate) caged_regions: Option<usize>,
     pub(crate) conflicts: Option<u64>,
     pub(crate) doubtful_orientations: Option<usize>,
-    /// From the first of these to the second.
+    /// Range of the resolution.
     pub(crate) resolution: Option<(f64, f64)>,
     pub(crate) patches_more_than: Option<usize>,
     /// Patches of the outermost region.
     pub(crate) outer_patches_more_than: Option<usize>,
-    /// One is within 1e-10 of each of these.
+    /// Critical orientations: one is within 1e-10 of each of these.
     #[serde(default)]
     pub(crate) critical_orientations: Vec<f64>,
     pub(crate) saved: Option<Saved>,
     /// Slices at random orientations are right beside contact.
     #[serde(default)]
     pub(crate) slices_beside_contact: bool,
-    /// 10 000 random configurations beside contact are classified rightly, of which more than this many are certain.
+    /// 10 000 random configurations beside contact are classified correctly, and more than this many of them are
+    /// certain.
     pub(crate) beside_contact_more_than: Option<usize>,
     pub(crate) around_the_origin: Option<Around>,
     /// Slices at evenly spaced orientations are made of closed loops, as many as those from scratch.
     #[serde(default)]
     pub(crate) closed: bool,
-    /// In the middle of every band, both slices have loops.
+    /// Both slices in the middle of every band have loops.
     #[serde(default)]
     pub(crate) loops_in_every_band: bool,
     /// Both slices at these orientations are closed.
@@ -74,11 +75,11 @@ pub(crate) struct Saved {
 pub(crate) struct Around {
     pub(crate) shift: f64,
     pub(crate) turn: f64,
-    /// Of those that are certain.
+    /// Minimum number of free configurations among the certain ones.
     pub(crate) free_more_than: usize,
 }
 
-/// Who says whether a configuration is free.
+/// Method that classifies a configuration.
 #[derive(Deserialize, Debug, Clone, Copy, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum By {
@@ -86,7 +87,7 @@ pub(crate) enum By {
     Classifier,
     /// The slice of the space.
     Slice,
-    /// The same; if it is doubtful it may say anything.
+    /// The slice of the space; a doubtful one may give any answer.
     SliceUnlessDoubtful,
     /// The slice from scratch.
     Scratch,
@@ -98,13 +99,13 @@ pub(crate) enum By {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct At {
-    /// All of them say so.
+    /// Methods, all of which must agree.
     pub(crate) by: Vec<By>,
     #[serde(default)]
     pub(crate) free: Vec<[f64; 3]>,
     #[serde(default)]
     pub(crate) blocked: Vec<[f64; 3]>,
-    /// As brute force has it, which is certain.
+    /// Configurations classified by brute force, which must be certain.
     #[serde(default)]
     pub(crate) judged: Vec<[f64; 3]>,
     /// Certain by more than this. If it is missing, by more than 1e-10 of the size, and within the resolution of the space any
@@ -129,26 +130,26 @@ pub(crate) struct Sliced {
     pub(crate) closed: bool,
 }
 
-/// Of a space on fixed axes; positions are u, v.
+/// Expectations for a space on fixed axes; positions are u, v.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Axes {
     pub(crate) regions: Option<usize>,
     pub(crate) conflicts: Option<usize>,
-    /// From the first of these to the second.
+    /// Range of the resolution.
     pub(crate) resolution: Option<(f64, f64)>,
-    /// The same as a share of the parts' size.
+    /// Resolution as a share of the parts' size.
     pub(crate) resolution_of_size: Option<(f64, f64)>,
-    /// These and a thousand random ones are classified rightly.
+    /// These and a thousand random positions are classified correctly.
     pub(crate) positions: Option<Vec<(f64, f64)>>,
-    /// So many of them are certain; 900 if it is missing.
+    /// Minimum number of certain ones among them; 900 if it is missing.
     pub(crate) certain_more_than: Option<usize>,
     /// Random positions beyond the resolution are all blocked, and are more than this many of a thousand.
     pub(crate) only_blocked_more_than: Option<usize>,
     /// The parts touch.
     #[serde(default)]
     pub(crate) contact: Vec<(f64, f64)>,
-    /// No two of these are in one region.
+    /// Positions of which no two are in one region.
     #[serde(default)]
     pub(crate) regions_of_their_own: Vec<(f64, f64)>,
     /// Regions are free where they say, patches lead on within a region, and what is saved and read is the same.

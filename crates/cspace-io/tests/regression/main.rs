@@ -1,7 +1,7 @@
-//! What went wrong once stays right: the files of `tests/regression`, each with its expectations beside it.
+//! Regression tests: the files of `tests/regression`, each with its expectations beside it.
 //!
-//! `NAME.expect.toml` says what is expected of the pair in `NAME.toml` or `NAME.json`: [`expectation`] has all keys. What
-//! fits none is in [`named`]. `CSPACE_REGRESSION=PART_OF_A_NAME` runs some of the files.
+//! `NAME.expect.toml` contains the expectations for the pair in `NAME.toml` or `NAME.json`: [`expectation`] has all
+//! keys. Tests without a key are in [`named`]. `CSPACE_REGRESSION=PART_OF_A_NAME` runs some of the files.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod axes;

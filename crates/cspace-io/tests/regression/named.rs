@@ -1,4 +1,4 @@
-//! What has no key in an expectation.
+//! Regression tests that have no key in an expectation.
 
 use core::f64::consts::{PI, TAU};
 
@@ -197,8 +197,8 @@ fn slice_from_scratch_beside_a_tie() {
     assert_eq!(before(1e-12), before(1e-4));
 }
 
-/// Half circles of one centre: contacts of two pairs of them are one curve. Slices that are open there are doubtful, and the
-/// parts themselves are asked.
+/// Half circles of one centre: contacts of two pairs of them are one curve. Slices that are open there are doubtful,
+/// and the parts themselves are asked.
 #[test]
 fn spiral_with_itself() {
     let [fixed, moving] = parts("tests/regression/spiral_with_itself.json");
@@ -231,7 +231,8 @@ fn spiral_with_itself() {
     }
 }
 
-/// As many positions just within and just beyond the circle are told apart, also where the inner ring is open.
+/// Equal numbers of positions just within and just beyond the circle are classified correctly, also where the inner
+/// ring is open.
 #[test]
 fn equal_room_inside_and_outside() {
     let parts = parts("tests/regression/equal_room_inside_and_outside.toml");

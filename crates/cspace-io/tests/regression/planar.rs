@@ -121,7 +121,7 @@ impl Pair {
         [self.space.slice(theta), self.slicer.slice(theta)]
     }
 
-    /// What the margin of a verdict must exceed.
+    /// Margin above which a verdict is certain.
     fn least(&self) -> f64 {
         self.space.resolution().max(1e-10 * self.oracle.size())
     }
@@ -136,7 +136,7 @@ impl Pair {
         }
     }
 
-    /// Fails unless the verdict is the class told, if it is certain; whether it is.
+    /// Fails if the verdict is certain and the class differs; returns whether it is certain.
     fn agrees(&self, c: Configuration, verdict: Verdict, least: f64) -> bool {
         let right = self.space.classify(c) == class(!verdict.overlap);
         let certain = verdict.margin > least;

@@ -12,7 +12,7 @@ use gltf::mesh::Mode;
 
 type Place = [f32; 3];
 
-/// What a file says: the corners of each triangle with the patch that each of them names.
+/// Content of a file: the corners of each triangle with the patch that each of them names.
 struct Read {
     triangles: Vec<[(Place, f32); 3]>,
     vertices: usize,

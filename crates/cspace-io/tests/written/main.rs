@@ -1,4 +1,4 @@
-//! What is written of a space, and read back.
+//! Files written for a space, and read back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod glb;

@@ -33,7 +33,7 @@ fn within((lo, hi): (f64, f64), rng: &mut ChaCha8Rng) -> f64 {
     lo + (hi - lo) * rng.random_range(-0.1..1.1)
 }
 
-/// All answers to some questions, as text: the same numbers give the same text.
+/// Answers to some queries, as text: equal numbers give equal text.
 fn answers(space: &FixedAxesSpace, rng: &mut ChaCha8Rng) -> Vec<String> {
     let [u, v] = space.extent();
     let mut said = vec![
@@ -77,7 +77,7 @@ fn a_space_read_back_answers_the_same() {
     }
 }
 
-/// The way to every number, word and truth value of a tree of values.
+/// Path to every number, word and truth value of a tree of values.
 fn leaves(value: &Value, way: &str, found: &mut Vec<String>) {
     match value {
         Value::Array(items) => {
@@ -114,7 +114,7 @@ fn other_value(old: &Value, rng: &mut ChaCha8Rng) -> Value {
 
 #[test]
 fn damaged_spaces_never_panic() {
-    /// What a hang would take longer than, by far.
+    /// Time limit, which only a hang exceeds.
     const LONG: Duration = Duration::from_secs(10);
     let mut rng = ChaCha8Rng::seed_from_u64(6);
     let list = mechanisms();

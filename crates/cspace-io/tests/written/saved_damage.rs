@@ -1,4 +1,4 @@
-//! What is said of files that are no contact spaces, or damaged ones: an error, never a panic.
+//! Errors for files that are no contact spaces, or damaged ones: an error, never a panic.
 
 use cspace::{Configuration, ContactSpace, Options};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
@@ -15,7 +15,7 @@ fn space() -> ContactSpace {
     ContactSpace::compute(part(0), part(1), &Options::default()).unwrap()
 }
 
-/// What is said of the text.
+/// Error message and help for the text.
 fn refusal(text: &str) -> String {
     let e = saved::from_json(text, "space.json").unwrap_err();
     format!("{e} | {}", e.help().unwrap_or_default())
@@ -180,7 +180,7 @@ fn a_part_of_a_file_is_no_file() {
     }
 }
 
-/// What can be asked of a space that was read: whatever the answers, they come.
+/// Asks a space that was read all queries: whatever the answers, there are some.
 fn use_it(space: &ContactSpace) {
     for theta in [-3.0, 0.0, 0.3, 2.0] {
         let slice = space.slice(theta);

@@ -31,7 +31,7 @@ fn value(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// That both spaces have the same patches, links and regions.
+/// Checks that both spaces have the same patches, links and regions.
 fn assert_same(a: &ContactSpace, b: &ContactSpace) {
     assert_eq!(a.patches(), b.patches());
     assert_eq!(a.side_links(), b.side_links());
@@ -41,7 +41,7 @@ fn assert_same(a: &ContactSpace, b: &ContactSpace) {
     assert_eq!(a.doubtful_orientations(), b.doubtful_orientations());
 }
 
-/// Everything but the parts and what is asked of them, changed at random, with and without the checksum.
+/// All data but the parts and the options are changed at random, with and without the checksum.
 #[test]
 fn no_answer_comes_from_a_lie() {
     for window in [None, Some((-0.4, 1.0))] {
@@ -165,7 +165,7 @@ fn fixed_axes_are_computed_again() {
     }
 }
 
-/// Where white space, order and labels alone are changed, nothing is computed again: the seconds are those of the file.
+/// If only white space, order and labels are changed, nothing is computed again: the seconds are those of the file.
 #[test]
 fn what_says_the_same_is_taken_as_it_is() {
     let space = ring_and_block(None);
@@ -180,7 +180,7 @@ fn what_says_the_same_is_taken_as_it_is() {
     );
 }
 
-/// The places of numbers and of lists, but for those of the parts, of the window and of the symmetry that is looked for.
+/// Paths of numbers and of lists, except those of the parts, of the window and of the requested symmetry.
 fn collect(value: &Value, at: String, numbers: &mut Vec<String>, lists: &mut Vec<String>) {
     if ["/fixed", "/moving", "/window", "/symmetry"].contains(&at.as_str()) {
         return;

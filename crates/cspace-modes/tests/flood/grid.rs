@@ -7,12 +7,12 @@ use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{AxisMotion, Classification};
 use cspace_modes::{ModePlace, Modes};
 
-/// What a grid shows of modes.
+/// Modes found on a grid.
 #[derive(Debug, Default, PartialEq)]
 pub(crate) struct Found {
     /// Free configurations.
     pub(crate) free: usize,
-    /// Sets of them that hang together.
+    /// Number of their connected components.
     pub(crate) components: usize,
     /// Modes that hold one at least.
     pub(crate) met: usize,
@@ -21,7 +21,7 @@ pub(crate) struct Found {
 pub(crate) struct Grid<'a> {
     modes: &'a Modes,
     n: usize,
-    /// From where, by which step, and whether the last is beside the first.
+    /// Start and step along each coordinate, and whether the last place is adjacent to the first.
     along: [(f64, f64, bool); 3],
 }
 
@@ -74,7 +74,8 @@ impl<'a> Grid<'a> {
         })
     }
 
-    /// What the grid shows. Panics if two configurations that a free motion joins are in two modes, or one is in none.
+    /// Modes found on the grid. Panics if two configurations that a free motion joins are in two modes, or one is in
+    /// none.
     pub(crate) fn found(&self) -> Found {
         let n = self.n;
         let index = |i: [usize; 3]| (i[0] * n + i[1]) * n + i[2];

@@ -91,8 +91,8 @@ fn stars(seed: u64) -> Mechanism {
     mechanism
 }
 
-/// Motions from one place of a grid to the next that pairs' spaces find free stay in one mode; and mostly, where passages are wider than
-/// its step, the grid has as many components as modes.
+/// Motions from one place of a grid to the next that are free by the pairs' spaces stay in one mode. Mostly, where
+/// passages are wider than its step, the grid has as many components as modes.
 #[test]
 fn what_a_free_step_joins_is_one_mode() {
     let mut exact = 0;
@@ -134,7 +134,7 @@ fn walks_that_are_free_by_brute_force_stay_in_their_mode() {
     assert!(taken > 10_000, "{taken}");
 }
 
-/// The same parts in another order, and so swept along another coordinate, have the same modes.
+/// Parts in another order, and so swept along another coordinate, have the same modes.
 #[test]
 fn the_order_of_the_parts_does_not_matter() {
     for seed in 0..40 {

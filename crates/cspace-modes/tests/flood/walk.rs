@@ -11,7 +11,7 @@ use super::Dice;
 /// A step is no longer than this share of what the clearance lets it be.
 const SHARE: f64 = 0.9;
 
-/// How far a point of a part moves at most where its coordinate changes by one.
+/// Largest displacement of a point of a part per unit of its coordinate.
 fn speed(part: &Part, axis: &Axis) -> f64 {
     match axis.motion {
         AxisMotion::Revolute { center } => {
@@ -35,7 +35,7 @@ pub(crate) struct Walker<'a> {
     axes: [Axis; 3],
     speeds: [f64; 3],
     pairs: Vec<([usize; 2], Oracle)>,
-    /// What is nearer to contact than this may count as contact.
+    /// Distance to contact below which a configuration may count as contact.
     resolution: f64,
 }
 

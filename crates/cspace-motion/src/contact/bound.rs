@@ -1,4 +1,4 @@
-//! What must not become negative: contact functions, and the distances to the ends of ranges.
+//! Bounds of a motion, functions that must not become negative: contact functions, and distances to the ends of ranges.
 
 use crate::pairs::{Pairs, Touch};
 use crate::system::{PartCoordinates, Row, System};
@@ -8,20 +8,20 @@ use crate::system::{PartCoordinates, Row, System};
 #[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Bound {
-    /// Of two features that touch.
+    /// Contact of two features.
     Contact(Touch),
-    /// Of a part at an end of its range.
+    /// Limit: a part at an end of its range.
     Limit {
         /// The part.
         part: usize,
-        /// Whether it is the upper end.
+        /// Whether the upper end of the range is reached, and not the lower.
         upper: bool,
     },
-    /// Of a part with a brake: it holds either way.
+    /// Brake of a part: it holds in both directions.
     Brake {
         /// The part.
         part: usize,
-        /// Where it stands.
+        /// Coordinate at which it stands.
         at: f64,
     },
 }
@@ -31,7 +31,7 @@ impl Bound {
         matches!(self, Self::Brake { .. })
     }
 
-    /// Whether it is of the same features, or the same end of a range.
+    /// Whether two bounds are of the same features, or the same end of a range.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Contact(a), Self::Contact(b)) => a.pair == b.pair && a.features == b.features,
@@ -40,7 +40,7 @@ impl Bound {
         }
     }
 
-    /// Its value and derivatives.
+    /// Value and derivatives of the bound's function.
     pub(crate) fn function(&self, system: &System, pairs: &Pairs, q: &[f64]) -> Row {
         match self {
             Self::Contact(touch) => pairs.list()[touch.pair].function(touch, system, q),
@@ -74,8 +74,8 @@ impl Bound {
     }
 }
 
-/// How far parts are beyond the ends of their ranges counts as nothing, radians or relative to the size of the mechanism: what
-/// contacts are known to.
+/// Distance beyond the end of a range that counts as rounding, in radians or relative to the size of the mechanism: the
+/// accuracy of contacts.
 const AT_LIMIT: f64 = 1e-10;
 
 /// A range's end within reach: the part, its upper or lower end, and how far it is to go.
@@ -107,7 +107,7 @@ pub(crate) fn limit_tolerance(system: &System, part: usize) -> f64 {
 /// contact, which passes from one feature to the next.
 pub(crate) const SAME_PLACE: f64 = 1e-6;
 
-/// Contacts are told when they are farther away than what leaves them by this factor.
+/// Contacts are searched up to this multiple of the distance at which they open.
 pub(super) const REACH: f64 = 4.0;
 
 /// The brakes of parts, where they stand.
@@ -125,7 +125,7 @@ pub(crate) fn touching(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> 
     nearly_touching(system, pairs, q, 0.0)
 }
 
-/// Those that touch, or nearly: within a length.
+/// Bounds that are closed or closer to it than a length.
 pub(crate) fn nearly_touching(system: &System, pairs: &Pairs, q: &[f64], near: f64) -> Vec<Bound> {
     let of = |pair: usize| nearly_touching_of(system, pairs, pair, q, near);
     let mut all: Vec<Bound> = (0..pairs.list().len()).flat_map(of).collect();

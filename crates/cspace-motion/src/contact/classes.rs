@@ -1,5 +1,5 @@
-//! What configurations of pairs are, kept while they are asked for again: the end of a step is where the next one begins, and all that is tried of
-//! a step begins at one place.
+//! Cache of the classifications of pairs' configurations: the end of one step is the beginning of the next, and all
+//! trials of a step begin at the same configuration.
 
 use std::cell::RefCell;
 
@@ -7,23 +7,23 @@ use cspace::{Classification, Coordinates, QueryError};
 
 use crate::pairs::MovingPair;
 
-/// So many are kept of each pair: where a step begins and ends, and two places between.
+/// Classifications kept for each pair: those at both ends of a step, and at two configurations between.
 const KEPT: usize = 4;
 
-/// Classes of configurations, those asked for last of each pair.
+/// Last classifications of each pair.
 #[derive(Debug)]
 pub(super) struct Classes(RefCell<Vec<[Option<Known>; KEPT]>>);
 
-/// A configuration and what it is.
+/// A configuration and its classification.
 type Known = (Coordinates, Classification);
 
 impl Classes {
-    /// Of so many pairs, nothing being known.
+    /// Creates an empty cache for a number of pairs.
     pub(super) fn new(pairs: usize) -> Self {
         Self(RefCell::new(vec![[None; KEPT]; pairs]))
     }
 
-    /// What a configuration of a pair is.
+    /// Classification of a pair's configuration, from the cache if it is there.
     ///
     /// # Errors
     /// If nothing was computed there.
@@ -43,7 +43,7 @@ impl Classes {
         Ok(class)
     }
 
-    /// That a configuration of a pair is of a class.
+    /// Stores the classification of a pair's configuration.
     pub(super) fn tell(&self, index: usize, at: Coordinates, class: Classification) {
         let kept = &mut self.0.borrow_mut()[index];
         let last = kept.iter().position(|k| k.is_some_and(|k| k.0 == at));

@@ -1,20 +1,20 @@
-//! How far along a motion pairs are known to meet nothing, while shorter steps of it are tried.
+//! Cache of the parts of a motion in which pairs meet nothing, for trials with shorter steps.
 
 use super::bound::Bound;
 use super::path::Path;
 
-/// What was found of steps that begin in one way.
+/// Longest steps from one state, with the same bounds held, in which pairs met nothing.
 #[derive(Debug)]
 pub(super) struct Cleared {
     /// The coordinates and rates with which they begin.
     begin: [Vec<f64>; 2],
     held: Vec<Bound>,
-    /// How long the longest step was in which a pair met nothing, s.
+    /// Duration of the longest step in which each pair met nothing, s.
     until: Vec<f64>,
 }
 
 impl Cleared {
-    /// Of so many pairs, nothing being known.
+    /// Creates an empty record for a number of pairs.
     pub(super) fn new(pairs: usize) -> Self {
         Self {
             begin: [Vec::new(), Vec::new()],
@@ -23,7 +23,7 @@ impl Cleared {
         }
     }
 
-    /// That a step is looked at next, with some bounds held. What is known of others that begin elsewhere is forgotten.
+    /// Prepares for a step with some bounds held. Results of steps that begin in another state are discarded.
     pub(super) fn begin(&mut self, held: &[Bound], path: &Path<'_>) {
         let begin = [path.from(), path.begins()];
         let is_same = self.begin.iter().zip(begin).all(|(a, b)| a == b) && self.held == held;
@@ -34,12 +34,12 @@ impl Cleared {
         }
     }
 
-    /// Whether a pair met nothing in a step that was as long.
+    /// Whether the pair met nothing in a step that was at least as long.
     pub(super) fn covers(&self, pair: usize, path: &Path<'_>) -> bool {
         path.duration() <= self.until[pair]
     }
 
-    /// That a pair met nothing in the step.
+    /// Records that a pair met nothing in the step.
     pub(super) fn tell(&mut self, pair: usize, path: &Path<'_>) {
         self.until[pair] = self.until[pair].max(path.duration());
     }

@@ -1,4 +1,4 @@
-//! Contacts of which one is enough, because they meet at a corner that is convex.
+//! Pairs of contacts of which one suffices, because their features meet at a convex corner.
 //!
 //! ```text
 //!            | box
@@ -13,8 +13,8 @@ use crate::pairs::{MovingPair, Touch};
 
 use super::ends::Edge;
 
-/// Whether two contacts of a pair, which are at one place, are of one feature of each part or of two that meet at a convex corner: the
-/// parts are apart there where either of them is open.
+/// Whether two contacts of a pair at one place are of one feature of each part, or of two features that meet at a
+/// convex corner: then the parts are apart there if either contact is open.
 pub(crate) fn one_is_enough(pair: &MovingPair, a: &Touch, b: &Touch) -> bool {
     let of = |part: &Part, a: FeatureId, b: FeatureId| is_convex(part, a.name, b.name);
     of(pair.space.fixed(), a.features.0, b.features.0)

@@ -1,4 +1,4 @@
-//! Where a contact of two features ends because one of the features does.
+//! Ends of contacts: where a contact of two features ends because one of the features does.
 //!
 //! ```text
 //!   edge: the place of the contact p is between its ends      vertex: the normal is between those of its sides
@@ -9,7 +9,8 @@
 //!             (material)                                                ↓t₂
 //! ```
 //!
-//! Of an arc of more than half a turn the functions are right near the ends they belong to, which is where they are asked.
+//! For an arc of more than half a turn the functions are correct only near the ends they belong to, where they are
+//! evaluated.
 
 use cspace::{
     Coordinates, FeatureId, FeatureKind, FeatureName, FeatureShape, Part, Placement, Vector,
@@ -18,12 +19,11 @@ use cspace::{
 use crate::pairs::{MovingPair, Touch};
 use crate::system::System;
 
-/// How far a contact is past the end of a feature when it is seen to be: an angle, or a length that is always larger than this
-/// where it is seen, and never where it is rounding.
+/// Smallest distance past the end of a feature, as an angle or a length, that is more than rounding.
 pub(crate) const PAST_END: f64 = 2e-11;
 
-/// Functions that are positive while the contact is between the ends of both features, and of which one vanishes where it
-/// comes to an end; always in the same order. Empty where the features do not say.
+/// Functions that are positive while the contact is between the ends of both features; one of them vanishes at an end.
+/// They are always in the same order. Empty if the features do not determine them.
 pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64]) -> Vec<f64> {
     let Some(place) = pair.touching(touch, system, q) else {
         return Vec::new();
@@ -124,7 +124,7 @@ impl Edge {
 }
 
 impl MovingPair {
-    /// Where two features touch, in the fixed part's frame.
+    /// Points at which two features touch, in the fixed part's frame.
     fn touching(&self, touch: &Touch, system: &System, q: &[f64]) -> Option<cspace::Touching> {
         let at: Coordinates = self.coordinates(system, q);
         touch.contact().touching(at).ok()

@@ -1,4 +1,4 @@
-//! Whether the parts of a pair meet on the path of a step.
+//! Search for meetings of a pair's parts on the path of a step.
 
 use cspace::pair::PairMotion;
 use cspace::{Classification, Coordinates, PairSpace, QueryError};
@@ -11,30 +11,31 @@ use super::classes::Classes;
 use super::path::Path;
 use super::straight::{between, control_points, difference, middles, straight_gap};
 
-/// A piece of a path that begins in contact is straight if the pair's configuration is no farther than this from the straight way, relative to
-/// the size of the mechanism: what is met by less goes unseen until the parts are apart.
+/// Largest distance between the pair's path and its chord, relative to the size of the mechanism, at which a piece that
+/// begins in contact counts as straight: a contact by less than that is missed until the parts are apart.
 const STRAIGHT: f64 = 1e-6;
-/// A piece that begins with the parts apart: the room beside the straight way is looked at as well.
+/// As above, for a piece that begins with the parts apart: the space between path and chord is searched as well.
 const NEARLY_STRAIGHT: f64 = 1e-4;
-/// A path that is not is halved, so many times at most.
+/// A piece that is not straight is halved at most so many times.
 const MOST_BENT: usize = 12;
-/// The first pieces of a step that begins in contact are short, until the parts are apart: this share of it, and of that. In the first the
-/// way is straight to what contacts are known to.
+/// Length of the first pieces of a step that begins in contact, until the parts are apart: this share of the step, and
+/// the same share of that. The first piece is straight within the accuracy of contacts.
 const FIRST: f64 = 1.0 / 64.0;
 
-/// A path between two configurations of a step is at most so much longer than the way from one to the other.
+/// Largest ratio of the length of a path between two configurations of a step to their distance.
 const LONGER: f64 = 1.1;
 
-/// A contact on a straight piece of a path that is none on the path itself asks for shorter pieces, by halves so many times: a piece's
-/// distance from the path falls by four each time, from a thousandth of the size to rounding. What is left then counts as met.
+/// Largest number of halvings of a piece of which the chord has a contact and the path itself has none: the distance
+/// between them falls by a factor of four each time, from a thousandth of the size to rounding. A contact that is left
+/// then counts as met.
 const MOST_HALVED: usize = 20;
-/// In these shares of a piece it is halved where that contact is, elsewhere in the middle.
+/// Range of the shares at which a piece is divided at that contact; elsewhere it is divided in the middle.
 const INNER: core::ops::RangeInclusive<f64> = 0.1..=0.9;
 
 /// A share of a path, and the coordinates there.
 type Place = (f64, Vec<f64>);
 
-/// What two parts do on a path.
+/// Search for a meeting of the two parts of a pair on a path.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Meeting<'m> {
     pub(super) system: &'m System,
@@ -42,14 +43,14 @@ pub(super) struct Meeting<'m> {
     /// The pair's number.
     pub(super) index: usize,
     pub(super) path: &'m Path<'m>,
-    /// What its pair is where steps begin and end.
+    /// Cached classifications of the pair where steps begin and end.
     pub(super) classes: &'m Classes,
-    /// How far its parts are apart at most where the path begins.
+    /// Largest possible distance between its parts where the path begins.
     pub(super) ceiling: f64,
 }
 
 impl Meeting<'_> {
-    /// How far points of the two parts move at most.
+    /// Largest distance by which points of the two parts move.
     pub(super) fn travel(&self) -> f64 {
         let (from, middle, to) = (self.path.from(), self.path.middle(), self.path.to());
         self.way(from, middle) + self.way(middle, to)
@@ -64,7 +65,7 @@ impl Meeting<'_> {
         LONGER * (of(self.pair.fixed) + of(self.pair.moving))
     }
 
-    /// Whether they meet anywhere.
+    /// Whether the parts meet anywhere on the path.
     pub(super) fn happens(&self) -> bool {
         let mut from = (0.0, self.path.at(0.0));
         for end in [FIRST * FIRST, FIRST, 1.0] {
@@ -86,7 +87,7 @@ impl Meeting<'_> {
         false
     }
 
-    /// Whether they meet between two places, which are looked at in straight pieces.
+    /// Whether the parts meet between two places, searched in straight pieces.
     fn is_on(&self, [from, to]: [&Place; 2], straight: f64, bent: usize) -> bool {
         if bent == 0 || self.is_straight([from, to], straight) {
             return self.is_between([from, to], MOST_HALVED);
@@ -108,8 +109,8 @@ impl Meeting<'_> {
             || self.is_on([&middle, to], straight, bent - 1)
     }
 
-    /// Whether the pair's configuration goes straight between two places, as seen at two others between them: a cubic that is straight
-    /// there is so all the way.
+    /// Whether the pair's configuration moves on a straight line between two places, as checked at two others between
+    /// them: a cubic that is straight there is straight everywhere.
     fn is_straight(&self, [from, to]: [&Place; 2], straight: f64) -> bool {
         let ends = [from, to].map(|place| self.coordinates(&place.1));
         [0.25, 0.75].into_iter().all(|share| {
@@ -119,7 +120,8 @@ impl Meeting<'_> {
         })
     }
 
-    /// How far a change of the pair's configuration moves points of the moving part at most, or both parts on their axes.
+    /// Upper bound of the distance by which a change of the pair's configuration moves points of the moving part, or of
+    /// both parts on axes.
     fn length(&self, change: Coordinates) -> f64 {
         let [fixed, moving] =
             [self.pair.fixed, self.pair.moving].map(|part| self.system.levers()[part]);
@@ -139,7 +141,8 @@ impl Meeting<'_> {
         self.pair.coordinates(self.system, q)
     }
 
-    /// The first contact is sought exactly on the straight way between two places, and counts if the path itself comes to it.
+    /// Whether the parts meet on the path between two places. The first contact is computed exactly on the chord, and
+    /// counts if the path itself reaches it.
     fn is_between(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let space = &self.pair.space;
         let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
@@ -160,7 +163,7 @@ impl Meeting<'_> {
         if straight_gap(&touch, [a, b], contact.time) <= 0.0 {
             return self.is_in_halves([from, to], contact.time, halved);
         }
-        // Spaces tell contacts a little early: by the features themselves there may be none.
+        // Spaces report contacts a little early: by the features themselves there may be none.
         self.least_gap(&touch, [&there, to]) <= 0.0 || self.goes_deep([&there, to], halved)
     }
 
@@ -199,7 +202,7 @@ impl Meeting<'_> {
         self.is_in_halves([from, to], 0.5, halved)
     }
 
-    /// Whether they come to be deeper in each other than contacts are known to, from where they touch.
+    /// Whether the parts, from where they touch, penetrate each other by more than the error of contacts.
     fn goes_deep(&self, [from, to]: [&Place; 2], halved: usize) -> bool {
         let pair = self.pair;
         let [a, b] = [from, to].map(|place| self.coordinates(&place.1));
@@ -225,7 +228,7 @@ impl Meeting<'_> {
         is_met || beside.is_some_and(|share| self.is_in_halves([from, to], share, halved))
     }
 
-    /// Whether they meet before or after a share of the way between two places.
+    /// Whether the parts meet before or after a share of the path between two places.
     fn is_in_halves(&self, [from, to]: [&Place; 2], share: f64, halved: usize) -> bool {
         let share = if INNER.contains(&share) { share } else { 0.5 };
         let middle = self.place([from, to], share);

@@ -1,4 +1,4 @@
-//! What holds a motion on: contacts and ends of ranges, where contacts end, and whether a step meets others.
+//! Bounds of a motion: contacts and ends of ranges, ends of contacts, and whether a step meets further ones.
 
 mod bound;
 mod classes;

@@ -1,4 +1,4 @@
-//! What keeps parts from overlapping more, where they overlap a little.
+//! Choice of the contacts that keep slightly overlapping parts from overlapping more.
 //!
 //! ```text
 //!   convex corner:              \ b /   one contact is enough: that which is
@@ -20,9 +20,9 @@ use crate::system::System;
 use super::bound::{Bound, limit_tolerance, limits};
 use super::ends::ends;
 
-/// Places of contacts that are no farther apart than so many ways are at one corner.
+/// Contacts whose places are closer than this multiple of the displacement are at one corner.
 const ONE_CORNER: f64 = 8.0;
-/// How far a contact is past the end of an edge when it is more than rounding, relative to the size of the mechanism.
+/// Distance past the end of an edge that is more than rounding, relative to the size of the mechanism.
 const PAST: f64 = 1e-10;
 
 /// A contact that overlaps.
@@ -30,12 +30,12 @@ struct Overlap {
     touch: Touch,
     gap: f64,
     place: Point,
-    /// Whether its place is past the end of an edge.
+    /// Whether the place of contact is past the end of an edge.
     past: bool,
 }
 
-/// The contacts and ends of ranges that are closed or overlap by no more than a way, and keep the parts from overlapping more. `None`
-/// where a pair has left its space.
+/// Contacts and ends of ranges with gap ≤ 0 and penetration ≤ a length, which keep the parts from overlapping more.
+/// `None` if a pair has left its space.
 pub(crate) fn overlapping(
     system: &System,
     pairs: &Pairs,
@@ -58,7 +58,7 @@ pub(crate) fn overlapping(
                 let mut others = beside.peekable();
                 others.peek().is_some() && others.all(|(_, b)| b.past || b.gap <= a.gap)
             } else {
-                // Of two that are equally near any will do.
+                // If two are equally near, either will do.
                 beside.all(|(k, b)| b.past || b.gap < a.gap || (b.gap == a.gap && k > i))
             }
         };
@@ -72,7 +72,7 @@ pub(crate) fn overlapping(
     Some(all)
 }
 
-/// A contact, if it overlaps by no more than a way and its features are there, to that way.
+/// Judges a contact: `None` if it penetrates by more than a length or one of its features has ended.
 fn judged(
     system: &System,
     pair: &MovingPair,
@@ -113,7 +113,7 @@ fn judged(
     })
 }
 
-/// Whether an edge is an arc of more than half a turn, of which the functions of its ends are right near them only.
+/// Whether an edge is an arc of more than half a turn, whose end functions are correct only near the ends.
 pub(crate) fn is_long(part: &Part, feature: FeatureId) -> bool {
     matches!(part.feature_shape(feature.name), Some(FeatureShape::Edge { bulge, .. }) if bulge.abs() > 1.0)
 }

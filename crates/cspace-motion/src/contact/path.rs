@@ -1,4 +1,4 @@
-//! The way that a step of the motion goes.
+//! Path of the mechanism in one step of the motion.
 
 use core::cell::OnceCell;
 
@@ -7,13 +7,13 @@ use core::cell::OnceCell;
 pub(crate) struct Path<'a> {
     ends: [&'a [f64]; 2],
     rates: [&'a [f64]; 2],
-    /// How long it takes, s.
+    /// Duration of the step, s.
     duration: f64,
     middle: OnceCell<Vec<f64>>,
 }
 
 impl<'a> Path<'a> {
-    /// With the coordinates and rates of both ends.
+    /// Creates the path from coordinates and rates at both ends.
     pub(crate) fn new(
         (a, va): (&'a [f64], &'a [f64]),
         (b, vb): (&'a [f64], &'a [f64]),
@@ -27,12 +27,12 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Where it begins.
+    /// Coordinates at the start.
     pub(crate) fn from(&self) -> &'a [f64] {
         self.ends[0]
     }
 
-    /// Where it ends.
+    /// Coordinates at the end.
     pub(crate) fn to(&self) -> &'a [f64] {
         self.ends[1]
     }
@@ -42,7 +42,7 @@ impl<'a> Path<'a> {
         self.rates[0]
     }
 
-    /// How long it takes, s.
+    /// Duration, s.
     pub(super) fn duration(&self) -> f64 {
         self.duration
     }

@@ -14,13 +14,14 @@ use crate::system::System;
 
 use super::bound::{Bound, REACH, SAME_PLACE};
 
-/// The contacts of a pair that hold its parts between them: at least two, at different places, whose functions vanish to what contacts are
-/// known to, and whose patches come as near as places are told apart. None where another contact near there is deeper than that.
+/// Contacts of a pair that clamp its parts between them: at least two, at different places, whose functions vanish
+/// within the error of contacts and whose patches are closer than that. Empty if another contact nearby penetrates more
+/// deeply.
 pub(crate) fn pinching(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Vec<Touch> {
     within(system, pairs, index, q, pairs.list()[index].touch)
 }
 
-/// The same of all pairs where a step was found to go too far: by more than contacts are known to.
+/// As `pinch`, for every pair whose overlap after a step exceeds the error of contacts.
 pub(crate) fn pinched(system: &System, pairs: &Pairs, q: &[f64]) -> Vec<Bound> {
     let of =
         |(index, pair): (usize, &MovingPair)| within(system, pairs, index, q, REACH * pair.touch);

@@ -1,4 +1,4 @@
-//! Whether a motion can begin where the parts are.
+//! Check of the start configuration.
 
 use cspace::{Classification, PairSpace, QueryError, Slice};
 
@@ -8,10 +8,10 @@ use crate::system::System;
 
 use super::pinch::pinching;
 
-/// That no parts overlap.
+/// Checks that no parts overlap.
 ///
 /// # Errors
-/// If some do, or nothing was computed there.
+/// If parts overlap, or a pair's space was not computed at this configuration.
 pub(crate) fn check_start(system: &System, pairs: &Pairs, q: &[f64]) -> Result<(), SimulateError> {
     (0..pairs.list().len()).try_for_each(|index| check_pair(system, pairs, index, q))
 }
@@ -51,11 +51,11 @@ fn names(pair: &MovingPair, system: &System) -> [String; 2] {
     [pair.fixed, pair.moving].map(|i| parts[i].part.name().to_owned())
 }
 
-/// How far the moving part is from contact if the parts overlap: along or about its axis if both are on axes, otherwise by
-/// translation. `None` if they do not.
+/// Penetration depth of overlapping parts: along or about their axes if both are on axes, otherwise by translation.
+/// `None` if they do not overlap.
 ///
 /// # Errors
-/// If nothing was computed there.
+/// If the pair's space was not computed at this configuration.
 pub(crate) fn depth(
     pair: &MovingPair,
     system: &System,
@@ -79,8 +79,8 @@ pub(crate) fn depth(
     }
 }
 
-/// Whether parts that count as blocked only touch: a part that is wedged stands at the last orientation at which it fits, or turned by rounding beyond
-/// it, where nothing is free and no contact near.
+/// Whether parts that are classified as blocked only touch. A wedged part is at the last orientation at which it fits,
+/// or beyond it by rounding, where nothing is free and no contact is near.
 fn is_held(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Result<bool, QueryError> {
     let pair = &pairs.list()[index];
     if !matches!(pair.space, PairSpace::Planar(_)) {
@@ -90,7 +90,8 @@ fn is_held(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Result<bo
     Ok(!touches.is_empty() || !pinching(system, pairs, index, q).is_empty())
 }
 
-/// Whether parts on axes that count as blocked only touch: what slides along another part without a gap does so for ever.
+/// Whether parts on axes that are classified as blocked only touch: a part that slides along another one without a gap
+/// stays in contact.
 fn is_flush(pair: &MovingPair, system: &System, q: &[f64]) -> bool {
     if !matches!(pair.space, PairSpace::FixedAxes(_)) {
         return false;

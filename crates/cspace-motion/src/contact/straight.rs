@@ -1,23 +1,23 @@
-//! Straight ways between configurations of a pair.
+//! Straight lines between configurations of a pair.
 
 use cspace::pair::PairCrossing;
 use cspace::{Configuration, Coordinates, PatchId};
 
 use crate::pairs::Touch;
 
-/// The gap of a contact at a share of the straight way between two configurations; where it cannot be told, the parts overlap.
+/// Gap of a contact at a share of the straight line between two configurations; −∞ if it cannot be computed.
 pub(super) fn straight_gap(touch: &Touch, ends: [Coordinates; 2], share: f64) -> f64 {
     let there = between(ends, share);
     let gap = there.and_then(|there| touch.contact().value(there).ok());
     gap.unwrap_or(f64::NEG_INFINITY)
 }
 
-/// The configuration at a share of the straight way between two.
+/// Configuration at a share of the straight line between two.
 pub(super) fn between([a, b]: [Coordinates; 2], share: f64) -> Option<Coordinates> {
     combined(a, b, |a, b| a + share * (b - a))
 }
 
-/// The control points of a cubic of which the ends are known, and what is at a third and two thirds of it.
+/// Control points of a cubic, from its two ends and its points at a third and two thirds.
 pub(super) fn control_points(
     [a, b]: [Coordinates; 2],
     [p, r]: [Coordinates; 2],
@@ -31,12 +31,12 @@ pub(super) fn control_points(
     Some([a, of(a, p, r, b)?, of(b, r, p, a)?, b])
 }
 
-/// The rates of a straight way that takes a second.
+/// Rates of a straight motion that takes one second.
 pub(super) fn difference(a: Coordinates, b: Coordinates) -> Option<Coordinates> {
     combined(a, b, |a, b| b - a)
 }
 
-/// What is made of each two coordinates; `None` of coordinates of different classes.
+/// Applies a function to each two corresponding coordinates; `None` if the coordinates are of different classes.
 fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Option<Coordinates> {
     match (a, b) {
         (Coordinates::Planar(a), Coordinates::Planar(b)) => Some(Coordinates::Planar(
@@ -50,7 +50,7 @@ fn combined(a: Coordinates, b: Coordinates, of: impl Fn(f64, f64) -> f64) -> Opt
     }
 }
 
-/// Half way between where a way goes into blocked space, through which patch, and where it comes out again or ends.
+/// Midpoints of the blocked intervals of a straight motion, each with the patch through which the interval begins.
 pub(super) fn middles(crossings: &[PairCrossing]) -> Vec<(PatchId, f64)> {
     let enters = crossings.iter().enumerate().filter(|(_, c)| c.enters);
     enters

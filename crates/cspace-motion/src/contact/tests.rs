@@ -55,8 +55,9 @@ fn what_begins_in_contact_meets_what_is_in_its_way() {
     }
 }
 
-/// What a disc of radius 1 meets whose centre goes over the tip of a spike 2 high, from 0.05 before it to 0.05 past it, on a parabola that is 3 + `gap` high
-/// over the tip and higher by `bulge` at its ends. `place` makes coordinates and rates of those of the centre.
+/// Result for a disc of radius 1 that passes over the tip of a spike of height 2. The disc's centre goes from 0.05
+/// before the tip to 0.05 past it on a parabola that is 3 + `gap` high above the tip and higher by `bulge` at its ends.
+/// `place` maps the centre's coordinates and rates to those of the simulation.
 fn over_the_tip(
     simulation: &Simulation,
     [bulge, gap]: [f64; 2],
@@ -69,7 +70,8 @@ fn over_the_tip(
     Watch::new(simulation.system(), simulation.pairs()).check(&[], &path)
 }
 
-/// A disc that goes over a tip touches it by a hundred millionth, or passes it by as much; the straight way to where it goes is farther away.
+/// A disc that passes over a tip touches it by a hundred millionth, or misses it by as much; the chord of the path is
+/// farther away from the tip.
 #[test]
 fn a_contact_within_a_step_is_met_however_shallow() {
     let disc = Part::circle("disc", (0.0, 0.0), 1.0).unwrap();

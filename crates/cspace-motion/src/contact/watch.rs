@@ -1,4 +1,4 @@
-//! Whether a step of the motion met anything: contacts that came or went, ends of ranges, windows.
+//! Check of a step for contacts that came or went, ends of ranges, and windows.
 
 use cspace::{Classification, PairSpace, PatchId, QueryError};
 
@@ -16,13 +16,13 @@ use super::pinch::pinching;
 /// A step moves no part by more than this, relative to the size of the mechanism; angles count by their parts' sizes.
 pub(crate) const LONGEST: f64 = 0.02;
 
-/// Each of the six coordinates of two parts may take up this share of what keeps them apart, twice over.
+/// Share of a pair's clearance that each of the six coordinates of its parts may use up, twice over.
 const SHARE: f64 = 1.0 / 14.0;
 
-/// Clearances are asked for wherever they may be so many times what is needed, however often they were not.
+/// Upper bound of `likely`: a clearance is computed wherever it may be so many times the required one.
 const MOST_LIKELY: f64 = 64.0;
 
-/// What a step met.
+/// Reason for which a step cannot be taken as a whole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Met {
     /// A contact is no longer where two features touch, or the parts of a pair met.
@@ -31,22 +31,23 @@ pub(crate) enum Met {
     Window,
 }
 
-/// What is known of each pair while the same contacts are closed.
+/// State of each pair's check for collisions while the same contacts are closed.
 #[derive(Debug)]
 pub(crate) struct Watch<'a> {
     system: &'a System,
     pairs: &'a Pairs,
-    /// How far each pair's parts may move until they can meet; 0 if that is not known.
+    /// Distance that each pair's parts may move before they can meet; 0 if unknown.
     room: Vec<f64>,
-    /// How far each pair's parts are apart at most: as far as they were, and as far as they have moved since.
+    /// Upper bound of each pair's clearance: the last known one plus the distance moved since.
     ceiling: Vec<f64>,
-    /// Clearances are asked for where they may be so many times what is needed: twice as many each time that they are not.
+    /// Factor for each pair: a clearance is computed where it may be this multiple of the required one. It doubles each
+    /// time that it turns out to be smaller.
     likely: Vec<f64>,
-    /// Of each pair the patches on which its features touched last: features may touch on several.
+    /// Last contact patches of each pair's features, which may touch on several at once.
     patches: Vec<Vec<Touch>>,
-    /// What pairs are where steps begin and end.
+    /// Cached classifications of pairs where steps begin and end.
     classes: Classes,
-    /// How far pairs are known to meet nothing.
+    /// Cache of the steps in which pairs meet nothing.
     cleared: Cleared,
     /// The pair that met something in the step that was looked at last.
     met: Option<usize>,
@@ -79,7 +80,8 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// How far each coordinate may change, in the lengths of [`System::lengths`], until parts can meet or come to the end of a range.
+    /// Largest change of each coordinate, in the lengths of [`System::lengths`], before parts can meet or reach the end
+    /// of a range.
     pub(crate) fn freedom(&self, q: &[f64]) -> Vec<f64> {
         let parts = self.system.parts();
         let mut rooms = vec![f64::INFINITY; parts.len()];
@@ -105,7 +107,7 @@ impl<'a> Watch<'a> {
         all
     }
 
-    /// What a step along a path met, with some bounds held on the way.
+    /// Checks a step along a path on which some bounds are held; returns the first obstacle found.
     pub(crate) fn check(&mut self, held: &[Bound], path: &Path<'_>) -> Option<Met> {
         let all = 0..self.pairs.list().len();
         self.cleared.begin(held, path);
@@ -200,7 +202,8 @@ impl<'a> Watch<'a> {
             .classes
             .of(index, pair, pair.coordinates(self.system, to))
         {
-            // No deeper than a contact's tolerance is none: where a coordinate turns around on a contact, rounding looks deep.
+            // Overlap no deeper than a contact's tolerance does not count: where a coordinate turns around on a
+            // contact, rounding looks deep.
             Ok(Classification::Blocked) => match pair.touches(index, self.system, to, pair.touch) {
                 Ok(touches) if !touches.is_empty() => {}
                 _ => return Some(Met::Contact),
@@ -226,8 +229,8 @@ impl<'a> Watch<'a> {
         })
     }
 
-    /// Whether two features still touch as well as contacts are known, although others keep the parts from touching there by less than that:
-    /// as on the lower of two tiles. The parts do not overlap by more than a depth.
+    /// Whether two features still touch within the error of contacts, although others keep the parts apart there by
+    /// less than that: as on the lower of two tiles. The parts do not overlap by more than a depth.
     fn is_level(&self, pair: &MovingPair, touch: &Touch, q: &[f64], deep: f64) -> bool {
         let PairSpace::Planar(_) = &pair.space else {
             return false;
@@ -248,11 +251,11 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Whether a contact that is closed at both ends of a step was closed all the way.
+    /// Whether a contact that is closed at both ends of a step was closed during the whole step.
     ///
-    /// On fixed axes patches are curves, and a step that begins and ends on one of them stayed on it. The same features may touch on another
-    /// one as well: others hold the parts between the two. `reach` is
-    /// how near patches come.
+    /// On fixed axes patches are curves, and a step that begins and ends on one of them stayed on it. The same features
+    /// may touch on another patch as well, with other features holding the parts between the two. `reach` is the
+    /// largest distance at which patches count as touching.
     fn stays(&self, pair: &MovingPair, touch: &Touch, [from, to]: [&[f64]; 2], reach: f64) -> bool {
         let PairSpace::FixedAxes(_) = &pair.space else {
             return true;
@@ -275,7 +278,7 @@ impl<'a> Watch<'a> {
         begun.iter().chain([&touch.patch]).any(goes_on)
     }
 
-    /// That a step along a path was taken.
+    /// Updates the rooms and ceilings of all pairs after a step along a path was taken.
     pub(crate) fn taken(&mut self, path: &Path<'_>) {
         for index in 0..self.pairs.list().len() {
             let travel = self.meeting(index, path).travel();

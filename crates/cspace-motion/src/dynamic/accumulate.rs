@@ -1,23 +1,24 @@
 //! Impacts that accumulate: their times come nearer to each other as a geometric series, and have a limit.
 
-/// The series is closed when what is left of it is less than this share of the time that is simulated.
+/// The series is closed when its remaining duration is less than this share of the simulated time.
 const LEFT: f64 = 1e-10;
-/// Or when the ways between impacts are shorter than this share of the size: rounding leaves little of them.
+/// The series is also closed when the displacement between impacts is shorter than this share of the size: rounding
+/// leaves little of it.
 const WAY: f64 = 1e-12;
-/// Intervals are compared with those so many impacts before: two feet of a block strike in turn.
+/// Intervals are compared with those this many impacts before: two feet of a block strike in turn.
 const TURNS: usize = 2;
 
 /// The times of impacts, the last ones.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Impacts {
     times: Vec<f64>,
-    /// Those of the last many, the last first.
+    /// Times of the latest impacts, the last first.
     recent: std::collections::VecDeque<f64>,
 }
 
 impl Impacts {
     pub(super) fn add(&mut self, t: f64) {
-        /// No more are compared.
+        /// Largest number of impacts that are compared.
         const KEPT: usize = 8;
         self.times.push(t);
         self.recent.push_front(t);
@@ -26,7 +27,7 @@ impl Impacts {
         }
     }
 
-    /// Whether the last so many came within a time.
+    /// Whether the last `many` impacts came within a time.
     pub(super) fn is_crowded(&mut self, time: f64, many: usize) -> bool {
         self.recent.truncate(many);
         match (self.recent.front(), self.recent.back()) {
@@ -35,10 +36,11 @@ impl Impacts {
         }
     }
 
-    /// How long it takes until all impacts to come are over, if they accumulate and are nearly over: with intervals d, r d, r² d … this
-    /// is d r / (1 − r) after the last.
+    /// Time until all impacts to come are over, if they accumulate and are nearly over: with intervals d, r d, r² d …
+    /// this is d r / (1 − r) after the last.
     ///
-    /// `way` is how far the contacts open in a unit of time after the last, as a share of the size.
+    /// `way` is the distance by which the contacts open in a unit of time after the last impact, as a share of the
+    /// size.
     pub(super) fn rest(&self, span: f64, way: f64) -> Option<f64> {
         let d: Vec<f64> = self.times.windows(2).map(|w| w[1] - w[0]).collect();
         let n = d.len();
@@ -52,7 +54,7 @@ impl Impacts {
         let falls = (n - TURNS..n).all(|i| d[i] < d[i - TURNS]);
         let left = last * ratio / (1.0 - ratio);
         let is_over = left < LEFT * span || way * last < WAY;
-        // What does not part does not strike again.
+        // Contacts that do not separate do not strike again.
         (way > 0.0 && ratio < 1.0 && first > last && falls && is_over).then_some(left)
     }
 }

@@ -1,8 +1,8 @@
-//! Accelerations and corrections by equations that are all known to hold, of masses that stand for themselves.
+//! Direct solution for accelerations and corrections, with equations that all hold and a diagonal mass matrix.
 //!
-//! With a diagonal mass matrix M the equations M x = h + Σ λ c, r · x = b, of as many directions c as rows r, are a small system in the
-//! forces λ alone. Where it is singular, as with joints or contacts that follow from others, the slower ways that know of these are
-//! taken.
+//! With a diagonal mass matrix M the equations M x = h + Σ λ c, r · x = b, of as many directions c as rows r, are a
+//! small system in the forces λ alone. Where it is singular, as with dependent joints or contacts, the slower methods
+//! that can handle these are used.
 
 use core::ops::Range;
 
@@ -23,7 +23,7 @@ struct System {
     rows: Vec<f64>,
     directions: Vec<f64>,
     targets: Vec<f64>,
-    /// Where the numbers of each row and of its direction are not 0: those of the parts that a joint or a contact is of.
+    /// Non-zero ranges of each row and its direction: those of the parts of a joint or a contact.
     within: Vec<Range<usize>>,
 }
 
@@ -41,7 +41,7 @@ impl System {
 }
 
 impl System {
-    /// That a number of the last row or of its direction is not 0.
+    /// Extends the non-zero range of the last row to an index.
     fn reach(&mut self, i: usize) {
         if let Some(within) = self.within.last_mut() {
             *within = match within.end {

@@ -17,7 +17,7 @@ const IDLE: f64 = 1e-9;
 /// Newton's method for gaps and joints converges in two or three steps.
 const PROJECTIONS: usize = 8;
 
-/// A contact that bears, with what it does.
+/// Bearing contacts with their modes.
 pub(super) type Bearings = Vec<(usize, Mode)>;
 
 /// A world with the contacts that bear in it.
@@ -27,14 +27,14 @@ pub(super) struct Flow<'a, W: World + ?Sized> {
     inverse: DMatrix<f64>,
     /// The factor L of its mass matrix.
     factor: Cholesky,
-    /// If that is diagonal.
+    /// Inverse of a diagonal mass matrix.
     lightness: Option<Lightness>,
     /// The gaps at which contacts that bear are held, where these are not 0.
     pub(super) seats: HashMap<usize, f64>,
 }
 
 impl<'a, W: World + ?Sized> Flow<'a, W> {
-    /// None if the mass matrix has no inverse.
+    /// Creates the flow; `None` if the mass matrix has no inverse.
     pub(super) fn new(world: &'a W) -> Option<Self> {
         let inverse = world.mass().clone().try_inverse()?;
         let factor = Cholesky::of(world.mass().as_slice(), world.mass().nrows())?;
@@ -93,7 +93,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         self.world.touches(&contacts, state.t, &state.q)
     }
 
-    /// Contacts with the force of sliding that cannot slide, because all that bears leaves them no way to.
+    /// Contacts with the force of sliding that cannot slide, because the sticking contacts and the joints leave them no
+    /// freedom.
     pub(super) fn idle(&self, state: &State, bearings: &Bearings) -> Vec<usize> {
         let touches = self.touches(state, bearings);
         let joints = self.world.joints(state.t, &state.q).rows;
@@ -120,8 +121,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
             .collect()
     }
 
-    /// Where joints leave no freedom beside drives, the determinant of the joints' equations, of which each is made to have a length of 1 in the
-    /// metric of the masses: it is 0 where parts can go on in more than one way, or in none.
+    /// Determinant of the joints' equations, each scaled to length 1 in the metric of the masses, where joints leave no
+    /// freedom beside drives. It is 0 where parts can go on in more than one direction, or in none.
     pub(super) fn fold(&self, state: &State) -> f64 {
         let mut rows = self.world.joints(state.t, &state.q).rows;
         for mut row in rows.row_iter_mut() {
@@ -135,8 +136,8 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
         rows.determinant()
     }
 
-    /// The nearest state, in the metric of the masses, in which joints hold and the contacts that bear are at their seats; and how far
-    /// they were off.
+    /// Projects a state to the nearest one, in the metric of the masses, at which joints hold and bearing contacts have
+    /// their seated gaps; also returns the largest violation before.
     pub(super) fn projected(&self, mut state: State, bearings: &Bearings) -> Option<(State, f64)> {
         let world = self.world;
         let mut open = 0.0;
@@ -198,7 +199,7 @@ impl<'a, W: World + ?Sized> Flow<'a, W> {
     }
 }
 
-/// Those of the contacts that bear that stick.
+/// Sticking contacts among those that bear.
 fn stuck<'t>(touches: &'t [Touch], bearings: &Bearings) -> Vec<&'t Touch> {
     let all = touches.iter().zip(bearings);
     all.filter(|(_, b)| b.1 == Mode::Stick)

@@ -1,13 +1,14 @@
 //! Contacts with friction as linear complementarity.
 //!
-//! Where it is not known how a contact slides, the friction is λ_T = β⁺ − β⁻ and σ the speed of sliding:
+//! If the direction of a contact's sliding is unknown, the friction is λ_T = β⁺ − β⁻ and σ the speed of sliding:
 //!
 //! ```text
 //! 0 ≤ λ_N ⟂ a_N ≥ 0,   0 ≤ β⁺ ⟂ σ + a_T ≥ 0,   0 ≤ β⁻ ⟂ σ − a_T ≥ 0,   0 ≤ σ ⟂ f λ_N − β⁺ − β⁻ ≥ 0
 //! ```
 //!
-//! Of a contact that slides, or has no friction, only λ_N is unknown, and pushes along n − s f τ. If no contact slides yet the matrix is
-//! copositive, and Lemke's method finds a solution wherever contacts that support each other do not contradict each other.
+//! For a contact that slides, or has no friction, only λ_N is unknown; it pushes along n − s f τ. If no contact slides
+//! yet, the matrix is copositive, and Lemke's method finds a solution wherever contacts that support each other do not
+//! contradict each other.
 //!
 //! Sources: Stewart and Trinkle, International Journal for Numerical Methods in Engineering 39 (1996); Pang and Trinkle, Mathematical
 //! Programming 73 (1996).
@@ -23,7 +24,7 @@ use super::reduced::Reduced;
 /// Covering vectors that are tried, as a ray from one of them proves nothing and others may lead to other solutions.
 const COVERS: usize = 4;
 
-/// What an unknown of a contact is.
+/// Kind of an unknown of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kind {
     /// λ_N, with λ_T / λ_N.
@@ -121,7 +122,7 @@ impl<'a> Complementarity<'a> {
     fn read(&self, found: &Complementary) -> (Vec<Mode>, Vec<f64>) {
         let mut forces = vec![0.0; 2 * self.bearings.len()];
         let mut modes = vec![Mode::Open; self.bearings.len()];
-        // Of each contact whether λ_N, β⁺, β⁻ and σ are in the basis.
+        // For each contact, whether λ_N, β⁺, β⁻ and σ are in the basis.
         let mut inside = vec![[false; 4]; self.bearings.len()];
         for (k, &(i, kind)) in self.unknowns.iter().enumerate() {
             let force = found.z[k] * self.units[i];

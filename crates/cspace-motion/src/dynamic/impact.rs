@@ -7,14 +7,14 @@ use super::run::Run;
 use super::step::Span;
 use super::world::{Acting, World};
 
-/// So many impacts within [`CROWD`] of the time that is simulated do not bounce any more.
+/// Number of impacts within [`CROWD`] of the simulated time after which impacts no longer bounce.
 const MOST_IMPACTS: usize = 300;
 /// A share of the time that is simulated.
 const CROWD: f64 = 1e-6;
 
 impl<W: World + ?Sized> Run<'_, W> {
-    /// Newton's law of impact along normals, Coulomb's for impulses across them, all closed contacts at once. Whether any contact
-    /// passes an impulse.
+    /// Applies Newton's law of impact along normals and Coulomb's for impulses across them, to all closed contacts at
+    /// once. Returns whether any contact transmits an impulse.
     pub(super) fn impact(&mut self, closed: &[usize]) -> Result<bool, Ended> {
         let crowded = self.impacts.is_crowded(CROWD * self.span, MOST_IMPACTS);
         let surface = |i: usize| {
@@ -34,7 +34,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(solution.modes.iter().any(|mode| *mode != Mode::Open))
     }
 
-    /// What velocities and impulses have to satisfy, with the friction and the restitution of each contact.
+    /// Complementarity problem of velocities and impulses, with the friction and the restitution of each contact.
     pub(super) fn impulses(
         &self,
         closed: &[usize],

@@ -1,9 +1,10 @@
 //! Linear complementarity: w = M z + q with w, z ≥ 0 and w · z = 0.
 //!
-//! Lemke's method: with enough of a covering vector d, z = 0 and w = q + d z₀ ≥ 0. Unknowns are exchanged, always the one whose partner
-//! left, until z₀ leaves; then there is a solution. If nothing ends the growth of what enters there is a ray, and for many classes of M
-//! that proves that there is no solution: for positive semidefinite and copositive M under conditions on q, not in general. Of rows that
-//! end it at once the lexicographically first leaves, so no basis returns.
+//! Lemke's method: with enough of a covering vector d, z = 0 and w = q + d z₀ ≥ 0. Unknowns are exchanged, always
+//! entering the complement of the one that left, until z₀ leaves; then there is a solution. If nothing limits the
+//! growth of the entering unknown, there is a ray, and for many classes of M this proves that there is no solution: for
+//! positive semidefinite and copositive M under conditions on q, not in general. Ties are broken lexicographically, so
+//! that no basis returns.
 //!
 //! Source: Cottle, Pang and Stone, The Linear Complementarity Problem (1992), sections 4.4 and 4.9.
 
@@ -25,16 +26,16 @@ const TIMES: usize = 20;
 #[derive(Debug, Clone)]
 pub(super) struct Complementary {
     pub(super) z: DVector<f64>,
-    /// Whether z is among the unknowns of the basis, rather than w.
+    /// Whether z, rather than w, is in the basis.
     pub(super) basic: Vec<bool>,
 }
 
-/// What comes out.
+/// Result of Lemke's method.
 #[derive(Debug, Clone)]
 pub(super) enum Outcome {
     /// A solution, to rounding.
     Solution(Complementary),
-    /// No solution is found: nothing ends the growth, or numbers are not finite.
+    /// No solution is found: nothing limits the growth of an unknown, or numbers are not finite.
     Ray,
     /// Too many exchanges, or rounding that spoils the answer.
     TooLong,
@@ -135,10 +136,11 @@ fn answer(m: &DMatrix<f64>, q: &DVector<f64>, basic: Vec<bool>) -> Outcome {
     Outcome::Solution(Complementary { z, basic })
 }
 
-/// Unknowns are numbered: w from 0, z from n, z₀ is 2 n. Those of the basis by the others: basis + table · outside = right.
+/// Tableau. Unknowns are numbered: w from 0, z from n, z₀ is 2 n. Basic unknowns as functions of the others: basis +
+/// table · outside = right.
 struct Table {
     n: usize,
-    /// By rows of n + 2 numbers: n + 1 columns of the unknowns outside, and the right side.
+    /// Entries by rows of n + 2 numbers: n + 1 columns of the nonbasic unknowns, and the right side.
     entries: Vec<f64>,
     basis: Vec<usize>,
     outside: Vec<usize>,
@@ -263,7 +265,7 @@ mod tests {
     use super::{Complementary, Outcome, lemke, lemke_from};
     use crate::dynamic::numbers::Numbers;
 
-    /// All z of bases whose inequalities hold.
+    /// All z of bases that satisfy the inequalities.
     fn all(m: &DMatrix<f64>, q: &DVector<f64>) -> Vec<DVector<f64>> {
         let n = q.len();
         let mut found: Vec<DVector<f64>> = Vec::new();
@@ -347,7 +349,7 @@ mod tests {
         assert!(solved > 600 && unsolved > 100, "{solved} {unsolved}");
     }
 
-    /// Without such a matrix a ray proves nothing, but what is found is a solution.
+    /// Without such a matrix a ray proves nothing, but a result is a solution.
     #[test]
     fn what_it_finds_is_a_solution() {
         let mut numbers = Numbers::of(3);

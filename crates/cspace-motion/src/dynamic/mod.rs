@@ -1,10 +1,11 @@
 //! Dynamics with contacts: event-driven, on exact contact functions.
 //!
-//! Between events the contacts that bear are constraints, and what they do (stick, slide, in which direction) stays the same:
-//! the motion is smooth, and integrated with high order (`flow.rs`). An event is the root of a function: of a gap, of a contact's
-//! force, of a rate of sliding, of what friction is short of. It is found by taking the step again, shorter, until the function
-//! is 0 at its end: to rounding, without interpolation (`step.rs`). At an event, impacts change velocities at once, and the modes of
-//! the contacts are found anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
+//! Between events the bearing contacts are constraints, and their modes (sticking or sliding, and the direction) stay
+//! the same: the motion is smooth, and integrated with high order (`flow.rs`). An event is the root of a function: of a
+//! gap, of a contact's force, of a rate of sliding, of the friction reserve. It is located approximately on a
+//! polynomial through the step, and refined by repeating the step with a shorter length until the function is 0 at its
+//! end, to rounding (`step/`). At an event, impacts change velocities at once, and the modes of the contacts are
+//! determined anew (`modes.rs`). Impacts that accumulate are closed at their limit (`accumulate.rs`).
 
 mod accumulate;
 mod direct;
@@ -32,5 +33,5 @@ pub use world::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, 
 
 /// Contacts with gaps of this share of the size or less are closed: more than what projection leaves.
 pub const CLOSED: f64 = 1e-10;
-/// Rates of this share of the largest so far are 0.
+/// Threshold of rates that count as 0, as a share of the largest so far.
 pub const STILL: f64 = 1e-10;

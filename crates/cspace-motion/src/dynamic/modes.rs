@@ -1,6 +1,7 @@
-//! Which contacts bear, stick and slide: one problem for accelerations and for impacts.
+//! Modes of contacts (bearing, sticking or sliding): one problem for accelerations and for impacts.
 //!
-//! Sought are x (accelerations, or velocities after an impact), forces λ_N, λ_T of the contacts and μ of the joints with
+//! Unknowns are x (accelerations, or velocities after an impact), forces λ_N, λ_T of the contacts and μ of the joints
+//! with
 //!
 //! ```text
 //! M x = h + Jᵀ μ + Σ λ_N n + Σ λ_T τ,   J x = j
@@ -8,9 +9,10 @@
 //! |λ_T| ≤ f λ_N;   λ_T = −f λ_N s where it slides, or begins to slide, in direction s = ±1, and 0 = a_T = τ · x + c where it sticks
 //! ```
 //!
-//! Each contact is in one of four modes, and in each combination of modes the equations are linear. All combinations are tried, those
-//! whose inequalities hold are solutions: there may be none, one or several. Forces of contacts that support each other are the least
-//! that do it (least squares). Where there are too many combinations Lemke's method finds a solution (`friction.rs`).
+//! Each contact is in one of four modes, and in each combination of modes the equations are linear. All combinations
+//! are tried; those whose inequalities hold are solutions: there may be none, one or several. If contacts support each
+//! other redundantly, their forces are the smallest that do so (least squares). With too many combinations Lemke's
+//! method finds a solution (`friction.rs`).
 
 use crate::linear::Square;
 
@@ -19,7 +21,7 @@ pub use super::problem::Mode;
 pub(super) use super::problem::{Bearing, Problem, Solution};
 use super::reduced::Reduced;
 
-/// More combinations of modes than this are not gone through.
+/// Largest number of combinations of modes that are tried.
 pub(super) const MOST: usize = 1024;
 
 impl Problem<'_> {
@@ -39,7 +41,7 @@ impl Problem<'_> {
         }
     }
 
-    /// All solutions, by all combinations of modes.
+    /// Solutions for all combinations of modes.
     fn enumerated(&self, reduced: &Reduced) -> Vec<Solution> {
         let mut found: Vec<Solution> = Vec::new();
         let choices: Vec<&[Mode]> = self.bearings.iter().map(Bearing::choices).collect();
@@ -66,7 +68,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Those that Lemke's method finds.
+    /// Solutions found by Lemke's method.
     fn pivoted(&self, reduced: &Reduced) -> Vec<Solution> {
         let mut found: Vec<Solution> = Vec::new();
         for solution in friction::solutions(self, reduced) {

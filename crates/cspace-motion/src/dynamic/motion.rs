@@ -1,8 +1,8 @@
-//! What is asked and told of a motion.
+//! Options and results of a motion.
 
 use super::world::{Acting, State};
 
-/// What happens.
+/// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
     /// Velocities change at once.
@@ -13,7 +13,7 @@ pub enum EventKind {
     Release,
     /// A contact that slid sticks.
     Stick,
-    /// One that stuck slides.
+    /// A sticking contact begins to slide.
     Slip,
     /// Impacts have accumulated, and the contact stays closed.
     Rest,
@@ -22,25 +22,25 @@ pub enum EventKind {
 /// Something that happens to a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// When, s.
+    /// Time, s.
     pub t: f64,
-    /// What.
+    /// Kind of the event.
     pub kind: EventKind,
     /// The number of the contact.
     pub contact: usize,
 }
 
-/// How a motion ends.
+/// Reason for the end of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ended {
-    /// At the time asked for.
+    /// The requested time is reached.
     Done,
     /// No accelerations, or velocities after an impact, agree with the laws of contact and friction.
     Inconsistent {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
-    /// What is driven strikes what cannot give way.
+    /// A driven part strikes parts that cannot give way.
     Jammed {
         /// The contacts concerned.
         contacts: Vec<usize>,
@@ -50,12 +50,13 @@ pub enum Ended {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
-    /// More events in a time than can be told apart, or an equation of motion without a solution.
+    /// More events in a time than can be distinguished, or an equation of motion without a solution.
     Stuck {
         /// The contacts concerned.
         contacts: Vec<usize>,
     },
-    /// Joints that leave no freedom come to a point from which parts can go on in more than one way, or in none.
+    /// Joints that leave no freedom come to a configuration from which parts can go on in more than one direction, or
+    /// in none.
     Folded,
     /// Steps are too many, because forces are too stiff or rates too large.
     TooMany,
@@ -63,9 +64,9 @@ pub enum Ended {
     Interrupted,
 }
 
-/// Who is told of a motion on its way.
+/// Receiver of samples and events during a motion.
 pub trait Observer {
-    /// The next time at which a sample is wanted, s.
+    /// Time of the next requested sample, s.
     fn next(&self) -> f64 {
         f64::INFINITY
     }
@@ -76,13 +77,13 @@ pub trait Observer {
     /// The state at the start and at the ends of all steps.
     fn step(&mut self, _state: &State) {}
 
-    /// The state after what happened at an event: rates may not be what they were at the end of the step.
+    /// Receives the state after an event: rates may differ from those at the end of the step.
     fn changed(&mut self, _state: &State) {}
 
     /// An event, and the state just after it.
     fn event(&mut self, _event: &Event, _state: &State) {}
 
-    /// Whether it is to go on, asked now and then with the time it has come to.
+    /// Whether the motion is to go on; called at intervals with its current time.
     fn goes_on(&self, _t: f64) -> bool {
         true
     }
@@ -94,38 +95,38 @@ impl Observer for () {}
 /// A motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// How it ended.
+    /// Reason for the end.
     pub ended: Ended,
-    /// Where it began: the start, with the rates nearest to its own that joints allow.
+    /// First state: the start, with the rates nearest to its own that joints allow.
     pub first: State,
-    /// Where it ended.
+    /// Last state.
     pub last: State,
-    /// What happened.
+    /// Events, in order.
     pub events: Vec<Event>,
     /// Steps between events.
     pub steps: usize,
-    /// How far closed contacts and joints were open at most after a step, before they were brought together.
+    /// Largest gap or penetration of closed contacts and joints after a step, before they were projected.
     pub open: f64,
-    /// What became of energy.
+    /// Work done by drives and energy lost.
     pub work: Work,
 }
 
-/// What drives put in, and what is lost.
+/// Work done by drives, and energy lost.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Work {
-    /// By drives.
+    /// Work done by drives.
     pub drives: f64,
-    /// To friction and dampers.
+    /// Energy lost to friction and dampers.
     pub friction: f64,
-    /// To impacts.
+    /// Energy lost to impacts.
     pub impacts: f64,
 }
 
-/// What is asked of a motion.
+/// Options of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
-    /// When it ends, s.
+    /// End of the motion, s.
     pub until: f64,
-    /// No step is longer, s.
+    /// Longest step, s.
     pub longest: f64,
 }

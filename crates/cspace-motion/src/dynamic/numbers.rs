@@ -18,12 +18,12 @@ impl Numbers {
         z ^ (z >> 31)
     }
 
-    /// From 0 to 1.
+    /// Random number from 0 to 1.
     pub(super) fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From −1 to 1.
+    /// Random number from −1 to 1.
     pub(super) fn number(&mut self) -> f64 {
         2.0 * self.share() - 1.0
     }

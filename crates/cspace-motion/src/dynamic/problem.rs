@@ -2,16 +2,16 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// What a contact does.
+/// Mode of a contact: open, sticking or sliding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Mode {
-    /// It bears nothing.
+    /// The contact bears no force.
     Open,
-    /// It bears, and does not slide.
+    /// The contact bears a force and does not slide.
     Stick,
-    /// It bears, and slides in the direction of its tangent.
+    /// The contact bears a force and slides in the direction of its tangent.
     Forward,
-    /// It bears, and slides against it.
+    /// The contact bears a force and slides against its tangent.
     Backward,
 }
 
@@ -38,7 +38,8 @@ pub(super) struct Bearing {
     pub(super) friction: f64,
     /// The direction in which it slides already.
     pub(super) slides: Option<f64>,
-    /// Whether it has come to where it does not stick any more: of modes with the same accelerations sticking is the last.
+    /// Whether the contact has reached the end of its sticking: then sticking is tried last among modes with equal
+    /// accelerations.
     pub(super) lets_go: bool,
 }
 
@@ -65,7 +66,7 @@ pub(super) struct Problem<'a> {
     pub(super) joints: DMatrix<f64>,
     pub(super) j: DVector<f64>,
     pub(super) bearings: Vec<Bearing>,
-    /// What is less than this share of the largest term is 0.
+    /// Rounding threshold: values below this share of the largest term count as 0.
     pub(super) zero: f64,
 }
 
@@ -88,7 +89,7 @@ pub(super) struct Solution {
 const ROUNDING: f64 = 1e-12;
 
 impl Problem<'_> {
-    /// What counts as a rate: the largest sum of the terms of one.
+    /// Scale of the rates: the largest sum of the magnitudes of one rate's terms.
     pub(super) fn terms(&self, solution: &Solution) -> f64 {
         (self.bearings.iter())
             .map(|b| {
@@ -108,7 +109,7 @@ impl Problem<'_> {
 
     /// Whether a contact has neither a force nor an acceleration.
     pub(super) fn is_tied(&self, s: &Solution) -> bool {
-        // What forces other than those of contacts would give the rates, were there no contacts.
+        // The rates that forces other than those of contacts would give, were there no contacts.
         let free = |b: &Bearing| -> f64 {
             let terms = b.normal.iter().zip(self.h.iter()).enumerate();
             terms
@@ -121,7 +122,7 @@ impl Problem<'_> {
         each.any(|(normal, (a_n, _))| normal.abs() <= force && a_n.abs() <= rate)
     }
 
-    /// Whether the inequalities of a solution's modes hold.
+    /// Whether a solution satisfies the inequalities of its modes.
     pub(super) fn holds(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {
@@ -140,7 +141,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Whether the equations of its modes hold: for a solution that does not come from them.
+    /// Whether a solution that was not computed from the equations of its modes satisfies them.
     pub(super) fn agrees(&self, s: &Solution, terms: f64) -> bool {
         let (force, rate) = self.nothing(s, terms);
         (0..s.modes.len()).all(|i| {

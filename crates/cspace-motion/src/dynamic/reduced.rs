@@ -1,14 +1,14 @@
-//! The problem in forces of contacts alone.
+//! Reduction of the problem to the forces of contacts alone.
 //!
-//! With M = L Lᵀ and y = Lᵀ x the masses are 1. Joints take a part out of every direction, so that with the rows k of L⁻¹ n and L⁻¹ τ, less
-//! that part,
+//! With M = L Lᵀ and y = Lᵀ x the masses are 1. Joints remove a component from every direction. With the rows k of L⁻¹
+//! n and L⁻¹ τ without that component,
 //!
 //! ```text
 //! y = y₀ + Σ λ k,   a = a₀ + W λ,   W = k · k
 //! ```
 //!
 //! W, Delassus's operator, is computed once; each combination of modes is then a small system in the forces of the contacts that bear.
-//! Joints that follow from others do no harm if they agree with them.
+//! Dependent joints are allowed if they do not contradict each other.
 
 use nalgebra::DVector;
 
@@ -18,8 +18,8 @@ use super::problem::{Mode, Problem, Solution};
 
 /// Equations hold to this share of their terms.
 const HOLDS: f64 = 1e-9;
-/// What joints leave of a direction is nothing if it is below this share: rounding, and what it makes of joints that turn a little
-/// makes a large part of.
+/// A contact direction counts as taken away by the joints if less than this share of it is left. Such a remainder is
+/// rounding, and would become a large error for joints that turn a little.
 const NOTHING: f64 = 1e-10;
 
 /// Forces of contacts and the rates they leave: λ_N and λ_T, a_N and a_T of each contact in turn.
@@ -27,7 +27,7 @@ const NOTHING: f64 = 1e-10;
 pub(super) struct Forces {
     pub(super) forces: Vec<f64>,
     pub(super) rates: Vec<f64>,
-    /// The largest terms of forces and of rates, of which a share is rounding.
+    /// Largest terms of forces and of rates, which determine the rounding.
     pub(super) scale: (f64, f64),
 }
 
@@ -191,7 +191,7 @@ impl<'a> Reduced<'a> {
         }
     }
 
-    /// Whether forces are such as modes allow: the cheap part of what is to be judged, which refuses most modes.
+    /// Whether forces are allowed by the modes: the cheap part of the check, which rejects most modes.
     pub(super) fn bears(&self, modes: &[Mode], f: &Forces) -> bool {
         let least = -f.scale.0 * self.problem.zero;
         let bearings = modes.iter().zip(&self.problem.bearings);
@@ -202,18 +202,20 @@ impl<'a> Reduced<'a> {
         })
     }
 
-    /// Whether two x differ by more than rounding, in the metric of the masses: of themselves, and of what they would be without contacts.
+    /// Whether two x differ by more than rounding, in the metric of the masses: relative to themselves, and to the
+    /// solution without contacts.
     pub(super) fn differ(&self, a: &DVector<f64>, b: &DVector<f64>) -> bool {
-        /// So many times what is 0.
+        /// Multiple of the zero threshold.
         const MORE: f64 = 1e3;
         let long = |x: &DVector<f64>| x.dot(&(self.problem.mass * x)).max(0.0).sqrt();
         let largest = MORE * long(a).max(long(b));
         long(&(a - b)) > self.problem.zero * largest.max(length(&self.sizes))
     }
 
-    /// x that belongs to forces. What is rounding of its terms is 0, so that what rests on a wall along an axis is at rest.
+    /// x for given forces. Values within the rounding of their terms are set to 0, so that a part that rests on a wall
+    /// along an axis is at rest.
     fn x(&self, f: &Forces) -> Vec<f64> {
-        /// Terms carry so much rounding, as a share.
+        /// Rounding of the terms, as a share.
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let n = self.free.len();
         let mut x = self.free.clone();
@@ -271,7 +273,8 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// What the joints tell, and y that they leave of loads L⁻¹ h without contacts; `None` if they contradict each other.
+/// Reduces the joints' equations and projects the loads L⁻¹ h, without contacts, on the motions that joints allow;
+/// `None` if joints contradict each other.
 fn jointed(
     problem: &Problem,
     factor: &Cholesky,

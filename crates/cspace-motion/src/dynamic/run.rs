@@ -11,17 +11,17 @@ use super::world::{Acting, State, Step, World};
 
 /// Events within this share of the time that is simulated happen at one time.
 const AT_ONE_TIME: f64 = 1e-13;
-/// No more events happen at one time.
+/// Largest number of events at one time.
 const AT_ONCE: usize = 200;
 
-/// Joints are folded where their determinant is this: nearer to such a point rounding in accelerations, which it divides, may lead into
-/// any of the ways.
+/// Determinant at which joints count as folded: closer to such a configuration the rounding in accelerations, which are
+/// divided by it, may choose any of the possible directions.
 const FOLD: f64 = 1e-6;
 
 /// There are no more steps than that.
 const MOST_STEPS: usize = 10_000_000;
-/// Where steps are so short that more than this would follow, and have been for so many steps in a row, it is given up: they would
-/// take minutes. What is fast for a moment, as a part that is thrown against another, is followed.
+/// Number of steps to come beyond which the motion is given up, if it has been exceeded for many steps in a row: they
+/// would take minutes. Fast motion for a moment, as of a part that is thrown against another, is followed.
 const FORESEEN: f64 = 1e6;
 /// See [`FORESEEN`].
 const MOST_SHORT: usize = 20_000;
@@ -79,8 +79,8 @@ pub fn run<W: World + ?Sized>(
     run_through(world, start, options, &[], observer)
 }
 
-/// As [`run`], where what is driven does not move smoothly at some times, which are in order: no step goes across them, and where rates
-/// jump there, joints and contacts pass impulses on.
+/// As [`run`], for drives that do not move smoothly at some times, which are in order: no step goes across them, and
+/// where rates jump there, joints and contacts transmit impulses.
 pub fn run_through<W: World + ?Sized>(
     world: &W,
     start: State,
@@ -134,14 +134,14 @@ pub fn run_through<W: World + ?Sized>(
     }
 }
 
-/// What contacts have come to at an event.
+/// Contacts that end a step at an event, by reason.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Reached {
-    /// Their sliding to its end: they do not slide at this moment, whatever rounding says.
+    /// Contacts whose sliding has come to its end: they do not slide at this moment, regardless of rounding.
     pub(super) halted: Vec<usize>,
-    /// All the friction there is.
+    /// Contacts that have used up all of their friction.
     pub(super) loose: Vec<usize>,
-    /// The other side, without having opened by more than rounding: they stay, if they open slowly.
+    /// Contacts that closed again without having opened by more than rounding: they stay closed if they open slowly.
     pub(super) back: Vec<usize>,
 }
 
@@ -154,9 +154,9 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) flow: Flow<'a, W>,
     pub(super) first: State,
     pub(super) state: State,
-    /// The largest value of each rate so far.
+    /// Largest value of each rate so far.
     pub(super) largest: DVector<f64>,
-    /// The largest rate so far, as the world measures rates.
+    /// Largest rate so far, as the world measures rates.
     pub(super) fastest: f64,
     pub(super) span: f64,
     pub(super) bearings: Bearings,
@@ -171,7 +171,7 @@ pub(super) struct Run<'a, W: World + ?Sized> {
     pub(super) work: Work,
     /// Whether joints and drives leave no freedom.
     is_led: bool,
-    /// If so, [`Flow::fold`] at the end of the last step, and how it changes per second.
+    /// For a mechanism without freedom: [`Flow::fold`] at the end of the last step, and its rate.
     fold: Option<(f64, f64)>,
 }
 
@@ -183,7 +183,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         observer: &mut dyn Observer,
     ) -> Result<(), Ended> {
         self.look();
-        // What is joined to what is driven moves with it from the start on.
+        // Parts joined to driven parts move with them from the start on.
         if let Some((state, _)) = self.flow.projected(self.state.clone(), &Vec::new()) {
             self.state = state;
         }
@@ -296,7 +296,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
     }
 
-    /// Whether they are folded at the end of a step.
+    /// Whether the joints are folded at the end of a step.
     fn folds(&mut self, to: &State) -> bool {
         if !self.is_led {
             return false;
@@ -308,12 +308,12 @@ impl<W: World + ?Sized> Run<'_, W> {
         after.abs() <= FOLD || before.is_some_and(|before| before * after < 0.0)
     }
 
-    /// Passes a time at which what is driven does not move smoothly.
+    /// Passes a time at which a drive does not move smoothly.
     fn turn(&mut self, corner: f64, observer: &mut dyn Observer) -> Result<(), Ended> {
         let world = self.flow.world;
         let kinetic = world.kinetic(&self.state);
         self.state.t = corner.next_up();
-        // What is driven has its new rates at once.
+        // Driven parts have their new rates at once.
         self.work.drives += world.kinetic(&self.state) - kinetic;
         let joints = world.joints(self.state.t, &self.state.q);
         let off = &joints.rows * &self.state.v - &joints.rates;
@@ -329,7 +329,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         Ok(())
     }
 
-    /// Tells events from the one of a number on.
+    /// Reports the events from an index on.
     fn announce(&self, from: usize, observer: &mut dyn Observer) {
         for event in &self.events[from..] {
             observer.event(event, &self.state);
@@ -373,7 +373,8 @@ impl<W: World + ?Sized> Run<'_, W> {
     }
 
     fn look(&mut self) {
-        // What has not moved yet is as slow as what crosses a millionth of the size in the time of the simulation.
+        // A mechanism that has not moved yet is as slow as one that crosses a millionth of the size in the time of the
+        // simulation.
         let slow = 1e-6 * self.flow.world.size() / self.span;
         let fastest = self.flow.world.reach(&self.state.v);
         self.fastest = self.fastest.max(fastest).max(slow);

@@ -1,4 +1,4 @@
-//! What happens at an event, and what each contact does from then on.
+//! Events: changes of rates at an event, and the mode of each contact after it.
 
 use std::collections::HashMap;
 
@@ -12,15 +12,15 @@ use super::run::{Reached, Run};
 use super::step::Watched;
 use super::world::{State, Step, Touch, World};
 
-/// Trials of one of several sets of contacts go as far as this, as shares of the size: beyond what contacts are known to, and less than
-/// what follows next. A shorter one is made where something follows at once.
+/// Lengths of trials of one of several sets of contacts, as shares of the size: beyond the error of contacts, and
+/// shorter than the distance to the next event. A shorter one is used where another event follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
 /// Contacts that cease to stick within this share of the time that is simulated do so together.
 const LOOSE: f64 = 1e-8;
-/// What curvature and rates add to the acceleration of a gap is rounding if in the longest step it moves the gap by less than this
-/// share of the size: as where a part turns about the centre of an arc that touches.
+/// The part of a gap's acceleration due to curvature and rates counts as rounding if in the longest step it moves the
+/// gap by less than this share of the size. An example is a part that turns about the centre of an arc that touches.
 const SLIGHT: f64 = 1e-15;
-/// Slow are rates of this share of the largest so far.
+/// Share of the largest rate so far below which a rate counts as slow.
 const SLOW: f64 = 1e-5;
 
 impl<W: World + ?Sized> Run<'_, W> {
@@ -107,7 +107,8 @@ impl<W: World + ?Sized> Run<'_, W> {
         self.events.push(Event { t, kind, contact });
     }
 
-    /// What the closed contacts do from now on: the first of the world's alternatives that leads on.
+    /// Determines the modes of the closed contacts from now on: the first of the world's alternatives by which the
+    /// motion goes on.
     pub(super) fn settle(&mut self, closed: Vec<usize>, at: &Reached) -> Result<(), Ended> {
         let closed = self.in_the_way(closed);
         let mut sets = (self.flow.world).alternatives(&closed, self.state.t, &self.state.q);
@@ -155,8 +156,8 @@ impl<W: World + ?Sized> Run<'_, W> {
         Err(failed.unwrap_or(Ended::Stuck { contacts: closed }))
     }
 
-    /// Of closed contacts of which none strikes, those of which the features do not touch any more a very little later although they do not
-    /// part: as the edge of a notch, once what bridges the notch rests on its other side.
+    /// If no closed contact strikes: the contacts whose features do not touch any more a very little later although
+    /// they do not part. An example is the edge of a notch, once a part that bridges the notch rests on its other side.
     fn ending(&self, closed: &[usize]) -> Vec<usize> {
         let State { t, q, v } = &self.state;
         let world = self.flow.world;
@@ -196,17 +197,17 @@ impl<W: World + ?Sized> Run<'_, W> {
         closed
     }
 
-    /// Whether a closed contact has a rate that closes it.
+    /// Whether a closed contact has a rate that closes it further.
     fn strikes(&self, contact: usize) -> bool {
         let (rate, still) = self.opening(contact);
         rate < -still
     }
 
-    /// Whether a very short step, as far as a share of the size, meets nothing.
+    /// Whether a very short step, with a length given as a share of the size, meets nothing.
     pub(super) fn leads_on(&self, scale: f64) -> bool {
-        /// A trial may go so many times as far.
+        /// Largest ratio of a trial's actual length to the intended one.
         const FARTHER: f64 = 10.0;
-        /// Otherwise its time is shortened by this, so many times at most: down to rounding.
+        /// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
         const SHORTER: f64 = 0.1;
         const MOST: usize = 16;
         let far = scale * self.flow.world.size();
@@ -271,7 +272,7 @@ impl<W: World + ?Sized> Run<'_, W> {
             };
             let way = closed.iter().map(parts).fold(0.0, f64::max) / self.flow.world.size();
             if let Some(left) = self.impacts.rest(self.span, way) {
-                // What bounces is closed for good: the rates at which it opens are gone in the limit.
+                // Bouncing contacts are closed for good: the rates at which they open are gone in the limit.
                 let reach = way * left * self.flow.world.size();
                 let watched = self.flow.world.watched();
                 for i in watched.into_iter().chain(self.looked.gaps.iter().copied()) {
@@ -283,7 +284,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 self.stay(&closed, &[])?;
                 let halted = self.rest_for(left, &closed);
                 if !halted.is_empty() {
-                    // What slides no longer than the impacts last sticks in the limit.
+                    // A contact that slides no longer than the impacts last sticks in the limit.
                     (self.state, self.work) = (state, work);
                     self.stay(&closed, &halted)?;
                     self.rest_for(left, &closed);
@@ -295,7 +296,7 @@ impl<W: World + ?Sized> Run<'_, W> {
                 self.impacts = Impacts::default();
             }
         }
-        // Those that part are open from now on.
+        // Contacts that separate are open from now on.
         let stays = |i: &usize| {
             let (rate, still) = self.opening(*i);
             let slow = if at.back.contains(i) {
@@ -327,7 +328,7 @@ impl<W: World + ?Sized> Run<'_, W> {
         }
         self.looked.idle = self.flow.idle(&self.state, &self.bearings);
         for (contact, _) in self.bearings.clone() {
-            // What has come to rest is not told to touch as well.
+            // A contact that has come to rest has no event of touching as well.
             let mut before = known.iter().chain(&rested);
             if !before.any(|&k| k == contact || self.is_same(k, contact)) {
                 self.tell(EventKind::Touch, contact);
@@ -347,9 +348,9 @@ impl<W: World + ?Sized> Run<'_, W> {
             .collect()
     }
 
-    /// The modes of contacts of which some have neither a force nor an acceleration, by the forces a little later: which of them bear is
-    /// not told by what is now, as where a box comes to be balanced on the edge of a step. `None` if all of them have one, or what is later
-    /// is not one thing.
+    /// Modes of contacts of which some have neither a force nor an acceleration, from the forces a little later: the
+    /// present state does not determine which of them bear, as where a box comes to be balanced on the edge of a step.
+    /// `None` if all of them have one, or the later forces are ambiguous.
     fn goes_on(
         &self,
         problem: &Problem<'_>,
@@ -400,7 +401,7 @@ impl<W: World + ?Sized> Run<'_, W> {
 
     /// Contacts do not open any more: the impulses, of either sign, that take away the rates at which they do, and what gaps are left.
     ///
-    /// Those that are halted do not slide either.
+    /// Halted contacts do not slide either.
     pub(super) fn stay(&mut self, closed: &[usize], halted: &[usize]) -> Result<(), Ended> {
         let mode = |i: &usize| match halted.contains(i) {
             true => Mode::Stick,

@@ -1,4 +1,5 @@
-//! What moves, as the integrator sees it: coordinates with masses and forces, constraints, and contacts that may open and close.
+//! Interface between the integrator and a mechanism: coordinates with masses and forces, constraints, and contacts that
+//! open and close.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,13 +8,13 @@ use super::modes::{Mode, Solution};
 /// A contact as a function of the coordinates, at one configuration and time.
 #[derive(Debug, Clone)]
 pub struct Touch {
-    /// How far the features are apart, along their common normal.
+    /// Distance of the features along their common normal.
     pub gap: f64,
     /// ∂gap/∂q: the rate of the gap is `normal · v + drift[0]`.
     pub normal: DVector<f64>,
     /// The rate at which the features slide past each other is `tangent · v + drift[1]`.
     pub tangent: DVector<f64>,
-    /// What these rates are where no coordinate changes: that of contacts with what is driven.
+    /// Rates of gap and sliding where no coordinate changes: contributions of driven parts.
     pub drift: [f64; 2],
 }
 
@@ -32,24 +33,24 @@ impl Touch {
 /// A step of the motion, as it is judged by a [`World`].
 #[derive(Debug, Clone, Copy)]
 pub struct Step<'a> {
-    /// Where it begins.
+    /// State at the beginning.
     pub from: &'a State,
-    /// Where it ends.
+    /// State at the end.
     pub to: &'a State,
-    /// The contacts that bear all the way.
+    /// Contacts that bear during the whole step.
     pub bearing: &'a [usize],
 }
 
-/// A function that tells when a step met something: positive before, negative after.
+/// Function whose change of sign shows an event: positive before, negative after.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sought {
-    /// The gap of a contact.
+    /// Gap of a contact.
     Gap(usize),
-    /// How far a contact is from where its features end.
+    /// Distance of a contact from the end of one of its features.
     End(usize, usize),
 }
 
-/// Directions change by differences over so long a way, as a share of the size: their error is its square.
+/// Displacement for the differences of directions, as a share of the size: their error is its square.
 const WAY: f64 = 1e-5;
 
 /// A mechanical system with contacts:
@@ -72,7 +73,8 @@ pub trait World {
         Joints::none(q.len())
     }
 
-    /// What J v̇ has: −J̇ v, and the derivatives of the rates that J v has. By differences along v unless a world knows better.
+    /// Right-hand side of the joints' accelerations, J v̇: −J̇ v plus the derivatives of the rates prescribed for J v.
+    /// Default: finite differences along v.
     fn joint_bends(&self, state: &State) -> DVector<f64> {
         let here = self.joints(state.t, &state.q);
         let along = |k: usize| {
@@ -90,7 +92,7 @@ pub trait World {
     /// A contact at a configuration.
     fn touch(&self, contact: usize, t: f64, q: &DVector<f64>) -> Touch;
 
-    /// Some contacts at one configuration.
+    /// State of some contacts at one configuration.
     fn touches(&self, contacts: &[usize], t: f64, q: &DVector<f64>) -> Vec<Touch> {
         contacts.iter().map(|&i| self.touch(i, t, q)).collect()
     }
@@ -107,7 +109,7 @@ pub trait World {
         (touch, [of(Touch::opening), of(Touch::sliding)])
     }
 
-    /// All that accelerations depend on at a state, with some contacts.
+    /// Coefficients of the accelerations at a state, with some contacts.
     fn equations(&self, state: &State, contacts: &[usize]) -> Equations {
         Equations {
             force: self.force(state),
@@ -125,24 +127,24 @@ pub trait World {
         closed
     }
 
-    /// The contacts that are closed, or overlap by no more than a way, at a configuration that may overlap: those that keep it from
-    /// overlapping more. `None` if that cannot be told there. Those that are closed unless a world knows better.
+    /// Contacts with gap ≤ 0 and penetration ≤ `_way` at a configuration that may overlap: those that keep it from
+    /// overlapping more. `None` if they cannot be determined there. Default: the closed contacts.
     fn overlapping(&self, t: f64, q: &DVector<f64>, _way: f64) -> Option<Vec<usize>> {
         Some(self.closed(t, q))
     }
 
-    /// The sets of closed contacts of which one goes on to hold, the first that leads on: all of them, unless contacts that
-    /// take each other's place are among them.
+    /// Alternative sets of closed contacts, one of which holds from now on; the first that leads on is taken. Default:
+    /// all of them. Several sets exist if contacts that take each other's place are among them.
     fn alternatives(&self, closed: &[usize], _t: f64, _q: &DVector<f64>) -> Vec<Vec<usize>> {
         vec![closed.to_vec()]
     }
 
-    /// Whether the features of a contact, whose gap is 0, are within their ends there.
+    /// Whether a contact with gap 0 is between the ends of its features.
     fn is_there(&self, _contact: usize, _t: f64, _q: &DVector<f64>) -> bool {
         true
     }
 
-    /// Whether two contacts take each other's place there.
+    /// Whether two contacts take each other's place at a configuration.
     fn is_same(&self, a: usize, b: usize, _t: f64, _q: &DVector<f64>) -> bool {
         a == b
     }
@@ -153,23 +155,24 @@ pub trait World {
         Some(0.0)
     }
 
-    /// Whether parts are apart where either of two contacts at one place is open: at corners that are convex.
+    /// Whether parts are apart where either of two contacts at one place is open: true at convex corners.
     fn one_is_enough(&self, _a: usize, _b: usize) -> bool {
         false
     }
 
-    /// Whether one contact may take another's place there, where parts overlap by a way: as one that passes from feature to feature.
+    /// Whether one contact may take another's place where parts overlap by `_way`: as one that passes from feature to
+    /// feature.
     fn passes(&self, a: usize, b: usize, t: f64, q: &DVector<f64>, _way: f64) -> bool {
         self.is_same(a, b, t, q)
     }
 
-    /// Whether a step met what no watched contact tells.
+    /// Whether a step met something that no watched contact shows.
     fn met(&self, _step: Step<'_>) -> bool {
         false
     }
 
-    /// Of a step that begins before it met something and ends after, the functions of which one has a root there. Contacts may have
-    /// gaps of ± `near`.
+    /// Event functions of which at least one changes sign in a step that begins before an event and ends after it. Gaps
+    /// are accurate to ± `near`.
     fn sought(&self, _step: Step<'_>, _near: f64) -> Vec<Sought> {
         Vec::new()
     }
@@ -182,8 +185,8 @@ pub trait World {
         }
     }
 
-    /// The power of what is driven, and what friction at contacts and dampers take, per second. With impulses for forces and the
-    /// mean of the rates before and after for the rates it is the work in an impact.
+    /// Power of the drives, and losses by friction at contacts and by dampers, per second. With impulses for forces and
+    /// the mean of the rates before and after for the rates it is the work in an impact.
     fn powers(&self, _state: &State, _acting: &Acting<'_>) -> [f64; 2] {
         [0.0; 2]
     }
@@ -193,21 +196,21 @@ pub trait World {
         0.5 * state.v.dot(&(self.mass() * &state.v))
     }
 
-    /// That a step is taken.
+    /// Notifies the world that a step was taken.
     fn taken(&self, _step: Step<'_>) {}
 
     /// The coefficients of friction and of restitution of a contact.
     fn surface(&self, contact: usize) -> Surface;
 
-    /// What counts as a length of 1: contacts are closed to [`CLOSED`](super::CLOSED) of it.
+    /// Unit of length: contacts are closed to [`CLOSED`](super::CLOSED) times this.
     fn size(&self) -> f64;
 
-    /// How far a change of the coordinates, or their rates, moves what moves most; angles may count by lengths.
+    /// Largest displacement by a change of the coordinates, or by their rates; angles may count by lengths.
     fn reach(&self, change: &DVector<f64>) -> f64 {
         change.amax()
     }
 
-    /// How fast what moves fastest moves, what is driven included.
+    /// Largest speed of a point, driven parts included.
     fn speed(&self, state: &State) -> f64 {
         self.reach(&state.v)
     }
@@ -242,16 +245,16 @@ impl<'a> Acting<'a> {
     }
 }
 
-/// What accelerations depend on.
+/// Coefficients of the equations of motion at one state.
 #[derive(Debug, Clone)]
 pub struct Equations {
     /// The forces h.
     pub force: DVector<f64>,
     /// J.
     pub joints: DMatrix<f64>,
-    /// What J v̇ has.
+    /// Right-hand side of the joints' accelerations, J v̇.
     pub joint_bends: DVector<f64>,
-    /// Contacts, as [`World::bends`] tells them.
+    /// Contacts, with the values of [`World::bends`].
     pub contacts: Vec<(Touch, [f64; 2])>,
 }
 
@@ -267,7 +270,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// None, of so many coordinates.
+    /// Creates an empty set of equations for a number of coordinates.
     pub fn none(count: usize) -> Self {
         Self {
             values: DVector::zeros(0),
@@ -277,7 +280,7 @@ impl Joints {
     }
 }
 
-/// How a function of time and coordinates changes along the motion.
+/// Rate of a function of time and coordinates along the motion.
 fn change<W: World + ?Sized>(
     world: &W,
     state: &State,
@@ -292,7 +295,7 @@ fn change<W: World + ?Sized>(
     (of(t + ahead, &(q + v * ahead)) - of(t - ahead, &(q - v * ahead))) / (2.0 * ahead)
 }
 
-/// What happens between two surfaces.
+/// Friction and restitution between two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
     /// Coulomb's coefficient of friction.
@@ -308,6 +311,6 @@ pub struct State {
     pub t: f64,
     /// Coordinates.
     pub q: DVector<f64>,
-    /// Their rates.
+    /// Rates of the coordinates.
     pub v: DVector<f64>,
 }

@@ -1,8 +1,9 @@
 //! One drag.
 //!
-//! The part is led to its target, and what it pushes moves: this is exact, and goes as far as contacts and joints allow. A part that moves in
-//! the plane then slides along what stops it: a spring pulls it towards places on the way to its target, one after the other, to where that
-//! is in balance with contacts and with all forces. From there it is led again, which reaches the target or tells what keeps it from there.
+//! The part is led to its target and pushes other parts: this is exact, and goes as far as contacts and joints allow. A
+//! part that moves in the plane then slides along obstacles: a spring pulls it towards a series of places on the path
+//! to its target, to where the spring is in balance with contacts and with all forces. From there it is led again,
+//! until it reaches the target or is stopped.
 
 use core::cell::Cell;
 
@@ -18,44 +19,45 @@ use super::answer::{Dragged, Ending, Stopper};
 use super::target::{Target, Way};
 use super::{Hand, is_deep};
 
-/// A spring pulls no farther than this at a time, relative to the size of the mechanism; and parts that overlap go no farther before it is
-/// asked whether they still do.
+/// Largest displacement by a spring at a time, relative to the size of the mechanism; also the displacement of
+/// overlapping parts before the overlap is checked again.
 const PIECE: f64 = 0.05;
-/// One call makes so many steps, each change of contact counted as one, where all parts have axes: some milliseconds, and more where many
-/// contacts are chosen among. With pairs that are
-/// free in the plane it makes as many fewer as there are.
+/// Largest number of steps of one call, each change of contact counted as one, if all parts have axes: some
+/// milliseconds, and more where many contacts have to be chosen from. With pairs that are free in the plane it is
+/// divided by their number.
 const MOST_STEPS: usize = 200;
 /// A contact keeps a part that is pulled if it carries more than this share of the pull.
 const CARRIES: f64 = 1e-6;
-/// Coordinates that change by no more than this, relative to the size of the mechanism, do not change: rounding.
+/// Change of coordinates, relative to the size of the mechanism, that counts as rounding.
 const STANDS: f64 = 1e-14;
 
-/// How far a part was brought.
+/// Result of bringing a part to a place.
 enum Brought {
-    /// To where it was to be.
+    /// The part has reached the place.
     There,
-    /// So far it could be led, as a share of the way.
+    /// The part was led up to this share of the path.
     Jammed(f64),
-    /// It ended otherwise.
+    /// The drag ended otherwise.
     Ended(Ending),
 }
 
-/// A drag under way.
+/// State of a drag.
 struct Drag<'a> {
     hand: &'a mut Hand,
     part: usize,
     spent: Cell<usize>,
     answer: Dragged,
-    /// What carried the pull where it was in balance last.
+    /// Stoppers that carried the pull at its last balance.
     carrying: Vec<Stopper>,
 }
 
 impl Hand {
-    /// Drags a part: it moves towards a target as far as contacts, joints and ends of ranges allow, and pushes what is in its way. A part that
-    /// moves in the plane slides along what stops it.
+    /// Drags a part: it moves towards a target as far as contacts, joints and ends of ranges allow, and pushes parts in
+    /// its way. A part that moves in the plane slides along obstacles.
     ///
     /// # Errors
-    /// If there is no such part, it is fixed, or the target is not one of such a part or not finite. Then nothing moves.
+    /// If there is no such part, it is fixed, or the target is of another class than the part or not finite. Then
+    /// nothing moves.
     pub fn drag(&mut self, part: usize, target: Target) -> Result<Dragged, SimulateError> {
         let way = Way::new(&self.system, part, target, &self.state)?;
         let began = self.state.clone();
@@ -75,7 +77,7 @@ impl Hand {
         drag.answer.ending = drag.go(&way)?;
         let Dragged { ending, way, .. } = &mut drag.answer;
         if let (Ending::Reached, Target::Planar(c)) = (&*ending, target) {
-            // The position of the centroid tells it but for rounding.
+            // The position of the centroid determines it but for rounding.
             let at = drag.hand.system.parts()[part].indices();
             drag.hand.state[at].copy_from_slice(&[c.x, c.y, c.theta]);
         }
@@ -122,7 +124,7 @@ impl Drag<'_> {
         }
     }
 
-    /// Leads the part from where it is to the end of a way.
+    /// Leads the part from its configuration to the end of a path.
     fn led(&mut self, way: &Way) -> Result<Brought, SimulateError> {
         let q = &self.hand.state;
         let ways = match *way {
@@ -169,7 +171,7 @@ impl Drag<'_> {
             _ => Brought::Ended(Ending::Lost(record.reason.take().unwrap_or_default())),
         })
     }
-    /// Pulls the part to the end of a way by springs, to where they balance.
+    /// Pulls the part to the end of a path by springs, until they balance.
     fn pulled(&mut self, way: &Way) -> Result<Brought, SimulateError> {
         let Way::Planar {
             point,
@@ -242,7 +244,7 @@ impl Drag<'_> {
                 q[at.clone()].copy_from_slice(&hand.state[at]);
             }
         }
-        // What the motion says is looked at again: nothing is forced into another part.
+        // The result of the motion is checked again: no part may be forced into another.
         for pair in hand.pairs.list() {
             let reason = match is_deep(pair, &hand.system, &q) {
                 Ok(false) => continue,

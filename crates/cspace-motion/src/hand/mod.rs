@@ -58,31 +58,32 @@ const MOST_ASSEMBLING: f64 = 10.0;
 /// ```
 #[derive(Debug)]
 pub struct Hand {
-    /// Without drives.
+    /// System without drives.
     system: System,
     pairs: Pairs,
     state: Vec<f64>,
 }
 
 impl Hand {
-    /// Computes the spaces of the pairs of a mechanism; its parts are where they start.
+    /// Computes the spaces of the pairs of a mechanism; its parts are placed at their start.
     ///
     /// # Errors
-    /// If the mechanism makes no sense, nothing of it moves, joints cannot hold, or a part is outside of its range or of the window of a pair.
+    /// If the mechanism is invalid, nothing in it can move, joints cannot hold, or a part is outside of its range or of
+    /// the window of a pair.
     pub fn new(mechanism: &Mechanism) -> Result<Self, SimulateError> {
         Self::new_with(mechanism, &Silent)
     }
 
-    /// As [`new`](Self::new), telling `progress` of the stages of each space.
+    /// As [`new`](Self::new), and reports the stages of each space to `progress`.
     ///
     /// # Errors
-    /// As [`new`](Self::new); and what `progress` returns.
+    /// As [`new`](Self::new), and errors returned by `progress`.
     pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
         mechanism.check()?;
         Self::of(mechanism, Pairs::compute(mechanism, progress)?)
     }
 
-    /// With the spaces of the pairs, which are known ([`Pairs::of`]); pairs that are not among them never meet.
+    /// Creates the hand from known spaces of the pairs ([`Pairs::of`]); pairs that are not among them never meet.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -115,7 +116,7 @@ impl Hand {
         &self.state
     }
 
-    /// Where a part is, in the assembly's frame; `None` if there is none of the index.
+    /// Placement of a part in the assembly's frame; `None` if there is no part with the index.
     pub fn placement(&self, part: usize) -> Option<Placement<f64>> {
         let is_there = part < self.system.parts().len();
         is_there.then(|| self.system.placement(part, &self.state))
@@ -127,11 +128,12 @@ impl Hand {
         all.map(|pair| (pair.fixed, pair.moving)).collect()
     }
 
-    /// Puts all parts elsewhere; they are moved the shortest way to where joints hold. Pairs of parts that overlap there are left out of contact.
+    /// Sets all coordinates; parts are moved by the shortest displacement to where joints hold. Contacts of pairs that
+    /// overlap there are ignored.
     ///
     /// # Errors
-    /// If the numbers are not those of the mechanism's coordinates or not finite, joints cannot hold there, or a part is outside of its range or
-    /// of the window of a pair. Then nothing is moved.
+    /// If the number of coordinates is wrong or they are not finite, joints cannot hold there, or a part is outside of
+    /// its range or of the window of a pair. Then nothing is moved.
     pub fn set_state(&mut self, state: &[f64]) -> Result<(), SimulateError> {
         let (found, count) = (state.len(), self.system.count());
         if found != count {
@@ -163,8 +165,8 @@ impl Hand {
     }
 }
 
-/// Whether parts overlap by more than contacts are known to. Parts that are wedged at the last orientation at which they fit are beyond it by
-/// rounding, and no translation frees them: they are near a contact when they are turned by as little.
+/// Whether parts overlap by more than the error of contacts. Parts that are wedged at the last orientation at which
+/// they fit are beyond it by rounding, and no translation frees them: they are near a contact when turned by as little.
 fn is_deep(pair: &MovingPair, system: &System, q: &[f64]) -> Result<bool, SimulateError> {
     let depth = depth(pair, system, q)?;
     let is_near = || (pair.touches(0, system, q, pair.touch)).is_ok_and(|found| !found.is_empty());

@@ -1,4 +1,4 @@
-//! Where a part is dragged to.
+//! Target of a drag.
 
 use std::f64::consts::TAU;
 
@@ -7,15 +7,16 @@ use cspace::{AxisMotion, Configuration, Point, Vector};
 use crate::error::SimulateError;
 use crate::system::{PartCoordinates, System};
 
-/// Where a part is dragged to.
+/// Target of a drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
-    /// A part on an axis: to a coordinate, in radians or the model's unit of length.
+    /// Coordinate of a part on an axis, in radians or the model's unit of length.
     Axis(f64),
-    /// A part that moves in the plane: to a position and an orientation, on a straight way of its centroid.
+    /// Position and orientation of a part that moves in the plane; its centroid moves on a straight line.
     Planar(Configuration),
-    /// A point of a part, in the part's frame, to a place in the assembly's frame. A part that moves in the plane is free to turn about the
-    /// point, and follows it like a trailer; a part on an axis comes as near to the place as the axis allows, the shorter way round.
+    /// Position of a point of a part: the point in the part's frame, the position in the assembly's frame. A part that
+    /// moves in the plane is free to turn about the point, and follows it like a trailer; a part on an axis comes as
+    /// near to the position as the axis allows, in the shorter direction.
     Point {
         /// The point, in the part's frame.
         of: Point,
@@ -27,28 +28,28 @@ pub enum Target {
 /// A target in the coordinates of a part: from where to where.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Way {
-    /// Of a part on an axis: its coordinate.
+    /// Path of a part on an axis: its coordinate.
     Axis {
         /// The index of the coordinate.
         index: usize,
-        /// From where to where.
+        /// First and last value of the coordinate.
         ends: [f64; 2],
     },
-    /// Of a part in the plane: one of its points, in the part's frame.
+    /// Path of a part in the plane: one of its points, in the part's frame.
     Planar {
         /// The index of x.
         first: usize,
         /// The point, in the part's frame.
         point: Point,
-        /// From where to where the point goes.
+        /// First and last position of the point.
         ends: [Point; 2],
-        /// From which to which orientation, if one is asked for.
+        /// First and last orientation, if one is requested.
         turn: Option<[f64; 2]>,
     },
 }
 
 impl Way {
-    /// The way of a part from where it is.
+    /// Path of a part from its present configuration to a target.
     pub(super) fn new(
         system: &System,
         part: usize,
@@ -117,7 +118,7 @@ impl Way {
         }
     }
 
-    /// How long it is, angles counted by the size of their part.
+    /// Length of the path, with angles multiplied by the size of their part.
     pub(super) fn length(&self, system: &System) -> f64 {
         let lengths = system.lengths();
         match *self {
@@ -137,7 +138,7 @@ impl Way {
         }
     }
 
-    /// The place at a share of the way, of a point and an orientation.
+    /// Path up to a share of this one.
     pub(super) fn at(&self, share: f64) -> Self {
         // At the end exactly there.
         let between = |[a, b]: [f64; 2]| (1.0 - share) * a + share * b;
@@ -162,7 +163,7 @@ impl Way {
     }
 }
 
-/// By how much a part goes along its axis to bring a point of it as near to a place as can be.
+/// Displacement of a part along its axis that brings a point of it as near to a position as possible.
 fn along(motion: AxisMotion, from: Point, to: Point) -> f64 {
     match motion {
         AxisMotion::Fixed => 0.0,

@@ -39,9 +39,9 @@ pub(super) struct Posed {
 #[derive(Debug)]
 pub(super) struct Bodies {
     pub(super) system: System,
-    /// The diagonal of the mass matrix of all coordinates; 0 for what is driven and has no mass.
+    /// Diagonal of the mass matrix of all coordinates; 0 for driven parts without mass.
     pub(super) masses: Vec<f64>,
-    /// That of the free ones.
+    /// Mass matrix of the free coordinates.
     pub(super) mass: DMatrix<f64>,
     /// The place of each coordinate among the free ones.
     pub(super) place: Vec<Option<usize>>,
@@ -90,7 +90,7 @@ impl Bodies {
         })
     }
 
-    /// All coordinates at a time.
+    /// Values of all coordinates at a time.
     pub(super) fn coordinates(&self, t: f64, free: &DVector<f64>) -> Vec<f64> {
         let mut q = vec![0.0; self.system.count()];
         for (k, &i) in self.system.free().iter().enumerate() {
@@ -100,7 +100,7 @@ impl Bodies {
         q
     }
 
-    /// All coordinates and rates of a state.
+    /// Values, rates and accelerations of all coordinates in a state.
     pub(super) fn all(&self, state: &State) -> All {
         let count = self.system.count();
         let (mut q, mut v, mut a) = (vec![0.0; count], vec![0.0; count], vec![0.0; count]);
@@ -115,7 +115,7 @@ impl Bodies {
         All { q, v, a }
     }
 
-    /// All of a state.
+    /// Coordinates and placements of all parts in a state.
     pub(super) fn posed(&self, state: &State) -> Posed {
         let all = self.all(state);
         let parts = self.system.parts().iter();

@@ -23,7 +23,7 @@ pub(super) struct Numbers {
     known: RefCell<HashMap<Key, usize>>,
 }
 
-/// How a bound opens and slides.
+/// Rates at which a bound opens and slides.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Opening {
     pub(super) gap: f64,
@@ -42,7 +42,7 @@ impl Numbers {
         }
     }
 
-    /// How many ends of ranges there are: theirs are the first numbers.
+    /// Number of ends of ranges; they have the first numbers.
     pub(super) fn limits(&self) -> usize {
         self.limits
     }

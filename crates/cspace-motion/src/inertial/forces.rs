@@ -104,7 +104,7 @@ struct Pushing<'a> {
 }
 
 impl Pushing<'_> {
-    /// Where a point of a part is in the assembly's frame, and its velocity.
+    /// Position and velocity of a point of a part in the assembly's frame.
     fn point(&self, part: usize, p: Point) -> (Point, Vector) {
         let [x, y] = self.posed.parts[part].point([still(p.x), still(p.y)]);
         (
@@ -212,7 +212,8 @@ pub(super) fn potential(bodies: &Bodies, q: &[f64]) -> f64 {
     energy
 }
 
-/// The force of each drive on its coordinate, beside what pushes on it, or its impulse if nothing is said of that.
+/// Force of each drive on its coordinate, less all other forces on it; the drive's impulse if no accelerations are
+/// given.
 pub(super) fn drives(
     bodies: &Bodies,
     all: &All,

@@ -15,8 +15,8 @@ pub(super) struct Constraint {
     pub(super) rates: Rates,
 }
 
-/// The constraints of all joints, in their order: how far a point of the first part is from that of the second, across what they
-/// may do, and last how far the parts are turned to each other, times the size.
+/// Constraints of all joints, in their order: the distances of a point of the first part from that of the second,
+/// across the directions in which they are free, and last the difference of the parts' orientations, times the size.
 pub(super) fn constraints(system: &System, posed: &Posed) -> Vec<Constraint> {
     let mut found = Vec::new();
     for entry in system.joint_entries() {
@@ -51,7 +51,8 @@ struct Joined<'a> {
 }
 
 impl Joined<'_> {
-    /// How far the first part's point is beyond the second's along a direction d, which turns with the first part or stands still.
+    /// Distance of the first part's point beyond the second's along a direction d, which turns with the first part or
+    /// stands still.
     ///
     /// With d fixed to the first part, (d · (p₁ − p₂))˙ is the velocity of the first part's point at p₂ less the second's.
     fn together(&self, at: Point, d: [InTime; 2], turns: bool) -> Constraint {

@@ -1,4 +1,4 @@
-//! What is told of a motion with masses, as samples and events of a record.
+//! Recording of a motion with masses: samples and events.
 
 use crate::contact::{Bound, named};
 use crate::dynamic::{self, Acting, Observer, State};
@@ -44,7 +44,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// A state as it is told: by the parts' own frames.
+    /// State as it is recorded: in terms of the parts' own frames.
     pub(super) fn told(&self, state: &State, forces: Option<Forces>) -> Sample {
         let All { mut q, mut v, .. } = self.world.bodies.all(state);
         self.world.bodies.system.shift(&mut q, &mut v, true);
@@ -104,7 +104,7 @@ impl Observer for Gathering<'_> {
             what: named(&self.world.bodies.system, self.world.pairs, &bound),
             at: self.world.place(event.contact, &all.q).map(|p| [p.x, p.y]),
         };
-        // A stop that is struck and holds is told once.
+        // A stop that is struck and holds is reported once.
         let is_told = kind == EventKind::Limit
             && (self.events.iter().rev())
                 .take_while(|e| e.t == event.t)

@@ -1,6 +1,6 @@
-//! Functions that are linear in rates: how fast something opens, slides or misses.
+//! Functions that are linear in rates: of opening, sliding and violations.
 //!
-//! All are made of one thing, the velocity of a point of a part along a direction,
+//! All are combinations of the velocity of a point of a part along a direction,
 //!
 //! ```text
 //! d · ṗ = d · (ẋ, ẏ) + θ̇ d · left(p − c)      of a part with its coordinates x, y at c

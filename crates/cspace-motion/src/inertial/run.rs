@@ -12,7 +12,7 @@ use super::forces::{kinetic, potential};
 use super::observer::Gathering;
 use super::world::Mechanical;
 
-/// How the motion is followed.
+/// Method by which the motion is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scheme {
     /// From event to event.

@@ -20,10 +20,10 @@ use super::forces::{drives, forces, kinetic};
 use super::joints::{Constraint, constraints};
 use super::rates::Rates;
 
-/// Contacts are held at the gaps with which they were found up to this share of what parts count as touching with: so they are on
-/// their patches all along.
+/// Contacts are held at the gaps at which they were found, up to this share of the touching tolerance: so they stay on
+/// their patches.
 const LEVEL: f64 = 0.5;
-/// More sets of contacts than that are not gone through.
+/// Largest number of sets of contacts that are tried.
 const MOST_SETS: usize = 64;
 
 /// The mechanism.
@@ -84,7 +84,7 @@ impl<'a> Mechanical<'a> {
         drives(self.bodies, all, acting, pushes, contacts, &known.joints)
     }
 
-    /// What is known of a state with some contacts: once computed, it is kept for the next that asks.
+    /// Quantities of a state with some contacts. The last result is kept for the next call.
     fn known(&self, state: &State, contacts: impl Iterator<Item = usize> + Clone) -> Rc<Known> {
         if let Some(known) = &*self.last.borrow()
             && known.state == *state
@@ -141,7 +141,7 @@ impl<'a> Mechanical<'a> {
         rows
     }
 
-    /// All of a configuration at rest, but for what is driven.
+    /// Placements at a configuration at rest, except for driven parts.
     fn at(&self, t: f64, q: &DVector<f64>) -> Posed {
         self.bodies.posed(&State {
             t,
@@ -150,7 +150,7 @@ impl<'a> Mechanical<'a> {
         })
     }
 
-    /// What is done with the path of a step.
+    /// Applies a function to the path of a step.
     fn along<T>(&self, step: &Step<'_>, what: impl FnOnce(&Path<'_>) -> T) -> T {
         let [a, b] = [step.from, step.to].map(|s| self.bodies.all(s));
         what(&Path::new(
@@ -160,8 +160,8 @@ impl<'a> Mechanical<'a> {
         ))
     }
 
-    /// Whether a contact that bears has gone on past an end of its features: where these bend slowly it is told to be there for some way
-    /// yet.
+    /// Whether a bearing contact has gone past an end of its features: where these bend slowly, the space still reports
+    /// the contact for some distance.
     fn is_past(&self, step: &Step<'_>) -> bool {
         let system = &self.bodies.system;
         let contacts = step.bearing.iter().filter_map(|&i| match self.bound(i) {
@@ -373,7 +373,7 @@ impl World for Mechanical<'_> {
     fn sought(&self, step: Step<'_>, near: f64) -> Vec<Sought> {
         let q = self.bodies.coordinates(step.to.t, &step.to.q);
         let system = &self.bodies.system;
-        // Where there is nothing but blocked space behind, nothing is told to touch.
+        // Deep in blocked space no contacts are reported, so those at the beginning of the step are examined as well.
         let before = self.bodies.coordinates(step.from.t, &step.from.q);
         let mut sought: Vec<Sought> = Vec::new();
         // Over some way it is what was met.
@@ -489,7 +489,7 @@ fn has_dampers(mechanism: &cspace::Mechanism) -> bool {
     })
 }
 
-/// What is known of a state.
+/// Computed quantities of a state.
 #[derive(Debug)]
 struct Known {
     state: State,
@@ -497,7 +497,7 @@ struct Known {
     posed: Posed,
     contacts: Vec<Opening>,
     joints: Vec<Constraint>,
-    /// On all coordinates, and what dampers take.
+    /// Forces on all coordinates, and the power lost to dampers.
     forces: (Vec<f64>, f64),
 }
 

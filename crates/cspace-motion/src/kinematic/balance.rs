@@ -8,7 +8,8 @@
 //! there are the modes. While drives move, a mode of stiffness e > 0 follows them: differentiating the balance, e ż + ∂²L(mode, velocity of
 //! all else) = 0. A mode of stiffness 0 that no force acts on is not loaded: it moves only where contacts push it, the shortest way.
 //!
-//! Second derivatives of L are central differences of exact first ones. They tell how to get to the balance; that it holds is told by forces.
+//! Second derivatives of L are central differences of exact first ones. They determine the step towards the balance;
+//! the balance itself is verified by the forces.
 
 use crate::contact::{Bound, brakes, named};
 use crate::forces::{drive_force, joint_forces};
@@ -22,9 +23,9 @@ use super::holding::Holding;
 use super::modes::{Mode, modes};
 use super::velocity::{Held, Local, Nearest};
 
-/// How far first derivatives are taken from each other, relative to the size of the mechanism: ten digits are left.
+/// Displacement for the differences of first derivatives, relative to the size of the mechanism: ten digits are left.
 const DIFFERENCE: f64 = 1e-6;
-/// A force along what has no stiffness is none below this share of all forces: rounding.
+/// A force along a mode without stiffness counts as 0 below this share of all forces: rounding.
 const UNLOADED: f64 = 1e-10;
 /// A contact carries nothing if it is pressed by less than this share of all forces.
 const UNPRESSED: f64 = 1e-11;
@@ -38,21 +39,21 @@ const IN_BALANCE: f64 = 1e-6;
 pub(super) struct Balance {
     /// λ of joints, then of bounds.
     pub(super) multipliers: Vec<f64>,
-    /// How many of them are those of joints.
+    /// Number of the rows that belong to joints.
     pub(super) joints: usize,
     /// The lengths in y of the directions in which they push.
     lengths: Vec<f64>,
     pushing: Pushing,
     pub(super) modes: Vec<Mode>,
-    /// Whether small displacements along the modes come back.
+    /// Whether the parts return after small displacements along the modes.
     is_stable: bool,
-    /// All forces that act, added up in y.
+    /// Sum of the magnitudes of all forces, in y.
     total: f64,
-    /// A stiffness up to this is none.
+    /// Largest stiffness that counts as 0.
     neutral: f64,
 }
 
-/// What is asked about: bounds that are closed, at a configuration.
+/// Closed bounds at a configuration.
 #[derive(Clone, Copy)]
 pub(super) struct Closed<'a> {
     pub(super) system: &'a System,
@@ -67,7 +68,7 @@ impl Closed<'_> {
         self.bounds.iter().map(of).collect()
     }
 
-    /// What holds, with the brakes that do not.
+    /// Constraints of the bounds, and the brakes that do not hold.
     fn holding(&self, q: &[f64]) -> Holding {
         let mut holding = Holding::of(self.system, self.pairs, self.bounds, q);
         let released = self.released();
@@ -103,7 +104,7 @@ impl Closed<'_> {
             add_scaled(&mut q, s, by);
             self.pull(multipliers, &q)
         };
-        // Of the fourth order.
+        // Differences of fourth order.
         let [near, far] = [step, 2.0 * step].map(|s| (at(s), at(-s), s));
         let half = |(after, before, s): &(Vec<f64>, Vec<f64>, f64), i: usize| {
             (after[i] - before[i]) / (2.0 * s)
@@ -113,7 +114,8 @@ impl Closed<'_> {
             .collect()
     }
 
-    /// The forces of what is closed, with the modes that it leaves; `None` if what slides cannot push so that anything holds.
+    /// Forces of the closed bounds, with the modes that they leave; `None` if sliding contacts cannot push so that
+    /// anything holds.
     pub(super) fn balance(&self, local: &Local<'_>) -> Option<Balance> {
         let n = local.forces.len();
         let pushing = local.pushing(&self.holding(self.q))?;
@@ -155,7 +157,7 @@ impl Closed<'_> {
         self.keeping(&balance, local, held)
     }
 
-    /// As [`follow`](Self::follow), of a balance that is known.
+    /// As [`follow`](Self::follow), for a known balance.
     fn keeping(&self, balance: &Balance, local: &Local<'_>, held: Held) -> Option<Held> {
         let mut found = held;
         let stiff = || balance.modes.iter().filter(|m| balance.is_stiff(m));
@@ -202,14 +204,15 @@ impl Closed<'_> {
         }
     }
 
-    /// As [`carrying`](Self::carrying), by themselves; none if parts cannot stand.
+    /// Bounds found by [`carrying`](Self::carrying); empty if parts cannot stand.
     pub(super) fn pressed(&self, local: &Local<'_>) -> Vec<Bound> {
         let carrying = self.carrying(local, &self.rows(self.q));
         let all = carrying.into_iter().flatten();
         all.map(|i| self.bounds[i]).collect()
     }
 
-    /// The nearest velocity at which what touches lets the balance be kept; `None` if it cannot be, or there is none.
+    /// Nearest velocity at which the touching bounds allow the balance to be kept; `None` if it cannot be kept, or
+    /// there is no such velocity.
     pub(super) fn nearest(&self, local: &Local<'_>) -> Option<Nearest> {
         let rows = self.rows(self.q);
         let carrying = self.carrying(local, &rows)?;
@@ -223,7 +226,7 @@ impl Closed<'_> {
         Some(with.nearest_with(&rows, &carrying))
     }
 
-    /// The velocity with which what holds keeps the balance; `None` where there is none.
+    /// Velocity with which the holding bounds keep the balance; `None` if there is none.
     pub(super) fn kept_by(&self, local: &Local<'_>) -> Option<Held> {
         let balance = self.balance(local).filter(|b| !b.is_lost())?;
         if balance.distance(self.system, local) > IN_BALANCE * self.system.size() {
@@ -265,13 +268,13 @@ impl Closed<'_> {
         })
     }
 
-    /// Which of the bounds are brakes.
+    /// Indices of the brakes among the bounds.
     fn kept(&self) -> Vec<usize> {
         let all = 0..self.bounds.len();
         all.filter(|&i| self.bounds[i].is_brake()).collect()
     }
 
-    /// Brakes that are not among the bounds: parts that what is driven forces on. No load moves them all the same.
+    /// Brakes that are not among the bounds: their parts are moved by drives. No load moves them all the same.
     fn released(&self) -> Vec<Row> {
         let all = brakes(self.system, self.q).into_iter();
         let rest = all.filter(|b| self.bounds.iter().all(|other| !b.is_same(other)));
@@ -285,7 +288,7 @@ impl Balance {
         mode.stiffness > self.neutral
     }
 
-    /// Whether the forces do not balance, or not stably, or are beyond all numbers.
+    /// Whether the forces do not balance, or not stably, or are not finite.
     pub(super) fn is_lost(&self) -> bool {
         !self.total.is_finite()
             || !self.is_stable
@@ -293,7 +296,7 @@ impl Balance {
                 .any(|mode| !self.is_stiff(mode) && mode.force.abs() > UNLOADED * self.total)
     }
 
-    /// The way to the balance, in y: Newton's step.
+    /// Displacement to the balance, in y: Newton's step.
     pub(super) fn step(&self, n: usize) -> Vec<f64> {
         let mut step = vec![0.0; n];
         for mode in self.modes.iter().filter(|m| self.is_stiff(m)) {
@@ -302,7 +305,7 @@ impl Balance {
         step
     }
 
-    /// How far the balance is.
+    /// Distance to the balance.
     pub(super) fn distance(&self, system: &System, local: &Local<'_>) -> f64 {
         system.speed(&local.displaced(&self.step(local.forces.len())))
     }

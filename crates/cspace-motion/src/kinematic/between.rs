@@ -42,7 +42,8 @@ impl Between<'_, '_> {
         Some(path.at((h - begin) / duration))
     }
 
-    /// Whether contacts and joints leave no freedom at either end: then the motion is where they hold, whatever leads near it.
+    /// Whether contacts and joints leave no freedom at either end: then they alone determine the motion between, from
+    /// any approximation.
     pub(super) fn is_led(&self) -> bool {
         let ends = core::iter::once(&self.from).chain(&self.to);
         self.to.is_some() && ends.into_iter().all(|end| end.1.velocity.determined)

@@ -1,4 +1,4 @@
-//! Whether a step of the motion may be taken as it is.
+//! Check of a step of the motion.
 
 use crate::contact::{Bound, Path, Watch, limit_tolerance, limits};
 
@@ -19,16 +19,17 @@ pub(super) enum Obstacle {
     Limit,
     /// The parts of a pair met, or do not touch as they did.
     Pair(usize),
-    /// It is not right to what steps are to be.
+    /// The step's error is too large.
     Error,
 }
 
-/// Whether closed contacts push all the way and agree with friction, no other part is met, and no range is left.
+/// Whether the motion goes on during the step: closed contacts push and agree with friction, no other part is met, and
+/// no range is left.
 pub(crate) fn goes_on(watch: &mut Watch<'_>, flow: &Flow<'_>, h: f64, to: &Arrived) -> bool {
     obstacle(watch, flow, h, to).is_none()
 }
 
-/// What keeps a step from being taken as it is.
+/// Obstacle that keeps a step from being taken as it is, if there is one.
 pub(super) fn obstacle(
     watch: &mut Watch<'_>,
     flow: &Flow<'_>,
@@ -41,12 +42,12 @@ pub(super) fn obstacle(
     })
 }
 
-/// The same, of a step that was looked at last: what its pairs met is known.
+/// As `obstacle`, for the step that was checked last: the result for its pairs is known.
 pub(super) fn last_obstacle(watch: &Watch<'_>, flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
     own_obstacle(flow, to).or_else(|| watch.met().map(Obstacle::Pair))
 }
 
-/// What keeps a step from being taken, beside what pairs meet.
+/// Obstacle to a step other than meetings of pairs.
 fn own_obstacle(flow: &Flow<'_>, to: &Arrived) -> Option<Obstacle> {
     let pull = -PULL * to.velocity.speed;
     let mut pushes = to.velocity.pushes.iter().zip(&flow.held);

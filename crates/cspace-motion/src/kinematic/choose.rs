@@ -1,9 +1,9 @@
-//! Which of the contacts that touch hold the motion on.
+//! Choice of the touching contacts that hold as the motion goes on.
 //!
-//! Contacts at different places all forbid: the velocity is the nearest that no contact function decreases at. Where two
-//! features touch at a corner, the features beside them touch there, too, and not all of them forbid: past a convex corner
-//! only one need. So the nearest velocities that some of the contacts allow are tried, the nearest first, and the first is taken
-//! that leads to where parts do not overlap.
+//! Contacts at different places are all constraints: the velocity is the nearest one at which no contact function
+//! decreases. Where two features touch at a corner, the features beside them touch there, too, and not all of them are
+//! constraints: past a convex corner only one needs to be. So the nearest velocities that some of the contacts allow
+//! are tried, the nearest first, and the first that leads to a configuration without overlap is taken.
 
 use cspace::Point;
 
@@ -18,36 +18,37 @@ use super::friction::{cones, states};
 use super::holding::{Holding, friction};
 use super::velocity::{Held, Local, Nearest};
 
-/// With more contacts than that, all of them and all but one are tried: sets of them would be too many.
+/// Largest number of contacts of which all subsets are tried; of more, all of them and all but one are tried.
 const MOST_CONTACTS: usize = 10;
-/// Trials go as far as this, relative to the size of the mechanism: beyond what contacts are known to, and less than what
-/// follows next. A shorter one is made where something follows at once.
+/// Lengths of trials, relative to the size of the mechanism: beyond the error of contacts, and shorter than the
+/// distance to the next event. A shorter one is used where another event follows at once.
 const TRIALS: [f64; 4] = [1e-6, 1e-7, 1e-8, 3e-9];
-/// A trial may go so many times as far.
+/// Largest ratio of a trial's actual length to the intended one.
 const MOST_FARTHER: f64 = 10.0;
-/// Otherwise its time is shortened by this, so many times at most: down to rounding.
+/// Factor by which the duration of a trial that is too long is shortened, repeatedly down to rounding.
 const SHORTER: f64 = 0.1;
 const MOST_SHORTER: usize = 16;
 /// A contact that pulls by more than this share of the speed is not tried.
 const ROUGHLY: f64 = 1e-6;
 
-/// What goes on at a configuration.
+/// Continuation of the motion at a configuration.
 #[derive(Debug)]
 pub(crate) enum Choice<'a> {
-    /// These contacts hold.
+    /// The motion goes on with these contacts.
     On {
-        /// The motion.
+        /// Motion with these contacts.
         flow: Flow<'a>,
-        /// Where it is a very little later.
+        /// Configuration a very little later.
         next: Vec<f64>,
     },
-    /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
+    /// No velocity is allowed: the forbidding bounds, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
-    /// What is allowed leads nowhere.
+    /// No allowed velocity leads to a further configuration.
     Undetermined,
 }
 
-/// Chooses among bounds that are reached; brakes hold unless what is driven does not allow it. `before` is what held last.
+/// Chooses among bounds that are reached; brakes hold unless drives do not allow it. `before` is the set that held
+/// last.
 pub(crate) fn choose<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -90,7 +91,7 @@ pub(crate) fn choose<'a>(
     choice(&[])
 }
 
-/// As [`among`], where friction acts.
+/// As [`among`], with friction.
 fn rubbing<'a>(
     system: &'a System,
     pairs: &'a Pairs,
@@ -120,7 +121,7 @@ fn rubbing<'a>(
             return choice;
         }
     }
-    // What is driven cannot go on if forces within the cones of friction withstand it, however large they have to be.
+    // Drives cannot go on if forces within the cones of friction withstand them, however large they have to be.
     let cones = cones(system, pairs, bounds, q);
     let rows: Vec<Row> = cones.iter().map(|cone| cone.1).collect();
     match local.nearest(&rows) {
@@ -138,7 +139,7 @@ fn rubbing<'a>(
     }
 }
 
-/// Whether bounds could hold at a configuration: forces within cones of friction, and balanced where they are to.
+/// Whether bounds can hold at a configuration: forces are within cones of friction, and balanced if required.
 fn is_possible(
     system: &System,
     pairs: &Pairs,
@@ -160,7 +161,7 @@ fn is_possible(
                 bounds: held,
                 q,
             };
-            // What only begins to be pressed is pressed by rounding, either way.
+            // A contact that only begins to be pressed is pressed by rounding, with either sign.
             closed
                 .kept_by(local)
                 .is_some_and(|kept| all().all(|k| !pulls(&kept, k) || !pulls(&moved, k)))
@@ -245,7 +246,7 @@ fn among<'a>(
                 }
             }
         }
-        // Of equal distances, those with more contacts left in come first, as they were found.
+        // Candidates at equal distances stay in order: those with more contacts come first.
         candidates.sort_by(|a, b| a.1.total_cmp(&b.1));
         for scale in TRIALS {
             for (held, _) in &candidates {
@@ -266,7 +267,7 @@ fn among<'a>(
     }
 }
 
-/// Sets of so many contacts to be left out, the smaller first.
+/// Sets of contacts to be left out, by index, the smaller sets first.
 fn left_out(contacts: usize) -> Vec<Vec<usize>> {
     if contacts > MOST_CONTACTS {
         let none = core::iter::once(Vec::new());
@@ -291,7 +292,7 @@ fn tries<'a>(
     let flow = Flow::new(system, pairs, held, time, q)?;
     let far = scale * system.size();
     let mut h = (far / system.speed(&flow.velocity.rates)).min(longest);
-    // What begins at rest is not told by its speed.
+    // A motion that begins at rest cannot be judged by its speed.
     for _ in 0..MOST_SHORTER {
         let to = flow.after(h);
         let is_right = |to: &Arrived| {

@@ -1,4 +1,4 @@
-//! How a motion ends, as the record says it.
+//! Ends of a motion, as entered in the recording.
 
 use crate::contact::{Bound, named};
 use crate::record::{Event, EventKind, Obstacle, Record, Sample, Status};
@@ -17,7 +17,7 @@ impl Run<'_> {
         self.record
     }
 
-    /// The record of a simulation of which the user wants no more.
+    /// Recording of a simulation that the user has interrupted.
     pub(super) fn stopped_short(mut self, state: State) -> Record {
         let (time, q) = self.interrupted.take().unwrap_or((state.time, state.q));
         let still = vec![0.0; q.len()];

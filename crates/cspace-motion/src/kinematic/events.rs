@@ -1,4 +1,4 @@
-//! Contacts that come and go, as they are told.
+//! Events of contacts that close and open.
 
 use crate::contact::{Bound, SAME_PLACE};
 use crate::pairs::{Grip, Pairs};
@@ -7,14 +7,14 @@ use crate::system::System;
 
 use super::flow::Flow;
 
-/// A contact that no push holds closed stays if it opens by no more than this in a trial, relative to the size of the
-/// mechanism: rounding. What opens with the square of the time opens by a hundred times that.
+/// Largest opening in a trial, relative to the size of the mechanism, with which an unloaded contact counts as closed:
+/// rounding. A contact that opens with the square of the time opens by a hundred times that.
 const STAYS: f64 = 1e-14;
 
 /// Features slide if they do so by more than this share of the largest rate.
 const SLIDES: f64 = 1e-9;
 
-/// The contacts and limits that are told to be there.
+/// Contacts and limits reported as closed.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Told {
     list: Vec<Seen>,
@@ -24,7 +24,8 @@ pub(crate) struct Told {
 type Seen = (Bound, Option<cspace::Point>, Option<bool>);
 
 impl Told {
-    /// What has changed, when `bounds` are those that are reached and the motion goes on, to `next` in a very little while.
+    /// Changes since the last call, where `bounds` are those that are reached and the motion goes on to `next` a very
+    /// little while later.
     pub(crate) fn update(
         &mut self,
         pairs: &Pairs,
@@ -68,7 +69,7 @@ impl Told {
             let close = |(p, q): (cspace::Point, cspace::Point)| p.distance(q) <= near;
             s.pair == t.pair && (s.features == t.features || a.1.zip(b.1).is_some_and(close))
         };
-        // Where contacts were is told for where they are now.
+        // Earlier contacts are compared at their present positions.
         let before = self.list.iter().map(|(b, _, s)| (*b, place(b), *s));
         let before: Vec<Seen> = before.collect();
         let mut events = Vec::new();

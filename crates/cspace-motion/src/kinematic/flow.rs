@@ -1,8 +1,9 @@
-//! Motion with the same contacts closed: an ordinary differential equation on the configurations at which they are.
+//! Motion with constant closed contacts: an ordinary differential equation on the configurations at which they are
+//! closed.
 //!
-//! A step is one of Dormand and Prince's pair of orders 5 and 4; then the configuration is brought back to where contacts and
-//! joints hold, by the shortest way in the metric. Where these leave no freedom the configuration follows from them alone, and
-//! the step is but a first guess.
+//! Each step uses Dormand and Prince's pair of orders 5 and 4; then the configuration is projected to where contacts
+//! and joints hold, by the shortest displacement in the metric. Where these leave no freedom the configuration follows
+//! from them alone, and the step is only a first guess.
 
 use crate::contact::Bound;
 use crate::dormand_prince::{DIFFERENCE, STAGES};
@@ -19,9 +20,10 @@ pub(crate) use super::there::close;
 
 /// A step's error, relative to the size of the mechanism: that of a thousand steps is below a contact's tolerance.
 const ERROR: f64 = 1e-13;
-/// What is brought back moves by no more than this share of the step: more would be another solution.
+/// Largest correction of a configuration by joints and contacts, as a share of the step: a larger one would lead to
+/// another solution.
 const CORRECTION: f64 = 0.25;
-/// Sums of slopes are right to this share of the largest: what is less is no error of the step.
+/// Rounding of sums of slopes, as a share of the largest slope: a smaller difference is no error of the step.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A motion with the same contacts closed, from a configuration on.
@@ -36,7 +38,7 @@ pub(crate) struct Flow<'a> {
     pub(crate) velocity: Held,
 }
 
-/// Where a motion has come to.
+/// Configuration and velocity at the end of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Arrived {
     pub(crate) q: Vec<f64>,
@@ -46,7 +48,7 @@ pub(crate) struct Arrived {
 }
 
 impl Arrived {
-    /// How many times its error is what a step may have.
+    /// Error of the step as a multiple of the tolerance.
     pub(crate) fn excess(&self, system: &System) -> f64 {
         if self.velocity.determined {
             0.0
@@ -57,7 +59,7 @@ impl Arrived {
 }
 
 impl<'a> Flow<'a> {
-    /// From a configuration, which is brought to where contacts and joints hold; `None` if they cannot.
+    /// Starts at a configuration, which is projected to where contacts and joints hold; `None` if they cannot hold.
     pub(crate) fn new(
         system: &'a System,
         pairs: &'a Pairs,
@@ -112,7 +114,7 @@ impl<'a> Flow<'a> {
         Some(Arrived { q, velocity, error })
     }
 
-    /// The same without a velocity.
+    /// As `brought`, without the velocity.
     pub(crate) fn placed(&self, h: f64, mut q: Vec<f64>) -> Option<Vec<f64>> {
         self.bring(h, &mut q)?;
         Some(q)

@@ -1,4 +1,4 @@
-//! What happens within a part of a step, by the functions that change their sign in it.
+//! Search for the event within a part of a step, by the functions that change their sign in it.
 //!
 //! ```text
 //!   ----+------------------ r ----------------+---->  time
@@ -6,8 +6,9 @@
 //!   it goes on      it does, it does not      it does not
 //! ```
 //!
-//! Contacts that close, features that come to their end and contacts that are no longer pressed have functions whose first root r is found in
-//! some steps. That it is what happens is then seen just before and just after it; where it is not, what was seen makes the part shorter.
+//! Closing contacts, features that come to their end, and contacts that are no longer pressed have functions whose
+//! first root r is computed in some steps. A check just before and just after r confirms the event; if it fails, its
+//! result shortens the part of the step that is searched.
 
 use crate::contact::{Bound, ends, limits};
 use crate::root::root;
@@ -16,32 +17,32 @@ use super::between::Between;
 use super::check::{Obstacle, PULL};
 use super::flow::Arrived;
 
-/// Whether it goes on is asked so far from a root, as a share of the step: farther than roots are found to, and less than contacts are
-/// known to.
+/// Distance from a root at which the motion is checked, as a share of the step: more than the error of roots, and less
+/// than the error of contacts.
 const BESIDE: f64 = 1e-10;
-/// After a root it is asked so many times, each time farther by [`FARTHER`]: patches reach beyond the ends of features by what contacts are
-/// known to.
+/// Number of checks after a root, each farther by [`FARTHER`]: patches reach beyond the ends of features by the error
+/// of contacts.
 const TRIES: usize = 3;
 const FARTHER: f64 = 100.0;
-/// Contacts close within the way of a part, in which both parts may move in three coordinates each.
+/// Contacts close within this multiple of a part's displacement: both parts may move in three coordinates each.
 const NEAR: f64 = 6.0;
 
-/// So many obstacles are looked at, each of which is met before the last.
+/// Largest number of obstacles examined, each of which is met before the last.
 const MOST_LOOKS: usize = 16;
 /// The rate of a function is that of the cubic over this share of the times between which its root is looked for.
 const SLOPE: f64 = 1e-3;
-/// Roots on the cubic are mended so many times at most.
+/// Largest number of secant steps for a root of the cubic.
 const MENDED: usize = 6;
 /// A root is one that is right to this share of the times between which it is looked for.
 const RIGHT: f64 = 1e-12;
 
-/// What is seen of a part of a step.
+/// Result of the search in a part of a step.
 // There is one at a time.
 #[allow(clippy::large_enum_variant)]
 pub(super) enum Seen {
-    /// It happens at this time, to this bound if one closes.
+    /// The event happens at this time, for this bound if one closes.
     At(f64, What),
-    /// It happens between these.
+    /// The event happens between these times.
     Within([f64; 2]),
 }
 
@@ -50,19 +51,19 @@ pub(super) enum Seen {
 #[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, Copy)]
 pub(super) enum What {
-    /// Of a bound that is open.
+    /// Closing of an open bound.
     Closes(Bound),
-    /// Of a bound that is held, by its number: of an end of its features, by its number.
+    /// End of a held bound, by its number, at an end of its features, by its number.
     Ends(usize, usize),
-    /// Of a bound that is held: how much it is pressed.
+    /// Opening of a held bound, by its number: its pressure falls to 0.
     Opens(usize),
 }
 
-/// A time with what is known of the motion there.
+/// A time, with the configuration and velocity there.
 type Place = (f64, Arrived);
 
 impl Between<'_, '_> {
-    /// When it happens that a step does not go on, of which an obstacle was met at the end.
+    /// Time at which the step cannot go on, given the obstacle met at its end.
     pub(super) fn seen(
         &self,
         mut met: Option<Obstacle>,
@@ -73,7 +74,7 @@ impl Between<'_, '_> {
         let Some(mut after) = self.to.clone() else {
             return Seen::Within([before.0; 2]);
         };
-        // What stops it earlier is of another pair: each is looked at once or twice.
+        // An earlier obstacle belongs to another pair: each pair is examined once or twice.
         for _ in 0..MOST_LOOKS {
             let first = met.and_then(|met| self.first(met, [&before, &after]));
             let Some((what, at)) = first else {
@@ -106,13 +107,13 @@ impl Between<'_, '_> {
         Seen::Within([before.0, after.0])
     }
 
-    /// When what was met at the end happens, as it seems.
+    /// Estimated time of the obstacle met at the end.
     pub(super) fn supposed(&self, met: Obstacle) -> Option<f64> {
         let found = self.first(met, [&self.from, self.to.as_ref()?])?;
         Some(found.1)
     }
 
-    /// The function of what was met that comes to 0 first between two times, and when.
+    /// Function of the obstacle that first vanishes between two times, and the time.
     fn first(&self, met: Obstacle, ends: [&Place; 2]) -> Option<(What, f64)> {
         let mut all: Vec<(What, [f64; 2])> = Vec::new();
         self.functions(met, ends, &mut |what, values| {
@@ -129,7 +130,7 @@ impl Between<'_, '_> {
         })
     }
 
-    /// The functions of what was met, with their values at two times.
+    /// Functions of the obstacle, with their values at two times.
     fn functions(
         &self,
         met: Obstacle,
@@ -178,7 +179,8 @@ impl Between<'_, '_> {
         }
     }
 
-    /// Where a function comes to 0 between two times. On the cubic itself it does nearly; where contacts hold it is looked for by secants.
+    /// Time at which a function vanishes between two others: on the cubic approximately; where contacts hold, by
+    /// secants.
     fn root(&self, what: What, begin: (f64, f64), end: (f64, f64)) -> Option<f64> {
         let rough = |h: f64| self.value(what, h, false);
         let exact = |h: f64| self.value(what, h, true);
@@ -237,7 +239,7 @@ impl Between<'_, '_> {
         }
     }
 
-    /// Whether a bound that closes is one there: beyond the ends of features their functions vanish, too.
+    /// Whether a bound that closes is a contact there: contact functions vanish beyond the ends of features, too.
     fn is_there(&self, what: What, h: f64) -> bool {
         let flow = self.flow;
         let What::Closes(Bound::Contact(touch)) = what else {
@@ -251,7 +253,7 @@ impl Between<'_, '_> {
     }
 }
 
-/// How much a bound is pressed, beyond what counts as a pull.
+/// Force on a bound, less the threshold of a pull.
 fn push(at: &Arrived, bound: usize) -> f64 {
     let push = at.velocity.pushes.get(bound).copied();
     push.map_or(0.0, |push| push + PULL * at.velocity.speed)

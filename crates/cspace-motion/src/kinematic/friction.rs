@@ -10,16 +10,16 @@ use crate::system::{Row, System};
 use super::holding::{friction, grip, sliding};
 use super::velocity::Held;
 
-/// A force outside its cone of friction by no more than this share of all forces is inside: rounding.
+/// Distance of a force outside its cone of friction, as a share of all forces, that still counts as rounding.
 const OUTSIDE: f64 = 1e-10;
-/// What slides the wrong way by no more than this share of the largest rate does not slide: rounding.
+/// Rate of sliding in the wrong direction, as a share of the largest rate, that still counts as rounding.
 const BACKWARDS: f64 = 1e-10;
-/// If bounds can do no more than that together, all of it is tried: six contacts with friction.
+/// Largest number of combinations of states that are all tried: six contacts with friction.
 const MOST_STATES: usize = 4096;
-/// Of more contacts, so many may change what they do at once.
+/// With more than [`MOST_STATES`] combinations, at most so many bounds may change their state at once.
 const MOST_CHANGES: usize = 2;
 
-/// Whether forces are within their cones of friction, and what slides goes on to do so.
+/// Whether forces are within their cones of friction, and contacts that slide go on to slide in the same direction.
 pub(super) fn agrees(
     system: &System,
     pairs: &Pairs,
@@ -84,7 +84,8 @@ pub(super) fn tangential(pairs: &Pairs, held: &[Bound], multipliers: &[f64]) -> 
         .collect()
 }
 
-/// What bounds can do, those first in which few of them hold: each is left out, or holds by one of its grips. `before` is what held last.
+/// Combinations of the bounds' states, those first in which few of them hold: each bound is left out, or holds by one
+/// of its grips. `before` is the set that held last.
 pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<Vec<Bound>> {
     let choices = |bound: &Bound| -> Vec<Option<Bound>> {
         let Bound::Contact(touch) = bound else {

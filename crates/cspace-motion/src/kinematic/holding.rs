@@ -1,15 +1,16 @@
-//! What holds parts: functions that do not change, and along what each pushes where friction acts.
+//! Constraints that hold parts: functions that must not change, and the directions in which their forces push where
+//! friction acts.
 
 use crate::contact::Bound;
 use crate::pairs::{Grip, Pairs};
 use crate::system::{Row, System};
 
-/// What holds: functions that do not change, and along what each of them pushes.
+/// Constraints: functions that must not change, and the direction in which the force of each pushes.
 #[derive(Debug, Clone)]
 pub(crate) struct Holding {
-    /// Of the bounds, then the rates of sliding of those that stick.
+    /// Gradients of the bounds, then the rates of sliding of those that stick.
     pub(super) rows: Vec<Row>,
-    /// Along what they push; their own gradients if it is not told.
+    /// Directions in which they push; `None` stands for their own gradients.
     pub(super) along: Option<Vec<Row>>,
     /// The bounds that stick.
     sticks: Vec<usize>,
@@ -41,12 +42,12 @@ impl Holding {
         }
     }
 
-    /// Whether where parts are tells where they can be: of what sticks only the rate is known.
+    /// Whether all constraints are functions of the configuration: for sticking contacts only the rate is known.
     pub(super) fn is_of_places(&self) -> bool {
         self.sticks.is_empty()
     }
 
-    /// Along what everything pushes.
+    /// Directions in which all constraints push.
     pub(super) fn pushes(&self) -> &[Row] {
         self.along.as_ref().unwrap_or(&self.rows)
     }
@@ -61,7 +62,7 @@ impl Holding {
     }
 }
 
-/// What friction does at a bound.
+/// State of friction at a bound.
 pub(super) fn grip(bound: &Bound) -> Grip {
     match bound {
         Bound::Contact(touch) => touch.grip,

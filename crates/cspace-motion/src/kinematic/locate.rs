@@ -1,8 +1,8 @@
-//! When something happens within a step.
+//! Location of an event within a step.
 //!
-//! What a step met is found by halving it. That tells the event as well as contacts are told by their spaces, to some 1e-9 of
-//! the parts' size. Then the function is looked for that vanishes there, a contact's or that of an end of a feature, and its
-//! root is found to rounding.
+//! A meeting in a step is located by bisection, which is as accurate as contacts are in their spaces, some 1e-9 of the
+//! parts' size. Then the function that vanishes there is searched for, a contact's or that of an end of a feature, and
+//! its root is computed to rounding.
 
 use crate::contact::{Bound, PAST_END, Watch, ends, pinched, touching};
 
@@ -15,18 +15,19 @@ use super::foreseen::{Seen, What};
 const LOCATED: f64 = 1e-13;
 /// Between times within this share of a step of each other the motion is a cubic, to the fourth power of it.
 const CLOSE: f64 = 1e-3;
-/// A function is looked for whose root is not farther back than parts move by this, relative to the size of the mechanism: where edges join
-/// smoothly, contacts leave each other with the square of the way, and are told apart late.
+/// Largest displacement before an event, relative to the size of the mechanism, within which the root of a function is
+/// searched. Where edges join smoothly, contacts separate with the square of the displacement, and are distinguished
+/// late.
 const NEAR_EVENT: f64 = 1e-4;
 
-/// Where a step has to stop.
+/// Point at which a step has to stop.
 #[derive(Debug)]
 pub(crate) struct Stop {
-    /// How long it takes to get there.
+    /// Time from the beginning of the step.
     pub(crate) after: f64,
     /// The configuration just after it.
     pub(crate) q: Vec<f64>,
-    /// What touches there, or where it was seen that the step has to stop.
+    /// Bounds that touch there, or at which the step has to stop.
     pub(crate) bounds: Vec<Bound>,
 }
 
@@ -57,7 +58,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     if part.is_led() {
         seen = part.seen(met, h, &mut stops);
     } else {
-        // The cubic tells about when; between two times so near to each other another one is as good as the motion.
+        // The cubic gives the approximate time; between two times as close as these another cubic is as good as the
+        // motion.
         let near = 0.5 * CLOSE * h;
         let supposed = met.and_then(|met| part.supposed(met));
         let about = supposed.map(|at| [(at - near).max(0.0), (at + near).min(h)]);
@@ -83,8 +85,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
         Seen::Within(_) => {}
     }
     let [before, after] = part.halved(around, LOCATED * h, &mut |h, to| stops(h, to).is_none());
-    // What was held is closed still, though it may have come to the end of where it touches: where a side comes to lie on
-    // another, one corner of it was held, and both are to be.
+    // Held bounds are still closed, though a contact may have come to the end of its features: where a side comes to
+    // lie on another, one corner of it was held, and now both corners are to be held.
     let mut bounds = flow.held.clone();
     if let Some(end) = flow.after(after) {
         add(&mut bounds, touching(flow.system, flow.pairs, &end.q));
@@ -104,7 +106,8 @@ pub(crate) fn first_event<'a>(flow: &Flow<'a>, h: f64, watch: &mut Watch<'a>) ->
     Stop { after, q, bounds }
 }
 
-/// The motion between two times, of which it goes on at the first and does not at the second, if it is so; until when, and what stops it.
+/// Locates the event between two times, if the motion goes on at the first and does not at the second: the remaining
+/// interval, and the obstacle.
 fn closely<'f, 'a>(
     flow: &'f Flow<'a>,
     about: [f64; 2],

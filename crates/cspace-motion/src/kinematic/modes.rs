@@ -4,7 +4,8 @@ use nalgebra::DMatrix;
 
 use crate::linear::{add_scaled, dot, eigen};
 
-/// Stiffnesses below this are none, relative to those that the forces make over the mechanism's size: what differences are right to.
+/// Largest stiffness that counts as 0, relative to that of the forces over the mechanism's size: the error of the
+/// differences.
 const NEUTRAL: f64 = 1e-8;
 
 /// A direction in which no closed contact or joint changes.
@@ -14,15 +15,16 @@ pub(super) struct Mode {
     pub(super) along: Vec<f64>,
     /// The direction of the force that grows by a displacement, against it; the same without friction.
     pub(super) against: Vec<f64>,
-    /// How much it grows: without friction the second derivative of L.
+    /// Change of force per displacement along the mode: without friction the second derivative of L.
     pub(super) stiffness: f64,
     /// The force along it that nothing balances.
     pub(super) force: f64,
 }
 
-/// Modes over an orthonormal basis, of the changes of force along each of its directions; whether displacements along them come back, and up to
-/// which stiffness there is none. Without friction changes are symmetric. With it they are not: what is displaced comes back if all
-/// eigenvalues have positive real parts, and S = Σ against · stiffness · alongᵀ is their singular value decomposition.
+/// Modes over an orthonormal basis, from the changes of force along each of its directions; whether displacements along
+/// them come back; and the largest stiffness that counts as 0. Without friction the changes are symmetric. With
+/// friction they are not: displacements come back if all eigenvalues have positive real parts, and S = Σ against ·
+/// stiffness · alongᵀ is the singular value decomposition.
 pub(super) fn modes(
     basis: &[Vec<f64>],
     changes: &[Vec<f64>],

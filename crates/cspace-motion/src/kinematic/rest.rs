@@ -1,4 +1,4 @@
-//! Whether parts on their way to a balance of forces are at rest.
+//! Detection of rest for parts that move towards a balance of forces.
 
 use crate::contact::{Path, Watch};
 use crate::system::System;
@@ -14,24 +14,25 @@ const SLOW: f64 = 0.5;
 /// and taken if it is no farther than this, relative to the size of the mechanism.
 const NEAR: f64 = 1e-2;
 
-/// Parts on their way to a balance.
+/// State of parts that move towards a balance.
 #[derive(Debug)]
 pub(super) struct Settling<'a> {
-    /// The system with forces that balance, and the time at which the drives stand.
+    /// System with forces that balance, and the time at which the drives stand.
     balanced: &'a System,
     time: f64,
-    /// The speed that forces would give to what nothing holds, and the largest so far.
+    /// Speed that forces would give to unconstrained parts, and the largest speed so far.
     forced: f64,
     fastest: f64,
-    /// How far each coordinate has gone.
+    /// Distance travelled by each coordinate.
     gone: Vec<f64>,
     rests: bool,
-    /// Whether they have gone so far that nothing stops them.
+    /// Whether the parts have gone so far that nothing will stop them.
     endless: bool,
 }
 
 impl<'a> Settling<'a> {
-    /// Of a system with forces that balance, at a time; and the speed that forces would give to what nothing holds.
+    /// Starts to settle a system with balanced forces at a time; `forced` is the speed that forces would give to parts
+    /// that nothing holds.
     pub(super) fn new(balanced: &'a System, time: f64, forced: f64) -> Self {
         Self {
             balanced,
@@ -49,7 +50,7 @@ impl<'a> Settling<'a> {
         self.rests
     }
 
-    /// Whether the way is at its end.
+    /// Whether the settling has ended.
     pub(super) fn is_done(&self) -> bool {
         self.rests || self.endless
     }
@@ -61,7 +62,7 @@ impl<'a> Settling<'a> {
         gone.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i)
     }
 
-    /// Whether the parts are at rest, or go on for ever; `flow` comes to where they are at rest.
+    /// Whether the parts are at rest or go on for ever; at rest, `flow` is set to that configuration.
     pub(super) fn is_over(&mut self, flow: &mut Flow<'_>, from: &[f64]) -> bool {
         let system = flow.system;
         let speed = system.speed(&flow.velocity.rates);

@@ -1,4 +1,4 @@
-//! From event to event.
+//! Simulation from event to event.
 
 use crate::contact::{Bound, LONGEST, Watch, pinched, touching};
 use crate::pairs::Pairs;
@@ -12,34 +12,35 @@ use super::flow::{Arrived, Flow};
 use super::locate::{add, first_event};
 use super::rest::Settling;
 
-/// What diverges in a step is tried again with this share of it.
+/// Factor by which a step that diverges is shortened.
 const DIVERGED: f64 = 0.2;
-/// More steps than this to the next stop are too many to be made as short as that where nothing is near.
+/// Largest number of steps of even length to the next stop; if there would be more, longer steps are taken where
+/// nothing is near.
 const HURRIES: f64 = 1e4;
-/// Where something is near, whether it still is is asked after so many steps.
+/// Number of steps after which it is checked whether an obstacle is still near.
 const ASK_AGAIN: usize = 64;
-/// So many steps in a row of which [`MOST_STEPS`] would not lead to the next stop do not come to an end.
+/// Largest number of successive steps so short that [`MOST_STEPS`] of them would not reach the next stop.
 const MOST_HURRIED: usize = 50_000;
-/// Steps are not made shorter than this, relative to the time so far and to come.
+/// Shortest step, relative to the time so far and to come.
 const SHORTEST: f64 = 1e-15;
-/// So many events in a row without progress in time do not lead on.
+/// Largest number of successive events without progress in time.
 const MOST_IDLE: usize = 64;
-/// Less than this share of the duration is no progress.
+/// Smallest progress, as a share of the duration.
 const PROGRESS: f64 = 1e-12;
 /// Steps of a simulation, some minutes.
 const MOST_STEPS: usize = 10_000_000;
 /// Steps whose error is small enough only if they are shorter than this, relative to the duration, do not come to an end in
 /// half a minute: forces are too stiff for them.
 const STIFF: f64 = 1e-6;
-/// And move parts by less than this, relative to the size of the mechanism.
+/// Displacement below which such a step counts as crawling, relative to the size of the mechanism.
 const CRAWLS: f64 = 1e-6;
-/// So many times in a row.
+/// Largest number of successive crawling steps.
 const MOST_CRAWLED: usize = 1000;
 
 const TOO_STIFF: &str = "springs, loads or dampers are too stiff for their parts to be followed; make them softer, or the damping larger";
 const TOO_FAST: &str = "parts move too fast to be followed; make drives slower or forces weaker, or ask for a shorter time";
 
-/// A simulation under way.
+/// State of a running simulation.
 pub(super) struct Run<'a> {
     pub(super) system: &'a System,
     pub(super) pairs: &'a Pairs,
@@ -53,9 +54,9 @@ pub(super) struct Run<'a> {
     pub(super) gave_up: Option<&'static str>,
     /// The rates of all coordinates at the last step.
     pub(super) rates: Vec<f64>,
-    /// Where parts are on their way to a balance of forces.
+    /// State of the parts if they move towards a balance of forces.
     pub(super) settling: Option<Settling<'a>>,
-    /// Where it was when the user wanted no more.
+    /// Time and configuration at which the user interrupted the simulation.
     pub(super) interrupted: Option<(f64, Vec<f64>)>,
 }
 
@@ -77,11 +78,11 @@ impl Samples {
     }
 }
 
-/// Where a simulation has come to.
+/// Current state of a simulation.
 pub(super) struct State {
     pub(super) time: f64,
     pub(super) q: Vec<f64>,
-    /// What was closed on the way there.
+    /// Bounds that were closed on the path to `q`.
     before: Vec<Bound>,
     /// Events in a row without progress in time, and since when.
     idle: usize,
@@ -93,11 +94,11 @@ pub(super) struct State {
 
 /// Why it does not go on.
 pub(super) enum Stop {
-    /// It has come to its end.
+    /// The simulation has reached its end.
     Over,
-    /// No velocity is allowed: the bounds that forbid it, each with its multiplier.
+    /// No velocity is allowed: the forbidding bounds, each with its multiplier.
     Jammed(Vec<(Bound, f64)>),
-    /// What is allowed leads nowhere, with these bounds.
+    /// No allowed velocity leads to a further configuration, with these bounds.
     Undetermined(Vec<Bound>),
 }
 
@@ -114,7 +115,7 @@ impl State {
         }
     }
 
-    /// Goes on from another place at the same time; whether that is not too often.
+    /// Continues at another configuration at the same time; returns whether this has not happened too often.
     pub(super) fn moved(&mut self, q: Vec<f64>) -> bool {
         self.q = q;
         self.before.clear();
@@ -125,7 +126,7 @@ impl State {
 }
 
 impl<'a> Run<'a> {
-    /// From one time to another.
+    /// Creates a simulation from one time to another.
     pub(super) fn new(
         system: &'a System,
         pairs: &'a Pairs,
@@ -164,7 +165,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Goes on until it stops, and why; `None` if the user wants no more.
+    /// Runs until the simulation stops, and returns the reason; `None` if the user interrupts it.
     pub(super) fn go(&mut self, state: &mut State, progress: &dyn Fn(f64) -> bool) -> Option<Stop> {
         while state.time < self.duration && !self.is_settled() {
             let (time, q) = (state.time, &state.q);
@@ -216,7 +217,8 @@ impl<'a> Run<'a> {
         self.settling.as_ref().is_some_and(Settling::is_done)
     }
 
-    /// Goes on with the same contacts until something happens; when and where that is, and what touches. `None` if the user wants no more.
+    /// Follows the motion with the same contacts until the next event; returns its time and configuration, and the
+    /// touching bounds. `None` if the user interrupts the simulation.
     fn follow(
         &mut self,
         mut flow: Flow<'a>,
@@ -275,7 +277,7 @@ impl<'a> Run<'a> {
                 };
                 match too_long {
                     Some(factor) if h * factor > shortest => h *= factor,
-                    // What cannot be followed at all is lost.
+                    // A motion that cannot be followed at all has no further step.
                     Some(_) => break None,
                     None => break arrived,
                 }
@@ -328,7 +330,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Where contacts may have changed: the rates before, and those with which it goes on.
+    /// Traces an instant at which contacts may have changed: the rates before, and those after.
     fn trace_instant(&mut self, flow: &Flow<'_>, q: &[f64]) {
         if !self.record.trace.is_empty() {
             let mut rates = self.rates.clone();
@@ -346,7 +348,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// By how much a step is to be shortened, if it went too far or its error is too large.
+    /// Factor by which a step is to be shortened, if it went too far or its error is too large.
     fn too_long(&self, flow: &Flow<'_>, to: &Arrived, reach: &[f64]) -> Option<f64> {
         let changes = (flow.q.iter().zip(&to.q)).zip(self.system.lengths());
         let moved = (changes.zip(reach))
@@ -362,7 +364,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Samples up to a time, which has been reached. The end is a sample, also where it is none of the even times, or misses one by rounding.
+    /// Takes samples up to a time that has been reached. The end is a sample, also if it is none of the even times, or
+    /// misses one by rounding.
     fn sample(&mut self, flow: &Flow<'_>, end: f64) {
         while self.samples.time() <= end && self.samples.time() <= self.duration {
             let t = self.samples.time();
@@ -376,7 +379,7 @@ impl<'a> Run<'a> {
     }
 
     fn sample_at(&mut self, flow: &Flow<'_>, t: f64) {
-        // What holds to the end of a step holds before.
+        // Bounds that hold to the end of a step hold before.
         if let Some(to) = flow.after((t - flow.time).max(0.0)) {
             let forces = flow.forces(t, &to);
             self.record.samples.push(Sample {

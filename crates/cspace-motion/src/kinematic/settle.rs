@@ -1,7 +1,7 @@
-//! From event to event; and where a balance of forces ends: the parts go at once to the next one, with drives that stand.
+//! Jumps at the end of a balance of forces: the parts go at once to the next balance, with drives at rest.
 //!
-//! They go as they would in heavy oil, M v = s F: a balance that is lost is left in the direction in which it is lost, and what is met on
-//! the way is met as in any motion. The factor s is of no consequence. Once the way to a balance is short, Newton's step leads there.
+//! The parts move as in heavy oil, M v = s F: a lost balance is left in the direction of the instability, and contacts
+//! on the path are met as in any motion. The factor s does not matter. Close to a balance, Newton's step leads there.
 
 use crate::contact::{Bound, Path, Watch, brakes, touching};
 use crate::linear::dot;
@@ -17,29 +17,32 @@ use super::run::{Run, State, Stop, moment};
 use super::there::close;
 use super::velocity::Local;
 
-/// How long parts take to settle, in units of the time in which the forces at the beginning would move them by the mechanism's size.
+/// Time limit for settling, in units of the time in which the forces at the beginning would move the parts by the
+/// mechanism's size.
 const DURATION: f64 = 1e6;
-/// What is slower by far than forces at the beginning would make it, as what friction nearly holds, is made faster by this.
+/// Factors by which a motion is sped up if it is much slower than forces at the beginning would make it, as where
+/// friction nearly holds.
 const RUSHES: [f64; 3] = [1.0, 1e5, 1e10];
-/// Where a balance ends forces may be in balance to rounding, as at the edge of a cone of friction: then drives are taken to where they are
-/// this much later, relative to the size of the mechanism.
+/// Displacement of drives before a second attempt, relative to the size of the mechanism. Where a balance ends, forces
+/// may balance to rounding, as at the edge of a cone of friction.
 const LATER: f64 = 1e-8;
-/// Who stands on an edge is pushed by this, relative to the size of the mechanism, the first that leads on: an edge is left the more slowly the nearer.
+/// Displacements of parts that balance on an edge, relative to the size of the mechanism, in the order in which they
+/// are tried: the nearer to the edge, the more slowly it is left.
 const NUDGES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-3];
-/// Parts go equally far if ways differ by no more than this share.
+/// Displacements count as equal if they differ by no more than this share.
 const ALIKE: f64 = 1e-6;
-/// What moves by no more than this, relative to the size of the mechanism, has not moved.
+/// Displacement below which a part counts as not moved, relative to the size of the mechanism.
 const STANDS: f64 = 1e-9;
 
-/// What became of parts that were out of balance.
+/// Result of the motion of parts that were out of balance.
 enum Settled {
-    /// They have come to another place.
+    /// The parts have come to another configuration.
     At(Vec<f64>),
-    /// They have not moved.
+    /// The parts have not moved.
     Stands,
-    /// They are still on the way.
+    /// The parts are still moving.
     Slow,
-    /// They come to none, for this reason.
+    /// The parts reach no balance, for this reason.
     Lost(String),
 }
 
@@ -80,7 +83,7 @@ pub(crate) fn run(
 }
 
 impl<'a> Run<'a> {
-    /// Lets parts that are out of balance go to the next one, at a time, and tells of it.
+    /// Moves parts that are out of balance to the next balance, at a time, and records the jump.
     fn settle(&mut self, time: f64, q: &[f64], progress: &dyn Fn(f64) -> bool) -> Option<Settled> {
         let Some(local) = Local::at(self.system, q, time) else {
             return Some(Settled::Stands);
@@ -105,7 +108,7 @@ impl<'a> Run<'a> {
             let steady = self.system.settling(at, scale);
             let mut begin = q.to_vec();
             if at > time {
-                // What touches goes along.
+                // Touching parts are moved along.
                 let held = touching(self.system, self.pairs, q);
                 let room = 1e2 * LATER * self.system.size();
                 if close(&steady, self.pairs, &held, at, &mut begin, room).is_none() {
@@ -152,7 +155,7 @@ impl<'a> Run<'a> {
             self.interrupted = Some((time, q));
             return None;
         };
-        // What creeps is followed faster.
+        // A creeping motion is followed faster.
         if run.gave_up.is_some() && !last {
             return Some(Settled::Slow);
         }
@@ -187,7 +190,7 @@ impl<'a> Run<'a> {
             let ways: Vec<(f64, &str)> =
                 parts.map(|(i, p)| (moved(p.indices()), name(i))).collect();
             let most = ways.iter().fold(0.0_f64, |m, w| m.max(w.0));
-            // Of those that go as far, the first by name.
+            // Among parts that go equally far, the first by name.
             let farthest = ways.iter().filter(|w| w.0 >= most * (1.0 - ALIKE));
             let part = farthest.map(|w| w.1).min().unwrap_or("").to_owned();
             self.record.events.push(Event {
@@ -200,7 +203,7 @@ impl<'a> Run<'a> {
             self.record
                 .events
                 .extend(record.events.into_iter().map(now));
-            // The way there; where they are is told once it goes on.
+            // The path of the jump; its end is traced when the motion goes on.
             let still = vec![0.0; begun.len()];
             let way = record.trace.into_iter().map(|at| at.coordinates);
             let way = core::iter::once(begun).chain(way);
@@ -210,8 +213,8 @@ impl<'a> Run<'a> {
         Some(Settled::At(end))
     }
 
-    /// Places beside one at which the forces balance on an edge, from which they lead away: with all that touches there closed, or all but
-    /// one, where a contact passes from one feature to the next.
+    /// Configurations beside one at which the forces balance on an edge and from which they lead away: with all
+    /// touching contacts closed, or all but one, where a contact passes from one feature to the next.
     fn nudged(&self, steady: &System, time: f64, q: &[f64]) -> Vec<Vec<f64>> {
         let Some(local) = Local::at(self.system, q, time) else {
             return Vec::new();

@@ -1,4 +1,5 @@
-//! Where contacts and joints hold, and forces balance where they are to: what is known of a configuration there, and the way to it.
+//! Projection of a configuration to where contacts and joints hold, and forces balance if required; and the constraints
+//! there.
 
 use crate::contact::Bound;
 use crate::linear::add_scaled;
@@ -11,12 +12,13 @@ use super::velocity::{Held, Local};
 
 /// Closed contacts and joints hold to this, relative to the size of the mechanism: rounding, a hundredth of the resolution.
 pub(super) const CLOSED: f64 = 1e-13;
-/// Forces balance to this way, relative to the size of the mechanism, once it does not become shorter.
+/// Largest remaining Newton step, relative to the size of the mechanism, with which forces count as balanced once it no
+/// longer decreases.
 const BALANCED: f64 = 1e-10;
 /// Newton's steps back to closed contacts. They converge quadratically from nearby, or not at all.
 const MOST_CORRECTIONS: usize = 12;
 
-/// What is known of a configuration.
+/// Joints, constraints and equations of motion at a configuration.
 pub(super) struct There<'a> {
     joints: Vec<Row>,
     holding: Holding,
@@ -58,7 +60,8 @@ impl<'a> There<'a> {
     }
 }
 
-/// Brings a configuration to where contacts and joints hold, and forces balance where they are to, by no more than `room` (length).
+/// Projects a configuration to where contacts and joints hold, and forces balance if required, by no more than `room`
+/// (length).
 pub(crate) fn close(
     system: &System,
     pairs: &Pairs,
@@ -70,7 +73,7 @@ pub(crate) fn close(
     closed(system, pairs, held, time, q, room).map(|_| ())
 }
 
-/// The same, and what is known of where it is brought.
+/// As [`close`], and returns the constraints at the corrected configuration.
 pub(super) fn closed<'a>(
     system: &'a System,
     pairs: &Pairs,
@@ -111,7 +114,8 @@ pub(super) fn closed<'a>(
     (before < BALANCED * size).then_some(there)
 }
 
-/// Brings a configuration to where contacts and joints hold, the shortest way, by no more than `room` (length).
+/// Projects a configuration to where contacts and joints hold, by the shortest displacement, by no more than `room`
+/// (length).
 fn constrained<'a>(
     system: &'a System,
     pairs: &Pairs,

@@ -1,10 +1,10 @@
-//! Velocities at one configuration and time: the one that nothing holds, those that contacts hold, and the nearest that
-//! they allow.
+//! Velocities at one configuration and time: unconstrained, constrained by the active contacts, and the projection of
+//! the first onto the second.
 //!
-//! With the metric M of the outlines, which dampers add to, and the forces F, the free velocity is M⁻¹ F. In the coordinates
-//! y = Lᵀ v, M = L Lᵀ, distances are Euclidean: what is sought is the point of a cone that is nearest to y₀ = L⁻¹ F. Joints
-//! are equations and are taken out first; then the nearest point is one of least squares with multipliers that are not
-//! negative.
+//! With the metric M of the outlines, including dampers, and the forces F, the free velocity is M⁻¹ F. In the
+//! coordinates y = Lᵀ v, M = L Lᵀ, distances are Euclidean: the velocity is the point of a cone that is nearest to y₀ =
+//! L⁻¹ F. Joints are equations and are eliminated first; the nearest point is then the solution of a least-squares
+//! problem with nonnegative multipliers.
 //!
 //! Source: Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23: least distance programming.
 
@@ -15,11 +15,12 @@ use crate::system::{Law, Row, System};
 
 use super::holding::Holding;
 
-/// What is driven must move the others by no more than this many times its own speed: beyond that it is at a dead point. Near
-/// one the ratio grows as the inverse of the way that is left, and events are located to some 1e-7 of a step there.
+/// Largest ratio of the speed of other parts to that of a driven part: beyond it the mechanism is at a dead point. Near
+/// a dead point the ratio grows as the inverse of the distance to it, and events are located to some 1e-7 of a step
+/// there.
 const MOST_AMPLIFICATION: f64 = 1e5;
-/// A bound that is violated by no more than this share of the speeds is not: rounding of gradients, which are right to some
-/// 1e-15 of the parts' sizes, over short levers.
+/// Violation of a bound, as a share of the speeds, that still counts as rounding: gradients are accurate to some 1e-15
+/// of the parts' sizes, over short levers.
 const ROUNDING: f64 = 1e-11;
 
 /// A residual whose square is below this (of a target of length 1) is rounding.
@@ -41,41 +42,41 @@ pub(crate) struct Local<'a> {
     pub(super) joints: Vec<(Vec<f64>, f64)>,
 }
 
-/// A velocity, and what holds it.
+/// Velocity, with the bounds that hold it.
 #[derive(Debug, Clone)]
 pub(crate) struct Held {
     /// The rates of all coordinates.
     pub(crate) rates: Vec<f64>,
-    /// Those that are free, in y.
+    /// Rates of the free coordinates, in y.
     pub(super) y: Vec<f64>,
-    /// The multiplier of each bound that was asked for, as a speed of the metric, to be compared with `speed`.
+    /// Multiplier of each requested bound, as a speed of the metric, to be compared with `speed`.
     pub(crate) pushes: Vec<f64>,
     /// The lengths of the directions in which they push.
     pub(super) lengths: Vec<f64>,
     /// The speed by the metric.
     pub(crate) speed: f64,
-    /// How many directions what holds it takes.
+    /// Number of independent directions that are constrained.
     pub(super) rank: usize,
-    /// Whether what holds it leaves no other velocity.
+    /// Whether the constraints leave no other velocity.
     pub(crate) determined: bool,
 }
 
-/// What bounds make of the velocity.
+/// Result of the projection onto the velocities that bounds allow.
 #[derive(Debug, Clone)]
 pub(crate) enum Nearest {
     /// The nearest velocity, which bounds with positive multipliers hold, and its distance from the free one.
     Held { held: Vec<usize>, distance: f64 },
-    /// There is none: these multipliers, at least 0, of the bounds combine to a contradiction.
+    /// Contradiction: a combination of the bounds with these multipliers, all at least 0.
     None { multipliers: Vec<f64> },
 }
 
 impl<'a> Local<'a> {
-    /// At a configuration and a time; `None` if the metric is singular, or numbers are not finite.
+    /// Equations of motion at a configuration and a time; `None` if the metric is singular, or numbers are not finite.
     pub(crate) fn at(system: &'a System, q: &[f64], time: f64) -> Option<Self> {
         Self::with_joints(system, q, time, &system.joints(q))
     }
 
-    /// The same, with the equations of joints there.
+    /// As `at`, with the joints' equations there given.
     pub(super) fn with_joints(
         system: &'a System,
         q: &[f64],
@@ -121,7 +122,7 @@ impl<'a> Local<'a> {
         Some(local)
     }
 
-    /// The same with drives that stand, and forces as velocities.
+    /// As `self`, with drives at rest, and forces as velocities.
     pub(super) fn still(&self) -> Self {
         let mut still = self.clone();
         still.driven.fill(0.0);
@@ -185,7 +186,7 @@ impl<'a> Local<'a> {
         v
     }
 
-    /// Joints and what holds as equations in y, and along what they push.
+    /// Joints and constraints as equations in y, and the directions in which they push.
     pub(super) fn pushing(&self, holding: &Holding) -> Option<Pushing> {
         self.pushing_along(self.with_those(&holding.rows), holding.along.as_deref())
     }
@@ -232,7 +233,7 @@ impl<'a> Local<'a> {
         })
     }
 
-    /// Whether what is driven contradicts the joints, or comes to a dead point of theirs.
+    /// Whether drives contradict the joints, or the mechanism is at a dead point.
     pub(crate) fn is_stuck(&self) -> bool {
         let vectors: Vec<Vec<f64>> = self.joints.iter().map(|(v, _)| v.clone()).collect();
         let missing: Vec<f64> = (self.joints.iter())
@@ -247,8 +248,8 @@ impl<'a> Local<'a> {
         vectors.iter().zip(&missing).any(off) || self.is_amplified(&y, scale)
     }
 
-    /// Whether a change of velocity, in y, is more than what can be made of the free velocity and of the speeds (length per
-    /// second) that cause it.
+    /// Whether a change of velocity, in y, is larger than the free velocity and the speeds (length per second) that
+    /// cause it can explain.
     fn is_amplified(&self, y: &[f64], speed: f64) -> bool {
         let fastest = |y: &[f64]| {
             let mut v = y.to_vec();

@@ -2,21 +2,21 @@
 
 /// The factor L of a symmetric positive definite matrix.
 ///
-/// Parts are coupled by dampers alone, so the matrix has small blocks along its diagonal: what is left of the first entry of a row stays 0 in
-/// L, and is left out of all sums.
+/// Parts are coupled by dampers alone, so the matrix has small blocks along its diagonal: entries to the left of the
+/// first non-zero one of a row stay 0 in L, and are left out of all sums.
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky {
     n: usize,
-    /// By rows; above the diagonal nothing is read.
+    /// Entries of L by rows; those above the diagonal are never read.
     lower: Vec<f64>,
-    /// Of each row the first column that is not 0.
+    /// First column of each row that is not 0.
     first: Vec<usize>,
-    /// Of each column the row after the last that is not 0.
+    /// Row after the last of each column that is not 0.
     end: Vec<usize>,
 }
 
 impl Cholesky {
-    /// Of a matrix of n × n numbers by rows; `None` if it is not positive definite.
+    /// Factors a matrix of n × n numbers by rows; `None` if it is not positive definite.
     pub(crate) fn of(matrix: &[f64], n: usize) -> Option<Self> {
         let mut l = matrix.to_vec();
         let first: Vec<usize> = (0..n)
@@ -69,7 +69,7 @@ impl Cholesky {
         }
     }
 
-    /// The sums of the sizes of the terms of L⁻ᵀ b, from those of b.
+    /// Computes sums of the magnitudes of the terms of L⁻ᵀ b, from those of b.
     pub(crate) fn backward_sizes(&self, b: &mut [f64]) {
         let (n, l) = (self.n, &self.lower);
         for i in (0..n).rev() {

@@ -42,7 +42,7 @@ pub(crate) fn nonnegative(columns: &[Vec<f64>], b: &[f64]) -> Nonnegative {
                 break;
             };
             if solved.last().is_some_and(|&z| z <= 0.0) && inside.last() == Some(&enters) {
-                // What should grow does not: rounding.
+                // A multiplier that should grow does not: rounding.
                 inside.pop();
                 refused[enters] = true;
                 break;

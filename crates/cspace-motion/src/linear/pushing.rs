@@ -15,7 +15,7 @@ pub(crate) struct Pushing {
 const MISSED: f64 = 1e-8;
 
 impl Pushing {
-    /// Of the rows of C, and the columns of D if these are others. `None` if numbers are not finite.
+    /// Factors the rows of C, and the columns of D if D is not Cᵀ. `None` if numbers are not finite.
     pub(crate) fn of(vectors: Vec<Vec<f64>>, along: Option<Vec<Vec<f64>>>) -> Option<Self> {
         let along = match along {
             None => None,
@@ -33,7 +33,7 @@ impl Pushing {
         })
     }
 
-    /// What the rows of C take of the dimensions.
+    /// Orthogonalized rows of C.
     pub(crate) fn rows(&self) -> &Rows {
         &self.rows
     }
@@ -60,7 +60,8 @@ impl Pushing {
         (self.vectors.iter().zip(b).all(meets)).then_some((x, multipliers))
     }
 
-    /// What is left of a force when those along the directions keep all functions as they are, and their multipliers.
+    /// Projects a force to where the functions do not change, by forces along the directions; returns the rest and the
+    /// multipliers.
     pub(crate) fn hold(&self, force: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let against: Vec<f64> = self.vectors.iter().map(|v| -dot(v, force)).collect();
         let (x, multipliers) = self.meet(&against)?;

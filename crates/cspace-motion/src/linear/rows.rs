@@ -1,22 +1,23 @@
-//! Linear equations of which some may follow from others: A y = b as A = R Q with orthonormal rows Q.
+//! Linear equations of which some may depend on others: A y = b as A = R Q with orthonormal rows Q.
 
 use core::ops::Range;
 
 use super::{add_scaled, dot, length};
 
-/// Of a row, what the rows before it do not tell must be longer than this, relative to the row; otherwise it follows from
-/// them. The square root of the rounding: a row that is nearer to the others would be solved to fewer than half of the digits.
+/// A row is independent of those before it if its component orthogonal to them is longer than this, relative to the
+/// row. It is the square root of the rounding: a row closer to the others would be solved to fewer than half of the
+/// digits.
 const DEPENDENT: f64 = 1e-8;
 
 /// Rows of equations, orthogonalized.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rows {
-    /// Q: an orthonormal basis of the rows, each with where it is not 0: a contact is of two parts, and what it adds to the rows before it is
-    /// often of one.
+    /// Q: an orthonormal basis of the rows, each with its non-zero range: a contact concerns two parts, and its
+    /// component orthogonal to the rows before it often only one.
     basis: Vec<(Vec<f64>, Range<usize>)>,
     /// R of the rows that are independent: row i has i + 1 numbers.
     triangle: Vec<Vec<f64>>,
-    /// Which of the rows these are.
+    /// Indices of these rows.
     independent: Vec<usize>,
     count: usize,
 }
@@ -54,7 +55,7 @@ impl Rows {
         self.count += 1;
     }
 
-    /// How many of the rows are independent.
+    /// Number of independent rows.
     pub(crate) fn rank(&self) -> usize {
         self.basis.len()
     }
@@ -82,7 +83,7 @@ impl Rows {
         (y, lambda)
     }
 
-    /// Takes out of a vector what the rows tell of it.
+    /// Removes from a vector its components along the rows.
     pub(crate) fn take_out(&self, v: &mut [f64]) {
         for _ in 0..2 {
             for (q, within) in &self.basis {
@@ -94,7 +95,7 @@ impl Rows {
     }
 }
 
-/// From the first to after the last number that is not 0.
+/// Range from the first to after the last number that is not 0.
 fn support(v: &[f64]) -> Range<usize> {
     let first = v.iter().position(|x| *x != 0.0).unwrap_or(0);
     let end = v.iter().rposition(|x| *x != 0.0).map_or(0, |last| last + 1);

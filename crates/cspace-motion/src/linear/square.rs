@@ -1,9 +1,10 @@
-//! As many equations as unknowns, of which some may follow from others.
+//! Square systems of equations of which some may depend on others.
 
 use super::{Rows, add_scaled, dot};
 
-/// A pivot below this share of the largest is none, and its row follows from the rows before it. The matrices are products of two
-/// directions each, so directions that differ by an angle of 10⁻⁶ still count as two; products carry rounding of some 10⁻¹⁵.
+/// Smallest pivot, as a share of the largest; a row with a smaller one depends on the rows before it. The matrices are
+/// products of two directions each, so directions that differ by an angle of 10⁻⁶ still count as two; products carry
+/// rounding of some 10⁻¹⁵.
 const RANK: f64 = 1e-12;
 
 /// A = L U with rows and columns in an order that puts the largest pivots first.
@@ -18,8 +19,8 @@ pub(crate) struct Square {
 }
 
 impl Square {
-    /// Factors a matrix of n × n numbers by rows; `None` if one of them is not finite. What was factored before is forgotten, its memory
-    /// used again.
+    /// Factors a matrix of n × n numbers by rows; `None` if one of them is not finite. The previous factors are
+    /// discarded and their memory is used again.
     pub(crate) fn factor(&mut self, n: usize, at: impl Fn(usize, usize) -> f64) -> Option<()> {
         self.n = n;
         self.lu.clear();
@@ -76,7 +77,7 @@ impl Square {
         }
     }
 
-    /// Whether no row follows from others.
+    /// Whether all rows are independent.
     pub(crate) fn is_regular(&self) -> bool {
         self.rank == self.n
     }

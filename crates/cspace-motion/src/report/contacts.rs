@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::record::{EventKind, Record, What};
 
-/// A contact from the instant at which two features meet to that at which the parts leave each other there. On the way the
-/// contact may pass on to features next to them.
+/// Contact from the instant at which two features meet to that at which the parts separate there. In between the
+/// contact may pass on to adjacent features.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactInterval {
     /// The name of the pair's fixed part.
@@ -14,15 +14,15 @@ pub struct ContactInterval {
     pub moving: String,
     /// The features of the two that touch first.
     pub features: [String; 2],
-    /// When it begins, in seconds.
+    /// Beginning, in seconds.
     pub from: f64,
-    /// When it ends; `None` if it lasts to the end.
+    /// End, in seconds; `None` if it lasts to the end of the motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to: Option<f64>,
 }
 
 impl ContactInterval {
-    /// When it ends, at the latest with the motion.
+    /// End of the contact, at the latest that of the motion.
     pub fn end(&self, until: f64) -> f64 {
         self.to.unwrap_or(until)
     }
@@ -31,7 +31,7 @@ impl ContactInterval {
 /// The contacts of a record, by their beginnings.
 pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
     let mut all: Vec<ContactInterval> = Vec::new();
-    // Those that have not ended.
+    // Contacts that have not ended.
     let mut open: Vec<usize> = Vec::new();
     for event in &record.events {
         let What::Contact {
@@ -44,7 +44,7 @@ pub(super) fn intervals(record: &Record) -> Vec<ContactInterval> {
         };
         let of_pair = |c: &ContactInterval| c.fixed == *fixed && c.moving == *moving;
         match event.kind {
-            // A contact at which impacts have come to rest lasts, and a touch may tell so as well.
+            // A contact at which impacts have come to rest lasts; a touch may be reported for it as well.
             EventKind::Touch | EventKind::Rest => {
                 let is_open = |c: &ContactInterval| of_pair(c) && c.features == *features;
                 if !open.iter().any(|&i| is_open(&all[i])) {

@@ -1,4 +1,4 @@
-//! Whether a motion repeats.
+//! Detection of the cycle in which a motion repeats.
 
 use core::f64::consts::TAU;
 
@@ -9,18 +9,19 @@ use super::trajectory::Trajectory;
 use crate::record::{Event, EventKind, Record, What};
 use crate::system::{PartCoordinates, System};
 
-/// What repeats does so to this, relative to the size of the mechanism: a motion that settles comes near to its cycle, and
-/// hardly ever into it.
+/// Tolerance to which a motion must repeat, relative to the size of the mechanism: a motion that settles approaches its
+/// cycle, and hardly ever reaches it.
 const REPEATS: f64 = 1e-4;
-/// In a cycle something moves by at least this, relative to the size of the mechanism: far more than what cannot be told.
+/// In a cycle something moves by at least this, relative to the size of the mechanism: far more than the error of the
+/// motion.
 const MOVES: f64 = 1e-2;
 /// The motion must have been seen to repeat for this share of a cycle.
 const SEEN: f64 = 0.5;
-/// And for as much if a part goes on without coming back to where it was.
+/// As above, if a part goes on without returning to its place.
 const SEEN_ADVANCING: f64 = 1.0;
 /// Times at which a period is looked at before it is at all of them.
 const LOOKS: usize = 16;
-/// As many periods are tried for each drive, and for events.
+/// Largest number of periods tried for each drive, and for events.
 const MOST_TRIED: usize = 2000;
 /// Times nearer than this are one, relative to the duration: twice the error of an event's time.
 const SAME: f64 = 1e-8;
@@ -28,15 +29,16 @@ const SAME: f64 = 1e-8;
 /// The cycle in which a motion repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
-    /// How long it takes, in seconds.
+    /// Period, in seconds.
     pub period: f64,
     /// The motion repeats from this time on: before, it settles.
     pub since: f64,
-    /// How far two cycles are from each other at most, in the model's unit of length; angles count by the sizes of their parts.
+    /// Largest difference of two cycles, in the model's unit of length, with angles multiplied by the sizes of their
+    /// parts.
     pub difference: f64,
     /// The part that is driven to turn at a constant rate, if there is one: the first. Ratios are by its advance.
     pub driver: Option<usize>,
-    /// What each part that can move does in it, in the order of the mechanism.
+    /// Motion of each movable part in the cycle, in the order of the mechanism.
     pub parts: Vec<PartCycle>,
 }
 
@@ -53,32 +55,33 @@ impl Cycle {
     }
 }
 
-/// What a part does in a cycle, for each of its coordinates: u, or x, y and θ. Lengths are in the model's unit, angles in radians.
+/// Motion of a part in a cycle, for each of its coordinates: u, or x, y and θ. Lengths are in the model's unit, angles
+/// in radians.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartCycle {
     /// The index of the part.
     pub part: usize,
-    /// By how much it has gone on after a cycle; 0 if it is back.
+    /// Advance per cycle; 0 if the coordinate returns.
     pub advance: Vec<f64>,
-    /// The least values in the last cycle.
+    /// Smallest values in the last cycle.
     pub least: Vec<f64>,
-    /// The greatest.
+    /// Largest values in the last cycle.
     pub greatest: Vec<f64>,
 }
 
 impl PartCycle {
-    /// From the least to the greatest value of a coordinate.
+    /// Stroke of a coordinate: from its smallest to its largest value.
     pub fn stroke(&self, coordinate: usize) -> f64 {
         self.greatest[coordinate] - self.least[coordinate]
     }
 }
 
-/// By what a coordinate may differ between two states that are the same.
+/// Difference of a coordinate that is allowed between two equal states.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Step {
     /// Whole multiples.
     Whole(f64),
-    /// Anything: a round part on its axis has no marks; what slides on is seen to do so evenly.
+    /// Any difference: a round part on its axis has no marks, and a part that slides on moves evenly.
     Any,
 }
 
@@ -130,7 +133,7 @@ fn candidates(system: &System, record: &Record, steps: &[Step]) -> Vec<f64> {
         }
     }
     let driven = all.clone();
-    // Of a drive the period is exact.
+    // The period of a drive is exact.
     let is_driven = |t: f64| driven.iter().any(|d| (d - t).abs() <= SAME * record.until);
     let mut tried = 0;
     let mut told: Vec<&Event> = Vec::new();
@@ -187,7 +190,7 @@ fn repeats(
         let found = trajectory.at(until, i) - trajectory.at(start, i);
         let whole = match steps[i] {
             Step::Whole(step) => (found / step).round() * step + 0.0,
-            // What comes back does so exactly.
+            // A coordinate that returns does so exactly.
             Step::Any if found.abs() * lengths[i] <= most => 0.0,
             Step::Any => found,
         };
@@ -302,7 +305,7 @@ fn last_change(record: &Record, to: f64, period: f64) -> f64 {
             .take_while(|e| e.t <= at + near);
         near_by.any(|e| alike(e, event))
     };
-    // A motion that settles may tell of sticking or not; what happens at the end may do so a little later.
+    // A settling motion may have events of sticking or not; an event at the end may come a little later.
     let counts = |e: &&Event| !matches!(e.kind, EventKind::Stick | EventKind::Slip);
     let events = || record.events.iter().filter(counts);
     let gone = (events().filter(|e| e.t < to - near && !has(e, e.t + period))).map(|e| e.t);

@@ -1,4 +1,4 @@
-//! Where a part that is pushed loses hold of another, and falls on to the next place.
+//! Drops: a part that is pushed loses contact with another, and falls on to the next place.
 
 use cspace::AxisMotion;
 
@@ -8,13 +8,14 @@ use super::trajectory::Trajectory;
 use crate::record::{Event, EventKind, Record, What};
 use crate::system::{PartCoordinates, System};
 
-/// What takes no more than this share of a cycle is a drop; what takes longer is a time apart.
+/// Longest loss of contact that counts as a drop, as a fraction of the cycle.
 const QUICK: f64 = 0.25;
 /// A part that swings does so by more than this, relative to the size of the mechanism; less is play.
 const SWINGS: f64 = 1e-2;
-/// It turns back when it has come back by this, relative to the size of the mechanism: more than what is computed is off.
+/// Distance by which a part must come back to have turned back, relative to the size of the mechanism: more than the
+/// error of the motion.
 const BACK: f64 = 1e-8;
-/// Gaps shorter than this, relative to the duration, are none: the error of an event's time.
+/// Shortest gap in a contact, relative to the duration: the error of an event's time.
 const NEAR: f64 = 1e-9;
 
 /// A part that loads, springs or its weight push leaves another and lands on it again.
@@ -24,9 +25,9 @@ pub struct Drop {
     pub part: usize,
     /// The index of the part that it drops off and lands on.
     pub off: usize,
-    /// When it leaves, in seconds.
+    /// Time of the loss of contact, in seconds.
     pub leaves: f64,
-    /// When it lands.
+    /// Time of the next contact.
     pub lands: f64,
     /// The part that carries it, or that it drops off, if that swings.
     pub swing: Option<Swing>,
@@ -35,12 +36,12 @@ pub struct Drop {
 /// A part that swings, and off which another drops. Lengths are in the model's unit, angles in radians.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing {
-    /// Its index.
+    /// Index of the part.
     pub part: usize,
-    /// By how much it goes on after the other has left before it turns back.
+    /// Displacement after the other part has left, before it turns back.
     pub goes_on: f64,
-    /// If it swings about the axis of a wheel, or along that of a rack, which it moves on: by how much its stroke is larger than
-    /// the step.
+    /// Excess of its stroke over the step of a wheel or rack, if it swings about the same axis, or along the same
+    /// direction, and moves it on.
     pub spare: Option<f64>,
 }
 
@@ -80,7 +81,7 @@ pub(super) fn find(
     drops
 }
 
-/// When a part of a pair goes at once to another place on the other part.
+/// Times at which a part of a pair jumps to another place on the other part.
 fn snaps<'r>(
     record: &'r Record,
     part: &'r str,
@@ -100,7 +101,7 @@ fn snaps<'r>(
     snaps.filter(drops).map(|e| (e.t, e.t))
 }
 
-/// Which of two parts loads, springs or weight act on, and the other. Of two such the second.
+/// Part on which loads, springs or weight act, and the other part; if they act on both, the second.
 fn pushed(system: &System, [a, b]: [usize; 2]) -> Option<(usize, usize)> {
     let mechanism = system.mechanism();
     let dynamics = &mechanism.dynamics;
@@ -119,7 +120,7 @@ fn pushed(system: &System, [a, b]: [usize; 2]) -> Option<(usize, usize)> {
     }
 }
 
-/// What swings where a part drops off another at a time.
+/// Swing of a part at the time at which it drops off another.
 fn swing(
     system: &System,
     trajectory: &Trajectory<'_>,
@@ -163,9 +164,9 @@ fn motion(system: &System, part: usize) -> Option<AxisMotion> {
     }
 }
 
-/// Whether two parts turn about one axis, or slide along the same direction.
+/// Whether two parts turn about the same axis, or slide in the same direction.
 fn is_coaxial(system: &System, a: usize, b: usize) -> bool {
-    /// Relative to the size of the mechanism, or to a unit vector.
+    /// Tolerance relative to the size of the mechanism, or to a unit vector.
     const SAME_AXIS: f64 = 1e-9;
     match (motion(system, a), motion(system, b)) {
         (Some(AxisMotion::Revolute { center: a }), Some(AxisMotion::Revolute { center: b })) => {
@@ -179,7 +180,7 @@ fn is_coaxial(system: &System, a: usize, b: usize) -> bool {
     }
 }
 
-/// By how much a part on its axis goes on after a time, before it turns back.
+/// Displacement of a part on its axis from a time until it turns back.
 fn goes_on(system: &System, trajectory: &Trajectory<'_>, part: usize, from: f64) -> Option<f64> {
     let i = system.parts()[part].indices().start;
     let back = BACK * system.size() / system.lengths()[i];

@@ -5,7 +5,8 @@ use super::phase::Clock;
 use crate::record::{Record, What};
 use crate::system::System;
 
-/// The largest force between each two parts and the largest power of each drive, of what was sampled, and what drives do on average.
+/// Sentences on the largest force between each two parts and the largest and mean power of each drive, among the
+/// samples.
 pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> Vec<String> {
     let unit = system.mechanism().unit.as_deref().unwrap_or("unit");
     let mut largest: Vec<Largest<&What>> = Vec::new();
@@ -65,7 +66,7 @@ pub(super) fn sentences(system: &System, record: &Record, clock: &Clock<'_>) -> 
     all
 }
 
-/// The largest value of something so far, and when.
+/// Largest value of a quantity so far, with its time.
 struct Largest<T> {
     of: T,
     value: f64,
@@ -87,7 +88,7 @@ fn keep<T: Copy>(
     }
 }
 
-/// Of the same parts.
+/// Whether two subjects concern the same parts.
 fn same(a: &What, b: &What) -> bool {
     match (a, b) {
         (

@@ -1,4 +1,4 @@
-//! What a designer wants to know of a motion: contacts from touch to release, whether it repeats, what that comes to, in words.
+//! Report on a motion: contacts from touch to release, the cycle in which it repeats, its period and drops, in words.
 
 mod contacts;
 mod cycle;
@@ -17,21 +17,21 @@ pub use trajectory::Trajectory;
 use crate::record::Record;
 use crate::system::System;
 
-/// What can be told of a motion.
+/// Report on a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Report {
     /// Contacts, in the order in which they begin.
     pub contacts: Vec<ContactInterval>,
     /// The cycle in which the motion repeats, if it does.
     pub cycle: Option<Cycle>,
-    /// Where a part loses hold of another and falls on to the next place, in one cycle.
+    /// Drops in one cycle: a part loses contact with another and falls on to the next place.
     pub drops: Vec<Drop>,
     /// Sentences.
     pub summary: Vec<String>,
 }
 
 impl Report {
-    /// Of a motion of a system.
+    /// Reports on a recorded motion of a system.
     ///
     /// ```
     /// use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};

@@ -12,7 +12,7 @@ pub(super) fn length(mechanism: &Mechanism, x: f64, size: f64) -> String {
     with_unit(mechanism, &bare_length(x, size))
 }
 
-/// The same without its unit.
+/// As `length`, without the unit.
 pub(super) fn bare_length(x: f64, size: f64) -> String {
     let decimals = (4.0 - size.log10()).ceil().clamp(0.0, 12.0) as usize;
     plain(x, decimals)
@@ -25,9 +25,9 @@ pub(super) fn with_unit(mechanism: &Mechanism, number: &str) -> String {
     }
 }
 
-/// A share as a whole number of percent; what is not all of it is less than 100 %.
+/// A share as a whole number of percent; a share below 1 is shown as less than 100 %.
 pub(super) fn percent(share: f64) -> String {
-    /// More than this is all, but for rounding.
+    /// Larger shares are 100 %, but for rounding.
     const ALL: f64 = 1.0 - 1e-9;
     let whole = (100.0 * share).round();
     let shown = match share {
@@ -40,7 +40,7 @@ pub(super) fn percent(share: f64) -> String {
     format!("{shown:.0} %")
 }
 
-/// To so many digits that count, without exponents where they are not needed.
+/// A number with `count` significant digits, without an exponent where it is not needed.
 pub(super) fn digits(x: f64, count: i32) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
@@ -53,7 +53,7 @@ pub(super) fn digits(x: f64, count: i32) -> String {
     }
 }
 
-/// The same without zeros that say nothing.
+/// As `digits`, without trailing zeros.
 pub(super) fn brief(x: f64, count: i32) -> String {
     let shown = digits(x, count);
     match shown.contains('.') && !shown.contains('e') {
@@ -62,7 +62,7 @@ pub(super) fn brief(x: f64, count: i32) -> String {
     }
 }
 
-/// A number of which nothing but a sign is left is shown without it.
+/// A number with `decimals` decimals; a zero has no sign.
 pub(super) fn plain(x: f64, decimals: usize) -> String {
     let shown = format!("{x:.decimals$}");
     match shown.strip_prefix('-') {

@@ -1,4 +1,4 @@
-//! When in a cycle something happens, in words: the angle of what is driven evenly, or the time.
+//! Phase of an event in words: the angle of the evenly driven part, or the time.
 
 use core::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use super::number::plain;
 use crate::system::{PartCoordinates, System};
 use cspace::AxisMotion;
 
-/// What tells the time.
+/// Clock of the report: the angle of a part that is driven evenly, or the time.
 pub(super) struct Clock<'a> {
     system: &'a System,
     /// The part that turns evenly, its coordinate and its drive.
@@ -40,7 +40,7 @@ impl<'a> Clock<'a> {
         self.driver.map(|d| d.0)
     }
 
-    /// Its name.
+    /// Name of the driven part.
     pub(super) fn name(&self) -> Option<&'a str> {
         let part = self.driver()?;
         Some(self.system.mechanism().parts[part].part.name())
@@ -79,7 +79,7 @@ impl<'a> Clock<'a> {
         format!("{} {}", self.number(t), self.unit())
     }
 
-    /// The same of a second time, when what turns has been named.
+    /// As above, for a second time in the same sentence: the part that turns is not named again.
     pub(super) fn again(&self, t: f64) -> String {
         let unit = if self.driver.is_some() { "deg" } else { "s" };
         format!("{} {unit}", self.number(t))

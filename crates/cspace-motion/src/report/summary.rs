@@ -16,23 +16,23 @@ use crate::system::{PartCoordinates, System};
 
 /// A part that moves by less than this in a cycle, relative to the size of the mechanism, has play and does not swing.
 const SWINGS: f64 = 1e-3;
-/// It stands still where its rate is below this share of its greatest.
+/// Share of the largest rate below which a part stands still.
 const STILL: f64 = 1e-6;
-/// Standing still for less than this share of a cycle is not told of.
+/// Rests shorter than this share of a cycle are not reported.
 const RESTS: f64 = 0.05;
-/// Gaps in a contact shorter than this, relative to the duration, are none.
+/// Shortest gap in a contact, relative to the duration.
 const NEAR: f64 = 1e-9;
-/// So many spans of time are told one by one; of more, their number.
+/// Largest number of time spans that are listed; of more, only the number is given.
 const MOST_SPANS: usize = 2;
 
-/// What was found of a motion.
+/// Findings on a motion.
 pub(super) struct Found<'a> {
     pub(super) contacts: &'a [ContactInterval],
     pub(super) cycle: Option<&'a Cycle>,
     pub(super) drops: &'a [Drop],
 }
 
-/// What is told: the cycle, what each part does in it, drops, contacts, forces.
+/// Sentences of the report: the cycle, the motion of each part in it, drops, contacts, forces.
 pub(super) fn sentences(
     system: &System,
     record: &Record,
@@ -89,7 +89,7 @@ impl Teller<'_> {
         }
     }
 
-    /// How far the part that tells the time goes in a cycle.
+    /// Advance of the driver per cycle.
     fn driven(&self, cycle: &Cycle) -> Option<f64> {
         let driver = self.clock.driver()?;
         let of = cycle.parts.iter().find(|p| p.part == driver)?;
@@ -106,7 +106,7 @@ impl Teller<'_> {
                 _ => format!(", {} of the {name}", degrees(driven.abs())),
             };
         }
-        /// What settles within this share of the time does so at once.
+        /// Share of the time within which a motion counts as periodic from the start.
         const AT_ONCE: f64 = 0.01;
         let late = cycle.since > AT_ONCE * self.record.until;
         if late {
@@ -115,7 +115,7 @@ impl Teller<'_> {
         text
     }
 
-    /// What a part does in a cycle; what is driven evenly tells the time, and is not told of.
+    /// Motion of a part in a cycle; `None` for the driver that serves as the clock.
     fn part(&self, cycle: &Cycle, p: &PartCycle) -> Option<String> {
         if self.clock.driver() == Some(p.part) {
             return None;
@@ -188,10 +188,10 @@ impl Teller<'_> {
         }
     }
 
-    /// Whether a part that advances always does so at about the same rate, as gears do: wheels that go in steps have no ratio
-    /// at any time.
+    /// Whether a part that advances does so at about a constant rate, as gears do: wheels that advance in steps have no
+    /// ratio at any time.
     fn is_even(&self, part: usize, cycle: &Cycle) -> bool {
-        /// Of the mean rate.
+        /// Range of the rates, as multiples of the mean rate.
         const ABOUT: core::ops::Range<f64> = 0.5..2.0;
         let i = self.system.parts()[part].indices().start;
         let until = self.trajectory.span().1;
@@ -223,7 +223,7 @@ impl Teller<'_> {
                 _ => spans.push((from, to)),
             }
         }
-        // What goes on over the end of the cycle is one.
+        // A span that continues over the end of the cycle is one span.
         let ends = (spans.first().copied()).zip(spans.last().copied());
         if let Some((first, last)) = ends
             && spans.len() > 1
@@ -261,7 +261,7 @@ impl Teller<'_> {
         }
     }
 
-    /// How much larger a stroke is than the step for which it is there, once for each part that swings.
+    /// Sentences on the excess of strokes over the steps for which they are there, once for each part that swings.
     fn spares(&self, report: &Found<'_>) -> Vec<String> {
         let mut told: Vec<usize> = Vec::new();
         let mut all = Vec::new();

@@ -1,12 +1,12 @@
-//! All coordinates as functions of time, between the moments at which they are known.
+//! Coordinates as functions of time, interpolated between the recorded moments.
 
 use crate::record::{Record, Sample};
 
-/// A motion as a function of time: through all that is known of it, cubic between by the rates (Hermite). An interval ends
-/// where rates jump, so corners stay corners; with a traced motion the error is of fourth order in a step.
+/// Motion as a function of time: through all recorded values, cubic between them by the rates (Hermite). An interval
+/// ends where rates jump, so corners stay corners; with a traced motion the error is of fourth order in a step.
 #[derive(Debug, Clone)]
 pub struct Trajectory<'a> {
-    /// In order of time; where rates jump there are two of one time.
+    /// Recorded samples in order of time; where rates jump there are two at one time.
     knots: Vec<&'a Sample>,
 }
 
@@ -14,7 +14,7 @@ pub struct Trajectory<'a> {
 const SAME: f64 = 1e-12;
 
 impl<'a> Trajectory<'a> {
-    /// Of a record, from its trace and its samples.
+    /// Builds the trajectory of a recording from its trace and its samples.
     pub fn of(record: &'a Record) -> Self {
         let near = SAME * record.until;
         let trace = &record.trace;
@@ -66,7 +66,7 @@ impl<'a> Trajectory<'a> {
         }
     }
 
-    /// All coordinates at a time.
+    /// Values of all coordinates at a time.
     pub fn all_at(&self, t: f64) -> Vec<f64> {
         let count = self.knots.first().map_or(0, |k| k.coordinates.len());
         (0..count).map(|i| self.at(t, i)).collect()
@@ -96,7 +96,7 @@ impl<'a> Trajectory<'a> {
 
     /// Times and values of a coordinate, close enough to be joined by lines on a picture.
     pub fn curve(&self, coordinate: usize) -> Vec<(f64, f64)> {
-        /// Of a piece between two moments.
+        /// Chords per piece between two moments.
         const CHORDS: u32 = 4;
         let mut curve: Vec<(f64, f64)> = Vec::new();
         for pair in self.knots.windows(2) {
@@ -197,7 +197,7 @@ mod tests {
         assert_eq!(trajectory.at(9.0, 0), f(2.0));
     }
 
-    /// Where rates jump both sides count.
+    /// Both sides of a jump of rates count.
     #[test]
     fn corners_stay() {
         let samples = [

@@ -34,7 +34,7 @@ pub struct System {
     joints: Vec<JointEntry>,
     size: f64,
     lengths: Vec<f64>,
-    /// How far each part's coordinates move its points at most.
+    /// Largest displacement of a part's points per unit of each of its coordinates.
     pub(super) levers: Vec<[f64; 3]>,
     /// The largest distance of each part's points from its origin.
     reaches: Vec<f64>,
@@ -46,17 +46,17 @@ pub struct System {
 /// Springs settle in no less than this, in units of the time in which forces move parts by the mechanism's size.
 const DRAG: f64 = 0.1;
 
-/// What forces do to a motion without inertia.
+/// Law by which forces act on a motion without inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Law {
-    /// They are speeds, M v = s F: so parts come to rest, along with nothing else.
+    /// Forces are speeds, M v = s F, so that parts come to rest.
     Speeds {
         /// The factor s.
         scale: f64,
-        /// Springs resist by this times their stiffness, s: so that the stiff ones do not make the way a long one.
+        /// Drag of springs per stiffness, as a multiple of s, so that stiff springs do not make the motion take long.
         drag: f64,
     },
-    /// They balance at every instant.
+    /// Forces balance at every instant.
     Balance,
 }
 
@@ -66,8 +66,8 @@ impl System {
         Self::about(mechanism, |_| Point::ORIGIN)
     }
 
-    /// The same with the centres of mass for the points of parts that move in the plane: their masses and inertias are then
-    /// all there is in the mass matrix.
+    /// As above, with the centres of mass as the points of parts that move in the plane: their part of the mass matrix
+    /// then contains only masses and inertias.
     pub(crate) fn about_masses(mechanism: &Mechanism) -> Self {
         let of = |i: usize| {
             let entry = &mechanism.parts[i].part;
@@ -179,7 +179,7 @@ impl System {
         system.with_metric()
     }
 
-    /// The same with forces that balance at every instant, as drives that are slow leave them.
+    /// Copy of the system with forces that balance at every instant, as under slow drives.
     pub(crate) fn balanced(&self) -> Self {
         let system = Self {
             law: Law::Balance,
@@ -188,7 +188,7 @@ impl System {
         system.with_metric()
     }
 
-    /// The same with drives that stand where they are at a time, and forces that are speeds by a factor.
+    /// Copy of the system with drives that stand where they are at a time, and forces that are speeds by a factor.
     pub(crate) fn settling(&self, time: f64, scale: f64) -> Self {
         let still = |(i, curve): &(usize, DriveCurve)| (*i, curve.still(time));
         let system = Self {
@@ -221,7 +221,7 @@ impl System {
         &self.parts
     }
 
-    /// How many coordinates there are.
+    /// Number of coordinates.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -246,7 +246,7 @@ impl System {
         &self.lengths
     }
 
-    /// How far each part's coordinates move its points at most, per unit.
+    /// Largest displacement of each part's points per unit of each of its coordinates.
     pub(crate) fn levers(&self) -> &[[f64; 3]] {
         &self.levers
     }
@@ -256,7 +256,7 @@ impl System {
         self.reaches[part]
     }
 
-    /// All coordinates at the start, as they are given. Joints may not hold there.
+    /// Coordinates at the start, as given. Joints may not hold there.
     pub fn start(&self) -> Vec<f64> {
         let mut q = vec![0.0; self.count];
         for (i, part) in self.parts.iter().enumerate() {
@@ -273,7 +273,7 @@ impl System {
         q
     }
 
-    /// Which coordinates are given at the start, by the model or by drives.
+    /// Flags of the coordinates that are given at the start, by the model or by drives.
     pub(crate) fn given(&self) -> Vec<bool> {
         let mut given = vec![false; self.count];
         for (i, part) in self.parts.iter().enumerate() {
@@ -303,7 +303,8 @@ impl System {
         v
     }
 
-    /// Coordinates and rates of the origins of the parts' frames brought to those of their points, or back.
+    /// Converts coordinates and rates between the origins of the parts' frames and the parts' reference points; `back`
+    /// chooses the direction.
     pub(crate) fn shift(&self, q: &mut [f64], v: &mut [f64], back: bool) {
         for part in &self.parts {
             if let PartCoordinates::Planar { first, center } = *part {
@@ -345,12 +346,12 @@ impl System {
         }
     }
 
-    /// Where a part is, in the assembly's frame.
+    /// Placement of a part in the assembly's frame.
     pub fn placement(&self, part: usize, q: &[f64]) -> Placement<f64> {
         self.parts[part].placement(|i| q[i])
     }
 
-    /// Where a part is in another's frame, its orientation not brought home by turns.
+    /// Configuration of a part in another's frame, with its orientation not reduced by full turns.
     pub fn relative(&self, fixed: usize, moving: usize, q: &[f64]) -> Configuration {
         let [a, b] = [fixed, moving].map(|i| self.placement(i, q));
         let [x, y] = a.inverse().compose(&b).position;
@@ -375,7 +376,7 @@ impl System {
             .collect()
     }
 
-    /// That a joint cannot hold: the one that is worst at a configuration.
+    /// Error that reports the joint with the largest gap at a configuration.
     pub(crate) fn open_joint(&self, q: &[f64]) -> SimulateError {
         let name = |i: usize| self.mechanism.parts[i].part.name().to_owned();
         let gaps = self.joints.iter().map(|entry| {

@@ -29,8 +29,8 @@ fn push(forces: &mut [f64], row: &Row, force: f64) {
 }
 
 impl System {
-    /// The forces on all coordinates; `spring` learns of each spring by its length or angle, its stiffness and its damping; and across its length
-    /// by the stiffness with which what pulls resists there.
+    /// Adds the forces on all coordinates. `spring` is called for each spring with its length or angle, its stiffness
+    /// and its damping; and, for the direction across its length, with the stiffness by which its pull resists there.
     pub(crate) fn add_forces(
         &self,
         q: &[f64],
@@ -73,8 +73,8 @@ impl System {
         }
     }
 
-    /// The length or angle of a spring, the force along it, its stiffness and its damping; and the same across its length: with K of the spring
-    /// and L without force, stiffness K (1 − L/l) at length l, where that is positive.
+    /// Length or angle of a spring, the force along it, its stiffness and its damping; and the stiffness across its
+    /// length: K (1 − L/l) at length l, where that is positive, with K of the spring and L without force.
     fn pull(&self, spring: &Spring, q: &[f64]) -> [Option<(Row, f64, f64, f64)>; 2] {
         let ground = PartCoordinates::Fixed;
         let first = &self.parts()[spring.part];

@@ -23,8 +23,8 @@ impl System {
         system
     }
 
-    /// The same with some coordinates of a part led from one value to another in the first second. The position of a planar part is that of
-    /// one of its points.
+    /// Copy of the system with some coordinates of a part driven from one value to another in the first second. The
+    /// position of a planar part is that of one of its points.
     pub(crate) fn led(&self, part: usize, point: Point, ways: &[(usize, [f64; 2])]) -> Self {
         let mut system = self.with_law();
         if let PartCoordinates::Planar { center, .. } = &mut system.parts[part] {
@@ -38,8 +38,8 @@ impl System {
         system.with_metric()
     }
 
-    /// The same with a point of a part pulled to a place, and to an orientation if there is one, by springs of stiffness 1. No other forces
-    /// act: a hand is stronger than they are.
+    /// Copy of the system with a point of a part pulled to a place, and to an orientation if one is given, by springs
+    /// of stiffness 1. No other forces act: a hand is stronger than they are.
     pub(crate) fn pulled(&self, part: usize, [point, to]: [Point; 2], angle: Option<f64>) -> Self {
         let spring = |kind| Spring {
             part,
@@ -69,7 +69,7 @@ impl System {
         system.with_law()
     }
 
-    /// The same with the law of its forces: they balance, if there are any.
+    /// Copy of the system with the law of its forces: balance, if there are any.
     fn with_law(&self) -> Self {
         match has_forces(&self.mechanism) {
             true => self.balanced(),

@@ -10,7 +10,7 @@ fn real<T: Real>(p: Point) -> [T; 2] {
     [T::constant(p.x), T::constant(p.y)]
 }
 
-/// How far a point of one part is from where the other has it, along x and along y.
+/// Difference of the positions of a point by the two parts, along x and along y.
 struct Together(Point);
 
 impl Placed<2> for Together {
@@ -20,7 +20,7 @@ impl Placed<2> for Together {
     }
 }
 
-/// How far two parts are turned against each other, at the ends of a length.
+/// Difference of the orientations of two parts, as the displacement at the end of a length.
 struct Parallel(f64);
 
 impl Placed<1> for Parallel {
@@ -29,7 +29,7 @@ impl Placed<1> for Parallel {
     }
 }
 
-/// How far a point of the second part is beside a line of the first through it.
+/// Distance of a point of the second part from a line of the first.
 struct Beside {
     at: Point,
     normal: Vector,

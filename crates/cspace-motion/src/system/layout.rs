@@ -1,4 +1,4 @@
-//! Which coordinates say where a part is, and where it then is.
+//! Coordinates of a part, and its placement as a function of them.
 
 use cspace::{AxisMotion, Dual, Part, Placement, Point, Real};
 
@@ -7,13 +7,13 @@ use super::row::{MOST, Row};
 /// The coordinates of a part, by their first index in the system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PartCoordinates {
-    /// It does not move.
+    /// No coordinate: the part does not move.
     Fixed,
-    /// One: how far it has turned or slid.
+    /// One coordinate: angle or displacement along an axis.
     Axis {
-        /// Its index.
+        /// Index of the coordinate.
         first: usize,
-        /// How it moves.
+        /// Motion of the part.
         motion: AxisMotion,
         /// The least and the largest it may be.
         range: Option<(f64, f64)>,
@@ -37,7 +37,7 @@ impl PartCoordinates {
         }
     }
 
-    /// Where the part is, from numbers of any kind: `variable` makes one of the coordinate of an index.
+    /// Placement of the part, in numbers of any kind: `variable` returns the coordinate of an index.
     pub fn placement<T: Real>(&self, variable: impl Fn(usize) -> T) -> Placement<T> {
         let point = |p: Point| [T::constant(p.x), T::constant(p.y)];
         match *self {
@@ -74,7 +74,7 @@ impl PartCoordinates {
         }
     }
 
-    /// How fast a point of the part moves at most, per unit of the rate of each of its coordinates.
+    /// Largest speed of a point of the part, per unit of the rate of each of its coordinates.
     pub(crate) fn levers(&self, part: &Part) -> [f64; 3] {
         let reach = |from: Point| reach(part, from);
         match self {
@@ -99,7 +99,7 @@ pub(crate) fn reach(part: &Part, from: Point) -> f64 {
 
 /// Functions of where two parts are, in any numbers.
 pub(crate) trait Placed<const COUNT: usize> {
-    /// Their values.
+    /// Values of the functions.
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; COUNT];
 }
 
@@ -117,7 +117,7 @@ pub(crate) fn rows_of<const COUNT: usize>(
     }
 }
 
-/// The same by at most N coordinates.
+/// As above, with derivatives by at most N coordinates.
 fn derived<const N: usize, const COUNT: usize>(
     [a, b]: [&PartCoordinates; 2],
     q: &[f64],

@@ -8,9 +8,9 @@ use crate::linear::Cholesky;
 /// The mass matrix of the outlines with the resistance of dampers.
 #[derive(Debug, Clone)]
 pub(crate) struct Metric {
-    /// Of all coordinates, n × n by rows.
+    /// Matrix of all coordinates, n × n by rows.
     pub(crate) matrix: Vec<f64>,
-    /// The factor of that of the free ones.
+    /// Cholesky factor of the free coordinates' matrix.
     pub(crate) factor: Cholesky,
 }
 

@@ -8,7 +8,8 @@ use super::metric::{Metric, add_outline};
 use crate::linear::Cholesky;
 
 impl System {
-    /// The same with its metric, if that does not depend on where parts are: if all have axes, and springs that resist turn about some.
+    /// Stores the system's metric if it does not depend on the configuration: if all parts have axes, and no resisting
+    /// spring is linear.
     pub(super) fn with_metric(mut self) -> Self {
         let (drag, still) = (self.drag(), vec![0.0; self.count()]);
         let is_planar = |p: &PartCoordinates| matches!(p, PartCoordinates::Planar { .. });
@@ -44,7 +45,7 @@ impl System {
         Cholesky::of(&of_free, free.len())
     }
 
-    /// How much springs resist, per stiffness.
+    /// Resistance of springs per stiffness.
     fn drag(&self) -> f64 {
         match self.law() {
             Law::Speeds { drag, .. } => drag,

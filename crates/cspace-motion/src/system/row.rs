@@ -33,7 +33,7 @@ impl Row {
         &self.entries[..self.count]
     }
 
-    /// How fast the value changes at given rates of all coordinates.
+    /// Rate of the value at given rates of all coordinates.
     pub fn rate(&self, rates: &[f64]) -> f64 {
         self.entries().iter().map(|&(i, d)| d * rates[i]).sum()
     }

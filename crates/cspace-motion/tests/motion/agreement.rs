@@ -1,6 +1,6 @@
-//! Without inertia parts move as they do with masses and large dampers while drives are slow.
+//! Motions without inertia agree with those with masses and large dampers if drives are slow.
 //!
-//! A coordinate that a damper c resists and a stiffness k holds lags by c/k of its rate, and the more slowly drives move the less.
+//! A coordinate with a damper c and a stiffness k lags by c/k of its rate, the less the more slowly drives move.
 
 use cspace_motion::{Record, Settings, Simulation, Status};
 
@@ -49,7 +49,7 @@ damping = 1
     )
 }
 
-/// How far the two are apart at most, at the same times.
+/// Largest difference of two recordings, at the same times.
 fn apart(one: &Record, other: &Record) -> f64 {
     let mut most = 0.0_f64;
     for a in &one.samples {

@@ -10,7 +10,7 @@ use crate::helpers::{at, mechanism, model, run};
 
 /// The pin's radius, for a crank of 1.
 const PIN: f64 = 0.1;
-/// Where the driver begins: 25 degrees before the pin comes in.
+/// Initial angle of the driver: 25 degrees before the pin enters.
 const BEGINS: f64 = -70.0 * TAU / 360.0;
 
 /// A Geneva drive of 4 slots without play where it drives: the face that is pushed lies as far from the slot's middle, which goes
@@ -38,7 +38,7 @@ fn geneva() -> Mechanism {
     geneva
 }
 
-/// How far the wheel has turned from half step, its rate and its acceleration, at an angle of the driver from there.
+/// Angle of the wheel from half step, its rate and its acceleration, at an angle of the driver from there.
 fn step(alpha: f64) -> [f64; 3] {
     let (sin, cos) = alpha.sin_cos();
     let square = 3.0 - 2.0 * SQRT_2 * cos;
@@ -131,7 +131,7 @@ fn a_film_advances_by_its_pitch() {
     assert!(still > 60, "{still}");
 }
 
-/// On the base circle and on the dwell of the cam the roller stands still, and falls and rises by the lift.
+/// On the base circle and on the dwell of the cam the roller stands still; in between it falls and rises by the lift.
 #[test]
 fn a_roller_falls_and_rises_by_the_lift() {
     let (simulation, record) = run(&model("cam_roller"), 2.0, 0.005);

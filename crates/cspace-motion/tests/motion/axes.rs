@@ -64,7 +64,7 @@ fn a_roller_rides_on_an_eccentric() {
     assert!(record.events.iter().all(|e| e.kind == EventKind::Touch));
 }
 
-/// What is pushed to the end of its range stops the drive, and the proof names both.
+/// A block that is pushed to the end of its range stops the drive, and the proof names both.
 #[test]
 fn the_end_of_a_range_jams() {
     let pusher = Part::rectangle("pusher", (0.0, 0.0), 2.0, 2.0).unwrap();
@@ -131,7 +131,7 @@ fn sprung(stiffness: f64, damping: f64) -> Mechanism {
     mechanism
 }
 
-/// A part on a spring goes at once to where the spring is at rest, whatever its damper.
+/// A part on a spring jumps to where the spring is at rest, whatever its damper.
 #[test]
 fn springs_relax() {
     for damping in [0.0, 7.0] {
@@ -147,7 +147,7 @@ fn springs_relax() {
     }
 }
 
-/// To the end of a range by a load, and away from it by a drive that comes back: by a table.
+/// A drive with a table moves out and back: it pushes a block and leaves it where it is.
 #[test]
 fn a_table_pushes_and_lets_go() {
     let pusher = Part::rectangle("pusher", (0.0, 0.0), 2.0, 2.0).unwrap();
@@ -171,7 +171,7 @@ fn a_table_pushes_and_lets_go() {
     assert!((at(&record, 4.0)[1] - 2.0).abs() < 1e-9);
 }
 
-/// Numbers that cannot be followed are told, at once.
+/// Models that cannot be simulated are reported, at once.
 #[test]
 fn hostile_springs_are_told() {
     for stiffness in [1e300, f64::MAX] {
@@ -183,7 +183,7 @@ fn hostile_springs_are_told() {
     }
 }
 
-/// The end is a sample, also where it is none of the even times.
+/// The end is a sample, also if it is none of the even times.
 #[test]
 fn the_end_is_a_sample() {
     let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0).unwrap();

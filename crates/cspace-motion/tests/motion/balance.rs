@@ -7,7 +7,7 @@ use cspace_motion::{EventKind, Record, Sample, Status, What};
 
 use crate::helpers::{model, near, read, run};
 
-/// When balances end, after the start.
+/// Times at which balances end, after the start.
 fn snaps(record: &Record) -> Vec<f64> {
     let snaps = record.events.iter().filter(|e| e.kind == EventKind::Snap);
     snaps.map(|e| e.t).filter(|t| *t > 0.0).collect()
@@ -251,7 +251,7 @@ rate = 1
     assert!(kinds(&record).contains(&EventKind::Snap));
 }
 
-/// A load that nothing stops is told by the name of its part.
+/// A load that nothing stops is reported by the name of its part.
 #[test]
 fn what_nothing_stops_is_told() {
     let text = r#"
@@ -281,7 +281,7 @@ torque = 3
     assert_eq!(record.samples.last().unwrap().coordinates[0], 0.0);
 }
 
-/// The wheel goes on by a tooth a turn, the pawl drops behind it at once, and nothing turns back.
+/// The wheel advances by a tooth per turn, the pawl drops behind it at once, and nothing turns back.
 #[test]
 fn a_pawl_drops() {
     let (simulation, record) = run(&model("ratchet_mechanism"), 3.0, 0.01);

@@ -229,8 +229,8 @@ fn gears_with_masses_keep_their_ratio() {
     );
 }
 
-/// Six parts that fall onto each other come to bear on more contacts than they have freedoms: forces are not determined one by one, and
-/// the motion goes on.
+/// Six parts that fall onto each other bear on more contacts than they have degrees of freedom: forces are not
+/// determined one by one, and the motion goes on.
 #[test]
 fn a_pile_goes_on() {
     let text = r#"

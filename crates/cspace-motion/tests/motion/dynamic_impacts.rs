@@ -136,7 +136,7 @@ fn a_row_of_discs_passes_a_shock_on() {
     balanced(&record, 2.0, 1e-10);
 }
 
-/// Housner's block rocks from one corner to the other and loses so much of its rate at each stroke.
+/// Housner's block rocks from one corner to the other and loses a fixed share of its rate at each stroke.
 #[test]
 fn a_rocking_block_loses_what_housner_says() {
     for (b, h) in [(0.25, 1.0), (0.4, 1.0)] {

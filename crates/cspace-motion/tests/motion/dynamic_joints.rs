@@ -268,7 +268,7 @@ fn a_spring_between_free_bodies() {
     balanced(&record, 60.0, 1e-9);
 }
 
-/// A pivot that is driven, stands still at first, then moves at once, and stops at once: the rod on it gets impulses.
+/// A driven pivot stands still at first, then moves at once, and stops at once: the rod on it gets impulses.
 #[test]
 fn a_drive_whose_rate_jumps() {
     let text = format!(
@@ -350,7 +350,8 @@ const PARALLELOGRAM: &str = r#"
         part = "a"
         rate = "360deg""#;
 
-/// Where its cranks lie on one line with its frame it can go on as a parallelogram or crossed: that is told, however long the simulation is.
+/// If its cranks lie on one line with its frame, it can go on as a parallelogram or crossed: this is reported, however
+/// long the simulation is.
 #[test]
 fn a_parallelogram_ends_where_it_can_cross() {
     for time in [0.3, 1.0, 1.7, 2.0, 3.0, 5.0] {

@@ -26,7 +26,7 @@ const DRIVEN: [(&str, f64); 7] = [
     ("rack_pinion", 0.6),
 ];
 
-/// What goes through: all energy that is there, put in or lost.
+/// Scale of the energy balance: the largest of the energy present, put in or lost.
 fn through(record: &Record) -> f64 {
     let e = record.energy.unwrap();
     (e.start.abs() + e.end.abs())
@@ -124,8 +124,8 @@ fn threads_and_samples_change_nothing() {
     }
 }
 
-/// Events follow each other in a sane order: a contact that is there is not told to touch, one that is not is not released; what
-/// touches at an impact stays; what rests is not told to touch; and nothing both sticks and slips at one time.
+/// Events are consistent: a closed contact has no event of touching, and an open one none of release; a contact closed
+/// at an impact stays closed; a resting one has no event of touching; and no contact both sticks and slips at one time.
 #[test]
 fn events_are_told_in_a_sane_order() {
     for (name, mechanism, time) in all() {

@@ -1,10 +1,10 @@
-//! A box that slides over seams of flush tiles, small steps down and notches: what it rests on goes on behind them.
+//! A box slides over seams of flush tiles, small steps down and notches, and goes on behind them.
 
 use cspace_motion::Status;
 
 use crate::helpers::{balanced, near, thrown};
 
-/// The corners of a loop, of which one unit is `size` long, turned by an angle.
+/// Corners of a loop, scaled by `size` and turned by an angle.
 fn outline(corners: &[(f64, f64)], size: f64, slope: f64) -> String {
     let (sin, cos) = slope.sin_cos();
     let corners = corners.iter().map(|&(x, y)| {

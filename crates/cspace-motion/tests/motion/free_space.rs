@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::helpers::overlaps;
 
-/// So many even samples are judged, beside all events.
+/// Number of even samples that are checked, beside all events.
 const SAMPLES: f64 = 1000.0;
 /// For so long they move, in seconds: longer than a turn of those that are driven once a second.
 const TIME: f64 = 1.3;

@@ -242,8 +242,8 @@ rate = "30deg"
     }
 }
 
-/// A lever on a torsion spring is pushed along a ramp: N presses on its tip, μ N rubs against its sliding, and the spring balances both about
-/// the pivot; the drive bears their component along the way.
+/// A lever on a torsion spring is pushed along a ramp: N presses on its tip, μ N opposes its sliding, and the spring
+/// balances both about the pivot; the drive bears their component along its direction.
 #[test]
 fn insertion_takes_the_force_of_statics() {
     let (stiffness, arm) = (500.0, 10.0_f64);

@@ -9,7 +9,7 @@ use cspace_oracle::Oracle;
 
 use crate::helpers::{mechanism, model, near, read};
 
-/// No two parts overlap by more than the resolution.
+/// Checks that no two parts overlap by more than the resolution.
 #[track_caller]
 fn judge(hand: &Hand, mechanism: &Mechanism) {
     let system = hand.system();

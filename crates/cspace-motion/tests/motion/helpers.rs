@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Helpers shared by the tests.
 
 use cspace::mechanism::{Drive, DriveMotion};
 use cspace::{Mechanism, Part, PartEntry, Vertex};
@@ -33,7 +33,7 @@ pub(crate) fn run(mechanism: &Mechanism, time: f64, every: f64) -> (Simulation, 
     (simulation, record)
 }
 
-/// No pair overlaps at any sample by more than the resolution.
+/// Checks that no pair overlaps at any sample by more than the resolution.
 pub(crate) fn judge(simulation: &Simulation, record: &Record) {
     let found = overlaps(simulation, record, 0.0);
     assert!(found.is_empty(), "{found:#?}");
@@ -70,7 +70,7 @@ pub(crate) fn polygon(name: &str, corners: &[(f64, f64)]) -> Part {
     Part::new(name, vec![vertices]).unwrap()
 }
 
-/// All coordinates at the sample of a time.
+/// Coordinates of the sample at a time.
 pub(crate) fn at(record: &Record, time: f64) -> &[f64] {
     let near = |s: &&Sample| (s.t - time).abs() < 1e-9;
     &record.samples.iter().find(near).unwrap().coordinates
@@ -91,7 +91,7 @@ pub(crate) fn read(text: &str) -> Mechanism {
     cspace_io::model::from_toml(text, "m.toml").unwrap_or_else(|e| panic!("{e}: {text}"))
 }
 
-/// Its motion with masses.
+/// Motion of a model with masses.
 #[track_caller]
 pub(crate) fn thrown(text: &str, time: f64, every: f64) -> (Simulation, Record) {
     thrown_model(&read(text), time, every)
@@ -109,7 +109,7 @@ pub(crate) fn thrown_model(mechanism: &Mechanism, time: f64, every: f64) -> (Sim
     (simulation, record)
 }
 
-/// Two numbers differ by no more than an error.
+/// Checks that two numbers differ by no more than an error.
 #[track_caller]
 pub(crate) fn near(what: &str, found: f64, wanted: f64, error: f64) {
     let off = (found - wanted).abs();

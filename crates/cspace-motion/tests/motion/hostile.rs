@@ -1,4 +1,4 @@
-//! Models that make no sense, or more than numbers can follow: a message that names the thing, at once.
+//! Models that are invalid, or beyond the range of numbers: a message names the problem, at once.
 
 use std::time::{Duration, Instant};
 
@@ -210,7 +210,7 @@ fn parts_that_overlap_at_the_start() {
     refused(&still, &["wheel", "stands still"]);
 }
 
-/// A part that a load drives away is told, soon.
+/// A part that a load drives away is reported, soon.
 #[test]
 fn what_flies_away_is_told_soon() {
     let load = "[[load]]\npart = \"block\"\nforce = [1e12, 1e12]\n";
@@ -228,7 +228,7 @@ fn what_flies_away_is_told_soon() {
     assert!(reason.starts_with("nothing stops block"), "{reason}");
 }
 
-/// What may be written and cannot be followed ends with a reason, and soon.
+/// Valid models whose motion cannot be computed end with a reason, and soon.
 #[test]
 fn numbers_that_cannot_be_followed() {
     let settings = Settings {

@@ -1,5 +1,5 @@
-//! How a mechanism is written down does not change what it does: which part of a pair is called fixed, the order of the parts, the
-//! number of threads, and when samples are taken.
+//! Motions do not depend on how a mechanism is written down: which part of a pair is called fixed, the order of the
+//! parts, the number of threads, and when samples are taken.
 
 use cspace::Mechanism;
 use cspace::mechanism::Dynamics;

@@ -53,7 +53,7 @@ fn gears_turn() {
     );
 }
 
-/// One tooth, 18 degrees, a turn of the driver.
+/// The ratchet advances by one tooth, 18 degrees, per turn of the driver.
 #[test]
 fn a_ratchet_advances() {
     let (simulation, record) = run(&model("ratchet_mechanism"), 4.0, 0.01);
@@ -132,7 +132,7 @@ fn a_tappet_rises_and_falls() {
     assert!((least + 12.1).abs() < 1e-9, "{least}");
 }
 
-/// From tooth to tooth a rack goes 24 times as far as its pinion turns.
+/// From tooth to tooth a rack moves by 24 times the angle of its pinion.
 #[test]
 fn a_rack_is_pushed_on() {
     let mut rack = model("rack_pinion");
@@ -147,7 +147,7 @@ fn a_rack_is_pushed_on() {
     }
 }
 
-/// What touches does not depend on how long steps are: of two contacts that hold the same pair in turn, none is passed over.
+/// Contacts do not depend on the length of steps: if two contacts hold the same pair in turn, neither is missed.
 #[test]
 fn a_rack_is_held_by_one_tooth_after_the_other() {
     let rack = model("rack_pinion");

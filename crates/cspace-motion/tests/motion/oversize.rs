@@ -6,9 +6,9 @@ use cspace_motion::{Record, Status};
 
 use crate::helpers::{mechanism, polygon, run};
 
-/// By how much discs are larger than their hole, of its width.
+/// Excess of the discs over their hole, as a share of its width.
 const LARGER: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
-/// From a push to what nothing withstands.
+/// Forces from a push to one that nothing withstands.
 const FORCES: [f64; 3] = [1e2, 1e6, 1e12];
 
 /// A plate with a hole 2 wide, its corners sharp or rounded.
@@ -43,7 +43,7 @@ fn pushed(round: bool, planar: bool, radius: f64, force: f64) -> Record {
     record
 }
 
-/// How low the disc's centre comes.
+/// Height of the disc's centre at the end.
 fn low(record: &Record, planar: bool) -> f64 {
     let q = &record.samples.last().unwrap().coordinates;
     3.0 + if planar { q[1] } else { -q[0] }
@@ -76,7 +76,7 @@ fn a_disc_larger_than_its_hole_does_not_pass() {
     }
 }
 
-/// One that is smaller does, and nothing stops it.
+/// A disc that is smaller than its hole passes, and nothing stops it.
 #[test]
 fn a_disc_smaller_than_its_hole_passes() {
     for round in [false, true] {

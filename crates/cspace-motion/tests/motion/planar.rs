@@ -159,7 +159,7 @@ fn a_slider_crank_jams_at_a_dead_point() {
     );
 }
 
-/// Joints that do not meet, and parts that overlap, are told by name.
+/// Joints that do not meet, and parts that overlap, are reported by name.
 #[test]
 fn what_cannot_start_is_told() {
     let mut apart = slider_crank(true);

@@ -5,8 +5,8 @@ use cspace_motion::{Sample, Settings, SimulateError, Simulation, Status};
 
 use crate::helpers::{judge, model, near};
 
-/// A sleeve that is wedged on its pole stands at the last orientation at which it fits, to rounding beyond it: where it was simulated it
-/// can be taken up, and goes on as if there had been no end; where it is turned farther it overlaps.
+/// A sleeve wedged on its pole is at the last orientation at which it fits, or beyond it by rounding. A simulation can
+/// be restarted from there, and goes on as if there had been no end; if the sleeve is turned farther it overlaps.
 #[test]
 fn a_wedged_part_is_taken_up() {
     let settings = Settings {

@@ -1,4 +1,4 @@
-//! What meets a part that turns is seen, however large the mechanism about it is and however long its steps are.
+//! Contacts of a part that turns are found, however large the mechanism about it is and however long its steps are.
 
 use cspace_motion::{EventKind, Record, Status, What};
 

@@ -18,7 +18,7 @@ fn part(cycle: &Cycle, part: usize) -> &PartCycle {
     cycle.parts.iter().find(|p| p.part == part).unwrap()
 }
 
-/// Six slots: a sixth of a turn, the other way.
+/// Six slots: a step is a sixth of a turn, in the opposite direction.
 #[test]
 fn a_geneva_wheel_goes_in_steps() {
     let report = told("geneva", 2.0);
@@ -119,7 +119,8 @@ fn a_tappet_slides_by_the_lift() {
     says(&report, "cam and tappet touch all the time");
 }
 
-/// What is seen for less than a cycle and a half does not repeat, nor does what goes on from one place to the next.
+/// A motion seen for less than a cycle and a half does not repeat, nor does one that goes on from one place to the
+/// next.
 #[test]
 fn nothing_is_said_without_a_cycle() {
     let report = told("geneva", 1.2);
@@ -166,8 +167,8 @@ fn rest_is_a_cycle_of_what_goes_on() {
     assert!((trajectory.at(3.0, 1) - 1.0).abs() < 1e-9);
 }
 
-/// Of forces the largest between each two parts is told, of all their contacts together, and the most of each drive's power and what drives do on
-/// average.
+/// The report gives the largest force between each two parts, of all their contacts together, and each drive's maximum
+/// and mean power.
 #[test]
 fn forces_are_told_where_they_are_known() {
     let (simulation, mut record) = run(&model("gears_on_shafts"), 1.0, Some(0.25));

@@ -1,4 +1,4 @@
-//! What is told of motions of shipped models, against what is known of them.
+//! Reports on motions of shipped models, compared with known facts.
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -25,7 +25,7 @@ fn run(mechanism: &Mechanism, time: f64, every: Option<f64>) -> (Simulation, Rec
     (simulation, record)
 }
 
-/// What is told of a shipped model.
+/// Report on a shipped model.
 fn told(name: &str, time: f64) -> Report {
     let (simulation, record) = run(&model(name), time, None);
     Report::of(simulation.system(), &record)

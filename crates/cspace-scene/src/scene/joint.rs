@@ -7,18 +7,18 @@ use serde::Serialize;
 /// A permanent connection of two parts.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SceneJoint {
-    /// What it leaves free.
+    /// Degrees of freedom of the joint.
     #[serde(rename = "type")]
     pub kind: JointKind,
     /// Indices of the two parts.
     pub parts: (usize, usize),
-    /// Where it is, in the assembly's frame at zero motion; none of a rigid one.
+    /// Position, in the assembly's frame at zero motion; `None` for a rigid joint.
     pub at: Option<Point>,
     /// The direction of sliding.
     pub direction: Option<Vector>,
 }
 
-/// What a joint leaves free.
+/// Degrees of freedom of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum JointKind {
@@ -26,7 +26,7 @@ pub enum JointKind {
     Revolute,
     /// Sliding.
     Prismatic,
-    /// Nothing.
+    /// No freedom.
     Rigid,
 }
 

@@ -14,20 +14,20 @@ use serde_json::Value;
 
 use crate::design::{SceneDesign, SceneText};
 
-/// What `format` is.
+/// Value of `format`.
 pub const FORMAT: &str = "cspace-scene";
 
 /// The version that is written.
 pub const VERSION: u32 = 1;
 
-/// All that a page shows. Angles are radians, lengths in the model's unit.
+/// Data of a page. Angles are radians, lengths in the model's unit.
 #[derive(Debug, Clone, Serialize)]
 pub struct Scene {
     /// Always [`FORMAT`].
     pub format: &'static str,
     /// Always [`VERSION`].
     pub version: u32,
-    /// What the model is called.
+    /// Name of the model.
     pub name: String,
     /// The label of the unit of length.
     pub unit: Option<String>,
@@ -37,11 +37,11 @@ pub struct Scene {
     pub joints: Vec<SceneJoint>,
     /// The pairs that are shown.
     pub pairs: Vec<ScenePair>,
-    /// What is to be played.
+    /// Recordings to be played.
     pub records: Vec<SceneRecord>,
     /// The parameters and requirements of the model, if it has any and its text is here.
     pub design: Option<SceneDesign>,
-    /// What the pairs are computed from again once parts are edited; none of a model that cannot be written.
+    /// Source from which the pairs are computed again once parts are edited; `None` for a model that cannot be written.
     pub source: Option<SceneSource>,
 }
 
@@ -52,16 +52,16 @@ pub struct SceneSource {
     pub model: String,
     /// The pairs in the order of the scene, in their windows.
     pub pairs: Vec<PairEntry>,
-    /// Whether the general method is used whatever the class.
+    /// Whether the general method is used for pairs of any class.
     pub general: bool,
     /// The text with the parameters of the model.
     pub design: Option<SceneText>,
 }
 
-/// What `cspace plan`, `cspace assembly` or `cspace simulate` has printed as JSON.
+/// JSON printed by `cspace plan`, `cspace assembly` or `cspace simulate`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneRecord {
-    /// What it is called: a file's name.
+    /// Name of the file.
     pub name: String,
     /// The answer.
     pub record: Value,

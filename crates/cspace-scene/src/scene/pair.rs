@@ -14,11 +14,11 @@ pub struct ScenePair {
     pub class: PairClass,
     /// The saved data, as the text of compact JSON: the kernel reads it as it was written, to the sign of a zero.
     pub space: Option<String>,
-    /// Why there is none, if it cannot be computed.
+    /// Reason why there is no space, if it cannot be computed.
     pub error: Option<String>,
     /// Lines, arcs and vertices that are not smooth joints.
     pub features: Counts,
-    /// How often each part repeats in a turn, as far as that was used; 1 before the space is known.
+    /// Number of repetitions of each part in a turn, as far as used; 1 before the space is known.
     pub symmetry: Counts,
     /// Configurations nearer to a contact than this are in contact; 0 before the space is known.
     pub contact_distance: f64,
@@ -28,40 +28,40 @@ pub struct ScenePair {
     pub bands: Vec<(f64, f64)>,
     /// Free regions in the order of their numbers.
     pub regions: Vec<SceneRegion>,
-    /// How long it took to compute, in seconds; 0 of a space that was read.
+    /// Duration of the computation, in seconds; 0 for a space that was read.
     pub seconds: f64,
 }
 
 /// A number for each part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// Of the fixed part.
+    /// Number for the fixed part.
     pub fixed: u32,
-    /// Of the moving part.
+    /// Number for the moving part.
     pub moving: u32,
 }
 
 /// A connected component of free space.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneRegion {
-    /// Whether it goes on without limit.
+    /// Whether the region is unbounded.
     pub unbounded: bool,
     /// A configuration in it: [x, y, θ] or [u, v].
     pub sample: Vec<f64>,
-    /// Of a pair on fixed axes: where u and v are in it.
+    /// Ranges of u and v in the region, for a pair on fixed axes.
     pub ranges: Option<[SceneRange; 2]>,
 }
 
-/// From where to where a coordinate of a region goes (the model's unit, or radians).
+/// Range of a coordinate of a region (the model's unit, or radians).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SceneRange {
-    /// Its smallest value.
+    /// Smallest value.
     pub lo: f64,
-    /// Its largest.
+    /// Largest value.
     pub hi: f64,
-    /// Whether it goes on without limit below and above.
+    /// Whether the range is unbounded below and above.
     pub open: (bool, bool),
-    /// Whether it turns for ever.
+    /// Whether the range is a full turn without ends.
     pub around: bool,
 }
 
@@ -91,7 +91,7 @@ impl ScenePair {
         }
     }
 
-    /// The same pair, whose space cannot be computed.
+    /// Copy of a pair whose space cannot be computed.
     #[must_use]
     pub fn failed(self, error: impl Into<String>) -> Self {
         Self {
@@ -100,7 +100,7 @@ impl ScenePair {
         }
     }
 
-    /// A pair with its space, which took so many seconds.
+    /// Pair with its space, which took `seconds` to compute.
     ///
     /// # Errors
     /// If the space cannot be written as JSON, which plain data always can.

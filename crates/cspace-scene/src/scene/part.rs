@@ -9,32 +9,32 @@ use serde::{Deserialize, Serialize};
 /// A part and how it moves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ScenePart {
-    /// Its name.
+    /// Name of the part.
     pub name: String,
-    /// As the model gives them; a loop is closed.
+    /// Loops, as in the model; a loop is closed.
     pub loops: Vec<Vec<Vertex>>,
-    /// The names the model gives to features, by what they are called without: `line 3 of loop 0`.
+    /// Names given by the model to features, by their default names: `line 3 of loop 0`.
     pub feature_names: BTreeMap<String, String>,
-    /// How it moves relative to the ground.
+    /// Motion relative to the ground.
     pub motion: SceneMotion,
 }
 
-/// How a part moves relative to the ground.
+/// Motion of a part relative to the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", tag = "type")]
 pub enum SceneMotion {
     /// Freely in the plane.
     Planar,
-    /// Not at all.
+    /// The part does not move.
     Fixed,
-    /// It turns.
+    /// The part turns.
     Revolute {
         /// The point about which it turns.
         center: Point,
         /// Least and largest angle; none if it goes round.
         range: Option<(f64, f64)>,
     },
-    /// It slides.
+    /// The part slides.
     Prismatic {
         /// The direction; its length does not matter.
         direction: Vector,
@@ -58,7 +58,7 @@ impl ScenePart {
     }
 }
 
-/// What a feature is called that the model gives no name.
+/// Name of a feature to which the model gives none.
 fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
     let (loop_index, index, kind) = match feature {
         PartFeature::Vertex { loop_index, index } => (loop_index, index, FeatureKind::Vertex),
@@ -83,7 +83,7 @@ fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
 }
 
 impl SceneMotion {
-    /// How a part on an axis moves, or one without.
+    /// Motion of a part on an axis, or without one.
     pub fn of(axis: Option<Axis>) -> Self {
         let Some(Axis { motion, range }) = axis else {
             return Self::Planar;

@@ -11,11 +11,11 @@ use tokio::net::TcpListener;
 
 use super::ServeError;
 
-/// A connection on which no whole request head comes within this time is dropped. A page on this machine sends it at once, and
-/// connects again when it has something to ask.
+/// A connection without a complete request head within this time is dropped. A page on this machine sends it at once,
+/// and connects again for its next request.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// How long nothing is taken after the system refused to: it has no more open files for connections until some are dropped.
+/// Pause after the system refused a connection: it has no more open files until some are closed.
 const BACK_OFF: Duration = Duration::from_millis(100);
 
 /// Answers on every connection until the process ends.

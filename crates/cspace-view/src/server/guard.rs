@@ -1,7 +1,7 @@
-//! Who may ask: pages of this server, in a browser on this machine.
+//! Access control: only pages of this server, in a browser on this machine, get answers.
 //!
-//! A page of another site can send requests here. It cannot guess the token, and the browser tells its origin. A name that
-//! another site has made lead to this machine is told by the host.
+//! A page of another site can send requests here. It cannot guess the token, and the browser reports its origin. A host
+//! name that another site has redirected to this machine is detected by the host header.
 
 use std::sync::Arc;
 
@@ -13,14 +13,15 @@ use axum::response::{IntoResponse, Response};
 
 use super::reply::Fault;
 
-/// By which names the server may be called.
+/// Names by which the server may be addressed.
 #[derive(Debug, Clone)]
 pub(super) struct Names(Arc<Vec<String>>);
 
 /// The port that addresses leave out.
 const PLAIN_PORT: u16 = 80;
 
-/// What every answer says of itself: it is kept nowhere, shown in no frame, told to nobody, and taken for nothing else.
+/// Headers of every answer: it is kept nowhere, shown in no frame, sends no referrer, and is taken for no other type of
+/// content.
 const HEADERS: [(&str, &str); 6] = [
     ("cache-control", "no-store"),
     ("referrer-policy", "no-referrer"),
@@ -30,7 +31,7 @@ const HEADERS: [(&str, &str); 6] = [
     ("cross-origin-opener-policy", "same-origin"),
 ];
 
-/// What an answer that is no page may load.
+/// Content-Security-Policy of an answer that is no page.
 const NO_PAGE: &str = "default-src 'none'; frame-ancestors 'none'";
 
 impl Names {

@@ -1,8 +1,7 @@
-//! The server of the page, on this machine alone.
+//! Server of the page, on this machine alone.
 //!
-//! It is reached at an address with a token in it that nobody can guess, by requests that name this machine as their host
-//! (`guard.rs`). It knows the routes in `routes.rs` and no others, reads and writes no files, and computes on threads of its
-//! own (`work.rs`).
+//! Its address contains a secret token, and requests must name this machine as their host (`guard.rs`). It knows the
+//! routes in `routes.rs` and no others, reads and writes no files, and computes on threads of its own (`work.rs`).
 
 mod connections;
 mod guard;
@@ -59,20 +58,20 @@ pub enum ServeError {
 }
 
 impl Server {
-    /// Takes a port of this machine, any that is free if it is 0, for a page that shows what was opened.
+    /// Binds a port of this machine, any free one if it is 0, for a page that shows the opened model or space.
     ///
     /// # Errors
-    /// If the port cannot be had, or the system gives no random numbers.
+    /// If the port is not available, or the system provides no random numbers.
     pub fn bind(opened: Opened, page: &Page, port: u16) -> Result<Self, ServeError> {
         let work = Work::new(opened, page)?;
         Self::of(port, |base| routes::of_model(base, work))
     }
 
-    /// Takes a port of this machine, any that is free if it is 0, for a page that shows the faces of a drawing. The page makes
-    /// the model of picked faces itself.
+    /// Binds a port of this machine, any free one if it is 0, for a page that shows the faces of a drawing. The page
+    /// makes the model of picked faces itself.
     ///
     /// # Errors
-    /// If the port cannot be had, or the system gives no random numbers.
+    /// If the port is not available, or the system provides no random numbers.
     pub fn bind_drawing(
         drawing: &DrawingScene,
         page: &Page,
@@ -82,7 +81,7 @@ impl Server {
         Self::of(port, |base| routes::of_drawing(base, page))
     }
 
-    /// A server of what is below a path.
+    /// Creates a server of the routes below a path.
     fn of(port: u16, router: impl FnOnce(&str) -> Router) -> Result<Self, ServeError> {
         let taken = TcpListener::bind((Ipv4Addr::LOCALHOST, port));
         let listener = taken.map_err(|error| match error.kind() {
@@ -107,9 +106,9 @@ impl Server {
     /// Answers requests until the process ends.
     ///
     /// # Errors
-    /// If the system does not let it begin.
+    /// If the system refuses to start the server.
     pub fn run(self) -> Result<Infallible, ServeError> {
-        /// Requests are few, and what takes long is done by other threads.
+        /// Number of threads: requests are few, and long computations are done by other threads.
         const THREADS: usize = 2;
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(THREADS)

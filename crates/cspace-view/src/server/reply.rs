@@ -1,11 +1,11 @@
-//! What the server answers.
+//! Answers of the server.
 
 use axum::body::Bytes;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::Serialize;
 
-/// An error as JSON: what is wrong.
+/// Error as JSON, with its message.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Fault {
     #[serde(skip)]

@@ -34,7 +34,7 @@ fn of_page<S: Clone + Send + Sync + 'static>(base: &str, page: ServedPage) -> Ro
     Router::new().route(base, get(async move || html(&page)))
 }
 
-/// Routes with what is answered where there is none.
+/// Adds the answers to requests without a route.
 fn complete(router: Router) -> Router {
     router
         .method_not_allowed_fallback(async || other_method())
@@ -57,7 +57,7 @@ fn nothing_here() -> Fault {
     Fault::new(StatusCode::NOT_FOUND, "there is nothing here")
 }
 
-/// A page, with what it may load.
+/// Answer with a page and its policy.
 fn html(page: &ServedPage) -> Response {
     let mut response = of_type("text/html; charset=utf-8", page.html.clone());
     if let Ok(policy) = HeaderValue::from_str(&page.policy) {

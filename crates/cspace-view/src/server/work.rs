@@ -1,4 +1,5 @@
-//! What the server computes: the pairs of the model as it was opened. It may take long, and is done on threads that may wait.
+//! Computations of the server: the pairs of the model as it was opened. They may take long, and are done on threads
+//! that may wait.
 
 use std::sync::OnceLock;
 use std::time::Instant;
@@ -15,7 +16,7 @@ use crate::page::Page;
 #[derive(Debug, Clone)]
 pub(super) struct ServedPage {
     pub(super) html: Bytes,
-    /// What it may load.
+    /// Content-Security-Policy of the page.
     pub(super) policy: String,
 }
 
@@ -28,12 +29,12 @@ impl ServedPage {
     }
 }
 
-/// What is served of a model, and what has been computed of it.
+/// Model that is served, and its results so far.
 #[derive(Debug)]
 pub(super) struct Work {
     opened: Opened,
     pub(super) page: ServedPage,
-    /// The pairs as JSON, once they have been asked for.
+    /// Pairs as JSON, once they have been requested.
     pairs: Vec<OnceLock<Bytes>>,
 }
 
@@ -46,7 +47,7 @@ impl Work {
         })
     }
 
-    /// A pair with its space, as JSON; computed when it is asked for the first time.
+    /// Pair with its space, as JSON; computed on the first request.
     pub(super) fn pair(&self, index: usize) -> Option<Bytes> {
         let known = self.pairs.get(index)?;
         Some(known.get_or_init(|| self.compute(index)).clone())

@@ -20,7 +20,7 @@ pub(crate) struct Client {
     pub(crate) root: String,
 }
 
-/// What it has answered.
+/// Answer of the server.
 #[derive(Debug)]
 pub(crate) struct Answer {
     pub(crate) status: u16,
@@ -44,7 +44,7 @@ impl Answer {
         value
     }
 
-    /// It is an error of this status, whose message has these words.
+    /// Checks that the answer is an error with this status and words.
     #[track_caller]
     pub(crate) fn fails(&self, status: u16, words: &[&str]) {
         assert_eq!(self.status, status, "{self:?}");
@@ -149,7 +149,7 @@ impl Client {
     }
 }
 
-/// What a pair's space says of the moving part at (x, 0, 0).
+/// Class of the moving part at (x, 0, 0) in a pair's space.
 pub(crate) fn class_at(pair: &Value, x: f64) -> Classification {
     let file = SavedFile::from_json(pair["space"].as_str().unwrap(), "space.json").unwrap();
     let at = Coordinates::Planar(Configuration::new(x, 0.0, 0.0));

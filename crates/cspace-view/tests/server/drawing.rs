@@ -1,4 +1,4 @@
-//! A drawing that is served: the page has its faces and all that a model is made of, and is asked for nothing else.
+//! Server of a drawing: the page has its faces and all data from which a model is made, and there are no other routes.
 
 use cspace::Point;
 use cspace_scene::{DrawingSource, OpenedDrawing, PickedPart};

@@ -1,8 +1,8 @@
-//! Who gets an answer.
+//! Access control of the server.
 
 use crate::client::Client;
 
-/// What only the right token tells.
+/// Checks that a path without the right token reveals nothing.
 #[track_caller]
 fn tells_nothing(client: &Client, path: &str) {
     let answer = client.ask("GET", path, "", "");
@@ -42,7 +42,7 @@ fn without_the_token_nothing_is_told() {
     assert_ne!(Client::new().root, client.root);
 }
 
-/// The same request, with these lines in its head.
+/// Sends the request with these lines in its head.
 fn with_head(client: &Client, head: &str) -> u16 {
     let request = format!(
         "GET {} HTTP/1.1\r\n{head}Connection: close\r\n\r\n",

@@ -1,4 +1,4 @@
-//! The server, asked by requests written out byte by byte.
+//! Tests of the server by requests written out byte by byte.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod client;

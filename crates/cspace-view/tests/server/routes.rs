@@ -1,4 +1,4 @@
-//! What is there, and what is not.
+//! Paths that exist, and paths that do not.
 
 use cspace::Classification;
 use cspace_scene::Opened;

@@ -1,4 +1,4 @@
-//! All roots of a polynomial in an interval, by Bernstein's basis and Descartes' rule of signs: none is found by sampling.
+//! Roots of a polynomial in an interval, by Bernstein's basis and Descartes' rule of signs, without sampling.
 
 use super::tolerance::ZERO;
 
@@ -27,7 +27,7 @@ impl Polynomial {
         }
     }
 
-    /// The product; no more than [`MOST`] powers are asked for.
+    /// Product; its degree must not exceed [`MOST`].
     pub(super) fn times(&self, other: &Self) -> Self {
         let mut coefficients = [0.0; MOST + 1];
         for i in 0..=self.degree {
@@ -41,7 +41,7 @@ impl Polynomial {
         }
     }
 
-    /// This and a multiple of another.
+    /// Sum of this polynomial and a multiple of another.
     pub(super) fn plus(&self, other: &Self, by: f64) -> Self {
         let mut sum = *self;
         sum.degree = self.degree.max(other.degree);
@@ -61,8 +61,8 @@ pub(super) struct Basis {
     matrices: Vec<[[f64; MOST + 1]; MOST + 1]>,
 }
 
-/// Pieces of unknown sign are not divided further than this, and nearer ones are one place: the root of [`ZERO`] is about as much
-/// as a double root is uncertain.
+/// Smallest width to which intervals of unknown sign are divided, and smallest distance of different roots: the square
+/// root of [`ZERO`] is about the uncertainty of a double root.
 const NARROW: f64 = 1e-6;
 
 /// A piece of [−1, 1] still to be looked at, by its ends and the coefficients there.

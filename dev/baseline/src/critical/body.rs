@@ -1,4 +1,4 @@
-//! Whether two parts overlap at one configuration, and deeper than they may at contact.
+//! Test of whether two parts overlap at one configuration by more than a contact allows.
 
 use core::f64::consts::TAU;
 
@@ -7,12 +7,12 @@ use cspace::{Edge, Point, Rotation, Vector};
 use super::outline::Outline;
 use super::tolerance::DEPTH;
 
-/// An edge with what is asked of it often.
+/// Edge with cached data.
 #[derive(Debug, Clone, Copy)]
 struct Curve {
     start: Point,
     end: Point,
-    /// Of an arc: centre, radius, direction to the start, angle travelled.
+    /// Data of an arc: centre, radius, direction to the start, angle travelled.
     arc: Option<(Point, f64, f64, f64)>,
     low: Point,
     high: Point,
@@ -56,7 +56,7 @@ impl Curve {
         }
     }
 
-    /// The fraction of the way at which an arc has a direction from its centre.
+    /// Fraction of the arc at which it has a direction from its centre.
     fn place_on_arc(&self, angle: f64) -> Option<f64> {
         let (_, _, from, sweep) = self.arc?;
         let turned = (angle - from) * sweep.signum();
@@ -109,7 +109,7 @@ impl Curve {
         }
     }
 
-    /// How often a ray from p to +x meets the curve, as even or odd.
+    /// Parity of the crossings of a ray from p to +x with the curve.
     fn crosses_ray(&self, p: Point) -> bool {
         let Some((c, r, _, _)) = self.arc else {
             let (a, b) = (self.start, self.end);
@@ -126,7 +126,7 @@ impl Curve {
         meets(half) != meets(-half)
     }
 
-    /// Calls `take` with fractions of the way at which the curve meets another, and more where they nearly coincide.
+    /// Calls `take` with fractions of the curve at which it meets another, and more where they nearly coincide.
     fn meetings(&self, other: &Self, mut take: impl FnMut(f64)) {
         let ends = [other.start, other.end];
         match (self.arc, other.arc) {
@@ -198,16 +198,17 @@ impl Body {
         }
     }
 
-    /// Whether a point is inside, and deeper than touching.
+    /// Whether a point is inside, by more than the depth of touching.
     fn holds(&self, p: Point) -> bool {
         let inside = self.curves.iter().filter(|c| c.crosses_ray(p)).count() % 2 == 1;
         inside && self.curves.iter().all(|c| c.distance(p) > DEPTH)
     }
 
-    /// Whether it overlaps another, placed at p and turned: a point of either boundary is deep inside the other part.
+    /// Whether this part overlaps another, placed at p and turned: a point of either boundary is deep inside the other
+    /// part.
     ///
-    /// The other's edges are cut where they meet this boundary; the pieces are inside or outside as a whole, and their middles
-    /// tell. If none is inside, this part may be within the other.
+    /// The other's edges are cut where they meet this boundary; each piece is inside or outside as a whole, which its
+    /// middle determines. If none is inside, this part may be within the other.
     pub(super) fn overlaps(&self, other: &Self, p: Point, theta: f64, turn: Rotation) -> bool {
         let back = turn.inverse();
         let within = |q: &Point| other.holds(Point::ORIGIN + back * (*q - p));

@@ -18,7 +18,7 @@ impl Wave {
         self.0[0] + self.0[1] * turn.cos + self.0[2] * turn.sin
     }
 
-    /// Its derivative by θ.
+    /// Derivative by θ.
     pub(super) fn slope(&self, turn: Rotation) -> f64 {
         self.0[2] * turn.cos - self.0[1] * turn.sin
     }
@@ -79,7 +79,7 @@ pub(super) struct Contact {
     pub(super) carrier: Carrier,
 }
 
-/// All contacts that the shapes of two features allow.
+/// Contacts that the shapes of two features allow.
 pub(super) fn contacts(fixed: &Outline, moving: &Outline) -> Vec<Contact> {
     let mut all = Vec::new();
     for (i, a) in (0u32..).zip(&fixed.features) {
@@ -153,7 +153,7 @@ fn carrier(a: &Feature, b: &Feature) -> Option<Carrier> {
 }
 
 impl Contact {
-    /// Whether the features themselves touch, not what carries them on, at a configuration on the carrier.
+    /// Whether the features themselves touch, and not only their carriers, at a configuration on the carrier.
     pub(super) fn touches(
         &self,
         fixed: &Outline,
@@ -191,7 +191,7 @@ fn is_between(start: Point, end: Point, p: Point) -> bool {
     (-BEYOND..=v.length() + BEYOND).contains(&along)
 }
 
-/// Whether a round feature has a normal of that angle.
+/// Whether a round feature has a normal of a given angle.
 fn has_normal(f: &Feature, angle: f64) -> bool {
     let above = angle - f.lo + BEYOND;
     above - TAU * (above / TAU).floor() <= f.width() + 2.0 * BEYOND

@@ -1,6 +1,6 @@
-//! What is asked of the search of critical orientations, and what it found.
+//! Options and results of the search for critical orientations.
 
-/// What the search of critical orientations found, and did.
+/// Result of the search for critical orientations, with its cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Criticalities {
     /// The realisable critical orientations, radians in [−π, π), increasing; those within 4e-6 rad of each other are one.
@@ -9,7 +9,7 @@ pub struct Criticalities {
     pub contacts: usize,
     /// Solutions of the equations.
     pub candidates: u64,
-    /// Those not examined because their orientation was known.
+    /// Candidates not examined because their orientation was known.
     pub skipped: u64,
     /// Configurations tested for overlap of the parts.
     pub overlap_tests: u64,
@@ -20,6 +20,6 @@ pub struct Criticalities {
 pub enum Known {
     /// Every criticality is examined, as the general algorithm does (section 2).
     Examined,
-    /// Those at a known orientation are not (section 3.3).
+    /// Criticalities at a known orientation are not examined (section 3.3).
     Skipped,
 }

@@ -10,14 +10,14 @@ pub(super) struct Grouped {
     sorted: Vec<f64>,
 }
 
-/// The same orientation in [−π, π).
+/// Equal orientation in [−π, π).
 pub(super) fn reduced(theta: f64) -> f64 {
     let turned = theta - TAU * ((theta + PI) / TAU).floor();
     if turned >= PI { turned - TAU } else { turned }
 }
 
 impl Grouped {
-    /// Whether one is within the tolerance of a reduced orientation, around the turn.
+    /// Whether a found orientation is within the tolerance of a reduced one, around the turn.
     pub(super) fn has(&self, theta: f64) -> bool {
         let at = self.sorted.partition_point(|&t| t < theta);
         let off = |i: usize| {
@@ -39,7 +39,7 @@ impl Grouped {
         }
     }
 
-    /// One of each group of orientations that are each within the tolerance of the next: the first.
+    /// First orientation of each group whose members are each within the tolerance of the next.
     pub(super) fn finish(mut self) -> Vec<f64> {
         let (first, last) = (self.sorted.first().copied(), self.sorted.last().copied());
         let mut before = f64::NEG_INFINITY;

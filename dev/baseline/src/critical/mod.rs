@@ -35,11 +35,11 @@ use search::Search;
 
 pub use found::{Criticalities, Known};
 
-/// Searches the critical orientations of a pair over the whole turn, on all threads, as long as `go_on` says so; `None` if it
-/// says no before the end.
+/// Searches the critical orientations of a pair over the whole turn, on all threads, as long as `go_on` returns true;
+/// `None` if it returns false before the end.
 ///
-/// The orientations are a superset of those at which the contact space changes, but for the tolerances: an overlap shallower than
-/// 1e-6 of the size counts as contact, and so does a gap of that size at the end of a feature.
+/// The orientations are a superset of those at which the contact space changes, except for the tolerances: an overlap
+/// shallower than 1e-6 of the size counts as contact, and so does a gap of that size at the end of a feature.
 ///
 /// ```
 /// use cspace::{Part, Vertex};

@@ -36,7 +36,7 @@ pub(super) struct Joint {
     pub(super) point: Point,
     /// Angle of the normal.
     pub(super) angle: f64,
-    /// Whether a line ends there.
+    /// Whether a line ends at this joint.
     pub(super) on_line: bool,
 }
 
@@ -158,7 +158,8 @@ impl Outline {
         self.joints.len() as u32 - 1
     }
 
-    /// What a normal belongs to as a whole: lines, and joints at which no line ends. Each by its two ends, equal for a joint.
+    /// Features to which a normal belongs as a whole: lines, and joints at which no line ends. Each is given by its two
+    /// ends, equal for a joint.
     pub(super) fn facets(&self) -> Vec<Facet> {
         let mut facets = Vec::new();
         for f in &self.features {

@@ -1,4 +1,5 @@
-//! What all three kinds of criticalities share: the parts, what is known, and how a solution is examined.
+//! Base of the searches for all three kinds of criticalities: the parts, the known orientations, and the examination of
+//! a solution.
 
 use cspace::{Part, Point, Rotation};
 use rayon::prelude::*;
@@ -11,14 +12,14 @@ use super::grouped::{Grouped, reduced};
 use super::outline::Outline;
 use super::tolerance::SAME;
 
-/// The pair, and the orientations found so far.
+/// Search for critical orientations of a pair, with those found so far.
 pub(super) struct Search<'a> {
     pub(super) pair: Pair<'a>,
     known: Grouped,
     counts: Counts,
 }
 
-/// What does not change during the search.
+/// Data that do not change during the search.
 pub(super) struct Pair<'a> {
     pub(super) fixed: Outline,
     pub(super) moving: Outline,
@@ -36,7 +37,7 @@ struct Counts {
     overlap_tests: u64,
 }
 
-/// One piece of work: what it finds, beside what was known before it.
+/// Piece of work with its findings, beside the orientations known before.
 pub(super) struct Work<'a> {
     pub(super) pair: &'a Pair<'a>,
     known: &'a Grouped,
@@ -68,9 +69,10 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Does `work` for every number below `n`, on all threads; `None` when it is told to stop.
+    /// Calls `work` for every number below `n`, on all threads; `None` if the search is stopped.
     ///
-    /// What is found becomes known after a fixed number of them, so that what is skipped does not depend on the threads.
+    /// Results become known after a fixed number of them, so that the number of skipped candidates does not depend on
+    /// the threads.
     pub(super) fn each(
         &mut self,
         n: usize,
@@ -117,7 +119,7 @@ impl<'a> Search<'a> {
 }
 
 impl Work<'_> {
-    /// Whether the search was told to stop: what is left undone does not matter then.
+    /// Whether the search was stopped; the remaining work is then skipped.
     pub(super) fn stopped(&self) -> bool {
         !(self.pair.go_on)()
     }
@@ -132,7 +134,7 @@ impl Work<'_> {
         !known
     }
 
-    /// Whether the parts are apart, or touch, at a configuration.
+    /// Whether the parts are free or touch at a configuration.
     pub(super) fn is_apart(&mut self, p: Point, theta: f64) -> bool {
         self.counts.overlap_tests += 1;
         let [fixed, moving] = &self.pair.bodies;

@@ -7,7 +7,7 @@ use super::outline::Facet;
 use super::search::{Search, Work};
 use super::tolerance::{BEYOND, PARALLEL};
 
-/// All facets of one part against all of the other.
+/// Searches criticalities of all facets of one part with all of the other.
 pub(super) fn search(search: &mut Search<'_>) -> Option<()> {
     let [fixed, moving] = [search.pair.fixed.facets(), search.pair.moving.facets()];
     search.each(fixed.len() * moving.len(), |work, i| {
@@ -19,8 +19,8 @@ pub(super) fn search(search: &mut Search<'_>) -> Option<()> {
     })
 }
 
-/// Whether the parts are apart at one of the positions in which the facets touch: these are a segment, which other contacts cut
-/// into pieces that are free or blocked as a whole.
+/// Whether the parts are free at one of the positions in which the facets touch: these are a segment, which other
+/// contacts cut into pieces that are free or blocked as a whole.
 fn is_somewhere_free(work: &mut Work<'_>, a: &Facet, b: &Facet, theta: f64) -> bool {
     let turn = Rotation::by(theta);
     let position = |x: Point, y: Point| x - turn * y.to_vector();
@@ -42,7 +42,7 @@ fn is_somewhere_free(work: &mut Work<'_>, a: &Facet, b: &Facet, theta: f64) -> b
     })
 }
 
-/// Where a contact's curve crosses the segment, as fractions of the way.
+/// Fractions of the segment at which it crosses a contact's curve.
 fn crossings(
     work: &Work<'_>,
     contact: &Contact,

@@ -19,7 +19,7 @@ pub(super) struct Interval {
     middle: f64,
     /// The rotation by the middle.
     pub(super) turn: Rotation,
-    /// Of a quarter of the width.
+    /// Tangent of a quarter of the width.
     pub(super) tangent: f64,
 }
 
@@ -54,7 +54,7 @@ impl Span {
         above - TAU * (above / TAU).floor() <= self.width
     }
 
-    /// What two spans have in common: none, one or two.
+    /// Intersection of two spans: none, one or two spans.
     pub(super) fn common(&self, other: &Self) -> [Option<Self>; 2] {
         let mut found = [None; 2];
         let mut free = found.iter_mut();

@@ -1,7 +1,7 @@
-//! The tolerances of the search. Lengths are shares of the pair's size.
+//! Tolerances of the search. Lengths are shares of the pair's size.
 //!
-//! All of them err on one side: what is within them counts as realisable, so that orientations are rather found in vain than
-//! missed.
+//! All of them err on the same side: solutions within a tolerance count as realisable, so that superfluous orientations
+//! are found rather than any missed.
 
 /// Edges that meet at less than this angle (radians) are joined smoothly: as the library has it.
 pub(super) const SMOOTH: f64 = 1.5e-8;
@@ -10,7 +10,8 @@ pub(super) const SMOOTH: f64 = 1.5e-8;
 /// orientation is known to some of [`BEYOND`] only, and to the square root of the rounding.
 pub(super) const SAME: f64 = 4e-6;
 
-/// How far beyond its ends (a length, or radians of normals and orientations) a contact is still a contact.
+/// Largest distance beyond its ends (a length, or radians of normals and orientations) at which a contact is still a
+/// contact.
 pub(super) const BEYOND: f64 = 1e-6;
 
 /// Parts that overlap less deeply than this touch.

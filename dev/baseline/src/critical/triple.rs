@@ -107,8 +107,8 @@ impl Combined {
         square.plus(&linear, 1.0).plus(&i.times(&z).times(&z), 1.0)
     }
 
-    /// Where the carriers meet at a root: the crossing of the two lines that are least parallel, or, if all are, the crossings of
-    /// a line and the circle.
+    /// Positions at which the carriers meet at a root: the crossing of the two lines that are least parallel, or, if
+    /// all are parallel, the crossings of a line and the circle.
     fn places(&self, theta: f64) -> [Option<Point>; 2] {
         let turn = Rotation::by(theta);
         let lines: Vec<(Vector, f64)> = (self.lines.iter())
@@ -157,7 +157,7 @@ fn refined(contacts: [&Contact; 3], mut p: Point, mut theta: f64) -> Option<(Poi
     const STEPS: usize = 4;
     /// Steps that are longer lead elsewhere.
     const LONGEST: f64 = 1e-3;
-    /// Derivatives so nearly dependent tell no direction: the carriers are tangent or alike.
+    /// Linear dependence of derivatives below which they determine no direction: the carriers are tangent or coincide.
     const DEPENDENT: f64 = 1e-9;
     let at = |p: Point, theta: f64| {
         let turn = Rotation::by(theta);

@@ -118,7 +118,7 @@ fn value(carrier: &Carrier, at: &[Wave; 2], on: &Interval) -> Polynomial {
     sum
 }
 
-/// One contact with all that follow.
+/// Tangencies of one contact with all that follow.
 fn tangencies(work: &mut Work<'_>, i: usize) {
     let pair = work.pair;
     let f = &pair.contacts[i];

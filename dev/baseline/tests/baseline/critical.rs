@@ -8,8 +8,8 @@ use cspace_baseline::critical::{Criticalities, Known, search};
 use cspace_baseline::paper;
 use cspace_io::model;
 
-/// How far apart, in radians, the two may have an orientation: where contact curves become tangent, both know it to the square root
-/// of their rounding only, and the product grows the fixed part by 2⁻⁴⁰.
+/// Largest difference, in radians, of equal orientations: where contact curves become tangent, both methods know them
+/// only to the square root of their rounding, and the product grows the fixed part by 2⁻⁴⁰.
 const TOLERANCE: f64 = 4e-6;
 
 fn parts(name: &str) -> (Part, Part) {
@@ -31,7 +31,7 @@ fn all(fixed: &Part, moving: &Part, known: Known) -> Criticalities {
     search(fixed, moving, known, &|| true).unwrap()
 }
 
-/// How many of the first orientations are near none of the others.
+/// Orientations of the first list that are near none of the second.
 fn lacking(of: &[f64], from: &[f64]) -> Vec<f64> {
     let near = |a: f64, b: f64| {
         let off = (a - b).abs();
@@ -57,7 +57,7 @@ fn finds_what_the_product_finds() {
     }
 }
 
-/// Examining what is known already finds nothing else, but costs more tests.
+/// Examining known orientations again finds nothing else, but needs more tests.
 #[test]
 fn skipping_known_orientations_loses_none() {
     for name in ["cam", "blocks"] {

@@ -1,4 +1,4 @@
-//! What is said to make critical orientations.
+//! Tests of the kinds of critical orientations.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -15,7 +15,7 @@ fn space(fixed: &Part, moving: &Part) -> ContactSpace {
     ContactSpace::compute(fixed, moving, &options).unwrap()
 }
 
-/// Each critical orientation has a reason, and those of a symmetric pair have it as often as the parts are symmetric.
+/// Each critical orientation has a kind, and those of a symmetric pair occur as often as the parts are symmetric.
 #[test]
 fn every_critical_orientation_of_the_papers_pairs_has_a_kind() {
     for pair in &paper::PAIRS {

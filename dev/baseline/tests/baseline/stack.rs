@@ -116,8 +116,8 @@ fn gap_of_polygons_is_that_of_chords() {
     assert!((coarse / fine - 4.0).abs() < 1e-3, "{coarse} {fine}");
 }
 
-/// Where two contact curves become tangent, their crossing moves with the root of the orientation: half the separation makes
-/// the gap smaller by no more than √2.
+/// Where two contact curves become tangent, their crossing moves with the square root of the orientation: half the
+/// separation reduces the gap by no more than √2.
 #[test]
 fn gap_at_tangencies_goes_with_the_root_of_the_separation() {
     let pair = paper::PAIRS.iter().find(|p| p.name == "blocks").unwrap();

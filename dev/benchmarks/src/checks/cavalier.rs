@@ -45,7 +45,8 @@ fn polylines(loops: &[Vec<(Point, f64)>], place: impl Fn(Point) -> Point) -> Vec
 }
 
 pub(super) fn checker(pair: &Pair) -> Checker<'static> {
-    /// Positions nearer than this share of the size are equal to it: as near as lets it see the smallest distances asked for.
+    /// Distance, as a share of the size, within which positions count as equal: small enough for the smallest distances
+    /// tested.
     const EQUAL: f64 = 1e-11;
     let begin = Instant::now();
     let fixed = polylines(&corners(&pair.fixed), |p| p);
@@ -55,7 +56,7 @@ pub(super) fn checker(pair: &Pair) -> Checker<'static> {
     let prepared_seconds = begin.elapsed().as_secs_f64();
     let overlaps = move |c: Configuration| {
         let moving = polylines(&drawn, |p| c.fixed_from_moving(p));
-        // Of loops that do not meet: how many of one part are around each of the other.
+        // For loops that do not meet: the number of loops of one part around each loop of the other.
         let mut around_moving = vec![0; moving.len()];
         for (f, index) in fixed.iter().zip(&indices) {
             let mut around_fixed = 0;

@@ -22,11 +22,11 @@ const TIMED: usize = 20_000;
 pub(crate) struct Row {
     pub(crate) pair: &'static str,
     pub(crate) checker: &'static str,
-    /// To prepare it: the contact space, its classifier, trees of boxes.
+    /// Time to prepare it: the contact space, its classifier, trees of boxes.
     pub(crate) prepared_seconds: f64,
-    /// At configurations at random where the parts may meet.
+    /// Checks per second at random configurations where the parts may meet.
     pub(crate) checks_per_second: f64,
-    /// The same within a hundred-thousandth of the size of contact.
+    /// Checks per second at configurations within a hundred-thousandth of the size of contact.
     pub(crate) checks_per_second_near: f64,
     pub(crate) near: Vec<Wrong>,
 }
@@ -40,11 +40,11 @@ pub(crate) struct Wrong {
     pub(crate) wrong: usize,
 }
 
-/// A way to tell whether the parts overlap.
+/// Method to test whether the parts overlap.
 struct Checker<'a> {
     name: &'static str,
     prepared_seconds: f64,
-    /// `None` where it says neither.
+    /// Result; `None` if the method has no answer.
     overlaps: Box<dyn Fn(Configuration) -> Option<bool> + 'a>,
 }
 

@@ -20,8 +20,9 @@ pub(super) struct Near {
     pub(super) overlap: bool,
 }
 
-/// From places of contact, at each distance one configuration in a direction at random. Those along contact are left out: no
-/// translation shorter than 0.3 of the distance changes the verdict, which is brute force's, where needed in pairs of doubles.
+/// Configurations at several distances from places of contact, at each distance in a random direction. Displacements
+/// along the contact are left out: no translation shorter than 0.3 of the distance changes the verdict, which is brute
+/// force's, where needed in pairs of doubles.
 pub(super) fn configurations(oracle: &Oracle) -> Vec<Near> {
     let mut rng = ChaCha8Rng::seed_from_u64(1999);
     let places = near_contact(oracle, &mut rng, 4 * PLACES);

@@ -1,5 +1,6 @@
-//! Checks by `parry2d` in double precision: a part is the polyline of its boundary in a tree of boxes; where boundaries do not meet,
-//! one part may be within the other, which the even-odd rule tells of a corner of each loop. Arcs become chords.
+//! Checks by `parry2d` in double precision: a part is the polyline of its boundary in a tree of boxes. Where boundaries
+//! do not meet, one part may be within the other, which is tested for a corner of each loop by the even-odd rule. Arcs
+//! become chords.
 
 use std::time::Instant;
 
@@ -50,7 +51,7 @@ impl Polygons {
         inside
     }
 
-    /// Whether two parts at their places overlap; `None` where the library does not say.
+    /// Whether two placed parts overlap; `None` if the library has no answer.
     pub(crate) fn overlaps(&self, at: &Pose, other: &Self, bt: &Pose) -> Option<bool> {
         let meets = intersection_test(at, &self.lines, bt, &other.lines).ok()?;
         Some(meets.intersecting || self.holds(at, other, bt) || other.holds(bt, self, at))

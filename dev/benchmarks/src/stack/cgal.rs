@@ -26,7 +26,8 @@ pub(super) struct Cgal<'a> {
 }
 
 impl Program {
-    /// Compiles it beside this program, with optimisation, unless that is done already; says why if it is not possible.
+    /// Compiles the program beside this one, with optimisation, unless that is done already; returns the reason if it
+    /// is not possible.
     pub(super) fn build() -> Result<Self, String> {
         let own = std::env::current_exe().map_err(|e| e.to_string())?;
         let (path, source) = (
@@ -48,7 +49,7 @@ impl Program {
             .output()
             .map_err(|e| format!("{compiler} cannot be run ({e}); install g++ and libcgal-dev"))?;
         if output.status.success() {
-            // What is there from now on is what was compiled.
+            // The source of the compiled program is recorded from now on.
             std::fs::rename(&fresh, &source).map_err(|e| e.to_string())?;
             return Ok(Self { path });
         }

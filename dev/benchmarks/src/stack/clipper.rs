@@ -29,7 +29,7 @@ pub(super) struct Clipped {
     least_area: f64,
 }
 
-/// A slice: what is blocked, and the bounded faces of free space, each a hole with the islands in it.
+/// Slice: the blocked positions, and the bounded faces of free space, each a hole with the islands in it.
 struct Layer {
     outer: Loops,
     faces: Vec<Loops>,
@@ -111,7 +111,7 @@ impl Clipped {
     }
 }
 
-/// Where a position is in a slice.
+/// Place of a position in a slice.
 enum Place {
     Blocked,
     /// In the unbounded face.
@@ -138,7 +138,7 @@ impl Layer {
     }
 }
 
-/// Whether faces overlap: even-odd, as a hole and its islands are faces whatever their direction.
+/// Whether faces overlap, by the even-odd rule: a hole and its islands are faces in either direction.
 fn overlap(a: &Loops, b: &Loops) -> Result<bool, String> {
     let (p, q) = (a.bounds(), b.bounds());
     let apart = p.max.x() < q.min.x()
@@ -156,7 +156,7 @@ fn overlap(a: &Loops, b: &Loops) -> Result<bool, String> {
     Ok(!common.is_empty())
 }
 
-/// Whether a face reaches beyond all that is blocked.
+/// Whether a face reaches beyond all blocked positions.
 fn beyond(face: &Loops, outer: &Loops) -> Result<bool, String> {
     let rest = Clipper::<_, Fine>::new().add_subject(face.clone());
     let rest = rest

@@ -14,7 +14,7 @@ use serde::Serialize;
 use crate::models::Pair;
 use crate::{Failure, median};
 
-/// How far chords may be from arcs, as a share of the larger part's size.
+/// Largest distance of chords from arcs, as a share of the larger part's size.
 pub(crate) const CHORD: f64 = 1e-4;
 
 /// The coarsest stack that is tried.
@@ -23,18 +23,18 @@ const FEWEST: usize = 16;
 /// Seconds in which two slices are made by whatever there is.
 const PATIENCE: f64 = 600.0;
 
-/// What a stack of so many slices says.
+/// Result of a stack of slices.
 struct Outcome {
     /// Connected regions of free space.
     regions: usize,
-    /// Where the parts work.
+    /// Class of the working configuration.
     working: Found,
     seconds: f64,
-    /// Of one slice, without joining its regions to others.
+    /// Time for one slice, without joining its regions to others.
     slice_seconds: f64,
 }
 
-/// What is said of a configuration.
+/// Class of a configuration.
 #[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Found {
@@ -56,7 +56,7 @@ impl Found {
     }
 }
 
-/// The slice that stands for an orientation, of so many in the middles of equal parts of [−π, π).
+/// Index of the slice that stands for an orientation, where slices are in the middles of equal parts of [−π, π).
 fn slot(theta: f64, slices: usize) -> usize {
     let part = (theta + PI) / TAU;
     let at = (part - part.floor()) * slices as f64;
@@ -67,8 +67,8 @@ fn slot(theta: f64, slices: usize) -> usize {
 trait Stacker {
     fn name(&self) -> &'static str;
 
-    /// A stack of so many slices over the turn, and what it says of a configuration; `None` if it takes longer than so many
-    /// seconds.
+    /// Computes a stack of slices over the turn, and classifies a configuration; `None` if it takes longer than the
+    /// given number of seconds.
     fn run(
         &self,
         slices: usize,
@@ -77,25 +77,25 @@ trait Stacker {
     ) -> Result<Option<Outcome>, String>;
 }
 
-/// What was measured of a pair.
+/// Measurements of a pair.
 #[derive(Serialize)]
 pub(crate) struct Row {
     pub(crate) pair: &'static str,
     /// Connected regions of free space, exactly.
     pub(crate) regions: usize,
-    /// Where the parts work, exactly.
+    /// Exact class of the working configuration.
     pub(crate) working: Found,
     /// The product's, on one thread; and without using symmetry.
     pub(crate) seconds: f64,
     pub(crate) seconds_without_symmetry: f64,
-    /// One slice by the product's kernel.
+    /// Time of one slice by the product's kernel.
     pub(crate) slice_seconds: f64,
     /// Slices and surface of the general algorithm, 0.005 rad apart, by slice.
     pub(crate) old_slice_seconds: f64,
     pub(crate) tools: Vec<Tool>,
 }
 
-/// A tool's way to the same regions.
+/// Result of a tool for the same regions.
 #[derive(Serialize)]
 pub(crate) struct Tool {
     pub(crate) tool: &'static str,
@@ -104,7 +104,7 @@ pub(crate) struct Tool {
     pub(crate) right: Option<Tried>,
     /// The finest stack within the limit; `None` if there is none.
     pub(crate) finest: Option<Tried>,
-    /// Of one slice: in the finest stack, or in one of two slices if the limit allows none.
+    /// Time for one slice: in the finest stack, or in one of two slices if the limit allows none.
     pub(crate) slice_seconds: Option<f64>,
     /// Whether a stack of twice as many slices as the right one was tried, and agreed.
     pub(crate) confirmed: bool,
@@ -119,7 +119,7 @@ pub(crate) struct Tried {
     pub(crate) slice_seconds: f64,
 }
 
-/// The tools that are there; what is not is told to `tell`.
+/// Available tools; missing ones are reported by `tell`.
 pub(crate) struct Tools {
     cgal: Option<cgal::Program>,
 }
@@ -131,7 +131,7 @@ impl Tools {
     }
 }
 
-/// Measures a pair; each tool may take so many seconds altogether.
+/// Measures a pair; each tool may take `limit` seconds altogether.
 pub(crate) fn measure(pair: &Pair, tools: &Tools, limit: f64) -> Result<Row, Failure> {
     let (fixed, moving) = (&pair.fixed, &pair.moving);
     let space = |symmetry| {
@@ -179,7 +179,7 @@ pub(crate) fn measure(pair: &Pair, tools: &Tools, limit: f64) -> Result<Row, Fai
     })
 }
 
-/// What the exact space says of a configuration: the region of a free one is that of the patch next to it in its slice.
+/// Class of a configuration by the exact space: the region of a free one is that of the patch next to it in its slice.
 fn found(space: &ContactSpace, c: Configuration) -> Result<Found, Failure> {
     let slice = space.slice(c.theta);
     if !slice.is_free(c.position()) {

@@ -29,7 +29,7 @@ impl Regions {
         self.root(a) == self.root(b)
     }
 
-    /// How many are left.
+    /// Number of sets that are left.
     pub(crate) fn count(&self) -> usize {
         (0..self.parent.len())
             .filter(|&i| self.parent[i] == i)

@@ -13,7 +13,7 @@ const HALVINGS: i64 = 16;
 /// Terms of the series: (16 · 2⁻¹⁶)^(2 · 16) / 32! is below 2⁻⁴⁰⁰.
 const TERMS: u32 = 16;
 
-/// Cosines and sines are right to 2 to this power.
+/// Exponent of the error of cosines and sines, to base 2.
 ///
 /// Each of the 16 terms is rounded to 2⁻²⁸⁰, and each doubling multiplies the error by 4 at most and adds some roundings:
 /// 2⁻²⁸⁰ · 2⁶ · 4¹⁶ < 2⁻²⁴⁰.

@@ -109,7 +109,7 @@ impl Dyadic {
     pub fn near(&self) -> f64 {
         let bits = self.mantissa.bits() as i64;
         let cut = (bits - 64).max(0);
-        // Of the magnitude: a negative number would be rounded away from zero, perhaps to one bit more.
+        // The magnitude is cut: a negative number would be rounded away from zero, perhaps to one bit more.
         let top = self.mantissa.magnitude() >> cut;
         let value = top.to_u64_digits().first().map_or(0.0, |&d| d as f64);
         let exponent = (self.exponent + cut).clamp(-2000, 2000) as i32;

@@ -1,7 +1,7 @@
 //! Exact arithmetic: dyadic rationals, and cosines and sines to 200 bits.
 //!
-//! Every finite `f64` is a dyadic rational, and sums and products of dyadic rationals are dyadic: nothing is rounded. Quotients
-//! and roots are never formed; they are judged by multiplying back.
+//! Every finite `f64` is a dyadic rational, and sums and products of dyadic rationals are dyadic, without rounding.
+//! Quotients and roots are never formed; they are checked by multiplying back.
 
 mod angle;
 mod dyadic;

@@ -54,7 +54,8 @@ fn ball(bytes: &mut Bytes<'_>) -> Enclosure {
     (mid, radius)
 }
 
-/// Whether every real is a member: so it is after a quotient by zero, or where numbers became too large. It has no sign.
+/// Whether every real is a member, as after a quotient by zero, or where numbers became too large. Such a ball has no
+/// sign.
 fn is_everything((mid, radius): Enclosure) -> bool {
     !mid.is_finite() || !radius.is_finite()
 }
@@ -83,7 +84,7 @@ impl Fraction {
         }
     }
 
-    /// Whether it is certainly no member of the ball: |n − d mid| > |d| radius.
+    /// Whether the fraction is certainly not in the ball: |n − d mid| > |d| radius.
     fn is_outside(&self, (mid, radius): Enclosure) -> bool {
         if is_everything((mid, radius)) {
             return false;
@@ -93,7 +94,7 @@ impl Fraction {
     }
 }
 
-/// Whether √x is certainly no member: all of them are below or above it.
+/// Whether √x is certainly not in the ball: it is below or above all members.
 fn root_is_outside(x: &Dyadic, (mid, radius): Enclosure) -> bool {
     if is_everything((mid, radius)) {
         return false;
@@ -109,7 +110,7 @@ fn wrong(operation: impl core::fmt::Debug, a: impl core::fmt::Debug, result: Enc
     ))
 }
 
-/// One operation on two balls, exactly, of members.
+/// Exact result of an operation on members of two balls.
 fn exactly(operation: Operation, x: &Dyadic, y: &Dyadic) -> Option<Fraction> {
     Some(match operation {
         Operation::Add => Fraction::whole(x + y),
@@ -173,7 +174,7 @@ fn angles(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     Ok(10)
 }
 
-/// The same of values with derivatives: sums, the rules of product and quotient, and (√f)′ = f′ / (2 √f).
+/// As above, for values with derivatives: sums, the rules of product and quotient, and (√f)′ = f′ / (2 √f).
 pub(super) fn run_jet(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     let operation = bytes.one_of(&OPERATIONS);
     let (a, b) = ([ball(bytes), ball(bytes)], [ball(bytes), ball(bytes)]);

@@ -1,6 +1,6 @@
-//! Events that are told with the largest error and would need more.
+//! Events that are reported with the largest allowed error, and would need a larger one.
 
-/// The largest error with which an event is told, radians.
+/// Largest error with which an event is reported, radians.
 const LARGEST_ERROR: f64 = 1e-6;
 
 /// The error of a coefficient of an event, in units of the lengths it is made of: 8 roundings of four times their sum.
@@ -9,8 +9,8 @@ const COEFFICIENT_ERROR: f64 = 32.0 * f64::EPSILON;
 /// A function of an amplitude below this, in units of the lengths it is made of, hardly turns.
 const HARDLY: f64 = 1e-2;
 
-/// Whether a root need not be told, of a function that hardly turns, beside a tangency: by its amplitude, its slope there,
-/// and the lengths of which it is made.
+/// Whether a root of a function that hardly varies, beside a tangency, may be missing: by its amplitude, its slope
+/// there, and the lengths of which it is made.
 ///
 /// An error e of the coefficients moves a root by e over the slope, and by √(2 e / amplitude) at most.
 pub(super) fn is_capped(amplitude: f64, slope: f64, lengths: f64) -> bool {

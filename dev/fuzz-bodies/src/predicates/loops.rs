@@ -1,4 +1,4 @@
-//! Whether loops of lines make a part.
+//! Test of whether loops of lines make a part.
 
 use cspace::part::tolerance::RESOLUTION;
 use cspace::{Part, PartError, Point, Vertex};
@@ -7,7 +7,7 @@ use crate::Finding;
 use crate::draw::Bytes;
 use crate::exact::Dyadic;
 
-/// Distances are told to rounding: between these multiples of the limit, either verdict is right.
+/// Multiples of the limit between which either verdict is right, due to rounding of distances.
 const CERTAINLY_NEAR: f64 = 0.99;
 const CERTAINLY_APART: f64 = 1.01;
 

@@ -1,4 +1,4 @@
-//! What decides signs, roots and meetings, against exact arithmetic.
+//! Predicates for signs, roots and meetings, against exact arithmetic.
 
 mod ball;
 mod capped;

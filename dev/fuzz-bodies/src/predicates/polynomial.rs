@@ -9,7 +9,7 @@ use crate::Finding;
 use crate::draw::Bytes;
 use crate::exact::Dyadic;
 
-/// The error of a value, in units of its terms: what the library says of itself.
+/// Error of a value, in units of its terms, as documented by the library.
 const ERROR: f64 = 64.0 * f64::EPSILON;
 
 /// Angles as doubles are right to this, radians.
@@ -25,8 +25,9 @@ impl Product {
     }
 }
 
-/// In every interval between the brackets that were found the polynomial has one sign, as far as it is known: so two places
-/// beside a root that no bracket holds must not have values of different signs that are both larger than the error.
+/// In every interval between the brackets that were found the polynomial has one sign, within its error: so two places
+/// on either side of a root that no bracket contains must not have values of different signs that are both larger than
+/// the error.
 pub(super) fn run(bytes: &mut Bytes<'_>) -> Result<u64, Finding> {
     let mut factors: Vec<[f64; 3]> = Vec::new();
     for _ in 0..=bytes.below(4) {

@@ -8,16 +8,16 @@ use crate::Finding;
 use crate::draw::Bytes;
 use crate::exact::{Dyadic, cos_sin};
 
-/// Roots are looked up by their fractions to so many bits.
+/// Number of bits by which roots are looked up.
 const BITS: i64 = 640;
 
-/// A function that varies by less than this share of its scale counts as constant: twice what the library says.
+/// Largest variation, as a share of its scale, of a function that counts as constant: twice the library's value.
 const CONSTANT: f64 = 128.0 * f64::EPSILON;
 
-/// Nearer to an end of the interval than this (radians) a root may be told or not.
+/// Distance from an end of the interval (radians) within which a root may be reported or not.
 const AT_THE_END: f64 = 1e-9;
 
-/// An event may be so far from a root in value, in units of the scale: coefficients are right to some roundings.
+/// Largest value of the function at a reported root, in units of the scale: coefficients have some roundings.
 const SPURIOUS: f64 = 64.0 * f64::EPSILON;
 
 /// α cos θ + β sin θ + γ, exactly.
@@ -43,12 +43,12 @@ impl Exact {
         &self.alpha.square() + &self.beta.square()
     }
 
-    /// α² + β² − γ²: positive where there are two roots, negative where there is none.
+    /// Discriminant α² + β² − γ²: positive where there are two roots, negative where there is none.
     pub(super) fn discriminant(&self) -> Dyadic {
         &self.square() - &self.gamma.square()
     }
 
-    /// At (c, s): all directions with α c + β s + γ = 0, (−α γ ∓ β √D, −β γ ± α √D) / (α² + β²).
+    /// Roots as (c, s): all directions with α c + β s + γ = 0, (−α γ ∓ β √D, −β γ ± α √D) / (α² + β²).
     pub(super) fn roots(&self) -> Vec<Direction> {
         let (square, discriminant) = (self.square(), self.discriminant());
         if square.sign() == 0 || discriminant.sign() < 0 {
@@ -75,7 +75,7 @@ impl Exact {
 }
 
 impl Direction {
-    /// Whether a root told with this error is certainly not that one.
+    /// Whether a root reported with this error is certainly not this one.
     ///
     /// An angle up to e has a sine up to e: the sine of the angle between the two is compared, times the length of this
     /// direction, squared so that no root is needed.
@@ -90,18 +90,18 @@ impl Direction {
         cross.square() > &Dyadic::of(error).square() * &length
     }
 
-    /// Whether it is clearly within (mid − half, mid + half), whole turns apart.
+    /// Whether the root is clearly within (mid − half, mid + half), modulo whole turns.
     fn is_within(&self, mid: f64, half: f64) -> bool {
         let off = self.near - mid;
         (off - TAU * (off / TAU).round()).abs() <= half - AT_THE_END
     }
 
-    /// Whether one of the roots told is this one.
+    /// Whether one of the reported roots is this one.
     pub(super) fn is_told(&self, told: &[Root]) -> bool {
         told.iter().any(|r| !self.is_missed_by(r))
     }
 
-    /// What is wrong if none of the roots told is this one.
+    /// Reports a finding if this root is missing among those found.
     pub(super) fn expect(
         &self,
         told: &[Root],
@@ -120,7 +120,7 @@ impl Direction {
     }
 }
 
-/// Coefficients of which the roots all but meet or vanish, or any.
+/// Coefficients of a function whose roots nearly coincide or vanish, or random ones.
 pub(super) fn coefficients(bytes: &mut Bytes<'_>) -> [f64; 3] {
     let (alpha, beta) = (bytes.unit(), bytes.unit());
     let (alpha, beta) = match bytes.below(4) {
@@ -194,7 +194,7 @@ mod tests {
         let off = [(third + 1e-13, 1e-14), (-third, 1e-15)];
         let missed = |r: &Direction| r.expect(&off, 0.0, PI, String::new).is_err();
         assert_eq!(roots.iter().filter(|r| missed(r)).count(), 1);
-        // Out of the interval it need not be told.
+        // A root outside of the interval need not be reported.
         assert!(
             roots
                 .iter()

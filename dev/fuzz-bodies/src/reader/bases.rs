@@ -16,7 +16,7 @@ const MODELS: [&str; 4] = [
     include_str!("../../../../models/paper/blocks.toml"),
 ];
 
-/// The same keys as JSON.
+/// Model as above, as JSON.
 const JSON: &str = r#"{"name": "pin in a slot", "unit": "mm", "part": [
   {"name": "plate", "loops": [[[-3, -2], [3, -2], [3, 2], [-3, 2]], [[-1, 0.5, 1], [-1, -0.5], [1, -0.5, 1], [1, 0.5]]],
    "motion": {"type": "revolute", "center": [0, 1], "range": ["-90deg", 1.5]}, "symmetry": 2},
@@ -25,7 +25,7 @@ const JSON: &str = r#"{"name": "pin in a slot", "unit": "mm", "part": [
  "pair": [{"fixed": "plate", "moving": "pin", "theta": ["-10deg", "10deg"]}]}
 "#;
 
-/// All texts.
+/// Texts that are edited.
 pub(super) static BASES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut all: Vec<String> = MODELS.iter().map(|&m| m.to_owned()).collect();
     all.push(JSON.to_owned());

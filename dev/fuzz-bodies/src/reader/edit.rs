@@ -8,7 +8,7 @@ use crate::draw::Bytes;
 /// The most edits of one text.
 const MOST: usize = 6;
 
-/// What a number, or any place of a text, may be replaced by.
+/// Replacements for a number, or any place of a text.
 const ODD: [&str; 44] = [
     "nan",
     "inf",
@@ -56,7 +56,7 @@ const ODD: [&str; 44] = [
     "symmetry = 3\n",
 ];
 
-/// One of the texts with some edits.
+/// Chooses one of the texts and makes some edits.
 pub(super) fn edited(bytes: &mut Bytes<'_>) -> String {
     let chosen = bytes.below(BASES.len());
     let mut text = BASES[chosen].clone().into_bytes();
@@ -64,7 +64,7 @@ pub(super) fn edited(bytes: &mut Bytes<'_>) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// Some edits.
+/// Makes some edits.
 pub(crate) fn edit_some(text: &mut Vec<u8>, bytes: &mut Bytes<'_>) {
     for _ in 0..=bytes.below(MOST) {
         edit(text, bytes);

@@ -73,7 +73,7 @@ fn saved_and_read(file: &SavedFile) -> Result<(), String> {
     Ok(())
 }
 
-/// Whatever was read answers questions, or says why not.
+/// Checks that every space that was read answers queries, or returns an error.
 fn ask(space: &PairSpace) -> Result<(), String> {
     for k in 0..8 {
         let (s, t) = (f64::from(k % 3) - 1.0, 0.7 * f64::from(k) - 2.0);
@@ -92,7 +92,7 @@ fn ask(space: &PairSpace) -> Result<(), String> {
     Ok(())
 }
 
-/// An error says something, on one line, about a place that is in the text.
+/// Checks that an error has a message on one line, about a place that is in the text.
 fn tells(error: &ModelError, text: &str) -> Result<(), String> {
     let shown = error.to_string();
     if error.message().trim().is_empty() || shown.contains(char::is_control) {

@@ -1,4 +1,5 @@
-//! Notches and slots against what they may hook into, drawn on a grid, and the same with noise or with rounded fillets.
+//! Notches and slots with parts that may hook into them, drawn on a grid, and variants with noise or with rounded
+//! fillets.
 
 use std::fmt;
 
@@ -20,22 +21,22 @@ const DECIMALS: std::ops::RangeInclusive<i32> = 3..=9;
 /// Radius of fillets.
 const FILLET: f64 = 0.1;
 
-/// How a specimen differs from what is drawn on a grid.
+/// Change of a specimen relative to its drawing on a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Change {
-    /// Not at all.
+    /// No change.
     None,
-    /// All vertices are moved by up to ten to the power of minus the first, in parts of the size. The second tells apart what
-    /// is moved otherwise.
+    /// All vertices are moved by up to 10⁻ⁿ of the size, with the first number n. The second number distinguishes
+    /// different displacements.
     Noise(i32, u32),
     /// Corners are arcs.
     Filleted,
-    /// Corners are arcs, and numbers are rounded to so many decimals: joints are not quite smooth.
+    /// Corners are arcs, and numbers are rounded to a number of decimals: joints are not quite smooth.
     Rounded(i32),
 }
 
 impl Change {
-    /// What it has in common with others: all noise of one size is one.
+    /// Kind of the change: all noise of one size is one kind.
     pub fn kind(self) -> Self {
         match self {
             Self::Noise(power, _) => Self::Noise(power, 0),
@@ -147,8 +148,8 @@ fn notches() -> [(&'static str, Vec<Part>); 5] {
     ]
 }
 
-/// All notches against an L, a U, a T, a comb and themselves: as drawn, with noise of all sizes so many times each, and with
-/// fillets as they are and rounded.
+/// Adds all notches with an L, a U, a T, a comb and themselves: as drawn, with noise of all sizes `times` times each,
+/// and with exact and rounded fillets.
 pub(super) fn add(all: &mut Vec<Specimen>, seed: u64, times: u32) {
     let others = [
         ("L", l_shape(40)),
@@ -188,7 +189,7 @@ pub(super) fn add(all: &mut Vec<Specimen>, seed: u64, times: u32) {
     }
 }
 
-/// The specimen with all vertices moved; the same for the same seed, whatever other specimens there are.
+/// Specimen with all vertices moved; deterministic for a seed, independent of other specimens.
 pub(super) fn noisy(of: &Specimen, change: Change, seed: u64) -> Specimen {
     let Change::Noise(power, k) = change else {
         return of.clone();

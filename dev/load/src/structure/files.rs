@@ -11,11 +11,11 @@ use super::{Change, Specimen};
 /// The family of pairs from files.
 pub const FILES: &str = "files";
 
-/// The first general pair of a model file, or the first pair if none is: given as `PATH`, or as `PATH=N` where N free regions are
-/// expected.
+/// First general pair of a model file, or the first pair if there is none: given as `PATH`, or as `PATH=N` where N free
+/// regions are expected.
 ///
 /// # Errors
-/// If it is no model, or one without a pair.
+/// If the file is no model, or has no pair.
 pub fn specimen(argument: &str) -> Result<Specimen, String> {
     let with_regions = argument.rsplit_once('=');
     let with_regions = with_regions.and_then(|(path, n)| Some((path, n.parse().ok()?)));

@@ -1,4 +1,4 @@
-//! What is certain of one space.
+//! Measurements of one space that are certain.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
@@ -12,31 +12,31 @@ use crate::output::panic_text;
 /// Bands of less than this are narrow, radians.
 const NARROW: f64 = 1e-5;
 
-/// What is done with each specimen.
+/// Effort spent on each specimen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Effort {
-    /// How often boxes of the flood fill are divided; none fills nothing.
+    /// Number of times that boxes of the flood fill are divided; `None` for no flood fill.
     pub flood: Option<u32>,
-    /// Whether the pair is computed the other way round, too.
+    /// Whether the pair is also computed with fixed and moving part exchanged.
     pub inverse: bool,
     /// A computation that takes longer is given up when its next stage begins.
     pub patience: Duration,
 }
 
-/// How it went with one specimen.
+/// Outcome for one specimen.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// What was measured.
+    /// Measurements of the pair.
     Measured(Measured),
     /// One of the outlines is no part.
     Refused(String),
-    /// There is no space: the computation says why.
+    /// There is no space, for this reason.
     GivenUp(String),
-    /// It ends with a panic.
+    /// The computation panicked.
     Panicked(String),
 }
 
-/// What was measured.
+/// Measurements of one pair.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Features of the fixed and the moving part.
@@ -45,26 +45,26 @@ pub struct Measured {
     pub regions: usize,
     /// Shells whose bounds and tests disagree.
     pub conflicts: u64,
-    /// How much of the turn is doubtful, radians.
+    /// Total width of doubtful orientations, radians.
     pub doubtful: f64,
     /// Bands narrower than 10⁻⁵ rad.
     pub narrow: usize,
-    /// How long the space took.
+    /// Duration of the computation.
     pub seconds: f64,
     /// Free regions of the pair with fixed and moving exchanged, which are as many in truth.
     pub inverse: Option<usize>,
-    /// What a flood fill says.
+    /// Result of a flood fill.
     pub flood: Option<Flood>,
 }
 
-/// What a flood fill says of free regions.
+/// Result of a flood fill, compared with the number of free regions.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Flood {
-    /// So many there are, but for pockets smaller than a box.
+    /// The flood fill confirms this number, except for pockets smaller than a box.
     Agrees(usize),
-    /// So many there are, but for pockets smaller than a box, and the space has more.
+    /// The flood fill finds this number, except for pockets smaller than a box, and the space has more.
     Fewer(usize),
-    /// Its boxes are too large: at least so many there are.
+    /// The boxes are too large: there are at least this many regions.
     CannotTell(usize),
     /// The regions of the space contradict it.
     Wrong(Vec<String>),

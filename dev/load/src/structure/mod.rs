@@ -1,8 +1,8 @@
-//! How certain the structure of contact spaces is.
+//! Certainty of the structure of contact spaces.
 //!
-//! A [`Specimen`] is a pair of outlines that belongs to a family: drawn on a grid, so that lengths of both parts are equal, or
-//! changed a little by noise or by rounding. [`specimens`] are all of them. [`measure`](measure()) computes the space of one
-//! and says what is doubtful of it, [`Totals`] sums that up.
+//! A [`Specimen`] is a pair of outlines that belongs to a family: drawn on a grid, so that lengths of both parts are
+//! equal, or changed a little by noise or by rounding. [`specimens`] returns all of them. [`measure`](measure())
+//! computes the space of one and measures its doubtful orientations, and [`Totals`] sums up.
 
 mod families;
 pub mod files;
@@ -26,11 +26,11 @@ pub const TABLE: &str = "table";
 /// A pair of outlines to measure.
 #[derive(Debug, Clone)]
 pub struct Specimen {
-    /// What it is one of.
+    /// Family of the specimen.
     pub family: &'static str,
-    /// How it differs from what is drawn on a grid.
+    /// Change relative to the drawing on a grid.
     pub change: Change,
-    /// Which one of the family it is.
+    /// Name within the family.
     pub name: String,
     /// The fixed part's outline; it may be no part.
     pub fixed: Loops,
@@ -38,7 +38,7 @@ pub struct Specimen {
     pub moving: Loops,
     /// The orientations to compute, radians; `None` is the full turn.
     pub window: Option<(f64, f64)>,
-    /// How many free regions there are, if that is known.
+    /// Number of free regions, if known.
     pub expected: Option<usize>,
 }
 
@@ -62,7 +62,7 @@ impl Specimen {
         }
     }
 
-    /// Its name and how it was changed: different for all specimens.
+    /// Title: name and change, different for all specimens.
     pub fn title(&self) -> String {
         match self.change {
             Change::None => self.name.clone(),
@@ -70,10 +70,10 @@ impl Specimen {
         }
     }
 
-    /// The pair.
+    /// Pair of the outlines.
     ///
     /// # Errors
-    /// If one of the outlines is no part, or no longer.
+    /// If one of the outlines is no part, possibly due to the change.
     pub fn case(&self) -> Result<Case, PartError> {
         let mut case = Case::new(self.fixed.clone(), self.moving.clone())?;
         case.window = self.window;
@@ -81,7 +81,7 @@ impl Specimen {
     }
 }
 
-/// All specimens but those of files: those with noise so many times with different noise.
+/// Specimens of all families; each with `times` different samples of noise.
 pub fn specimens(seed: u64, times: u32) -> Vec<Specimen> {
     let mut all = table::table();
     table::add_sofas(&mut all, seed, times);

@@ -10,8 +10,8 @@ use super::{Specimen, TABLE};
 /// The arms of the L and of the corridor, in tenths from the outer corner.
 const ARM: i32 = 40;
 
-/// How large sofas are, and how many free regions there are in the corridor and outside: one in which it goes round the corner,
-/// and one for each arm in which it is the other way round. The smallest can turn in the corner.
+/// Sizes of sofas, with the number of free regions in the corridor and outside: one in which it goes round the corner,
+/// and one for each arm in which it has the opposite orientation. The smallest can turn in the corner.
 const SOFAS: [(f64, usize); 9] = [
     (0.5, 3),
     (0.7, 4),
@@ -27,7 +27,7 @@ const SOFAS: [(f64, usize); 9] = [
 /// Noise of a share of a sofa's play that its passage does not notice, with room to spare.
 const HARMLESS: f64 = 1e-2;
 
-/// Holes are larger than what is in them by this share, or not at all.
+/// Excess of a hole's size over its content, as a share; other holes fit exactly.
 const PLAY: f64 = 1e-3;
 
 pub(super) fn table() -> Vec<Specimen> {

@@ -7,32 +7,32 @@ use super::{Flood, Outcome, Specimen};
 /// Doubtful orientations of more than this, radians, are counted.
 const DOUBTFUL: [f64; 3] = [1e-9, 1e-6, 1e-3];
 
-/// What was found of several specimens.
+/// Sums over several specimens.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Totals {
     /// Specimens measured, or that panicked.
     pub pairs: u64,
-    /// With a conflict.
+    /// Specimens with a conflict.
     pub conflicts: u64,
-    /// Doubtful for more than 10⁻⁹, 10⁻⁶ and 10⁻³ rad.
+    /// Specimens that are doubtful for more than 10⁻⁹, 10⁻⁶ and 10⁻³ rad.
     pub doubtful: [u64; 3],
     /// Specimens of which the number of free regions is known.
     pub expected: u64,
-    /// Of these, those with another number.
+    /// Specimens that have another number than the known one.
     pub wrong: u64,
-    /// Whose regions a flood fill contradicts.
+    /// Specimens whose regions a flood fill contradicts.
     pub flooded: u64,
-    /// That have more free regions than a flood fill, which may miss pockets smaller than a box.
+    /// Specimens with more free regions than a flood fill, which may miss pockets smaller than a box.
     pub fewer: u64,
-    /// Of which a flood fill tells the number of regions, but for such pockets.
+    /// Specimens for which a flood fill determines the number of regions, but for such pockets.
     pub told: u64,
-    /// That have another number of free regions with fixed and moving exchanged.
+    /// Specimens with another number of free regions when fixed and moving part are exchanged.
     pub unequal: u64,
-    /// That panicked.
+    /// Specimens at which the library panicked.
     pub panics: u64,
     /// Outlines that are no parts, and pairs that have no space or not in time.
     pub refused: u64,
-    /// How long the spaces took.
+    /// Duration of the computations.
     pub seconds: f64,
 }
 
@@ -66,7 +66,7 @@ impl Totals {
         self.seconds += m.seconds;
     }
 
-    /// What the columns are, as wide as [`Display`](fmt::Display) makes them.
+    /// Heading of the columns, as wide as [`Display`](fmt::Display) makes them.
     pub fn heading() -> &'static str {
         " pairs conflict   >1e-9   >1e-6   >1e-3  wrong/known   flood wrong+fewer/told unequal panics refused   seconds"
     }

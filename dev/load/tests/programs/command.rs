@@ -9,7 +9,7 @@ fn command(args: &[&str]) -> Command {
     command
 }
 
-/// A run that ends with code 2 and says all of `words`.
+/// Checks that a run ends with code 2 and prints all of `words`.
 #[track_caller]
 fn fails(output: &Output, words: &[&str]) {
     let said = String::from_utf8_lossy(&output.stderr);

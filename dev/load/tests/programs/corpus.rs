@@ -10,11 +10,11 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// Configurations asked at each pair: enough to see a region or an arc that is missing, not to find a corner of 1e-8.
+/// Number of configurations asked of each pair: enough to detect a missing region or arc, but not a corner of 1e-8.
 const CONFIGURATIONS: usize = 60;
 const BANDS: usize = 6;
 
-/// One value of one family.
+/// Outcome for one value of one family.
 struct Outcome {
     family: &'static str,
     value: f64,
@@ -56,7 +56,7 @@ fn families_have_names_of_their_own() {
     assert!(values >= 300, "{values}");
 }
 
-/// Values of a family that are no parts, and what is said of them.
+/// Values of a family that are no parts, with their errors.
 struct Refused {
     family: &'static str,
     values: &'static [f64],
@@ -116,6 +116,6 @@ fn families_agree_with_brute_force() {
     println!("{certain} certain, {conflicts} conflicts, {doubtful} of {slices} slices doubtful");
     assert!(unexpected.is_empty(), "{unexpected:#?}");
     assert!(certain > 20_000, "{certain} certain");
-    // What is doubtful is not compared with slices from scratch.
+    // Doubtful slices are not compared with slices from scratch.
     assert!(4 * doubtful < slices, "{doubtful} of {slices}");
 }

@@ -1,4 +1,4 @@
-//! Three and more contacts that meet at once, or nearly.
+//! Families of pairs with three and more contacts that meet at once, or nearly.
 
 use core::f64::consts::{FRAC_PI_3, PI, TAU};
 

@@ -35,7 +35,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// The case of two outlines over the full turn.
+    /// Case of two outlines over the full turn.
     ///
     /// # Errors
     /// If one of them is no part.
@@ -48,7 +48,7 @@ impl Case {
         })
     }
 
-    /// The same with configurations worth a look.
+    /// Copy with additional configurations worth a look.
     #[must_use]
     pub fn about(mut self, notable: &[(f64, f64, f64)]) -> Self {
         let all = notable.iter();
@@ -57,7 +57,7 @@ impl Case {
         self
     }
 
-    /// The same over a window of orientations.
+    /// Copy over a window of orientations.
     #[must_use]
     pub fn within(mut self, lo: f64, hi: f64) -> Self {
         self.window = Some((lo, hi));
@@ -68,11 +68,11 @@ impl Case {
 /// A drawing of two parts with a number in it.
 #[derive(Debug, Clone)]
 pub struct Family {
-    /// What is drawn, and what the number is.
+    /// Description of the drawing and of the number.
     pub name: &'static str,
     /// The numbers to try, running into the degenerate.
     pub values: Vec<f64>,
-    /// Whether the number counts something: then it is one of the values, always.
+    /// Whether the number is a count: then only the listed values are used.
     pub counts: bool,
     build: fn(f64) -> Result<Case, PartError>,
 }
@@ -81,7 +81,7 @@ impl Family {
     /// The pair at a value of the number.
     ///
     /// # Errors
-    /// What [`Part::new`] says of an outline that has run too far into the degenerate.
+    /// If [`Part::new`] refuses an outline that has run too far into the degenerate.
     pub fn build(&self, value: f64) -> Result<Case, PartError> {
         (self.build)(value)
     }
@@ -103,7 +103,7 @@ impl Family {
     }
 }
 
-/// All families.
+/// Families of pairs that approach degenerate cases.
 ///
 /// ```
 /// for family in cspace_oracle::families() {

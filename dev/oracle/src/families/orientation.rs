@@ -70,7 +70,7 @@ fn hook() -> Loops {
     ]]
 }
 
-/// It has sides parallel to those of the hook, and one that is not.
+/// Wedge with sides parallel to those of the hook, and one that is not.
 fn wedge() -> Loops {
     vec![vec![
         line(-0.3, -0.5),

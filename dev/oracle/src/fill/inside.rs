@@ -1,4 +1,4 @@
-//! How far one part is inside the other, by points.
+//! Depth of one part inside the other, by sample points.
 
 use cspace::{Point, Vector};
 
@@ -21,7 +21,7 @@ pub(super) struct Inside {
     low: Vector,
     cell: Vector,
     cells: usize,
-    /// No place of a cell is less deep inside the fixed part; negative where one may be outside.
+    /// Lower bound of the depth inside the fixed part for each cell; negative where a point may be outside.
     depths: Vec<f64>,
 }
 
@@ -51,8 +51,8 @@ impl Inside {
         }
     }
 
-    /// Whether the parts overlap wherever no point of the moving part is farther than `moves` from where it is when that part is
-    /// turned, and its middle is at `shift` from the fixed part's. It may be so without being seen.
+    /// Whether the parts certainly overlap at all configurations at which no point of the moving part is farther than
+    /// `moves` from its place when that part is turned, and its middle is at `shift` from the fixed part's.
     pub(super) fn overlaps(&self, turn: (f64, f64), shift: Vector, moves: f64) -> bool {
         let (sin, cos) = turn;
         self.points.iter().any(|&(p, depth)| {
@@ -62,7 +62,7 @@ impl Inside {
         })
     }
 
-    /// At least so deep is the place inside the fixed part.
+    /// Lower bound of the depth of a place inside the fixed part.
     fn depth(&self, at: Vector) -> f64 {
         let from = at - self.low;
         let (i, j) = (from.x / self.cell.x, from.y / self.cell.y);

@@ -1,8 +1,8 @@
-//! A flood fill of (x, y, θ) in boxes of which brute force proves that they are free or blocked.
+//! Flood fill of (x, y, θ) in boxes that brute force proves to be free or blocked.
 //!
-//! A verdict with a margin holds for all configurations that take no point of the moving part further than
-//! that. So a box is free, blocked, or divided, down to a least size. Free boxes that touch are of one region; regions
-//! between which all boxes are blocked are two. What is between the two answers is too narrow for the boxes.
+//! A verdict with a margin holds for all configurations that move no point of the moving part farther than the margin.
+//! So a box is free, blocked, or divided, down to a smallest size. Free boxes that touch are of one region; regions
+//! between which all boxes are blocked are separate. Between these two cases the space is too narrow for the boxes.
 
 mod inside;
 
@@ -15,7 +15,7 @@ use crate::judge::Oracle;
 
 use inside::Inside;
 
-/// Of a set of free boxes, this many are asked about, and of the others one in [`SHARE`].
+/// Number of boxes asked about in each set of free boxes, and one in [`SHARE`] of the others.
 const ASKED: u32 = 64;
 const SHARE: u32 = 512;
 
@@ -42,29 +42,29 @@ pub struct Fill {
     boxes: Vec<Found>,
 }
 
-/// What the boxes say of free regions that another method tells.
+/// Comparison of the boxes with the free regions found by another method.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Compared {
-    /// What contradicts them.
+    /// Contradictions.
     pub wrong: Vec<String>,
-    /// How many configurations were asked.
+    /// Number of configurations asked.
     pub configurations: usize,
     /// Sets of boxes that are free or may be, apart from each other, in which some are free: there are at least as many regions.
     pub least: usize,
-    /// Of these, the ones in which all free boxes are of one region.
+    /// Sets with free boxes in which all free boxes are of one region.
     pub known: usize,
-    /// Sets of boxes of which nothing is known to be free: each may be a region, or none.
+    /// Sets of boxes without any that is known to be free: each may be a region, or none.
     pub open: usize,
 }
 
 impl Compared {
-    /// Whether the boxes leave one number of regions, but for pockets smaller than a box.
+    /// Whether the boxes determine the number of regions, except for pockets smaller than a box.
     pub fn is_settled(&self) -> bool {
         self.known == self.least && self.open == 0
     }
 }
 
-/// No point of the part is farther from its middle.
+/// Largest distance of a point of the part from its middle.
 fn reach(part: &Part, middle: Point) -> f64 {
     let far = |e: Edge| {
         let ends = e.start.distance(middle).max(e.end.distance(middle));
@@ -140,7 +140,8 @@ impl Fill {
         }
     }
 
-    /// What all configurations are of which none of the moving part's points is farther from where it is at this one.
+    /// Class shared by all configurations at which no point of the moving part is farther than `moves` from its
+    /// position at this one; `None` if they differ or it is unknown.
     fn found(&self, at: [f64; 3], moves: f64) -> Option<Found> {
         let (shift, theta) = self.place(at);
         if self.inside.overlaps(theta.sin_cos(), shift, moves) {
@@ -154,8 +155,8 @@ impl Fill {
         })
     }
 
-    /// The boxes that can be reached from each other through such ones, by number, and how many such sets; those at the
-    /// border of the positions hang together outside.
+    /// Numbers the connected components of the boxes of some classes, and returns their count; boxes at the border of
+    /// the positions are connected outside.
     fn components(&self, through: impl Fn(Found) -> bool) -> (Vec<u32>, u32) {
         const NONE: u32 = u32::MAX;
         let n = self.n;
@@ -198,8 +199,8 @@ impl Fill {
         (number, next)
     }
 
-    /// What the boxes say of free regions of which the outer one is number 0, and of a method that tells which of them a
-    /// configuration is in.
+    /// Compares the boxes with free regions, of which number 0 is the outer one, as found by another method;
+    /// `region_at` is that method's region of a configuration.
     pub fn compare(
         &self,
         regions: usize,
@@ -209,7 +210,7 @@ impl Fill {
         let (perhaps, separate) = self.components(|b| b != Found::Blocked);
         let free = || (0..self.boxes.len()).filter(|&b| self.boxes[b] == Found::Free);
         let mut wrong = Vec::new();
-        // What regions there are in sets of free boxes, and in which sets that nothing joins each region is.
+        // Regions in the sets of free boxes, and for each region the sets that are not joined.
         let mut regions_of = vec![BTreeSet::new(); sets as usize];
         let mut places_of: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         let mut seen = vec![0_u32; sets as usize];
@@ -242,7 +243,8 @@ impl Fill {
         if regions_of[0].first() != Some(&0) {
             wrong.push(format!("outside is {:?}", regions_of[0]));
         }
-        // What may be joined to a set and is free is all of it: no region is missing there, nor is there one too many.
+        // Connected sets of free boxes in each set of boxes that may be free. If there is one, no region is missing
+        // there, nor is there one too many.
         let mut of = vec![BTreeSet::new(); separate as usize];
         for b in free() {
             of[perhaps[b] as usize].insert(joined[b]);

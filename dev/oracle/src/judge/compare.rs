@@ -5,14 +5,14 @@ use super::outline::Outline;
 use super::plane::Place;
 use super::real::Real;
 
-/// How two boundaries lie to each other.
+/// Relation of two boundaries.
 #[derive(Debug)]
 pub(super) struct Finding {
-    /// Whether they were found to meet.
+    /// Whether the boundaries meet.
     pub(super) meeting: bool,
     /// The distance between them, if they do not meet.
     pub(super) clearance: f64,
-    /// How far some boundary point of one was found to lie inside the other; 0 if none was.
+    /// Largest depth found of a boundary point of one part inside the other; 0 if there is none.
     pub(super) depth: f64,
     /// Points, with a normal there, of stretches that belong to both boundaries.
     pub(super) shared: Vec<(Place<f64>, Place<f64>)>,
@@ -203,7 +203,7 @@ impl Search<'_> {
     }
 }
 
-/// How far inside one part some point is that is inside both, looking on both sides of a boundary point of both.
+/// Depth inside one part of some point that is inside both, searched on both sides of a boundary point of both.
 pub(super) fn overlap_beside<S: Real>(
     a: &Outline<S>,
     b: &Outline<S>,

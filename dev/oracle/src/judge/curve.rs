@@ -1,4 +1,4 @@
-//! One edge of a boundary.
+//! Edge of a boundary.
 
 use super::plane::{Frame, Place};
 use super::real::Real;
@@ -109,7 +109,7 @@ impl<S: Real> Curve<S> {
         (self.end - self.start).cross(p - self.start)
     }
 
-    /// Whether the arc holds a point of its circle: the points on the arc's side of the chord.
+    /// Whether the arc contains a point of its circle: the points on the arc's side of the chord.
     #[inline]
     pub(super) fn spans(&self, p: Place<S>) -> bool {
         let side = self.side(p);
@@ -120,11 +120,11 @@ impl<S: Real> Curve<S> {
         }
     }
 
-    /// Whether a ray from the point to the right crosses the chord, or the point is between chord and arc, not both.
-    /// Odd over a closed loop for the points inside it.
+    /// Whether exactly one of two conditions holds: a ray from the point to the right crosses the chord, and the point
+    /// is between chord and arc. Over a closed loop this is true an odd number of times for the points inside it.
     ///
-    /// The two change together as the point crosses the chord, whichever way the rounding falls. A point level with
-    /// an end counts as a little higher, so it does on the chord's line, too.
+    /// The two conditions change together as the point crosses the chord, in whichever direction the rounding falls. A
+    /// point level with an end counts as a little higher, also on the chord's line.
     #[inline]
     pub(super) fn flips(&self, p: Place<S>) -> bool {
         let side = self.side(p);
@@ -276,7 +276,7 @@ impl<S: Real> Curve<S> {
         [(S::zero(), self.start), self.mark(self.end)]
     }
 
-    /// The mark half way between two, the first before the second.
+    /// Mark halfway between two, the first before the second.
     pub(super) fn between(&self, p: Mark<S>, q: Mark<S>) -> Mark<S> {
         if self.is_line() {
             return ((p.0 + q.0) * S::of(0.5), (p.1 + q.1).times(S::of(0.5)));
@@ -314,7 +314,7 @@ impl<S: Real> Curve<S> {
         n.times(S::of(1.0) / n.length())
     }
 
-    /// Where the curve meets another: at most two points, not counting shared stretches.
+    /// Meetings of the curve with another: at most two points, without shared stretches.
     pub(super) fn meet(&self, other: &Self, mut report: impl FnMut(Place<S>)) {
         match (self.is_line(), other.is_line()) {
             (true, true) => {

@@ -1,4 +1,4 @@
-//! Whether loops make a part, as far as random drawing needs to know, and the area of a part.
+//! Check of whether loops make a part, as far as random drawing needs it, and the area of a part.
 
 use cspace::{Part, Point, Vertex};
 

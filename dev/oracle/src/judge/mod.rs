@@ -1,7 +1,7 @@
-//! Whether two parts overlap at one configuration, by brute force.
+//! Brute-force test of whether two parts overlap at one configuration.
 //!
-//! The boundaries are cut where they meet, and a point of each piece is tested for being inside the other part.
-//! It is done in doubles; what is too close to contact for them is done again in pairs of doubles.
+//! The boundaries are cut where they meet, and a point of each piece is tested for being inside the other part. The
+//! test uses doubles; cases that are too close to contact for them are repeated in pairs of doubles.
 
 mod compare;
 mod curve;
@@ -19,7 +19,7 @@ use outline::Outline;
 use plane::{Frame, Place};
 use real::{Double, Real};
 
-/// What the [`Oracle`] says of one configuration.
+/// Verdict of the [`Oracle`] on one configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Verdict {
     /// Whether the open interiors meet. Parts that merely touch do not overlap: penetration of less than
@@ -43,14 +43,14 @@ pub struct Oracle {
     fixed_fine: Outline<Double>,
     moving_fine: Outline<Double>,
     size: f64,
-    /// Doubles decide what is clearer than this; or what they would be used for, if arcs are flat.
+    /// Margin above which a verdict in doubles is trusted, unless arcs are flat.
     trust: f64,
-    /// Whether there are arcs so flat, or edges so short, that doubles decide nothing: they do not know on which side of its
-    /// chord an arc is, nor where on a short one it meets a long one.
+    /// Whether there are arcs so flat, or edges so short, that doubles are not sufficient: they do not determine on
+    /// which side of its chord an arc is, nor where on a short one it meets a long one.
     fine: bool,
 }
 
-/// One of the two parts.
+/// Fixed or moving part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Body {
     Fixed,
@@ -100,12 +100,12 @@ impl Oracle {
         self.size
     }
 
-    /// Where the middle of the box about the fixed part is, in its own frame.
+    /// Centre of the box about the fixed part, in its own frame.
     pub fn fixed_center(&self) -> Point {
         self.centers[0]
     }
 
-    /// Where the middle of the box about the moving part is, in its own frame.
+    /// Centre of the box about the moving part, in its own frame.
     pub fn moving_center(&self) -> Point {
         self.centers[1]
     }
@@ -198,7 +198,7 @@ impl Oracle {
         }
     }
 
-    /// From the fixed part's centre to the moving part's: (x, y) + R m − f.
+    /// Vector from the fixed part's centre to the moving part's: (x, y) + R m − f.
     fn shift<S: Real>(&self, c: Configuration) -> Place<S> {
         let [f, m] = self.centers.map(|p| Place::new(S::of(p.x), S::of(p.y)));
         m.moved(S::sin_cos(c.theta), Place::new(S::of(c.x), S::of(c.y))) - f

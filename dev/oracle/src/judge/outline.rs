@@ -6,7 +6,7 @@ use super::curve::Curve;
 use super::plane::{Frame, Place};
 use super::real::Real;
 
-/// All edges of a part.
+/// Edges of a part.
 #[derive(Debug, Clone)]
 pub(super) struct Outline<S> {
     pub(super) curves: Vec<Curve<S>>,
@@ -60,7 +60,8 @@ impl<S: Real> Outline<S> {
         }
     }
 
-    /// Whether the point is in the interior. Of no use for points on the boundary. `slack` is the boxes' precision.
+    /// Whether the point is in the interior. The result is undefined for points on the boundary. `slack` is the boxes'
+    /// precision.
     pub(super) fn holds(&self, p: Place<S>, slack: f64) -> bool {
         let rough = p.rough();
         let mut inside = false;

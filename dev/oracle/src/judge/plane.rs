@@ -102,7 +102,7 @@ impl Frame {
         }
     }
 
-    /// The square of the distance between two boxes: never above that of what they hold.
+    /// Square of the distance between two boxes: never more than that of their content.
     #[inline]
     pub(super) fn distance_squared(&self, other: &Self) -> f64 {
         let gap = |i: usize| {

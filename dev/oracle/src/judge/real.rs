@@ -18,7 +18,7 @@ pub(super) trait Real:
     fn of(value: f64) -> Self;
     /// The nearest double.
     fn to_f64(self) -> f64;
-    /// The square root; zero for what is negative.
+    /// Square root; 0 for negative numbers.
     fn root(self) -> Self;
     /// Sine and cosine of an angle.
     fn sin_cos(angle: f64) -> (Self, Self);

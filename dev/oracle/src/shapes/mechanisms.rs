@@ -14,20 +14,21 @@ use super::transform::{shifted, turned};
 /// Two parts, drawn in the assembly's frame, and their axes.
 #[derive(Debug, Clone)]
 pub struct Mechanism {
-    /// What it is.
+    /// Name of the mechanism.
     pub name: String,
     /// The part whose coordinate is u.
     pub fixed: Part,
-    /// Its axis.
+    /// Axis of this part.
     pub fixed_axis: Axis,
     /// The part whose coordinate is v.
     pub moving: Part,
-    /// Its axis.
+    /// Axis of this part.
     pub moving_axis: Axis,
 }
 
 impl Mechanism {
-    /// Coordinates (u, v) at random: within their ranges, a turn either way, or as far as parts of this size may meet.
+    /// Random coordinates (u, v): within their ranges, a turn in either direction, or as far as parts of this size may
+    /// meet.
     pub fn somewhere(&self, size: f64, rng: &mut impl Rng) -> (f64, f64) {
         let mut coordinate = |axis: &Axis| match (axis.motion, axis.range) {
             (AxisMotion::Fixed, _) => 0.0,
@@ -204,7 +205,7 @@ pub fn anchor() -> Part {
     )
 }
 
-/// All of them.
+/// Mechanisms for tests.
 pub fn mechanisms() -> Vec<Mechanism> {
     let mut all = vec![
         mechanism(

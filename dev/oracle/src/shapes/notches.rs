@@ -135,8 +135,8 @@ pub fn comb(teeth: i32, tooth: i32, gap: i32) -> Part {
     part("comb", vec![corners(&outline)])
 }
 
-/// The sofa that Hammersley takes round a corner of width 1, `scale` times as large: at 1 it touches both inner and outer walls
-/// all the way.
+/// Hammersley's sofa for a corner of width 1, enlarged by `scale`: at 1 it touches both inner and outer walls during
+/// the whole turn.
 pub fn sofa(scale: f64) -> Part {
     let hollow = scale * 2.0 / PI;
     let quarter = bulge_of(FRAC_PI_2);
@@ -204,7 +204,7 @@ pub fn filleted(of: &Part, radius: f64) -> Part {
 
 /// A loop whose corners between lines are arcs, each of at most its own radius.
 fn rounded_corners(outline: &[Vertex], radius: impl Fn(usize) -> f64) -> Vec<Vertex> {
-    /// What an arc may take of a line, at each of its ends.
+    /// Largest share of a line that an arc may take at each of its ends.
     const SHARE: f64 = 0.4;
     let n = outline.len();
     let mut all = Vec::with_capacity(2 * n);

@@ -32,7 +32,7 @@ impl Pen {
         self
     }
 
-    /// Draws an arc that goes through a point on the way.
+    /// Draws an arc through a point between its ends.
     pub fn through(self, by: Point, to: Point) -> Self {
         let from = self.vertices[self.vertices.len() - 1].point();
         self.arc(to.x, to.y, bulge_through(from, by, to))

@@ -9,9 +9,9 @@ use rand_chacha::ChaCha8Rng;
 use super::pen::{part, polar};
 use crate::judge::least_gap;
 
-/// A loop of `vertices` corners about the origin, at most 1 from it, with about `arcs` of its edges arcs.
+/// Loop of `vertices` corners about the origin, at most 1 from it, with about `arcs` of its edges arcs.
 ///
-/// It is the same for the same arguments. Edges that do not follow each other are never closer than 0.02.
+/// It is deterministic for its arguments. Edges that are not adjacent are never closer than 0.02.
 pub fn random_part(seed: u64, vertices: usize, arcs: f64) -> Part {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     part(
@@ -78,7 +78,7 @@ fn random_loop(rng: &mut ChaCha8Rng, vertices: usize, arcs: f64) -> Vec<Vertex> 
     }
 }
 
-/// Whether the loop stays in the unit disc, tried at points of its edges.
+/// Whether the loop stays in the unit disc, tested at points of its edges.
 fn within(vertices: &[Vertex]) -> bool {
     (0..vertices.len()).all(|i| {
         let (v, w) = (vertices[i], vertices[(i + 1) % vertices.len()]);

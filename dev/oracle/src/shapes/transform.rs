@@ -31,7 +31,7 @@ pub fn mirrored(p: &Part) -> Part {
     mapped(p, |v| Vertex::new(-v.x, v.y, -v.bulge))
 }
 
-/// The same part with its loops drawn in the other direction.
+/// Copy of a part with its loops drawn in the other direction.
 pub fn backwards(p: &Part) -> Part {
     let loops = p.loops().iter().map(|l| {
         let v = l.vertices();
@@ -44,7 +44,7 @@ pub fn backwards(p: &Part) -> Part {
     part(p.name(), loops.collect())
 }
 
-/// One part made of the loops of several.
+/// Part made of the loops of several.
 pub fn together(name: &str, parts: &[Part]) -> Part {
     let loops = parts.iter().flat_map(Part::loops);
     part(name, loops.map(|l| l.vertices().to_vec()).collect())

@@ -1,4 +1,4 @@
-//! What a design must do: `[[requirement]]`.
+//! Requirements of a design: `[[requirement]]`.
 
 mod motion;
 mod pair;

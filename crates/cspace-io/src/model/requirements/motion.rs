@@ -1,4 +1,4 @@
-//! What is measured of the motion of a mechanism.
+//! Requirements on the motion of a mechanism.
 
 use cspace::{AxisMotion, Mechanism};
 

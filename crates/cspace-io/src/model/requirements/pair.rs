@@ -1,4 +1,4 @@
-//! What is measured on the configuration space of a pair.
+//! Requirements on the configuration space of a pair.
 
 use cspace::{Mechanism, PairEntry};
 
@@ -93,7 +93,7 @@ pub(super) fn read_pair(
     Ok((Subject::Pair(pair, quantity), dimension))
 }
 
-/// Which end of the range of a coordinate the key `end` names: the upper if it is left out.
+/// Whether the key `end` names the upper end of a coordinate's range, which is the default.
 fn is_upper(table: &Table<'_>, space: &Space) -> Result<bool> {
     if matches!(space, Space::Planar) {
         let error = table.error(

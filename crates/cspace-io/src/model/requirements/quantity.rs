@@ -1,17 +1,17 @@
-//! What a requirement measures, and what that must be.
+//! Measured quantity of a requirement, and its target.
 
 use cspace::{Coordinates, PairEntry};
 
-/// Something that a design is measured for, and what it must be.
+/// Requirement of a design: a measured quantity, and its target.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Requirement {
-    /// What it is called, unlike any other of the model.
+    /// Name, unique in the model.
     pub name: String,
-    /// What is measured.
+    /// Measured quantity.
     pub subject: Subject,
-    /// What the value is.
+    /// Dimension of the value.
     pub dimension: Dimension,
-    /// What it must be, if anything.
+    /// Target of the value, if there is one.
     pub target: Option<Target>,
 }
 
@@ -24,7 +24,7 @@ impl Requirement {
         }
     }
 
-    /// What is required of yes or no, if anything is.
+    /// Required answer, if the quantity is a yes or no and one is required.
     pub const fn equals(&self) -> Option<bool> {
         match self.target {
             Some(Target::Equals(wanted)) => Some(wanted),
@@ -33,12 +33,12 @@ impl Requirement {
     }
 }
 
-/// On what is measured, and what.
+/// Subject of a requirement: a pair or a motion, with the measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Subject {
-    /// On the configuration space of a pair, with the window of orientations that the model gives it.
+    /// Quantity on the configuration space of a pair, with the window of orientations that the model gives it.
     Pair(PairEntry, Quantity),
-    /// In the motion of the whole mechanism, over this many seconds.
+    /// Quantity of the motion of the whole mechanism, over this many seconds.
     Motion(f64, MotionQuantity),
 }
 
@@ -96,7 +96,7 @@ impl Subject {
     }
 }
 
-/// What a value is, which decides its unit.
+/// Dimension of a value, which determines its unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Dimension {
@@ -112,35 +112,36 @@ pub enum Dimension {
     Truth,
 }
 
-/// What is measured of a motion that is simulated.
+/// Quantity measured on a simulated motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionQuantity {
-    /// When something happens.
+    /// Time of an event.
     Event {
-        /// What.
+        /// Kind of the event.
         happens: Happening,
-        /// Of which two parts; of any without.
+        /// Indices of the two parts concerned; `None` for any parts.
         parts: Option<[usize; 2]>,
-        /// Which of several, counted from 1.
+        /// Number of the event among several of its kind, counted from 1.
         number: u32,
     },
-    /// From the smallest to the largest value of a coordinate: in the last cycle if the motion repeats, else in all of it.
+    /// Range of a coordinate from its smallest to its largest value: in the last cycle if the motion repeats, else in
+    /// all of it.
     Stroke {
         /// The part.
         part: usize,
         /// The coordinate: x, y or θ of a planar part; V, the only one of a part on an axis.
         of: Coordinate,
     },
-    /// How far one part goes by how far another goes: in a cycle if the motion repeats, else in all of it.
+    /// Ratio of the displacements of two parts: in a cycle if the motion repeats, else in all of it.
     Ratio {
-        /// The part by which it is.
+        /// Part whose displacement is the denominator.
         by: usize,
-        /// The part of which it is.
+        /// Part whose displacement is the numerator.
         of: usize,
     },
 }
 
-/// What can happen in a motion.
+/// Kind of an event in a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Happening {
     /// Two parts strike each other.
@@ -158,7 +159,7 @@ pub enum Happening {
 }
 
 impl Happening {
-    /// All of them, by name.
+    /// All kinds of events, by name.
     pub(super) const ALL: [(&'static str, Self); 6] = [
         ("touch", Self::Touch),
         ("release", Self::Release),
@@ -174,7 +175,7 @@ impl Happening {
 pub enum Coordinate {
     /// The position of the moving part along the first axis of the fixed part's frame.
     X,
-    /// Along the second axis.
+    /// Coordinate along the second axis.
     Y,
     /// The orientation, radians.
     Theta,
@@ -189,7 +190,7 @@ impl Coordinate {
         [("x", Self::X), ("y", Self::Y), ("theta", Self::Theta)];
     pub(super) const AXES: [(&'static str, Self); 2] = [("u", Self::U), ("v", Self::V)];
 
-    /// Its name in configurations.
+    /// Name in configurations.
     pub const fn name(self) -> &'static str {
         match self {
             Self::X => "x",
@@ -200,7 +201,7 @@ impl Coordinate {
         }
     }
 
-    /// Its number among those of its class: x, y and θ, or u and v.
+    /// Index among the coordinates of its class: x, y and θ, or u and v.
     pub const fn index(self) -> usize {
         match self {
             Self::X | Self::U => 0,
@@ -221,7 +222,7 @@ impl Coordinate {
         }
     }
 
-    /// Its value in a configuration; `None` of one in the coordinates of another class.
+    /// Value in a configuration; `None` if that is of another class.
     pub const fn of(self, at: Coordinates) -> Option<f64> {
         match (self, at) {
             (Self::X, Coordinates::Planar(c)) => Some(c.x),
@@ -234,7 +235,7 @@ impl Coordinate {
     }
 }
 
-/// What is measured on the configuration space of a pair.
+/// Quantity measured on the configuration space of a pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// The length of the whole range of a coordinate that is free around a configuration, the others held.
@@ -246,9 +247,9 @@ pub enum Quantity {
     },
     /// The value of a coordinate where a motion of constant rates meets the first contact.
     Position {
-        /// Where the motion begins.
+        /// Configuration at the start.
         from: Coordinates,
-        /// Its whole displacement.
+        /// Total displacement.
         along: Coordinates,
         /// The coordinate.
         of: Coordinate,
@@ -270,9 +271,9 @@ pub enum Quantity {
     },
     /// The clearance of the widest motion from one configuration to another, where it is narrowest.
     Bottleneck {
-        /// Where it begins.
+        /// Configuration at the start.
         at: Coordinates,
-        /// Where it ends.
+        /// Configuration at the end.
         to: Coordinates,
     },
     /// The largest or the smallest value of a coordinate in the free region of a configuration.
@@ -281,19 +282,19 @@ pub enum Quantity {
         at: Coordinates,
         /// The coordinate.
         of: Coordinate,
-        /// Whether it is the largest.
+        /// Whether the largest value is meant, and not the smallest.
         upper: bool,
     },
-    /// Whether the free region of a configuration ends everywhere.
+    /// Whether the free region of a configuration is bounded.
     Caged {
         /// The configuration.
         at: Coordinates,
     },
-    /// Whether a motion without overlap leads from one configuration to another.
+    /// Whether a motion without overlap connects two configurations.
     Connected {
-        /// Where it begins.
+        /// First configuration.
         at: Coordinates,
-        /// Where it ends.
+        /// Second configuration.
         to: Coordinates,
     },
 }
@@ -314,10 +315,10 @@ impl Quantity {
     }
 }
 
-/// What a quantity must be.
+/// Target of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
-    /// From one limit to another, both included.
+    /// Range from one limit to another, both included.
     Limits(f64, f64),
     /// True or false.
     Equals(bool),

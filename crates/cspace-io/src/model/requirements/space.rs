@@ -89,7 +89,7 @@ impl Space {
         Ok(self.at(|of| values.get(of.name()).copied().unwrap_or(0.0)))
     }
 
-    /// All coordinates of a list.
+    /// Reads the coordinates of a list.
     pub(super) fn list(&self, place: &Place, key: &str, node: &Node) -> Result<Coordinates> {
         let measures: Vec<Measure> = self.names().iter().map(|n| self.measure(n.1)).collect();
         let help = format!("give it as {key} = {}", self.example());

@@ -10,19 +10,19 @@ use cspace::{ContactFunction, ContactSpace, CurveGeometry, PatchRef, Point, Vect
 pub(super) struct Structure {
     /// Patches.
     pub(super) patches: Vec<u32>,
-    /// How far their curves sweep, 0 for segments.
+    /// Sweeps of their curves, 0 for segments.
     sweeps: Vec<f64>,
     /// The place before each; none where the boundary is broken.
     before: Vec<Option<usize>>,
 }
 
-/// A row of vertices, in the direction of travel, each with its share of the way.
+/// Row of vertices in the direction of travel, each with its share of the row's length.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Row {
     pub(super) vertices: Vec<(u32, f64)>,
 }
 
-/// All vertices at one orientation.
+/// Vertices at one orientation.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Level {
     pub(super) theta: f64,
@@ -34,7 +34,7 @@ pub(super) struct Level {
     pub(super) unmatched: usize,
 }
 
-/// How finely rows are cut, in lengths of the model.
+/// Fineness of rows, in lengths of the model.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
     /// The greatest distance of a chord from its arc.
@@ -422,7 +422,7 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Two points, and one between that tells curves through both apart.
+/// Two end points, and a point between that distinguishes curves through both.
 type Key = (u32, u32, u32);
 
 /// A part of a curve between two points of the level.
@@ -430,7 +430,7 @@ struct Piece {
     from: f64,
     to: f64,
     key: Key,
-    /// Whether it is travelled from the smaller number to the greater.
+    /// Whether it is travelled from the smaller number to the larger.
     forward: bool,
 }
 
@@ -445,7 +445,7 @@ fn unmatched(pieces: &[Vec<Vec<Piece>>]) -> usize {
     sums.values().filter(|s| **s != 0).count()
 }
 
-/// The share of the way at which a point lies on a curve, if it lies within it.
+/// Share of a curve's length at which a point lies, if it is within the curve.
 fn share(geometry: &CurveGeometry, p: Point, near: f64) -> Option<f64> {
     let s = match *geometry {
         CurveGeometry::Segment { start, end } => {

@@ -2,9 +2,10 @@
 
 use super::level::Row;
 
-/// Triangles between a lower and an upper row, as places in the rows: counter-clockwise seen from the right of travel.
+/// Triangles between a lower and an upper row, as indices into the rows: counter-clockwise seen from the right of
+/// travel.
 ///
-/// Each step goes along the row that is behind, by share of the way.
+/// Each step advances in the row that is behind, by share of the length.
 pub(super) fn zip(lower: &Row, upper: &Row, mut emit: impl FnMut([(bool, usize); 3])) {
     let (low, high) = (&lower.vertices, &upper.vertices);
     let (mut i, mut j) = (0, 0);

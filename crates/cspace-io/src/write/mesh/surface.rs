@@ -1,4 +1,4 @@
-//! From a contact space to its mesh.
+//! Mesh of a contact space.
 
 use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
@@ -8,10 +8,10 @@ use cspace::{Configuration, ContactSpace};
 use super::level::{Fineness, Level, Structure};
 use super::strip::zip;
 
-/// How fine a mesh is to be.
+/// Fineness of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshOptions {
-    /// How far a triangle may be from the surface, within a slice, as a share of the pair's size.
+    /// Largest distance of a triangle from the surface, within a slice, as a share of the pair's size.
     pub tolerance: f64,
 }
 
@@ -35,16 +35,16 @@ pub struct Mesh {
     pub deviation: f64,
     /// The orientations at which the surface is cut off; at a full turn's ends the same vertices come in the same order.
     pub ends: (f64, f64),
-    /// What files have for a radian as third coordinate: 1, or [`turn_as_tall_as_wide`](Self::turn_as_tall_as_wide).
+    /// Length of one radian in files, as third coordinate: 1, or [`turn_as_tall_as_wide`](Self::turn_as_tall_as_wide).
     pub theta_scale: f64,
 }
 
 /// Edges of a mesh that are not shared by two triangles in opposite directions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Openings {
-    /// All edges.
+    /// Number of all edges of the mesh.
     pub edges: usize,
-    /// At the orientations where the surface is cut off.
+    /// Number of open edges at the orientations where the surface is cut off.
     pub at_ends: usize,
     /// Elsewhere: none, if the mesh is closed.
     pub elsewhere: usize,
@@ -90,7 +90,7 @@ const MOST_VERTICES: u32 = 1 << 24;
 /// Points of a critical level that are nearer to each other than this share of the size are one.
 const MERGE: f64 = 1e-11;
 
-/// How often a slab is halved at most.
+/// Largest number of times that a layer between two orientations is halved.
 const DEEPEST: u32 = 14;
 
 /// The slab between two levels, with what lies in it.
@@ -102,7 +102,7 @@ struct Slab<'a> {
 
 struct Mesher<'a> {
     space: &'a ContactSpace,
-    /// In the model's unit.
+    /// Tolerance in the model's unit.
     tolerance: f64,
     scale: f64,
     mesh: Mesh,
@@ -113,7 +113,7 @@ struct Mesher<'a> {
 }
 
 impl Mesh {
-    /// The surface of a contact space.
+    /// Meshes the surface of a contact space.
     ///
     /// # Errors
     /// If it would have more than 2²⁴ vertices.
@@ -134,7 +134,7 @@ impl Mesh {
         Self::limited(space, options, MOST_VERTICES)
     }
 
-    /// The same with at most so many vertices.
+    /// As above, with at most `most` vertices.
     pub(super) fn limited(
         space: &ContactSpace,
         options: &MeshOptions,
@@ -153,7 +153,7 @@ impl Mesh {
         Ok(mesher.mesh)
     }
 
-    /// The same mesh, with so much for a radian in files.
+    /// Copy of the mesh with another length per radian in files.
     #[must_use]
     pub fn with_theta_scale(self, theta_scale: f64) -> Self {
         Self {
@@ -191,7 +191,7 @@ impl Mesh {
         (0..self.vertices.len() as u32).map(|v| self.place(v))
     }
 
-    /// What the coordinates of files are, in words.
+    /// Description of the coordinates of files.
     pub(crate) fn coordinates(&self) -> String {
         if self.theta_scale == 1.0 {
             "x and y in the model's unit, z is theta in radians".to_owned()
@@ -335,7 +335,8 @@ impl Mesher<'_> {
         }
     }
 
-    /// Fills the slab between two levels, of which the lower has its numbers; then the upper one has.
+    /// Fills the layer between two levels with triangles. The lower one is numbered already; the upper one is numbered
+    /// here.
     fn fill(
         &mut self,
         structure: &Structure,

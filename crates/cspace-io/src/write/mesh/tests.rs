@@ -1,4 +1,4 @@
-//! Is every mesh closed, exact and turned the right way?
+//! Tests that every mesh is closed, exact and consistently oriented.
 
 use cspace::{ContactSpace, Options, Part, Vertex};
 
@@ -35,7 +35,7 @@ fn check(name: &str, space: &ContactSpace) {
     check_within(name, space, 1e-12);
 }
 
-/// Vertices may be off the surface by so much, as a share of the size.
+/// Vertices may be off the surface by `exact`, as a share of the size.
 fn check_within(name: &str, space: &ContactSpace, exact: f64) {
     let mesh = Mesh::new(
         space,
@@ -130,7 +130,7 @@ fn simple_pairs_are_closed() {
     );
 }
 
-/// Squares of side 1 of which two sides are arcs much larger than the parts, bulging and hollow.
+/// Squares of side 1 with two sides that are arcs much larger than the parts, bulging and hollow.
 #[test]
 fn flat_arcs_are_closed() {
     let curved = |name: &str, side: f64, radius: f64| {
@@ -180,7 +180,7 @@ fn shipped_models_are_closed() {
     }
 }
 
-/// As many vertices as are allowed, and no more.
+/// A mesh may have the largest allowed number of vertices, and no more.
 #[test]
 fn a_mesh_has_a_limit() {
     let space =

@@ -1,4 +1,4 @@
-//! What a model may not say: keys of another type of joint, control characters, angles and numbers beyond all use.
+//! Models that are refused: keys of another type of joint, control characters, angles and numbers beyond all use.
 
 use cspace_io::{ModelError, model};
 

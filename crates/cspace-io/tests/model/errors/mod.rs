@@ -1,4 +1,4 @@
-//! What is said of bad model files, and that good ones are read.
+//! Messages for bad model files; good ones are read.
 
 mod limits;
 
@@ -275,7 +275,7 @@ fn errors_of_files() {
     says(&read(&folder.path().join("d.toml")), &["folder"]);
 }
 
-/// Positions are those of the value that is wrong, or of the key that should not be there.
+/// Positions are those of the wrong value, or of the key that should not be there.
 #[test]
 fn errors_name_line_and_column() {
     let toml = |part: &str| {
@@ -512,7 +512,7 @@ fn damaged_models_are_refused_or_read() {
     }
 }
 
-/// What is suggested is never refused in its place.
+/// Suggested keys are accepted in the place for which they are suggested.
 #[test]
 fn suggestions_are_keys_that_are_taken() {
     let part = |keys: &str| {

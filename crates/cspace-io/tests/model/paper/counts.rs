@@ -105,7 +105,7 @@ fn bands_with_symmetry_are_those_without() {
     }
 }
 
-/// The files are what the drawing programs draw. Says nothing where there is no Python.
+/// Files are identical to those drawn by the drawing programs. Passes if there is no Python.
 #[test]
 fn files_are_as_drawn() {
     for program in ["draw.py", "mechanisms.py", "weighed.py", "paper/draw.py"] {

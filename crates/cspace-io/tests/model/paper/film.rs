@@ -10,7 +10,7 @@ const PULL: f64 = 19.0;
 const CORNER: f64 = 3.0;
 const PLAY: f64 = 0.05;
 
-/// How far a triangle of arcs with rounded corners, one of them at +y, reaches from its middle in a direction.
+/// Extent of a triangle of arcs with rounded corners, one of them at +y, from its middle in a direction.
 fn reach(direction: f64) -> f64 {
     let corner = |k: f64| PULL / 3f64.sqrt() * (direction - FRAC_PI_2 - 2.0 * PI / 3.0 * k).cos();
     let corners = [0.0, 1.0, 2.0].map(corner);
@@ -30,7 +30,7 @@ fn seat(theta: f64) -> Vector {
     Vector::new(middle(0.0), middle(FRAC_PI_2))
 }
 
-/// Where the frame stands when the shaft, in the cam's corner, is the origin.
+/// Position of the frame when the shaft, in the cam's corner, is the origin.
 fn frame(theta: f64) -> Vector {
     let shaft = seat(theta) + turned(0.0, PULL / 3f64.sqrt(), theta);
     Vector::new(-shaft.x, -shaft.y)
@@ -58,7 +58,7 @@ fn the_cam_fills_the_window_at_every_angle() {
     assert_eq!(space.free_regions().len(), 2);
 }
 
-/// The shaft turns clockwise: while the claw is in, it goes down; it is out on the way up.
+/// The shaft turns clockwise: the claw is in while it goes down, and out while it goes up.
 #[test]
 fn the_claw_draws_a_square() {
     // In degrees: the direction from the middle of the cam to the shaft.

@@ -38,7 +38,7 @@ pub(crate) fn expect(space: &ContactSpace, c: Configuration, class: Classificati
     assert_eq!(space.classify(c), Some(class), "{c:?}");
 }
 
-/// How far the moving part gets along a motion of unit rate, if anything stops it within `most`.
+/// Displacement of the moving part along a motion of unit rate until it is stopped, if that is within `most`.
 #[track_caller]
 pub(crate) fn stop(
     space: &ContactSpace,

@@ -31,7 +31,7 @@ fn flexed(theta: f64) -> Vector {
     Vector::new(0.0, before) - turned(center.x, center.y, theta)
 }
 
-/// Arc after arc of the condyle comes to bear; nothing else of the bones is in the way.
+/// One arc of the condyle after the other bears; nothing else of the bones is in the way.
 #[test]
 fn the_femur_slides_on_the_tibia_while_it_is_flexed() {
     let knee = space("tibia_femur");

@@ -1,6 +1,6 @@
 //! The eleven pairs of `models/paper`: what they count, and that each does what it is drawn for.
 //!
-//! What a part should do follows from its drawing: lifts, plays and jamming angles are worked out here from the dimensions
+//! Expected values follow from the drawings: lifts, plays and jamming angles are worked out here from the dimensions
 //! that the files give in their comments, not taken from a computation.
 
 mod cams;

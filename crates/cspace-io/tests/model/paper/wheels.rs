@@ -34,8 +34,8 @@ fn the_pawl_locks_the_wheel_one_way() {
     }
 }
 
-/// The other way the pawl, let go, lies on the back of a tooth, is lifted, and drops behind the next tooth once its face has
-/// gone by far enough for the nose, which comes down on a circle. Then the face comes back to bear.
+/// In the other direction the released pawl lies on the back of a tooth, is lifted, and drops behind the next tooth
+/// once its face has gone by far enough for the nose, which comes down on a circle. Then the face bears again.
 #[test]
 fn the_pawl_rides_over_the_teeth() {
     let space = space("ratchet_pawl");
@@ -61,7 +61,8 @@ fn the_pawl_rides_over_the_teeth() {
 
 const CRANK: f64 = 40.0;
 
-/// The driver's pin at `pin` from half way; the wheel off where the pin puts it, or at rest, by `off`.
+/// Configuration with the driver's pin at `pin` from half step, and the wheel at `off` from its position on the pin or
+/// at rest.
 fn geneva(pin: f64, off: f64) -> Configuration {
     let distance = CRANK * SQRT_2;
     let slot = (-CRANK * pin.sin()).atan2(distance - CRANK * pin.cos());
@@ -137,7 +138,7 @@ fn the_link_seats_in_every_two_gaps() {
     }
 }
 
-/// As the wheel turns away from a chain that runs off straight, a link turns about the pin that is still seated.
+/// As the wheel turns away from a chain that leaves it straight, a link turns about the pin that is still seated.
 #[test]
 fn the_link_runs_off() {
     let space = space("chain_gear");

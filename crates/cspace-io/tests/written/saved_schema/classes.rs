@@ -143,7 +143,7 @@ fn shipped_models_and_mechanisms_follow_the_schema_of_fixed_axes() {
     assert!(missing.is_empty(), "{missing:?}");
 }
 
-/// All keys, and all values that are text.
+/// Collects all keys, and all values that are text.
 fn gather(value: &Value, all: &mut BTreeSet<String>) {
     match value {
         Value::Object(map) => {

@@ -16,7 +16,7 @@ pub(crate) fn validator(name: &str) -> Validator {
     jsonschema::draft202012::new(&schema).unwrap()
 }
 
-/// What the schema says is wrong, the first of it; nothing if all is well.
+/// First errors that the schema finds; empty if there are none.
 pub(crate) fn errors(validator: &Validator, value: &Value) -> String {
     let errors: Vec<String> = (validator.iter_errors(value).take(3))
         .map(|e| format!("{}: {e}", e.instance_path()))
@@ -24,7 +24,7 @@ pub(crate) fn errors(validator: &Validator, value: &Value) -> String {
     errors.join("; ")
 }
 
-/// The ways to all objects; of every list the first three items are looked at.
+/// Paths to all objects; of every list only the first three items are included.
 pub(crate) fn objects(value: &Value) -> Vec<String> {
     fn gather(value: &Value, at: &str, all: &mut Vec<String>) {
         match value {
@@ -43,7 +43,7 @@ pub(crate) fn objects(value: &Value) -> Vec<String> {
     all
 }
 
-/// What is not there is null or left out: no index is the largest number, by which programs mark that in memory.
+/// Missing values are null or left out: no index is the largest number, which marks missing values in memory.
 #[track_caller]
 pub(crate) fn has_no_mark(value: &Value, name: &str) {
     match value {

@@ -1,4 +1,4 @@
-//! What a saved space repeats of its model: its name, and its unit of length.
+//! Labels that a saved space repeats from its model: its name, and its unit of length.
 
 use cspace::{Options, PairSpace};
 use cspace_io::{SavedFile, model, saved};

@@ -129,8 +129,8 @@ fn mass(numbers: &mut Numbers, n: usize) -> DMatrix<f64> {
     &a * a.transpose() + DMatrix::identity(n, n) * 0.3
 }
 
-/// Where all combinations of modes have one solution, Lemke's method finds it; where they have none, it finds none; where several, one
-/// of them.
+/// Lemke's method finds the solution where the combinations of modes have one, none where they have none, and one of
+/// them where they have several.
 #[test]
 fn both_ways_agree() {
     let mut numbers = Numbers::of(1);
@@ -165,7 +165,7 @@ fn on_floor(points: usize, friction: f64) -> Vec<Bearing> {
         .collect()
 }
 
-/// The same points of its left side at a wall, from −0.5 to 0.5.
+/// As above, for points of the body's left side at a wall, from −0.5 to 0.5.
 fn at_wall(points: usize, friction: f64) -> Vec<Bearing> {
     (0..points)
         .map(|k| {
@@ -306,7 +306,8 @@ fn ten_discs_in_a_column() {
     }
 }
 
-/// Painlevé's rod, pressed down while it slides against its lean, with open contacts beside it, so many that modes are not gone through.
+/// Painlevé's rod, pressed down while it slides against its lean, with so many open contacts beside it that
+/// combinations of modes are not tried.
 #[test]
 fn a_paradox_is_told_beside_other_contacts() {
     let mass = DMatrix::from_diagonal(&dvector![1.0, 1.0, 1.0 / 3.0, 1.0]);
@@ -334,7 +335,7 @@ fn a_paradox_is_told_beside_other_contacts() {
     }
 }
 
-/// Without friction the answer is a projection on a cone, and least squares that are not negative give it.
+/// Without friction the solution is a projection on a cone, which nonnegative least squares confirm.
 #[test]
 fn without_friction_it_is_a_projection() {
     let mut numbers = Numbers::of(5);
@@ -370,7 +371,7 @@ fn without_friction_it_is_a_projection() {
     assert!(borne > 60);
 }
 
-/// Numbers that are none, rows of zeros, masses that are none: no answer, or one that is right, and always an end.
+/// Non-finite numbers, rows of zeros, invalid masses: no solution, or a correct one, and always an end.
 #[test]
 fn hostile_numbers_come_to_an_end() {
     let mut numbers = Numbers::of(11);

@@ -6,11 +6,12 @@ use super::dense::Dense;
 use super::take::{Span, Taken};
 use crate::root::root;
 
-/// Roots of the polynomial are mended by true steps, so many at most: each leaves a share of the error as small as the polynomial's own.
+/// Largest number of true steps by which a root of the polynomial is refined: each reduces the error by as much as the
+/// polynomial's own.
 const MENDED: usize = 6;
-/// How a function changes there is told from the polynomial over this share of where the root is looked for.
+/// Share of the interval of the root over which the slope of the function is computed from the polynomial.
 const SLOPE: f64 = 1e-3;
-/// A root from the side where the function is not positive is looked for a little farther on, so many times.
+/// Largest number of times that a refined root, at which the function is still positive, is moved a little farther.
 const FARTHER: usize = 6;
 
 /// The step, with its polynomial.
@@ -45,7 +46,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         self.flow.take(self.span, h)
     }
 
-    /// What a shorter step comes to, nearly.
+    /// Approximate state after a shorter step: the interpolation, projected to where joints and contacts hold.
     pub(super) fn near(&self, h: f64) -> Option<State> {
         let state = self.dense.at(self.span.from, h);
         Some(self.flow.projected(state, self.bearings())?.0)
@@ -60,7 +61,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         })
     }
 
-    /// The same, with what joints and contacts miss.
+    /// Interpolated state after a shorter step, without the projection: joints and contacts are violated slightly.
     fn rough(&self, h: f64) -> State {
         self.dense.at(self.span.from, h)
     }
@@ -76,7 +77,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         self.exactly(about, (lo, f_lo), (hi, f_hi), value)
     }
 
-    /// The same on the polynomial: nearly when.
+    /// Approximate time of the root, by the interpolating polynomial.
     pub(super) fn about(
         &self,
         begin: (f64, f64),
@@ -86,7 +87,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         root(begin, end, |h| value(&self.rough(h)))
     }
 
-    /// The same from where it nearly is.
+    /// Exact root and the step to it, from an approximate one.
     pub(super) fn exactly(
         &self,
         about: f64,
@@ -101,7 +102,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
         Some((h, self.at(h)?))
     }
 
-    /// From a root of the polynomial, by secants.
+    /// Refines a root of the polynomial by secants.
     fn mended(
         &self,
         about: f64,
@@ -136,7 +137,7 @@ impl<'c, 'a, W: World + ?Sized> Course<'c, 'a, W> {
             }
             (h, taken, f) = (next, there, g);
         }
-        // What ends there is over.
+        // The step must end past the root, where the function is not positive.
         let mut more = (f / slope).abs().max(f64::EPSILON * time(h).abs());
         for _ in 0..FARTHER {
             if f <= 0.0 || h >= hi {

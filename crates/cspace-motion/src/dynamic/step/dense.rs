@@ -26,7 +26,7 @@ pub(super) struct Dense {
 }
 
 impl Dense {
-    /// Of a step of a length.
+    /// Interpolates a step of length `h`.
     pub(super) fn new(from: &State, h: f64, taken: &Taken) -> Self {
         let slopes = &taken.slopes;
         let q = |k: usize| &slopes[k].0;

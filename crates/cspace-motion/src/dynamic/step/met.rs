@@ -1,24 +1,24 @@
-//! Where a step first met something that no watched function tells.
+//! Location of the first meeting in a step that no watched function shows.
 
 use super::super::world::{Sought, State, Step, World};
 use super::course::{Course, just_before};
 use super::take::Taken;
 use crate::root::root;
 
-/// What a step met is located to this share of it.
+/// Accuracy to which a meeting is located, as a share of the step.
 const LOCATED: f64 = 1e-14;
 /// A root between two times is looked for when they are within these shares of the step.
 const QUICK: [f64; 3] = [0.125, 1e-3, 1e-6];
-/// So many things that are met before what is met last are looked at.
+/// Largest number of earlier meetings examined before the last one.
 const MOST_LOOKS: usize = 16;
-/// Nothing is met at this share of the two times before it.
+/// Distance before a root, as a share of the interval, at which no meeting may occur.
 const BEFORE: f64 = 1e-7;
 /// A function is looked for whose root is not farther back than coordinates change by this, relative to the size.
 const NEAR_EVENT: f64 = 1e-6;
-/// And one whose root is not farther ahead than this: what contacts are known to.
+/// Largest distance ahead at which a root counts: the error of contacts.
 const EARLY: f64 = 4.0 * super::super::CLOSED;
 
-/// What the functions that change their sign between two times show.
+/// Result of the search among functions that change sign between two times.
 enum Shown {
     /// The first root, and the contacts that close there.
     Root(Taken, Vec<usize>),
@@ -29,10 +29,10 @@ enum Shown {
 }
 
 impl<W: World + ?Sized> Course<'_, '_, W> {
-    /// Where a step of a length, to a state, first met something, and the contacts that closed there.
+    /// First meeting in a step of a length, to a state, and the contacts that close there.
     ///
-    /// Nearly always it is the first root of a function that changes its sign. Otherwise halving the step tells it as well as contacts are told by their spaces;
-    /// then the function is looked for that vanishes there.
+    /// Nearly always it is the first root of a function that changes its sign. Otherwise bisection of the step locates
+    /// it as accurately as contacts are known by their spaces; then the function that vanishes there is searched.
     pub(super) fn first_met(&self, h: f64, to: State) -> Option<(Taken, Vec<usize>)> {
         let (mut before, mut after) = (0.0, h);
         let mut ends: (Option<State>, Option<State>) = (None, Some(to));
@@ -103,8 +103,8 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         })
     }
 
-    /// The first root of a function that is positive at the first of two times and negative at the second, if that is what is met
-    /// between them.
+    /// First root of a function that is positive at the first of two times and negative at the second, if it is the
+    /// meeting between them.
     fn first_root(&self, (before, begin): (f64, &State), (after, end): (f64, &State)) -> Shown {
         let world = self.world();
         let step = Step {
@@ -163,7 +163,7 @@ impl<W: World + ?Sized> Course<'_, '_, W> {
         let world = self.world();
         let far = |to: &Taken| world.reach(&(&to.state.q - &end.state.q));
         let (mut below, mut above, mut back) = (after, after, LOCATED * after);
-        // Spaces tell contacts a little early.
+        // Spaces report contacts a little early.
         let mut early = value(end) >= 0.0;
         while early {
             below = after + back;

@@ -15,28 +15,29 @@ pub(super) use watched::{Looked, Watched};
 
 /// A function other than a gap that is smaller than this share of its value at the end of a step begins at 0.
 const START: f64 = 1e-6;
-/// And is looked at down to this share of the step.
+/// Shortest share of the step at which such a function is evaluated.
 const SHORTEST: f64 = 1e-12;
-/// What is met beside a gap that closes is met before this share of the step from there: what is so near is closed as well.
+/// Share of the step before a closing gap at which other meetings are looked for: contacts nearer than this are closed
+/// as well.
 const JUST: f64 = 1e-12;
 
-/// Where a step ends.
+/// State and events at the end of a step.
 #[derive(Debug, Clone)]
 pub(super) struct Stepped {
     pub(super) state: State,
-    /// What ended it, if anything did.
+    /// Events that ended the step, if any: pairs of contact and function.
     pub(super) events: Vec<(usize, Watched)>,
-    /// Whether it met something beside these.
+    /// Whether the step met something beside these.
     pub(super) met: bool,
-    /// How long the next may be.
+    /// Largest length of the next step.
     pub(super) next: f64,
-    /// How far closed contacts and joints were open before they were brought together.
+    /// Largest gap or penetration of closed contacts and joints before they were projected.
     pub(super) open: f64,
-    /// The work of drives and what was lost by friction, on the way.
+    /// Work of drives and losses by friction during the step.
     pub(super) work: [f64; 2],
 }
 
-/// The end of a step with what is watched there, and how long it is.
+/// End of a step with the watched values there, and its length.
 struct End {
     h: f64,
     taken: Taken,
@@ -44,12 +45,12 @@ struct End {
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
-    /// A step as long as its error lets it be, and what it was to be at most.
+    /// A step as long as its error allows, with its largest allowed length.
     fn longest(&self, span: Span<'_>, longest: f64) -> Option<(f64, Taken)> {
         let mut h = longest;
         let shortest = 1e-12 * longest.max(f64::MIN_POSITIVE);
         loop {
-            // What cannot be followed so far may be followed less far.
+            // A step that fails may succeed with a shorter length.
             let Some(taken) = self.take(span, h) else {
                 h *= 0.25;
                 if h < shortest {
@@ -84,7 +85,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let mut taken = end.taken;
         if met {
             let found = course.first_met(end.h, taken.state.clone())?;
-            // What would have happened later does not.
+            // Later events are dropped.
             events = found.1.into_iter().map(|c| (c, Watched::Gap)).collect();
             taken = found.0;
         }
@@ -126,7 +127,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(())
     }
 
-    /// Ends a step at the first of the functions that fall below 0 in it; the contacts of which one does there.
+    /// Ends a step at the first root of the functions that become negative in it; returns their contacts and kinds.
     fn fallen(
         &self,
         course: &Course<'_, '_, W>,
@@ -137,7 +138,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         let bearings = course.bearings();
         let mut events: Vec<(usize, Watched)> = Vec::new();
         let mut ignored: Vec<usize> = Vec::new();
-        // Of what falls below 0 the first; then what is below 0 there, if anything still is.
+        // First the earliest function that falls below 0; then further ones that are below 0 there.
         while let Some(k) =
             (0..before.len()).find(|k| !ignored.contains(k) && before[*k].falls(&end.watches[*k]))
         {
@@ -149,7 +150,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
             };
             let last = last - closed;
             let value = |state: &State| Some(self.watched(watch, state, bearings)? - closed);
-            // What begins at 0 and grows is positive somewhere in between.
+            // A function that begins at 0 and grows is positive somewhere in between.
             let mut begin = (0.0, watch.value - closed);
             let mut ahead = end.h;
             let nothing = match watch.kind {

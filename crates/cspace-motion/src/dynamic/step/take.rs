@@ -1,4 +1,4 @@
-//! One step of a length, with the contacts that bear.
+//! One step with constant bearing contacts.
 
 use nalgebra::DVector;
 
@@ -7,14 +7,14 @@ use crate::dormand_prince::{DIFFERENCE, STAGES};
 use super::super::flow::{Bearings, Flow};
 use super::super::world::{Acting, State, World};
 
-/// The error of a step, as a share of the size, and of the largest rate so far.
+/// Allowed error of a step, as a share of the size, and of the largest rate so far.
 const TOLERANCE: f64 = 1e-11;
-/// What steps go on from, with the contacts that bear.
+/// Start of a step: the state, and the contacts that bear.
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Span<'s> {
     pub(in super::super) from: &'s State,
     pub(in super::super) bearings: &'s Bearings,
-    /// The largest rate so far.
+    /// Largest rate so far.
     pub(in super::super) fastest: f64,
 }
 
@@ -22,7 +22,7 @@ pub(in super::super) struct Span<'s> {
 #[derive(Debug, Clone)]
 pub(in super::super) struct Taken {
     pub(in super::super) state: State,
-    /// The error, as a share of what is allowed.
+    /// Error, as a share of the allowed one.
     pub(super) error: f64,
     pub(super) open: f64,
     pub(in super::super) work: [f64; 2],
@@ -31,7 +31,7 @@ pub(in super::super) struct Taken {
 }
 
 impl<W: World + ?Sized> Flow<'_, W> {
-    /// One step of a length.
+    /// Takes one step of a length.
     pub(in super::super) fn take(&self, span: Span<'_>, h: f64) -> Option<Taken> {
         let Span { from, bearings, .. } = span;
         let mut slopes: Vec<(DVector<f64>, DVector<f64>)> = Vec::with_capacity(7);

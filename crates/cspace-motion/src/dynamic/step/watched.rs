@@ -4,29 +4,29 @@ use super::super::flow::{Bearings, Flow};
 use super::super::modes::{Mode, Solution};
 use super::super::world::{State, World};
 
-/// What may happen to a contact.
+/// Function of a contact whose change of sign is an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in super::super) enum Watched {
     /// The gap of a contact that does not bear.
     Gap,
-    /// The same, where it never opened by more than rounding.
+    /// Gap of a contact that does not bear, and never opened by more than rounding.
     Back,
     /// The force of one that does.
     Force,
     /// The rate at which one slides.
     Sliding,
-    /// What the friction of one that sticks is short of.
+    /// Friction reserve of one that sticks.
     Sticking,
 }
 
 impl Watched {
-    /// Whether it tells of the forces of a contact that bears.
+    /// Whether the function concerns the forces of a bearing contact.
     pub(in super::super) fn is_of_force(self) -> bool {
         matches!(self, Self::Force | Self::Sticking)
     }
 }
 
-/// What is looked at in steps between two events, beside the forces of what bears.
+/// Contacts watched in steps between two events, beside the forces of those that bear.
 #[derive(Debug, Clone, Default)]
 pub(in super::super) struct Looked {
     /// Contacts whose gaps may close.
@@ -47,7 +47,7 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Whether a function is below 0 after a step, by more than it was before.
+    /// Whether the value after a step is negative and lower than before.
     pub(super) fn falls(&self, after: &Self) -> bool {
         after.value < self.value.min(0.0)
     }
@@ -97,7 +97,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         Some(found)
     }
 
-    /// One of them.
+    /// Value of a watched function.
     pub(super) fn watched(&self, watch: &Watch, state: &State, bearings: &Bearings) -> Option<f64> {
         let place = bearings.iter().position(|b| b.0 == watch.contact);
         match (watch.kind, place) {
@@ -113,7 +113,7 @@ impl<W: World + ?Sized> Flow<'_, W> {
         self.world.touch(contact, state.t, &state.q).gap
     }
 
-    /// Of the contact at a place among those that bear.
+    /// Value of a function of the bearing contact at index `place`.
     fn bearing_value(
         &self,
         kind: Watched,

@@ -6,7 +6,7 @@ use super::super::world::{Joints, World};
 
 /// Directions that joints hold twice have singular values below this share of the largest.
 const TWICE: f64 = 1e-9;
-/// Joints hold when they are open by no more than this share of the size.
+/// Largest violation of joints that hold, as a share of the size.
 const HOLDS: f64 = 1e-12;
 /// Newton's method comes to that in two or three steps.
 const MOST_STEPS: usize = 10;
@@ -47,7 +47,7 @@ impl Joined {
         &self.back * of
     }
 
-    /// How far rates miss what joints ask for.
+    /// Violation of the joints' equations by rates.
     pub(super) fn missed(&self, v: &DVector<f64>) -> DVector<f64> {
         &self.joints.rows * v - &self.joints.rates
     }
@@ -57,7 +57,7 @@ impl Joined {
         v - self.change(&self.missed(v))
     }
 
-    /// What is left of changes of rates, the columns of a matrix, where joints hold.
+    /// Projects changes of rates, the columns of a matrix, on those that joints allow.
     pub(super) fn free(&self, changes: &DMatrix<f64>) -> DMatrix<f64> {
         changes - &self.back * (&self.joints.rows * changes)
     }
@@ -69,7 +69,7 @@ impl Joined {
     }
 }
 
-/// The nearest coordinates at which joints hold. `None` if there are none.
+/// Nearest coordinates at which joints hold. `None` if there are none.
 pub(super) fn held<W: World + ?Sized>(
     world: &W,
     inverse: &DMatrix<f64>,

@@ -8,10 +8,11 @@
 //! |λ_T| ≤ μ λ_N, against u_T'                        Coulomb's, of impulses; e_T = 0
 //! ```
 //!
-//! Nothing is located: an impact is late or early by a step at most, and parts overlap by the way of a step. Errors fall with h. It
-//! shares what moves with the event-driven motion, and neither its steps nor its method for contacts: each is a check of the other.
-//! After J. J. Moreau (1988) and M. Jean (1999); joints are not penalised but eliminated from the problem of contacts exactly, once by
-//! their directions at q_m, so that they neither brake nor drive, and once by those at q'.
+//! Events are not located: an impact is late or early by a step at most, and parts overlap by up to the displacement in
+//! one step. Errors fall with h. The scheme shares the mechanism with the event-driven motion, and neither its steps
+//! nor its method for contacts: each is a check of the other. After J. J. Moreau (1988) and M. Jean (1999); joints are
+//! not penalised but eliminated from the problem of contacts exactly, once by their directions at q_m, so that they
+//! neither brake nor drive, and once by those at q'.
 
 mod joined;
 mod story;
@@ -28,15 +29,15 @@ use joined::{Joined, held};
 use story::Story;
 use sweeps::Impulses;
 
-/// Contacts are looked for within so many times what parts overlap by, and move in a step.
+/// Contacts are searched within this multiple of the penetration plus the displacement in a step.
 const FARTHER: f64 = 2.0;
 /// Times within this share of a step are one.
 const SAME_TIME: f64 = 1e-6;
 
-/// A motion from a state until a time in so many steps; `observer` is told states between those of steps on the straight line, and
-/// events after all else.
+/// Computes a motion from a state until a time in a number of steps; `observer` receives states, interpolated linearly
+/// between those of steps, and the events after all else.
 ///
-/// `open` is how far contacts overlapped at most. Energy balances but for the errors of steps.
+/// `open` is the largest penetration of contacts. Energy balances but for the errors of steps.
 pub fn step_through<W: World + ?Sized>(
     world: &W,
     start: State,
@@ -60,7 +61,7 @@ pub fn step_through<W: World + ?Sized>(
     let ended = match world.mass().clone().try_inverse() {
         Some(inverse) => {
             stepping.inverse = inverse;
-            // What is joined to what is driven moves with it from the start on.
+            // Parts joined to driven parts move with them from the start on.
             if let Some(joined) = Joined::at(world, &stepping.inverse, state.t, &state.q) {
                 state.v = joined.allowed(&state.v);
             }
@@ -97,7 +98,7 @@ type Impulse = (usize, f64, f64);
 
 struct Stepping<'a, W: World + ?Sized> {
     world: &'a W,
-    /// Of the mass matrix.
+    /// Inverse of the mass matrix.
     inverse: DMatrix<f64>,
     start: f64,
     h: f64,
@@ -108,7 +109,7 @@ struct Stepping<'a, W: World + ?Sized> {
     work: Work,
 }
 
-/// What became of a step.
+/// Result of a step.
 struct Taken {
     to: State,
     contacts: Vec<(usize, f64, f64)>,
@@ -196,7 +197,7 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         })
     }
 
-    /// How far from contact parts that are closed may be in the middle of a step.
+    /// Largest distance from contact, in the middle of a step, of parts that count as closed.
     fn way(&self, middle: &State) -> f64 {
         FARTHER * (self.open + self.h * self.world.speed(middle))
     }

@@ -1,11 +1,11 @@
-//! Events from the impulses of steps: as far as steps can tell what happens between their ends.
+//! Events from the impulses of steps, as far as steps can resolve them.
 
 use super::super::motion::{Event, EventKind};
 use super::super::world::State;
 
-/// A contact that bears in so many of the last steps stays; one that bears in none of them has opened.
+/// A contact counts as lasting if it bears in so many of the last steps; one that bears in none of them has opened.
 const LASTS: usize = 5;
-/// Contacts that close at more than so many times the rate that forces make in a step strike.
+/// A contact strikes if it closes at more than this multiple of the rate that forces produce in a step.
 const STRIKES: f64 = 4.0;
 
 /// A contact that has impulses.
@@ -13,15 +13,15 @@ struct Bearing {
     contact: usize,
     /// Before the step in which it began.
     began: State,
-    /// The last step so far, and what came after it.
+    /// Last step with an impulse, and the state after it.
     last: usize,
     after: State,
-    /// In how many it had some.
+    /// Number of steps with an impulse.
     count: usize,
     is_told: bool,
 }
 
-/// What has happened, step after step.
+/// Bearings and events so far, updated step by step.
 #[derive(Default)]
 pub(super) struct Story {
     bearings: Vec<Bearing>,
@@ -29,17 +29,18 @@ pub(super) struct Story {
 }
 
 impl Story {
-    /// Whether a contact that begins to bear strikes: it closes at a rate before the step, which forces change by `pushed`.
+    /// Whether a contact that begins to bear strikes: `closing` is its closing rate before the step, `pushed` the
+    /// change by forces.
     pub(super) fn strikes(closing: f64, pushed: f64) -> bool {
         closing > STRIKES * pushed.abs()
     }
 
-    /// Whether a contact, or one that takes its place, has borne lately.
+    /// Whether a contact, or one that takes its place, has borne recently.
     pub(super) fn bears(&self, contact: usize, is_same: &dyn Fn(usize, usize) -> bool) -> bool {
         self.bearings.iter().any(|b| is_same(b.contact, contact))
     }
 
-    /// That a contact has an impulse in a step.
+    /// Records that a contact has an impulse in a step.
     pub(super) fn impulse(
         &mut self,
         (step, from, to): (usize, &State, &State),
@@ -70,7 +71,7 @@ impl Story {
         bearing.after.clone_from(to);
     }
 
-    /// That a step is over.
+    /// Ends a step: reports the touches that have lasted and the releases.
     pub(super) fn over(&mut self, step: usize) {
         let mut told = Vec::new();
         self.bearings.retain_mut(|b| {
@@ -94,7 +95,7 @@ impl Story {
         self.events.push((Event { t, kind, contact }, state));
     }
 
-    /// All events and the states they happen at, in order of time.
+    /// All events and their states, in order of time.
     pub(super) fn events(mut self) -> Vec<(Event, State)> {
         self.events.sort_by(|a, b| a.0.t.total_cmp(&b.0.t));
         self.events

@@ -1,5 +1,5 @@
-//! Impulses of contacts with friction by projected Gauss–Seidel: contact after contact, each solved exactly with the others as they are,
-//! until nothing changes.
+//! Impulses of contacts with friction by projected Gauss–Seidel: contact after contact, each solved exactly with the
+//! others held constant, until nothing changes.
 //!
 //! With u = W λ + w, for each contact with its normal and tangential parts n and t:
 //!
@@ -7,9 +7,9 @@
 //! 0 ≤ λ_n ⟂ u_n ≥ 0,   |λ_t| ≤ μ λ_n,   λ_t = −μ λ_n sign u_t where u_t ≠ 0
 //! ```
 //!
-//! Contacts that share a load make W singular; the sweeps come to one of the ways to share it. Where they come to it slowly, as with
-//! contacts that all but share a direction, they are extended now and then along what the last of them changed, as far as a geometric
-//! series goes and no contact opens, closes or begins to slide.
+//! Contacts that share a load make W singular; the sweeps converge to one of the possible distributions. Where they
+//! converge slowly, as with contacts that almost share a direction, they are extrapolated at intervals along the last
+//! change, as far as a geometric series goes and no contact opens, closes or begins to slide.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -19,22 +19,22 @@ const CONVERGED: f64 = 1e-12;
 const MOST_SWEEPS: usize = 50_000;
 /// Sweeps between two extensions.
 const EXTENDED: usize = 20;
-/// What is within this share of the bound of friction is at it.
+/// Relative tolerance within which a friction impulse counts as being at its bound.
 const AT_BOUND: f64 = 1e-9;
-/// Sweeps that were all taken are good enough if the last one changed rates by no more than this share.
+/// Largest change of rates in the last allowed sweep, as a share, with which the result counts as converged.
 const GOOD: f64 = 1e-6;
-/// A contact whose impulse changes its own rate by less than this share of what it would without joints cannot give way.
+/// A contact is rigid if its impulse changes its own rate by less than this share of the change without joints.
 const RIGID: f64 = 1e-12;
 
 /// Contacts in pairs of rows: normal, tangential.
 pub(super) struct Impulses<'a> {
-    /// How impulses change rates.
+    /// Change of rates per impulse.
     pub(super) w: &'a DMatrix<f64>,
-    /// Rates without impulses; those of openings with what restitution asks for.
+    /// Rates without impulses; for openings including restitution.
     pub(super) free: &'a DVector<f64>,
     /// The coefficients of friction.
     pub(super) friction: &'a [f64],
-    /// How an impulse of each row would change its rate without joints.
+    /// Change of each row's rate by its own impulse without joints.
     pub(super) alone: &'a DVector<f64>,
 }
 
@@ -60,7 +60,7 @@ impl Impulses<'_> {
         (changed <= GOOD * scale).then_some(impulses)
     }
 
-    /// Goes on along a change to where it leads, or to where a contact does something else.
+    /// Extrapolates a change up to its limit, or to where a contact changes its state.
     fn extend(&self, impulses: &mut DVector<f64>, change: &DVector<f64>, last: &DVector<f64>) {
         let ratio = change.dot(last) / last.norm_squared();
         // Without an end, if changes do not become smaller.
@@ -87,7 +87,7 @@ impl Impulses<'_> {
         }
     }
 
-    /// One sweep, and by how much it changed rates.
+    /// Makes one sweep; returns the change of rates.
     fn sweep(&self, impulses: &mut DVector<f64>) -> f64 {
         let mut changed: f64 = 0.0;
         for (k, &friction) in self.friction.iter().enumerate() {
@@ -109,7 +109,7 @@ impl Impulses<'_> {
             let change = |row: usize| {
                 self.w[(row, i)] * (n - impulses[i]) + self.w[(row, j)] * (t - impulses[j])
             };
-            // What cannot give way never satisfies its law; its rate tells that.
+            // A rigid contact never satisfies its law; its rate is the remaining violation.
             let left = if block.is_stiff[0] {
                 -block.rates[0].min(0.0)
             } else {
@@ -133,7 +133,7 @@ struct Block {
 }
 
 impl Block {
-    /// Its impulses.
+    /// Impulses that solve the contact.
     fn solved(&self) -> [f64; 2] {
         let [opening, sliding] = self.rates;
         if opening >= 0.0 || self.is_stiff[0] {

@@ -1,4 +1,4 @@
-//! What the library answers of one pair.
+//! Answers of the library for one pair.
 
 use core::f64::consts::PI;
 
@@ -18,7 +18,7 @@ const CONFIGURATIONS: usize = 50;
 /// Slices of the space, and as many from scratch.
 const SLICES: usize = 2;
 
-/// All of it as one value.
+/// Answers for one pair as one value.
 pub(crate) struct Answers(pub(crate) Value);
 
 impl Answers {
@@ -57,8 +57,8 @@ pub(crate) fn answers(item: &Item) -> Answers {
     })
 }
 
-/// The saved space without its statistics (seconds, and how often something was computed), and without the checksum, which
-/// these go into.
+/// Saved space without its statistics (seconds, and numbers of computations), and without the checksum, which depends
+/// on these.
 fn without_statistics(space: &PairSpace) -> Value {
     let mut value: Value = serde_json::from_str(&saved::pair_to_json(space)).unwrap_or(Value::Null);
     if let Some(fields) = value.as_object_mut() {

@@ -4,19 +4,21 @@ use serde_json::Value;
 
 use crate::answers::Answers;
 
-/// How an answer differs from the frozen one.
+/// Difference of an answer from the frozen one.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Difference {
-    /// Not at all.
+    /// No difference.
     None,
-    /// In numbers, by less than the tolerance.
+    /// Differences of numbers below the tolerance.
     Places,
-    /// Otherwise: where, and what stands there.
+    /// Other difference: its place, and the value there.
     Structure(String),
 }
 
+/// Compares the answers for a pair with the frozen text.
+///
 /// # Errors
-/// If the frozen text is not what `freeze` writes.
+/// If the frozen text was not written by `freeze`.
 pub(crate) fn difference(
     frozen: &str,
     now: &Answers,
@@ -33,7 +35,7 @@ pub(crate) fn difference(
     })
 }
 
-/// The first place at which two values differ by more than the tolerance: `path` is the way to it.
+/// First place at which two values differ by more than the tolerance; `path` is the path to it.
 fn differs(a: &Value, b: &Value, within: Option<f64>, path: &mut String) -> Option<String> {
     let length = path.len();
     let mut inside = |key: &str, a: &Value, b: &Value| {

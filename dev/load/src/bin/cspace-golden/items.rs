@@ -21,7 +21,7 @@ pub(crate) struct Item {
     pub(crate) seed: u64,
 }
 
-/// What is asked for.
+/// Question to the library.
 pub(crate) enum Asked {
     Pair(Box<Question>),
     /// The motion of a whole mechanism.
@@ -103,7 +103,7 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
     }
 }
 
-/// Whether something moves a mechanism.
+/// Whether a mechanism has any dynamics.
 fn moves(model: &Mechanism) -> bool {
     model.dynamics != Dynamics::default()
 }

@@ -1,4 +1,4 @@
-//! How a mechanism moves.
+//! Motion of a mechanism.
 
 use cspace::Mechanism;
 use cspace_motion::{Record, Settings, Simulation};

@@ -9,13 +9,13 @@ use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
 
-/// Configurations at which contacts, features and projections are asked for.
+/// Number of configurations for queries of contacts, features and projections.
 const PLACES: usize = 8;
 /// Patches that are projected on and whose contact functions are evaluated.
 const PATCHES: usize = 8;
 /// Motions of constant rates.
 const MOTIONS: usize = 6;
-/// Plans between two free configurations; sought among so many drawn ones.
+/// Number of plans between two free configurations, which are searched among several drawn ones.
 const PLANS: usize = 1;
 const TRIES: usize = 40;
 /// Contacts are those up to this share of the size off, features up to [`NEAR`].
@@ -132,7 +132,7 @@ fn rates(from: Coordinates, to: Coordinates) -> Coordinates {
     }
 }
 
-/// What serializes, or the message of an error.
+/// Serialized result, or the message of an error.
 pub(crate) fn said<T: serde::Serialize, E: core::fmt::Display>(result: Result<T, E>) -> Value {
     match result {
         Ok(value) => serde_json::to_value(value).unwrap_or(Value::Null),

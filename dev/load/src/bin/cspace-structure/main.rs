@@ -64,7 +64,7 @@ fn chosen(args: &Args) -> Result<Vec<Specimen>, String> {
     Ok(all)
 }
 
-/// At most so many of each family and change, from the first on, evenly.
+/// Selects at most `limit` of each family and change, evenly, from the first on.
 fn spread(all: Vec<Specimen>, limit: usize) -> Vec<Specimen> {
     let group = |s: &Specimen| (s.family, s.change.kind());
     let mut kept = Vec::new();

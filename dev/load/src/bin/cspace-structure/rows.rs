@@ -5,12 +5,12 @@ use cspace_load::structure::{Flood, Outcome, Specimen};
 /// The width of the first two columns together.
 pub(crate) const TITLE: usize = 64;
 
-/// What a row begins with.
+/// Title of a row.
 pub(crate) fn titled(specimen: &Specimen) -> String {
     format!("{}: {}", specimen.family, specimen.title())
 }
 
-/// What the columns are.
+/// Heading of the columns.
 pub(crate) fn heading() -> String {
     format!(
         "{:TITLE$} features regions expected conflicts   doubtful narrow   seconds",

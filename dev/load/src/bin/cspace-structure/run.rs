@@ -13,7 +13,7 @@ use cspace_load::structure::{Effort, Outcome, Specimen, Totals, measure};
 use crate::args::Args;
 use crate::rows;
 
-/// So many of the pairs that take longest are named.
+/// Number of slowest pairs that are named.
 const SLOWEST: usize = 10;
 
 /// Measures all, and prints rows in order as soon as they are there.
@@ -119,7 +119,7 @@ fn gathered<K: Copy + Eq>(
     totals
 }
 
-/// Adds a table of totals, which goes on with the one above if it has no name.
+/// Adds a table of totals; without a name it continues the one above.
 fn add<K: Display>(text: &mut String, name: &str, totals: &[(K, Totals)]) {
     if !name.is_empty() {
         let _ = writeln!(text, "\n{name:24}{}", Totals::heading());
