@@ -78,7 +78,7 @@ impl Model {
         Self::new(Arc::new(template), set.collect())
     }
 
-    /// What the model is read from: the text, the path, and the values that are set.
+    /// The source of the model: the text, the path, and the values that are set.
     fn _source(&self) -> (String, String, Vec<(String, String)>) {
         let set = self.set.iter().map(|s| (s.name.clone(), s.value.clone()));
         (
@@ -243,7 +243,7 @@ impl Model {
         Ok(all)
     }
 
-    /// What tolerances do to the requirements of some names, or to all: what the command prints as JSON.
+    /// Effects of tolerances on the requirements of some names, or on all, as the command prints them in JSON.
     fn _tolerances<'py>(
         &self,
         py: Python<'py>,

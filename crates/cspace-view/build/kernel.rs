@@ -40,6 +40,12 @@ enum Compiler {
     System,
 }
 
+/// Whether the sources of the kernel are beside this crate, as in the repository and not in a package.
+pub(crate) fn is_here() -> bool {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    crates.join("cspace-wasm").is_dir()
+}
+
 /// Compiles the kernel; puts its JavaScript and its types in `glue`, and itself, compressed and as text, in `packed`.
 pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<dyn Error>> {
     let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -56,7 +62,7 @@ pub(crate) fn make(target: &Path, glue: &Path, packed: &Path) -> Result<(), Box<
     if workspace.exists() {
         println!("cargo:rerun-if-changed={}", workspace.display());
     }
-    if !crates.join("cspace-wasm").is_dir() {
+    if !is_here() {
         return Err("the sources of the crate cspace-wasm are not beside those of this one".into());
     }
     let compiler = compiler().ok_or(

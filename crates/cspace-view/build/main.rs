@@ -1,5 +1,5 @@
 //! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: no
-//! bundle is kept with the sources.
+//! bundle is kept with the sources. A package has a bundle, made for the release, since it has no sources of the kernel.
 //!
 //! If that is not possible, the crate is built without the page, and the page's commands report the missing programs:
 //! the rest of the project does not need them.
@@ -51,6 +51,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&bundle)?;
     let reason = if env::var(SWITCH).is_ok_and(|v| v == "skip") {
         Some(format!("{SWITCH}=skip was set"))
+    } else if let Some(packaged) = packaged(&sources) {
+        copy(&packaged, &bundle)?;
+        None
     } else {
         let made = make(&sources, &out, &bundle);
         made.err().map(|error| {
@@ -72,6 +75,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn variable(name: &str) -> Result<String, Box<dyn Error>> {
     env::var(name).map_err(|_| format!("{name} is not set").into())
+}
+
+/// The bundle of a package, which has no crate of the kernel beside it.
+fn packaged(sources: &Path) -> Option<PathBuf> {
+    let bundle = sources.with_file_name("bundle");
+    let is_whole = BUNDLE.iter().all(|(_, name)| bundle.join(name).is_file());
+    (is_whole && !kernel::is_here()).then_some(bundle)
 }
 
 /// Copies the sources to a folder of `out`, bundles them there, and puts what comes out in `bundle`.
