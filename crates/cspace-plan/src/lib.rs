@@ -11,6 +11,7 @@ mod check;
 pub mod clash;
 mod ends;
 pub mod escape;
+mod farthest;
 pub mod legs;
 mod off_contact;
 mod open;

@@ -5,10 +5,11 @@
 
 use cspace::pair::PairMotion;
 use cspace::{
-    Configuration, Coordinates, Edge, Location, PairSpace, Part, Point, Progress, Rotation, Vector,
+    Configuration, Coordinates, Edge, Location, PairSpace, Part, Progress, Rotation, Vector,
 };
 
 use crate::answer::{Answer, Verdict};
+use crate::farthest::farthest;
 use crate::planner::{Clearance, PlanError, Planner, Wishes};
 
 /// So many directions are tried for straight ways, those of the longest lines first.
@@ -156,25 +157,6 @@ fn exits_by(fixed: &Part, moving: &Part, at: Configuration, apart: f64) -> Vec<E
 fn few_digits(length: f64, less_than: f64) -> f64 {
     let step = 10f64.powf(less_than.log10().floor());
     (length / step).ceil() * step
-}
-
-/// max p · d over the points of a part.
-pub(crate) fn farthest(part: &Part, direction: Vector) -> f64 {
-    // With the direction as the x axis the box says it.
-    let turned = |p: Point| {
-        let v = p.to_vector();
-        Point::new(v.dot(direction), v.dot(direction.left()))
-    };
-    (part.edges())
-        .map(|edge| {
-            let turned = Edge {
-                start: turned(edge.start),
-                end: turned(edge.end),
-                ..edge
-            };
-            turned.bounds().max.x
-        })
-        .fold(f64::NEG_INFINITY, f64::max)
 }
 
 fn directions(fixed: &Part, moving: &Part, turn: Rotation) -> Vec<Vector> {

@@ -352,7 +352,7 @@ impl<'a> Planner<'a> {
         let end = places.last().copied().unwrap_or(last);
         if leaves {
             if let [first, second, ..] = places[..]
-                && goes_on([from, first, second])
+                && are_one([from, first, second])
             {
                 places.remove(0);
             }
@@ -362,7 +362,7 @@ impl<'a> Planner<'a> {
             // The goal as often around as the place before it.
             let goal = core::array::from_fn(|k| to[k] + (end[k] - last[k]));
             if let [.., before, end] = places[..]
-                && goes_on([before, end, goal])
+                && are_one([before, end, goal])
             {
                 places.pop();
             }
@@ -451,12 +451,11 @@ fn middle_if_far(part: &Part) -> Vector {
     }
 }
 
-/// Whether two legs change the same coordinate alone, and in the same direction: they are one leg without rounding.
-fn goes_on([a, b, c]: [Coords; 3]) -> bool {
-    let [first, second] =
-        [[a, b], [b, c]].map(|[p, q]| -> Coords { core::array::from_fn(|k| q[k] - p[k]) });
-    let alone = (0..3).filter(|&k| first[k] != 0.0 || second[k] != 0.0);
-    alone.count() == 1 && (0..3).any(|k| first[k] * second[k] > 0.0)
+/// Whether two legs change the same coordinate alone: they are one leg without rounding, and if the second goes back it passes no place
+/// that the two do not pass.
+fn are_one([a, b, c]: [Coords; 3]) -> bool {
+    let changes = |k: &usize| a[*k] != b[*k] || b[*k] != c[*k];
+    (0..3).filter(changes).count() == 1
 }
 
 /// Puts the ends of a path where they were asked for: numbers of a point of the part and back are rounded.

@@ -13,8 +13,8 @@ use core::f64::consts::TAU;
 use cspace::part::Bounds;
 use cspace::{Edge, Point, Rotation, Vector};
 
+use crate::farthest::farthest;
 use crate::legs::{Coords, Scene};
-use crate::out::farthest;
 
 /// Tracks have so many directions at most.
 const DIRECTIONS: usize = 4;
