@@ -29,7 +29,7 @@ pub struct Measured {
     pub value: Value,
     /// For a play the two ends of the range, as values of its coordinate.
     pub range: Option<(f64, f64)>,
-    /// Stops that determine the quantity: for a play both ends of the range, lower end first; for a position the contact; for a clearance the
+    /// Stops that determine the quantity: for a play both ends, the lower first; for a position the contact; for a clearance the
     /// configuration itself.
     pub stops: Vec<Stop>,
 }
