@@ -1,4 +1,4 @@
-//! What `cspace check` answers.
+//! Answer of `cspace check`.
 
 use cspace::Coordinates;
 use cspace_design::{Checked, Sensitivity, Value as Found};
@@ -30,7 +30,7 @@ pub struct Row {
     /// The truth that is required.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equals: Option<bool>,
-    /// None of a requirement without limits.
+    /// Absent for a requirement without limits.
     pub met: Option<bool>,
     /// How far the value is within its limits; negative outside.
     pub margin: Option<f64>,

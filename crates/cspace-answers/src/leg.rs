@@ -1,4 +1,4 @@
-//! What the legs of a path do, in words.
+//! Descriptions of the legs of a path in words.
 
 use core::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use cspace_plan::legs::Scene;
 
 use crate::rounded::rounded;
 
-/// What each leg of a path does: "up 6 mm", "left 2.5 mm", "turn 90° clockwise", "6.1 mm towards 32.5° while turning 12°
+/// Describes each leg of a path: "up 6 mm", "left 2.5 mm", "turn 90° clockwise", "6.1 mm towards 32.5° while turning 12°
 /// counter-clockwise". Directions are those of the fixed part's frame: x is right, y is up. Of parts on axes "u by +30°, v by −2.5 mm".
 /// Without a unit lengths are numbers.
 ///
@@ -104,7 +104,7 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2], unit: &str) -> String {
     all.join(", ")
 }
 
-/// What a part on an axis does when its coordinate changes: "turns +75° about (0, 40)", "slides 12 mm along (1, 0)". A part that slides
+/// Describes the motion of a part on an axis: "turns +75° about (0, 40)", "slides 12 mm along (1, 0)". A part that slides
 /// back does so along the opposite direction.
 ///
 /// ```

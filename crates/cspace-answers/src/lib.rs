@@ -1,4 +1,4 @@
-//! What the command `cspace` answers, as JSON: the same wherever it is asked, in a terminal or on a page.
+//! Answers of the command `cspace`, as JSON: the same wherever it is asked, in a terminal or on a page.
 //!
 //! The schemas are in the folder `docs/answers` of the project's repository.
 

@@ -1,4 +1,4 @@
-//! What of a model a motion depends on, in a record of it: a motion goes on only with what it was made of.
+//! Hashes of those parts of a model that a motion depends on, kept in its record: a motion goes on only with what it was made of.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ const BYTES: usize = 8;
 pub struct MadeOf(BTreeMap<&'static str, String>);
 
 impl MadeOf {
-    /// Of a model.
+    /// Hashes of a model.
     ///
     /// # Errors
     /// If it cannot be written as JSON, which plain data always can.
@@ -39,7 +39,7 @@ impl MadeOf {
         Ok(Self(all.into()))
     }
 
-    /// What is another in a record, in words. What an older record does not tell counts as the same.
+    /// Names of the entries that differ in a record. Entries that an older record lacks count as the same.
     pub fn others(&self, told: &Value) -> Vec<&'static str> {
         let is_other = |&(what, hash): &(&&str, &String)| {
             let told = told.get(*what).and_then(Value::as_str);
@@ -50,7 +50,7 @@ impl MadeOf {
     }
 }
 
-/// Of what is read and written as data: the same numbers have the same hash.
+/// Hash of data as it is written to JSON: the same numbers have the same hash.
 fn hash(what: &impl Serialize) -> serde_json::Result<String> {
     let text = serde_json::to_vec(what)?;
     let digest = Sha256::digest(&text);

@@ -1,4 +1,4 @@
-//! What `cspace plan` answers: its schema is `docs/answers/plan.schema.json`.
+//! Answer of `cspace plan`: its schema is `docs/answers/plan.schema.json`.
 
 use cspace::{Coordinates, FeatureName, PairSpace, Part, RegionId};
 use cspace_check::Proof;
@@ -16,14 +16,14 @@ pub type FeaturePair = (FeatureName, FeatureName);
 /// The whole answer.
 #[derive(Debug, Serialize)]
 pub struct Told {
-    /// What there is.
+    /// Kind of the answer.
     pub verdict: Name,
     /// Configurations; empty if there is no path.
     pub path: Vec<Coordinates>,
     /// The point of a planar part, in its frame, that legs move straight and turn the part about.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub about: Option<[f64; 2]>,
-    /// What each leg does, in words.
+    /// Description of each leg, in words.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub words: Vec<String>,
     /// The clearance of the path.
@@ -39,13 +39,13 @@ pub struct Told {
     pub bottleneck: Option<Bottleneck>,
     /// The free regions of start and goal.
     pub regions: Regions,
-    /// What encloses start or goal, if that is why there is no path.
+    /// Enclosure of start or goal, if that is why there is no path.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub enclosed: Option<Enclosed>,
     /// A configuration to which there is a path, and in which the moving part looks as at the goal, to which there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub twin: Option<Twin>,
-    /// What overlaps at start or goal.
+    /// Overlap at start or goal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub blocked: Option<Overlap>,
     /// Where a path that is judged meets a contact.
@@ -64,7 +64,7 @@ pub struct Told {
     pub seconds: f64,
 }
 
-/// What a question for a path comes to.
+/// Kind of an answer to a question for a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Name {
@@ -83,9 +83,9 @@ pub enum Name {
 /// Free regions.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
 pub struct Regions {
-    /// That of the start.
+    /// Region of the start.
     pub from: Option<RegionId>,
-    /// That of the goal.
+    /// Region of the goal.
     pub to: Option<RegionId>,
 }
 
@@ -96,7 +96,7 @@ pub struct Place {
     pub at: Coordinates,
     /// Features of the fixed and of the moving part.
     pub touching: Option<[String; 2]>,
-    /// The same, not as text.
+    /// As above, not as text.
     #[serde(skip)]
     pub features: Option<FeaturePair>,
 }
@@ -122,7 +122,7 @@ pub struct Enclosed {
     pub patches: usize,
     /// Features whose contacts enclose it.
     pub touching: Vec<[String; 2]>,
-    /// The same, not as text.
+    /// As above, not as text.
     #[serde(skip)]
     pub features: Vec<FeaturePair>,
 }
@@ -132,11 +132,11 @@ pub struct Enclosed {
 pub struct Overlap {
     /// How far it is to the nearest free configuration.
     pub depth: Option<f64>,
-    /// That configuration.
+    /// Nearest free configuration.
     pub nearest: Option<Coordinates>,
     /// Features that overlap.
     pub touching: Option<[String; 2]>,
-    /// The same, not as text.
+    /// As above, not as text.
     #[serde(skip)]
     pub features: Option<FeaturePair>,
 }
@@ -153,7 +153,7 @@ pub struct Contact {
     pub place: Place,
 }
 
-/// What tells what legs do: the scene of the planner or of the judge, and the unit of length that lengths are told in.
+/// Context in which legs are described: the scene of the planner or of the judge, and the unit of length.
 pub type Legs<'a> = (&'a Scene, Option<&'a str>);
 
 /// The parts whose features have names.

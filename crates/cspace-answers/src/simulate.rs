@@ -1,4 +1,4 @@
-//! What `cspace simulate` answers: its schema is `docs/answers/simulate.schema.json`.
+//! Answer of `cspace simulate`: its schema is `docs/answers/simulate.schema.json`.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use crate::made_of::MadeOf;
 
-/// What is told beside coordinates.
+/// Options for what is reported beside coordinates.
 #[derive(Debug, Clone, Copy)]
 pub struct Wanted {
     /// Rates of coordinates.
@@ -30,22 +30,22 @@ pub struct Told {
     /// Why it ended before its time.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
-    /// What stopped it.
+    /// Obstacles that stopped it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
     /// The time of the last state (s).
     pub until: f64,
-    /// Those that can move.
+    /// Parts that can move.
     pub parts: Vec<String>,
     /// Samples at equal intervals.
     pub samples: Vec<Row>,
-    /// Of a record that is kept: the states on the way.
+    /// States along the motion, for a record that is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub states: Option<States>,
-    /// Of a record that is kept: what it was made of.
+    /// Hashes of the model, for a record that is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<MadeOf>,
-    /// What happened, in order of time.
+    /// Events, in order of time.
     pub events: Vec<Event>,
     /// Which features touched, and when.
     pub contacts: Vec<ContactInterval>,
@@ -55,7 +55,7 @@ pub struct Told {
     /// The energy at the beginning and the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<Energy>,
-    /// What happened, in sentences.
+    /// Summary of the events, in sentences.
     pub summary: Vec<String>,
     /// How long it took to compute (s).
     pub seconds: f64,
@@ -101,13 +101,13 @@ pub struct Period {
     period: f64,
     since: f64,
     difference: f64,
-    /// What is driven evenly, by which ratios are told.
+    /// Evenly driven part, to which ratios refer.
     #[serde(skip_serializing_if = "Option::is_none")]
     driver: Option<String>,
     parts: BTreeMap<String, InCycle>,
 }
 
-/// What a part does in a cycle.
+/// Motion of a part in a cycle.
 #[derive(Debug, Serialize)]
 struct InCycle {
     advance: Numbers,
@@ -140,13 +140,13 @@ impl Period {
     }
 }
 
-/// Of a part with one degree of freedom, or with three.
+/// Numbers of a part with one degree of freedom, or with three.
 #[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
 pub enum Numbers {
-    /// Of one degree of freedom.
+    /// One degree of freedom.
     One(f64),
-    /// Of three: x, y, θ.
+    /// Three degrees of freedom: x, y, θ.
     Three([f64; 3]),
 }
 
@@ -170,7 +170,7 @@ pub fn moving<'a>(
 }
 
 impl Told {
-    /// Of a motion, which took so many seconds to compute.
+    /// Answer for a motion, which took so many seconds to compute.
     ///
     /// # Errors
     /// If the model cannot be written as JSON, which plain data always can.

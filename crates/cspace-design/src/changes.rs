@@ -11,9 +11,9 @@ pub struct Change {
     pub values: Vec<f64>,
     /// The requirement whose measure it is about.
     pub measure: String,
-    /// What is so below, of what changes.
+    /// State below the change, as far as it differs.
     pub before: String,
-    /// What is so above.
+    /// State above it.
     pub after: String,
 }
 
@@ -25,7 +25,7 @@ const RESOLUTION: f64 = 1e-9;
 const TAKEOVER: f64 = 1e-6;
 
 impl Sweep<'_> {
-    /// What changes along lines of rows, in which what is varied last goes from its smallest to its largest value: between neighbours that
+    /// Changes along lines of rows, in which the quantity varied last goes from its smallest to its largest value: between neighbours that
     /// differ, by bisection, to 10⁻⁹ of the range; a contact that takes over from another to 10⁻⁶ at worst. What changes and changes back between two
     /// neighbours is missed.
     pub fn changes(&self, line: &[Vec<f64>]) -> Vec<Change> {

@@ -13,11 +13,11 @@ use crate::measure::{Measured, Unmeasured, Value, measure};
 pub struct Checked {
     /// The requirement.
     pub requirement: Requirement,
-    /// What it is, or why it has no value.
+    /// Measured value, or why there is none.
     pub measured: Result<Measured, Unmeasured>,
     /// The indices of the two parts that it is about: of an event those that it happens to.
     pub parts: Option<[usize; 2]>,
-    /// What touches where the quantity ends: features of the two parts, as messages call them.
+    /// Features in contact where the quantity ends, of the two parts, as messages call them.
     pub touching: Vec<[String; 2]>,
 }
 
@@ -44,7 +44,7 @@ impl Checked {
 
 /// Measures all requirements of a model, in the order of the model.
 ///
-/// What cannot be measured says so in [`Checked::measured`].
+/// A quantity that cannot be measured has its reason in [`Checked::measured`].
 pub fn check(model: &Model) -> Vec<Checked> {
     check_with(model, &Silent).unwrap_or_default()
 }
@@ -83,7 +83,7 @@ pub(crate) fn reason(error: &ModelError) -> String {
     }
 }
 
-/// What requirements are measured on, each computed once: the configuration spaces of pairs, and motions.
+/// Spaces that requirements are measured on, each computed once: the configuration spaces of pairs, and motions.
 pub(crate) struct Spaces {
     pairs: Vec<(PairEntry, Result<PairSpace, Unmeasured>)>,
     motions: Vec<(f64, Result<Motion, Unmeasured>)>,

@@ -1,4 +1,4 @@
-//! What becomes of a displacement.
+//! Result of a displacement.
 
 use cspace::pair::PairMotion;
 use cspace::{Coordinates, Location, MotionError, PairSpace, QueryError};
@@ -40,7 +40,7 @@ pub struct Displaced {
     pub fraction: f64,
     /// Where it ends.
     pub at: Coordinates,
-    /// What touches there.
+    /// Features in contact there.
     pub features: Vec<FeaturePair>,
 }
 

@@ -37,7 +37,7 @@ pub(crate) enum Form {
     Angle(Coordinate),
 }
 
-/// What is drawn of a requirement: the pair, its motions, and when they reach the end of a range.
+/// Drawing of a requirement: the pair, its motions, and when they reach the end of a range.
 pub(crate) struct Drawing<T> {
     pub(crate) form: Form,
     pub(crate) pair: DrawnPair<T>,

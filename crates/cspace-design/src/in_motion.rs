@@ -1,4 +1,4 @@
-//! What is measured of the motion of the whole mechanism.
+//! Measures of the motion of the whole mechanism.
 
 use cspace::mechanism::Compute;
 use cspace::{ComputeError, Mechanism, Progress};
@@ -16,7 +16,7 @@ pub(crate) struct Motion {
     report: Report,
 }
 
-/// What a quantity is found to be.
+/// Measured quantity.
 pub(crate) struct Found {
     pub(crate) value: f64,
     /// The two parts of an event.
@@ -107,7 +107,7 @@ impl Motion {
         }
     }
 
-    /// That the motion has come to the end of its time.
+    /// Checks that the motion has come to the end of its time.
     fn to_the_end(&self) -> Result<(), Unmeasured> {
         match self.record.status {
             Status::Done => Ok(()),

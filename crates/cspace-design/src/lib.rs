@@ -1,4 +1,4 @@
-//! What a design must do, measured on the configuration spaces of its pairs and on its motion.
+//! Requirements of a design, measured on the configuration spaces of its pairs and on its motion.
 //!
 //! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
 //! [`sensitivities`] adds

@@ -13,7 +13,7 @@ use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
 use crate::motion::Motion;
 use crate::touching::{FeaturePair, texts, touching};
 
-/// What a quantity is found to be.
+/// Measured value of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
     /// A length in the model's unit, or an angle in radians.
@@ -27,9 +27,9 @@ pub enum Value {
 pub struct Measured {
     /// The value.
     pub value: Value,
-    /// Of a play the two ends of the range, as values of its coordinate.
+    /// For a play the two ends of the range, as values of its coordinate.
     pub range: Option<(f64, f64)>,
-    /// What the quantity comes from: of a play both ends of the range, the lower first; of a position the contact; of a clearance the
+    /// Stops that determine the quantity: for a play both ends, the lower first; for a position the contact; for a clearance the
     /// configuration itself.
     pub stops: Vec<Stop>,
 }
@@ -53,7 +53,7 @@ impl Measured {
         }
     }
 
-    /// What touches where the quantity ends: features of the fixed and of the moving part, as messages call them.
+    /// Features in contact where the quantity ends: of the fixed and of the moving part, as messages call them.
     pub fn touching(&self, space: &PairSpace) -> Vec<[String; 2]> {
         let mut all: Vec<FeaturePair> = Vec::new();
         for &pair in self.stops.iter().flat_map(|s| &s.features) {

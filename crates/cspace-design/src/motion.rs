@@ -36,7 +36,7 @@ impl Motion {
         }
     }
 
-    /// The same rates of another point of the moving part.
+    /// Replaces the point of the moving part to which the rates refer.
     #[must_use]
     pub const fn about(self, about: Vector) -> Self {
         Self { about, ..self }

@@ -9,7 +9,7 @@ use cspace_io::{Host, Model};
 use crate::check::{Spaces, reason};
 use crate::measure::Value;
 
-/// What is varied from row to row.
+/// Parameter or coordinate that varies from row to row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Varied {
     /// A parameter of the model, by name.
@@ -19,7 +19,7 @@ pub enum Varied {
 }
 
 impl Varied {
-    /// What a name stands for in a model: a parameter, or else a coordinate.
+    /// Resolves a name in a model: a parameter, or else a coordinate.
     pub fn named(name: &str, model: &Model) -> Option<Self> {
         if model.parameters.iter().any(|p| p.name == name) {
             return Some(Self::Parameter(name.to_owned()));
@@ -110,17 +110,17 @@ impl Words {
     }
 }
 
-/// What is so of a measure.
+/// State of a measure that can change between rows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct State {
     /// The free regions of the pair, and what is so of the value.
     is: [Words; 2],
-    /// What touches.
+    /// Features in contact.
     touching: Vec<String>,
 }
 
 impl State {
-    /// What differs between two, in words.
+    /// Differences between two states, in words.
     pub(crate) fn unlike(&self, other: &Self) -> (String, String) {
         let mut both = [Vec::new(), Vec::new()];
         for (a, b) in self.is.iter().zip(&other.is).filter(|(a, b)| a != b) {
@@ -248,7 +248,7 @@ impl<'a> Sweep<'a> {
         self.measures
     }
 
-    /// What is so of every measure at the values of a row.
+    /// State of every measure at the values of a row.
     pub(crate) fn states(&self, values: &[f64]) -> Vec<State> {
         let last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         let known = last.as_ref().filter(|d| self.is_same(&d.values, values));

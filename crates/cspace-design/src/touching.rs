@@ -1,4 +1,4 @@
-//! What touches at a contact.
+//! Features in contact.
 
 use cspace::pair::PairContact;
 use cspace::{Coordinates, FeatureName, NearFeatures, PairSpace, PatchId, QueryError};
@@ -22,7 +22,7 @@ pub fn pair_of(near: &NearFeatures) -> FeaturePair {
     (near.fixed.name, near.moving.name)
 }
 
-/// What a pair of features is called.
+/// Names of a pair of features.
 pub fn texts(space: &PairSpace, (fixed, moving): FeaturePair) -> [String; 2] {
     [
         space.fixed().feature_text(fixed),
@@ -37,7 +37,7 @@ fn arm(space: &PairSpace) -> f64 {
     corners[0].max(corners[1]) + space.fixed().size() + space.moving().size()
 }
 
-/// What touches where a motion from a configuration at constant rates has met a contact: the features of its patch first, then
+/// Features in contact where a motion from a configuration at constant rates has met a contact: the features of its patch first, then
 /// those that a moment before are nearer than they come in it.
 pub fn touching(
     space: &PairSpace,

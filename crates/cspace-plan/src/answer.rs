@@ -1,4 +1,4 @@
-//! What becomes of a question for a way.
+//! Answers to a question for a path.
 
 use cspace::{Coordinates, FeatureName, RegionId, Vector};
 use serde::Serialize;
@@ -65,7 +65,7 @@ pub struct Narrow {
     pub features: Option<(FeatureName, FeatureName)>,
 }
 
-/// What keeps start and goal apart.
+/// The enclosure that keeps start and goal apart.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Enclosed {
     /// The region that is enclosed: that of start or goal which is bounded, or has fewer patches.

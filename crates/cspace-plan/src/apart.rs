@@ -1,4 +1,4 @@
-//! What keeps start and goal apart.
+//! Reasons why there is no path: the enclosure between start and goal, and overlaps at an end.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use cspace::{Coordinates, FeatureName, Metric, PairSpace, QueryError, RegionId};
 use crate::answer::{Blocked, Enclosed};
 use crate::legs::Scene;
 
-/// Of two regions the one that is enclosed, and by what.
+/// Finds which of two regions is enclosed, and by what.
 pub(crate) fn enclosed(
     space: &PairSpace,
     a: RegionId,
@@ -35,7 +35,7 @@ pub(crate) fn enclosed(
     })
 }
 
-/// What overlaps at a configuration, and the nearest that is free.
+/// Finds the overlap at a blocked configuration, and the nearest free configuration.
 pub(crate) fn blocked(
     space: &PairSpace,
     scene: &Scene,

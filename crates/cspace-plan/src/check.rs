@@ -12,14 +12,14 @@ use crate::path::Legs;
 use crate::planner::PlanError;
 use crate::route::along;
 
-/// What begins or ends in contact is judged from this share of the size on, or of a longer leg.
+/// Share of the size, or of a longer leg, from which on a path that begins or ends in contact is judged.
 const END: f64 = 1e-3;
 /// Parts this near, as a share of their size, touch.
 const TOUCHING: f64 = 1e-10;
 /// The time of a first contact is found by so many halvings.
 const HALVINGS: usize = 60;
 
-/// What becomes of a path.
+/// Result of checking a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub enum Checked {
     /// The parts never overlap.

@@ -29,7 +29,7 @@ pub(crate) enum End {
     Blocked,
 }
 
-/// What becomes of a start or a goal.
+/// Locates a start or a goal in the space.
 pub(crate) fn end(space: &PairSpace, scene: &Scene, at: Coordinates) -> Result<End, QueryError> {
     Ok(match space.locate(at)? {
         Location::Outside => return Err(QueryError::Outside),

@@ -65,7 +65,7 @@ fn leg_off(
     best.map(|b| b.1)
 }
 
-/// Of the ends of legs with a first step, and that halved again and again, the one with the most clearance, with that; only free
+/// Among the ends of legs with a first step, and that halved again and again, the one with the most clearance, with that; only free
 /// ones that pass.
 fn widest(
     scene: &Scene,

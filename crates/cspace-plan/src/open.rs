@@ -1,4 +1,4 @@
-//! What a search goes on from: the least first.
+//! Entry of a search's queue: the least first.
 
 use core::cmp::Ordering;
 

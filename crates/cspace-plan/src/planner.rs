@@ -77,14 +77,14 @@ impl Clearance {
     }
 }
 
-/// What is asked of a path beside being free.
+/// Requirements on a path beside being free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wishes {
     /// How much clearance it has.
     pub clearance: Clearance,
     /// No leg changes a coordinate by more: x, y and θ, or u, v and nothing; infinite for no limit.
     pub steps: [f64; 3],
-    /// What makes a way with that clearance good.
+    /// Criterion for choosing among paths with that clearance.
     pub prefer: Prefer,
 }
 
@@ -140,7 +140,7 @@ impl<'a> Planner<'a> {
     /// around that, otherwise the middle of the part's bounds.
     ///
     /// # Errors
-    /// Of a lower pair, whose parts are in contact for ever.
+    /// For a lower pair, whose parts are in permanent contact.
     pub fn new(space: &'a PairSpace) -> Result<Self, PlanError> {
         Self::with_about(space, middle_if_far(space.moving()))
     }

@@ -130,7 +130,7 @@ fn a_disc_on_two_pegs() {
     }
 }
 
-/// The same held down by a spring to a point below: the way leads over the peg where it is farthest from there.
+/// As above, held down by a spring to a point below: the path leads over the peg where it is farthest from there.
 #[test]
 fn a_disc_on_two_pegs_held_by_a_spring() {
     let (big, small, half, below, stiffness) = (2.0, 0.5, 1.0, 30.0, 3.0);

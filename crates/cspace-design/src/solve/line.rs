@@ -2,7 +2,7 @@
 
 use super::problem::{At, Problem};
 
-/// What happens along one parameter.
+/// Solutions, breaks and jumps found along one parameter.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Found {
     /// Where the quantity is the value: from one place to another, which may be the same.
@@ -49,7 +49,7 @@ impl Line<'_> {
         self.problem.at(&[p])
     }
 
-    /// What happens between two values of which the quantity is known.
+    /// Searches between two values at which the quantity is known.
     pub(super) fn search(&self, a: &(f64, At), b: &(f64, At), found: &mut Found) {
         match (&a.1, &b.1) {
             (At::Off(f, s), At::Off(g, t)) => match (self.sign(*f), self.sign(*g)) {
@@ -279,7 +279,7 @@ impl Line<'_> {
 impl Line<'_> {
     /// Where a quantity is nearest to the value between two places, by values alone: golden sections.
     fn least_of(&self, mut a: (f64, At), mut b: (f64, At)) -> (f64, At) {
-        /// What is left of an interval by each step.
+        /// Share of an interval that is left by each step.
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let far = |at: &At| match at {
             At::Off(off, _) => off.abs(),

@@ -1,10 +1,10 @@
 //! Values of parameters at which a quantity is what it must be.
 //!
-//! Of one parameter the quantity is measured at values evenly over the range, with its derivatives. Between two of them it crosses the
+//! For one parameter the quantity is measured at values evenly over the range, with its derivatives. Between two of them it crosses the
 //! value that is asked for where its sign changes, and may touch or cross it twice where it comes nearer from both sides. Crossings are
 //! found by Newton's method within brackets, to rounding.
 //!
-//! Of several parameters the change is sought that is smallest relative to the ranges: each step goes to the nearest place at which
+//! For several parameters the change is sought that is smallest relative to the ranges: each step goes to the nearest place at which
 //! the quantity, linear by its derivatives, is as asked for.
 
 mod line;

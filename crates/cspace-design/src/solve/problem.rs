@@ -1,4 +1,4 @@
-//! What is asked, and the quantity at values of the parameters.
+//! Goal of a solution, and the quantity at values of the parameters.
 
 use cspace::Progress;
 use cspace_io::model::{Requirement, Setting, Template};
@@ -30,7 +30,7 @@ pub enum Relation {
     AtLeast,
 }
 
-/// What is asked of a requirement's quantity.
+/// Goal for a requirement's quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Goal {
     /// The name of the requirement.
@@ -47,7 +47,7 @@ pub struct Solved {
     /// The values, in the order of the spans. For an equation in one parameter all that were found; otherwise the one nearest to the
     /// values that the model gives.
     pub solutions: Vec<Vec<f64>>,
-    /// Of one parameter: ranges in which the goal is met.
+    /// For one parameter: ranges in which the goal is met.
     pub ranges: Vec<(f64, f64)>,
     /// Why there is no solution.
     pub none: Option<String>,
@@ -158,7 +158,7 @@ impl Problem<'_> {
         }
     }
 
-    /// What is nothing beside the value and some quantities.
+    /// Magnitude that counts as zero beside the value and some quantities.
     pub(super) fn zero<'m>(&self, measured: impl Iterator<Item = &'m At>) -> f64 {
         let value = match self.goal.value {
             Value::Number(x) => x.abs(),

@@ -13,7 +13,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use super::{Analysis, Linear, ToleranceOptions, Tolerances, Variations};
 use crate::check::Interrupted;
 
-/// What the tolerances must achieve.
+/// Criterion that the tolerances must meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Criterion {
     /// Every part within the tolerances meets all limits.
@@ -31,9 +31,9 @@ pub struct Allocation {
     pub matters: Vec<bool>,
     /// The variations with the tolerances allocated.
     pub variations: Variations,
-    /// What the tolerances cost that the model gives, and those allocated.
+    /// Cost of the tolerances that the model gives, and of those allocated.
     pub cost: [f64; 2],
-    /// What the tolerances allocated do.
+    /// Effects of the tolerances allocated.
     pub tolerances: Vec<Tolerances>,
 }
 

@@ -14,7 +14,7 @@ use crate::measure::{Measured, Unmeasured, Value};
 pub struct Band {
     /// The requirement.
     pub requirement: Requirement,
-    /// What it is at each value of the coordinate.
+    /// Results at each value of the coordinate.
     pub stations: Vec<Station>,
 }
 

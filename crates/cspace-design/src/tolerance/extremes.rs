@@ -5,10 +5,10 @@ use super::study::{Failure, Point, Study};
 /// Values nearer to each other than this, relative to them, are one.
 pub(super) const ONE: f64 = 1e-10;
 
-/// What a parameter does is rounding where it is less than this, relative to what the others do.
+/// Effects of a parameter smaller than this, relative to those of the others, are rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// Of at most so many parameters all corners are tried.
+/// Largest number of parameters of which all corners are tried.
 const ALL_CORNERS: usize = 8;
 
 /// Likewise of a quantity that needs a configuration space at every point.
@@ -147,7 +147,7 @@ impl Study<'_> {
 
     /// Whether the value jumps at a point: a much smaller step changes it as much as a small one.
     pub(super) fn jumps(&self, at: &[f64], value: f64) -> bool {
-        /// Of half the tolerance.
+        /// Steps as shares of half the tolerance.
         const STEPS: [f64; 2] = [1e-6, 1e-9];
         let list = self.variations.list.iter().enumerate();
         let mut inside = list.filter(|(k, v)| {

@@ -6,7 +6,7 @@ use crate::sensitivity::Sensitivity;
 /// A requirement as a linear function of the parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
-    /// What each parameter contributes, in the order of the variations.
+    /// Contribution of each parameter, in the order of the variations.
     pub parameters: Vec<Contribution>,
     /// The value as drawn.
     pub nominal: f64,
@@ -18,14 +18,14 @@ pub struct Linear {
     pub sigma: f64,
 }
 
-/// What a parameter contributes.
+/// Contribution of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contribution {
     /// The name of the parameter.
     pub parameter: String,
     /// The derivatives for smaller and for larger values of the parameter.
     pub derivative: [f64; 2],
-    /// What it takes from the smallest value, at most 0, and adds to the largest.
+    /// Change of the smallest value, at most 0, and of the largest.
     pub ends: [f64; 2],
     /// By how much the value is off in the middle of its tolerance.
     pub shift: f64,

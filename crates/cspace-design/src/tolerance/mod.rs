@@ -1,4 +1,4 @@
-//! What tolerances do to requirements: sensitivities, worst cases, yield, and where the structure changes.
+//! Effects of tolerances on requirements: sensitivities, worst cases, yield, and where the structure changes.
 //!
 //! Contact spaces make the answers exact: a requirement's value anywhere within the tolerances is that of the contact that comes first there, whichever
 //! it is. Sources: Sacks and Joskowicz 1998 (variation of contact functions, sensitivities), Kyung and Sacks 2003 (contact zones).
@@ -66,18 +66,18 @@ pub use zones::{Cell, NoZones, ZoneBand, Zones, area, zones};
 
 use study::Study;
 
-/// What is asked beside the worst cases.
+/// Options beside the worst cases.
 #[derive(Debug, Clone, Default)]
 pub struct ToleranceOptions {
     /// The number of samples; none without.
     pub samples: u64,
-    /// What the samples follow from.
+    /// Seed of the samples.
     pub seed: u64,
     /// The names of the requirements that are analysed; all if there are none.
     pub requirements: Vec<String>,
 }
 
-/// What tolerances do to one requirement.
+/// Effects of tolerances on one requirement.
 #[derive(Debug, Clone)]
 pub struct Tolerances {
     /// The requirement as drawn.
@@ -86,11 +86,11 @@ pub struct Tolerances {
     pub linear: Option<Linear>,
     /// The smallest and the largest value; `None` of yes and no.
     pub exact: Option<[Extreme; 2]>,
-    /// What changes, up to [`LARGEST_FACTOR`] times the tolerances, the first first.
+    /// Structural changes up to [`LARGEST_FACTOR`] times the tolerances, the first first.
     pub structure: Vec<Structural>,
     /// The factor on all tolerances at which the requirement or the structure fails.
     pub margin: Margin,
-    /// What samples give, if they are asked for.
+    /// Result of the samples, if they are asked for.
     pub monte_carlo: Option<MonteCarlo>,
 }
 
@@ -164,7 +164,7 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// What these variations do to each requirement.
+    /// Effects of these variations on each requirement.
     fn of(&self, variations: &Variations) -> Result<Vec<Tolerances>, Interrupted> {
         let host = Host {
             set: self.set,
@@ -231,7 +231,7 @@ impl<'a> Analysis<'a> {
     }
 }
 
-/// What is said of a requirement that has no value as drawn.
+/// Answer for a requirement that has no value as drawn.
 fn unmeasured(nominal: Checked) -> Tolerances {
     Tolerances {
         nominal,

@@ -15,7 +15,7 @@ const BLOCK: u64 = 1024;
 /// Bars of a histogram.
 const BARS: usize = 40;
 
-/// What samples within tolerances give.
+/// Statistics of samples within tolerances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonteCarlo {
     /// How many samples there are.
@@ -38,7 +38,7 @@ pub struct MonteCarlo {
     pub computed: f64,
 }
 
-/// What a sample gives.
+/// Result of a sample.
 type Sample = (Result<f64, &'static str>, bool);
 
 impl Study<'_> {

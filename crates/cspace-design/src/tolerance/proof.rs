@@ -1,4 +1,4 @@
-//! That nothing within tolerances is beyond an extreme: a proof by enclosures.
+//! Proof by enclosures that nothing within tolerances is beyond an extreme.
 //!
 //! The proof divides the box of tolerances. Within a part of it the value is bounded by contacts: one that comes about in every drawing limits the
 //! time from above, and the first of all that may come about from below. Where the derivatives of a contact's time keep their signs, its
@@ -27,7 +27,7 @@ struct Open {
     /// The most that the value can be there, as far as is known: that of the box it is half of.
     most: f64,
     ranges: Vec<[f64; 2]>,
-    /// What may come first there.
+    /// Contacts that may come first there.
     known: Option<Rc<Contacts>>,
 }
 

@@ -1,4 +1,4 @@
-//! What changes within tolerances: contacts that take over, jams, regions; and how far tolerances may be scaled until something fails.
+//! Structural changes within tolerances: contacts that take over, jams, regions; and how far tolerances may be scaled until a failure.
 
 use cspace::{Ball, DrawnContact, Encounter, Real};
 use cspace_io::model::{Subject, Target};
@@ -20,7 +20,7 @@ const TIE: f64 = 1e-9;
 /// A change is looked for so much beyond its share: where it begins both are so.
 const BEYOND: f64 = 1e-6;
 
-/// What kind of change it is.
+/// Kind of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ChangeKind {
     /// Another contact decides the value.
@@ -45,9 +45,9 @@ impl ChangeKind {
 /// Something that changes within the tolerances, or beyond them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Structural {
-    /// What kind of change it is.
+    /// Kind of the change.
     pub kind: ChangeKind,
-    /// What comes about, in words.
+    /// New state, in words.
     pub what: String,
     /// The features that touch, of the fixed and of the moving part, as messages call them.
     pub features: Vec<[String; 2]>,
@@ -62,7 +62,7 @@ pub struct Structural {
 pub struct Margin {
     /// By this; none if nothing fails up to [`LARGEST_FACTOR`].
     pub factor: Option<f64>,
-    /// What fails then, in words.
+    /// Failure there, in words.
     pub what: String,
 }
 
@@ -73,7 +73,7 @@ type Sudden = (DrawnContact, f64, Vec<f64>);
 type Sloping = (f64, Vec<f64>);
 
 impl Study<'_> {
-    /// What a contact is called in a model.
+    /// Names of a contact's features in a model.
     fn texts<T: Real>(&self, drawing: &Drawing<T>, contact: DrawnContact) -> Vec<[String; 2]> {
         let Subject::Pair(pair, _) = self.requirement_of(self.nominal).subject else {
             return Vec::new();
@@ -238,7 +238,7 @@ impl Study<'_> {
         self.other_of(x, self.at(x).hits.as_ref()?, leg, nominal)
     }
 
-    /// The same of first contacts that are known.
+    /// As above, for first contacts that are known.
     fn other_of(
         &self,
         x: &[f64],

@@ -11,7 +11,7 @@ use crate::sensitivity::derivative;
 use super::vary::{Variations, halves, middle_and_half};
 use crate::drawing::{Contacts, Drawing, Enclosed, Hits, Slope, enclosed};
 
-/// Of one requirement so many parts of the tolerances are looked at, at most.
+/// Largest number of parts of the tolerances that are examined for one requirement.
 const MOST: usize = 4000;
 
 /// A requirement of a model, and what varies.
@@ -30,24 +30,24 @@ pub(super) struct Study<'a> {
     is_drawn: bool,
     /// How long motions are followed then.
     pub(super) until: Vec<f64>,
-    /// What is known of all points within the tolerances.
+    /// Knowledge of all points within the tolerances.
     pub(super) known: Known,
 }
 
-/// What is known of all points of a box of tolerances.
+/// Knowledge that holds for all points of a box of tolerances.
 pub(super) enum Known {
-    /// Of each half, below and above a value of one parameter.
+    /// Knowledge of each half, below and above a value of one parameter.
     Halves {
         /// The parameter.
         by: usize,
         /// Its deviation between them.
         at: f64,
-        /// What is known of both.
+        /// Knowledge of the two halves.
         both: Box<[Known; 2]>,
     },
-    /// Of all of it.
+    /// Knowledge of the whole box.
     Whole {
-        /// What may come first.
+        /// Contacts that may come first.
         contacts: Contacts,
         /// Whether nothing touches where the motions begin.
         is_clear: bool,
@@ -274,7 +274,7 @@ impl<'a> Study<'a> {
         drawing.is_some_and(|drawing| self.overlap(&model, &drawing))
     }
 
-    /// The same of a model.
+    /// As above, for a model.
     fn overlap(&self, model: &Model, drawing: &Drawing<f64>) -> bool {
         let Subject::Pair(pair, _) = self.requirement_of(model).subject else {
             return false;
@@ -286,7 +286,7 @@ impl<'a> Study<'a> {
         overlap_as_drawn(fixed, moving, Configuration::new(x, y, theta))
     }
 
-    /// What the requirement alone is measured on in a model; `None` if the computation is ended.
+    /// The requirement and the spaces that it alone is measured on in a model; `None` if the computation is ended.
     fn computed(&self, model: &mut Model) -> Option<(Requirement, Spaces)> {
         let requirement = self.requirement_of(model).clone();
         model.requirements = vec![requirement.clone()];
@@ -431,7 +431,7 @@ impl<'a> Study<'a> {
         }
     }
 
-    /// What is known of a box, of what is known of one around it.
+    /// Knowledge of a box, derived from that of one around it.
     fn known_in(&self, ranges: &[[f64; 2]], halvings: usize, around: Option<&Contacts>) -> Known {
         let known = self.known_of(ranges, around).unwrap_or(Known::Nothing);
         let around = match &known {

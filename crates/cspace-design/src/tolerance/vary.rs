@@ -1,4 +1,4 @@
-//! What varies within tolerances: deviations of parameters from their values, and how likely they are.
+//! Variations within tolerances: deviations of parameters from their values, and how likely they are.
 
 use core::f64::consts::TAU;
 
@@ -32,7 +32,7 @@ pub struct Zone {
 pub struct Variations {
     /// The parameters.
     pub list: Vec<Variation>,
-    /// Those of them that are coordinates of a point in a zone.
+    /// Variations that are coordinates of a point in a zone.
     pub zones: Vec<Zone>,
 }
 
@@ -132,7 +132,7 @@ fn moments(rows: &[[f64; 2]]) -> (f64, f64) {
 }
 
 impl Variations {
-    /// What varies in a model.
+    /// Variations in a model.
     pub fn of(model: &Model) -> Self {
         let mut all = Self::default();
         for parameter in &model.parameters {

@@ -177,7 +177,7 @@ struct Search<'a> {
 /// Boxes of configurations.
 type Region = ConfigurationBox<Enclosed>;
 
-/// What is known of a cell.
+/// State of a cell.
 #[derive(PartialEq)]
 enum State {
     Free,
@@ -229,7 +229,7 @@ fn distance(part: &Part, at: Point) -> f64 {
     distances.fold(f64::INFINITY, f64::min)
 }
 
-/// What one look at a cell tells.
+/// Result of one look at a cell.
 enum Looked {
     Is(State),
     /// Some contacts may come about, and it may help to divide.
@@ -317,7 +317,7 @@ impl Search<'_> {
         Ok(zones)
     }
 
-    /// What is so of each cell, of what is known of one around it.
+    /// State of each cell, derived from that of one around it.
     fn states<S: Send>(
         &self,
         cells: &[(Cell, Option<Shared>)],
@@ -428,7 +428,7 @@ impl Search<'_> {
 
     /// Whether a point is inside both parts at all configurations of a box, in every drawing.
     fn is_inside_both(&self, drawn: &Drawn, within: &Region) -> bool {
-        /// Of the points deepest in both parts so many are tried.
+        /// Number of points deepest in both parts that are tried.
         const TRIED: usize = 3;
         let placed = drawn.of.placed(within.middle.map(Real::constant));
         let mut inside = Vec::new();

@@ -1,4 +1,4 @@
-//! What becomes of an assembly.
+//! Answer of the assembly planner: steps, tree of parts, and what was tried.
 
 use cspace::{Axis, Configuration, Coordinates, FeatureName, Vector};
 use serde::Serialize;
@@ -10,13 +10,13 @@ use crate::answer::Path;
 pub struct TakenApart {
     /// Whether it does.
     pub outcome: Outcome,
-    /// What moves, one after the other; also if not all comes apart.
+    /// Steps in the order in which they are carried out; also if not all parts come apart.
     pub steps: Vec<Step>,
-    /// What comes out of what.
+    /// Tree of sets of parts: each branch leaves the set above it.
     pub tree: Tree,
     /// The smallest set of parts that lock each other as they are, if there is one.
     pub locked: Option<Locked>,
-    /// What was tried where nothing goes out of parts that stay; none if that was not needed.
+    /// Search effort where nothing leaves parts that stay; none if that was not needed.
     pub tried: Option<Tried>,
     /// Contact spaces that were computed.
     pub spaces: usize,
@@ -34,7 +34,7 @@ pub enum Outcome {
     Unknown,
 }
 
-/// What a step does.
+/// Kind of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
@@ -47,16 +47,16 @@ pub enum Kind {
 /// A motion of some parts while the others stay.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Step {
-    /// What it does.
+    /// Kind of the step.
     pub kind: Kind,
-    /// What moves, as one.
+    /// Parts that move together as one.
     pub moving: Vec<usize>,
-    /// What stays where it is.
+    /// Parts that stay where they are.
     pub staying: Vec<usize>,
-    /// Of a part on an axis its coordinate, as v, with u = 0. Of other parts their motion in the frame of those that stay, from where
+    /// Motion. For a part on an axis its coordinate, as v, with u = 0; for others their motion in the frame of those that stay, from where
     /// they are before the step, which is (0, 0, 0); of parts that leave up to where a line lies between the convex hulls of both.
     pub path: Path,
-    /// Of parts that leave, how much farther they go straight to be out of the way of all that comes later, and to have room to be taken
+    /// Distance that parts that leave go straight on, to be out of the way of all that comes later and to have room to be taken
     /// apart; in the frame of the path. Nothing where that is no way.
     pub onward: Vector,
 }
@@ -78,29 +78,29 @@ impl Step {
     }
 }
 
-/// What comes out of a set of parts.
+/// Tree of the subsets that come out of a set of parts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Tree {
     /// The parts.
     pub parts: Vec<usize>,
-    /// What goes out of them, one after the other.
+    /// Subsets that leave the set, one after the other.
     pub out: Vec<Branch>,
-    /// What is left of them.
+    /// Parts left in the set.
     pub left: Vec<usize>,
 }
 
-/// What goes out in a step.
+/// Subset that leaves in a step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Branch {
     /// The indices of the steps by which others make room for it, just before.
     pub room: Vec<usize>,
     /// The index of the step.
     pub step: usize,
-    /// What comes out of it in turn.
+    /// Subsets that come out of this one in turn.
     pub tree: Tree,
 }
 
-/// What was tried where nothing goes out.
+/// Effort spent where nothing leaves the set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Tried {
     /// So many parts were moved aside at a time, at most.
@@ -121,7 +121,7 @@ pub struct Locked {
 /// Parts that cannot be taken out of others: their configuration as drawn is in a bounded region of their contact space.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Enclosure {
-    /// What is enclosed.
+    /// Parts that are enclosed.
     pub moving: Vec<usize>,
     /// By what.
     pub staying: Vec<usize>,

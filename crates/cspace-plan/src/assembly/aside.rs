@@ -55,14 +55,14 @@ impl Moved {
     }
 }
 
-/// What leaves, if others make room, with its straight ways out of those that do not.
+/// A set that leaves if others make room, with its straight paths out of those that do not.
 pub(super) struct Helped {
     pub(super) moving: Set,
     exits: Vec<Exit>,
 }
 
 impl Helped {
-    /// Of a group that leaves the others.
+    /// Straight ways out for a group that leaves the others.
     pub(super) fn new(units: &Units, moving: Set, others: Set) -> Result<Self, AssemblyError> {
         let (fixed, mover) = (units.together(others)?, units.together(moving)?);
         // It has to come beside what makes room, too, wherever that is then.
@@ -193,7 +193,7 @@ fn just_clear(
     Ok(found)
 }
 
-/// What leaves at once after others have made room, on a straight way.
+/// First step by which a set leaves on a straight path after others have made room.
 pub(super) fn straight_step(
     moved: &Moved,
     set: Set,

@@ -17,7 +17,7 @@ const TOUCHING: f64 = 3.0;
 const SAME: f64 = 1e-7;
 /// How far beside a line rates are tried, relative to 1.
 const BESIDE: f64 = 1e-3;
-/// Of more gradients only the first are combined with each other.
+/// Number of gradients that are combined with each other; further ones are not.
 const MOST: usize = 64;
 
 /// A contact: where the first unit is moved with these rates towards the second.

@@ -27,7 +27,7 @@ pub(super) enum Leaves {
     Unsure,
 }
 
-/// That there is a way.
+/// Proof that there is a path.
 #[derive(Debug)]
 pub(super) struct Way {
     sets: (Set, Set),

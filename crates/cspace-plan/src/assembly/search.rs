@@ -1,4 +1,4 @@
-//! What is taken away, in which order.
+//! Search for which parts to take away, and in which order.
 
 use cspace::Progress;
 
@@ -18,7 +18,7 @@ const STRAIGHT: usize = 2000;
 /// and so many by contact spaces, of one unit alone.
 const EXACT: usize = 100;
 
-/// What makes room for what.
+/// Which set makes room for which.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Room {
     /// Parts on axes alone, for a straight way.
@@ -32,7 +32,7 @@ enum Room {
 /// A set that leaves, and the steps by which it does: what makes room for it, then it.
 type Leaving = (Set, Vec<Step>);
 
-/// What is known of an assembly.
+/// State of the search for the steps of an assembly.
 pub(super) struct Search<'a> {
     units: Units,
     progress: &'a dyn Progress,
@@ -66,7 +66,7 @@ impl<'a> Search<'a> {
 
     /// Takes apart as much as can be.
     ///
-    /// What is taken away is never in the way later, so it is right to take away the first that leaves.
+    /// Parts taken away are never in the way later, so it is right to take away the first set that leaves.
     pub(super) fn run(mut self) -> Result<TakenApart, AssemblyError> {
         let tree = self.apart(self.units.all())?;
         let mut locked: Option<Set> = None;
@@ -295,7 +295,7 @@ impl<'a> Search<'a> {
         Ok(None)
     }
 
-    /// What would leave a set if some units were not there: on straight ways, or by contact spaces.
+    /// Sets that would leave a set if some units were absent: on straight paths, or by contact spaces.
     fn helped(
         &mut self,
         set: Set,

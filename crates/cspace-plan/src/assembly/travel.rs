@@ -127,7 +127,7 @@ impl Travel {
         Ok(has_room.then_some(travel))
     }
 
-    /// The same way, now that other units are elsewhere.
+    /// Recomputes this travel after other units have moved.
     pub(super) fn again(&self, units: &Units, set: Set) -> Result<Option<Self>, AssemblyError> {
         let rest = units.together(set & !(1 << self.unit))?;
         Self::new(units, &rest, self.unit, self.axis, self.is_planar)

@@ -1,4 +1,4 @@
-//! What moves as one.
+//! Units: parts that move as one.
 
 use cspace::{Axis, AxisMotion, Configuration, Mechanism, Part, Vertex, pair::Joint};
 
@@ -19,7 +19,7 @@ pub(super) const MOST: usize = 63;
 const GAP: f64 = 1e-6;
 /// The least gap and the largest, as shares of the size.
 const GAPS: (f64, f64) = (1e-8, 1e-2);
-/// What must be left of the gap between two parts: parts that overlap by nearly all of it are refused.
+/// Share of the gap between two parts that must be left: parts that overlap by nearly all of it are refused.
 const LEFT: f64 = 1.0 / 64.0;
 
 /// Parts with the gap opened, as they move and where they are.
@@ -120,7 +120,7 @@ impl Units {
         Ok(units)
     }
 
-    /// The same with one unit elsewhere, to where it is drawn.
+    /// A copy with one unit moved to another configuration, relative to where it is drawn.
     pub(super) fn moved(&self, unit: usize, at: Configuration) -> Result<Self, AssemblyError> {
         let mut moved = self.clone();
         moved.at[unit] = at;
@@ -130,7 +130,7 @@ impl Units {
         Ok(moved)
     }
 
-    /// The same with one unit elsewhere on its axis.
+    /// A copy with one unit moved to another coordinate on its axis.
     pub(super) fn moved_on(&self, unit: usize, axis: Axis, to: f64) -> Result<Self, AssemblyError> {
         let mut moved = self.moved(unit, axis.configuration(to))?;
         moved.coordinates[unit] = to;

@@ -5,7 +5,7 @@ use crate::legs::Coords;
 use super::answer::{Clash, State};
 use super::pair::Pair;
 
-/// What two parts are to each other over a motion: the worst of its samples, and of what is between them; none if they are clear
+/// State of two parts over a motion: the worst over its samples and the intervals between them; none if they are clear
 /// by `within` or more all along.
 pub(super) fn along(
     pair: &Pair<'_>,
@@ -48,7 +48,7 @@ pub(super) fn along(
     worst
 }
 
-/// What two parts come to between two samples at which they are apart, if that is nearer than a limit.
+/// State of two parts between two samples at which they are apart, if they come nearer than a limit.
 fn on_the_way(
     pair: &Pair<'_>,
     [from, to]: [[Coords; 2]; 2],

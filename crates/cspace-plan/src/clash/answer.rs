@@ -1,10 +1,10 @@
-//! What is asked and told of clashes, as data.
+//! Question and answer of a search for clashes, as data.
 
 use cspace::{FeatureName, Point};
 
 use crate::legs::Coords;
 
-/// What is asked.
+/// Question: the limits of the search for clashes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Question {
     /// Parts that are clear of each other by this or more are counted, not listed; in the model's unit of length.
@@ -25,7 +25,7 @@ impl Default for Question {
     }
 }
 
-/// What two parts are to each other, the worst first.
+/// State of two parts relative to each other, the worst first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
@@ -46,7 +46,7 @@ pub enum State {
 pub struct Clash {
     /// The parts' numbers in the mechanism.
     pub parts: [usize; 2],
-    /// What they are to each other.
+    /// State of the two parts.
     pub state: State,
     /// The least distance of parts that do not overlap, in the model's unit of length.
     pub gap: Option<f64>,
@@ -75,6 +75,6 @@ pub struct Clashes {
 pub struct Sample {
     /// The time.
     pub time: f64,
-    /// Of every part x, y and θ, or its motion on its axis and twice 0.
+    /// For every part x, y and θ, or its motion on its axis and twice 0.
     pub parts: Vec<Coords>,
 }

@@ -57,7 +57,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// What the parts are to each other as they are drawn, at zero motion.
+    /// Clashes of the parts as they are drawn, at zero motion.
     pub fn drawn(&self, question: &Question) -> Clashes {
         let boxes = self.bodies.iter().map(|b| b.part().bounds()).collect();
         self.all(question, boxes, |pair| {
@@ -65,13 +65,13 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    /// What the parts are to each other over a motion that is given by samples in order of time: between two of them every
+    /// Clashes of the parts over a motion that is given by samples in order of time: between two of them every
     /// coordinate changes at a constant rate.
     ///
-    /// The gap is the least over all of the motion, samples and what is between them, right to a millionth. Overlap and its depth are
-    /// those at samples; where the boundaries meet between two samples, at which the parts are apart, that is told.
+    /// The gap is the minimum over all of the motion, samples and intervals between them, right to a millionth. Overlap and its depth are
+    /// those at samples; boundaries that meet between two samples, at which the parts are apart, are reported.
     ///
-    /// Samples with fewer places than there are parts have the others where they are drawn.
+    /// Parts beyond the coordinates that a sample has are where they are drawn.
     pub fn along(&self, samples: &[Sample], question: &Question) -> Clashes {
         let at = |s: &Sample, i: usize| s.parts.get(i).copied().unwrap_or_default();
         let boxes = (self.bodies.iter().enumerate())

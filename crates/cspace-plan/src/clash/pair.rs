@@ -24,7 +24,7 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// What the two are to each other at a place; none if they are clear by `within` or more.
+    /// State of the two parts at given places; none if they are clear by `within` or more.
     pub(super) fn there(&self, at: [Coords; 2], within: f64) -> Option<Clash> {
         let between = self.between(at, at);
         let nearest = between.distance_below(within.max(self.touch));

@@ -1,4 +1,4 @@
-//! What becomes of a question for an escape.
+//! Answer to a question for an escape.
 
 use cspace::{Coordinates, FeatureName};
 use serde::Serialize;

@@ -5,7 +5,7 @@ use crate::legs::{Coords, Scene};
 use super::domain::Domain;
 use super::energy::Energy;
 
-/// What is known of all configurations of a box.
+/// State that all configurations of a box have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum State {
     Free,

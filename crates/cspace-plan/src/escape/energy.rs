@@ -7,7 +7,7 @@ use crate::legs::Coords;
 /// A line is halved so often at most to find its highest energy.
 const HALVINGS: u32 = 20;
 
-/// What a weight or the end of a spring is on.
+/// The body that a weight or the end of a spring is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     /// The ground: of a planar pair, the fixed part.
@@ -32,7 +32,7 @@ pub struct Weight {
 /// A spring between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spring {
-    /// What its ends are on, and the points in the frames of these.
+    /// Bodies that its ends are on, and the points in the frames of these.
     pub ends: [(Body, Point); 2],
     /// Force for a unit of length.
     pub stiffness: f64,

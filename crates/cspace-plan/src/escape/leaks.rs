@@ -7,7 +7,7 @@ use super::boxes::{Boxes, State};
 use super::flood::Goal;
 use crate::legs::Coords;
 
-/// Of the boxes of leaks those are told that are not smaller than this share of the largest.
+/// Share of the largest leak's box below which a leak is not reported.
 const SMALL: f64 = 0.3;
 
 /// The larger boxes, not known to be free, of all ways from a start to a goal that stay below an energy and use the fewest such boxes.

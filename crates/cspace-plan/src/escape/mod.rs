@@ -54,7 +54,7 @@ impl<'a> Escape<'a> {
     /// Prepares a pair.
     ///
     /// # Errors
-    /// Of a lower pair, whose parts are in contact for ever.
+    /// For a lower pair, whose parts are in permanent contact.
     pub fn new(space: &'a PairSpace, field: &'a Field) -> Result<Self, PlanError> {
         Ok(Self {
             space,
@@ -227,7 +227,7 @@ impl<'a> Escape<'a> {
         Ok((at, leg.unwrap_or_else(|| off_near(&self.scene, at))))
     }
 
-    /// What keeps a start and a goal apart whatever the energy.
+    /// Finds the enclosure that keeps a start and a goal apart at any energy.
     fn caged(
         &self,
         from: RegionId,

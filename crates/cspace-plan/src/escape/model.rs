@@ -5,7 +5,7 @@ use cspace::{AxisMotion, Mechanism, PairEntry, Vector};
 
 use super::energy::{Body, Field, Spring, Weight};
 
-/// What of a mechanism has no energy that depends on the places of two parts alone.
+/// Reasons why a model has no energy that depends on the places of two parts alone.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FieldError {
@@ -38,7 +38,7 @@ impl Field {
     /// The second part of the answer is whether the moving part has a mass in the model; without one it weighs as 1 kg.
     ///
     /// # Errors
-    /// Of torques and torsion springs on these parts, springs to others, and a moving part that stands still.
+    /// For torques and torsion springs on these parts, springs to others, and a moving part that stands still.
     pub fn of_pair(
         mechanism: &Mechanism,
         pair: &PairEntry,

@@ -43,7 +43,7 @@ pub(super) struct Balance {
     pub(super) touching: Vec<(FeatureName, FeatureName)>,
 }
 
-/// What is 0 at a pass.
+/// A function that is 0 at a pass.
 enum Constraint {
     /// A contact function.
     Contact(cspace::FeatureContact),
@@ -71,7 +71,7 @@ pub(super) struct Passes<'a> {
 }
 
 impl<'a> Passes<'a> {
-    /// Of a pair, with its energy in the coordinates of configurations.
+    /// Prepares a pair, with its energy in the coordinates of configurations.
     pub(super) fn new(
         space: &'a PairSpace,
         scene: &'a Scene,

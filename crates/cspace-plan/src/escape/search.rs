@@ -25,7 +25,7 @@ const LEFT: f64 = 0.25;
 /// No box is smaller than this share of the domain.
 const LEAST_BOX: f64 = 1e-9;
 
-/// What is known of the least energy of a way.
+/// Bounds of the lowest energy at which a path exists.
 #[derive(Debug, Clone)]
 pub(super) struct Bracket {
     /// No way has a highest energy below it; infinite if there is no way.
@@ -41,7 +41,7 @@ pub(super) struct Bracket {
     pub(super) way: Vec<Coords>,
 }
 
-/// What is asked.
+/// Question for the search.
 pub(super) struct Question<'a> {
     pub(super) scene: &'a Scene,
     pub(super) energy: Energy<'a>,
@@ -53,7 +53,7 @@ pub(super) struct Question<'a> {
     /// Where it begins, in coordinates of configurations, and the free end of a leg that leaves the contacts there.
     pub(super) from: Coords,
     pub(super) off: Coords,
-    /// The same of the goal; none for the way out.
+    /// As above, for the goal; none for the way out.
     pub(super) to: Option<(Coords, Coords)>,
     pub(super) domain: Domain,
     /// Bounds no farther apart than this are near enough, or than this share of the upper one above the start.

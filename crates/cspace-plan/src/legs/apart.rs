@@ -1,10 +1,10 @@
-//! What is known of a distance over an interval of time.
+//! Bounds of a distance over an interval of time.
 
 /// Directions and places are taken to belong to a piece up to this far beyond its end (radians; parts of a length), so that
 /// rounding makes no gap between one piece and the next.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// What is known of a distance over an interval of time.
+/// Bounds of a distance over an interval of time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Apart {
     /// It is nowhere less.

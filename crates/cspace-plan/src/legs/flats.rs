@@ -117,7 +117,7 @@ fn distance(first: &Flat, second: &Flat) -> (f64, f64) {
     (nearest, between.map_or(f64::INFINITY, f64::abs))
 }
 
-/// What is known of the distance of two flat arcs over an interval, beside that at their ends.
+/// Bounds of the distance of two flat arcs over an interval, beside that at their ends.
 pub(super) fn flats(a: (&Placed, &Flat), b: (&Placed, &Flat), half: f64) -> Apart {
     if a.1.curvature == 0.0 && b.1.curvature == 0.0 {
         return Apart::NONE;

@@ -36,7 +36,7 @@ impl Scene {
     /// The parts of a pair with the motions of its class, and their limits.
     ///
     /// # Errors
-    /// Of a lower pair, whose parts are in contact for ever.
+    /// For a lower pair, whose parts are in permanent contact.
     pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
         match space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// The same with legs that move a point of the moving part straight and turn it about that: x and y of its numbers are the place of
+    /// As before, with legs that move a point of the moving part straight and turn it about that: x and y of its numbers are the place of
     /// the point, which is given in the part's frame. On axes nothing changes.
     #[must_use]
     pub fn with_about(mut self, about: Vector) -> Self {
@@ -122,7 +122,7 @@ impl Scene {
         }
     }
 
-    /// The same with orientations from the first to the second alone, radians.
+    /// As before, with orientations limited to the window from the first to the second, radians.
     #[must_use]
     pub fn with_window(mut self, window: (f64, f64)) -> Self {
         self.limits[2] = window;
@@ -263,7 +263,7 @@ impl Scene {
         self.search(at, at).at(0.0).distance
     }
 
-    /// The same, with the edges that are nearest.
+    /// Nearest edges of the boundaries at a configuration, with their distance.
     pub fn nearest(&self, at: Coords) -> Nearest {
         self.search(at, at).at(0.0)
     }
@@ -288,7 +288,7 @@ impl Scene {
         self.search(from, to).least(RELATIVE)
     }
 
-    /// The same, right to a hundredth.
+    /// As above, within a hundredth.
     pub(crate) fn least_roughly(&self, from: Coords, to: Coords) -> Nearest {
         const ROUGHLY: f64 = 1e-2;
         self.search(from, to).least(ROUGHLY)

@@ -1,6 +1,6 @@
-//! What a part is made of for measuring distances: circles with a range of directions, and lines and flat arcs.
+//! Shapes for measuring distances of a part: circles with a range of directions, and lines and flat arcs.
 //!
-//! A vertex is a circle of radius 0. So there are three kinds of least distance: between two circles along the line of their
+//! A vertex is a circle of radius 0. So there are three kinds of minimum distance: between two circles along the line of their
 //! centres, between a circle and a flat arc along the normal of the arc, and between two flat arcs (`flats.rs`).
 
 use core::f64::consts::TAU;

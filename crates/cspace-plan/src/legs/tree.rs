@@ -12,7 +12,7 @@ pub(super) struct Node {
     pub(super) holds: Holds,
 }
 
-/// What a disc holds.
+/// Content of a disc of the tree.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Holds {
     /// A piece, by its index.

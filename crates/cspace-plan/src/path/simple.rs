@@ -7,7 +7,7 @@ use super::search::{ACROSS, Given, Keep, Search};
 use super::shorten::KEPT;
 use super::tracks::Tracks;
 
-/// What makes a way good.
+/// Criterion for choosing among paths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Prefer {
     /// Few legs, each straight or a turn on the spot where that is possible.

@@ -6,7 +6,7 @@ use crate::route::along;
 /// A path of more legs is of no use to anybody, and would take the memory.
 pub(crate) const MOST_LEGS: f64 = 1e6;
 
-/// The same path with legs divided evenly, so that none changes a coordinate by more than its step. `None` if these are more than
+/// Divides the legs of a path evenly, so that none changes a coordinate by more than its step. `None` if these are more than
 /// [`MOST_LEGS`].
 pub(crate) fn divided(places: &[Coords], steps: Coords) -> Option<Vec<Coords>> {
     let parts = |leg: &[Coords]| {

@@ -53,7 +53,7 @@ pub(super) struct Tracks {
     pub(super) tracks: Vec<Track>,
     /// The points on each track, in order.
     pub(super) lines: Vec<Vec<u32>>,
-    /// Of each point the tracks through it, with where it is on them.
+    /// For each point the tracks through it, with where it is on them.
     pub(super) through: Vec<Vec<(u32, u32)>>,
 }
 

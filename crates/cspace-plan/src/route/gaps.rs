@@ -37,7 +37,7 @@ pub(crate) struct Through<'a> {
     /// Fractions of the interval of x, and shares of that of y, at the entry and at the exit.
     fractions: (f64, f64),
     shares: (f64, f64),
-    /// What is added to both coordinates: whole turns.
+    /// Whole turns that are added to both coordinates.
     shift: [f64; 2],
 }
 

@@ -13,7 +13,7 @@ use super::station::{Station, share_of};
 pub(crate) struct Planar<'a> {
     space: &'a ContactSpace,
     pub(super) scene: Scene,
-    /// Of each patch.
+    /// Component of each patch.
     pub(super) component: Vec<u32>,
 }
 

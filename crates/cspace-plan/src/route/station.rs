@@ -15,7 +15,7 @@ pub(super) struct Station {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Across {
     pub(super) patch: u32,
-    /// What is added to the patch's orientations along the way: whole turns.
+    /// Whole turns that are added to the patch's orientations along the path.
     pub(super) turn: f64,
     pub(super) entry: Station,
     pub(super) exit: Station,

@@ -15,7 +15,7 @@ const MOST_STEPS: usize = 16;
 const TRIES: usize = 5;
 /// Contacts that a step runs into are taken into account one after another, so many for one step.
 const MOST_LEARNT: usize = 6;
-/// Of contacts that do not touch so many are remembered: those run into last.
+/// Number of contacts that do not touch and are remembered: those run into last.
 const MOST_KNOWN: usize = 4;
 /// Past an edge of an obstacle so many ways are tried.
 const MOST_EDGES: usize = 4;

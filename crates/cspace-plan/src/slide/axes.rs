@@ -11,7 +11,7 @@ use super::vector::{Vec3, between};
 pub(super) struct OnAxes<'a> {
     space: &'a FixedAxesSpace,
     axes: [Axis; 2],
-    /// What u and v are in units of 1: a length of 1 in the pair's frame, a radian.
+    /// Units of u and v: 1 in the pair's frame for a length, a radian for an angle.
     units: [f64; 2],
     scale: f64,
 }

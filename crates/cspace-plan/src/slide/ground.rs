@@ -1,4 +1,4 @@
-//! What sliding asks of a space: all of it in weighted coordinates, of which each counts alike.
+//! Space that sliding moves in, in weighted coordinates, all of which count alike.
 
 use cspace::{PatchId, QueryError};
 
@@ -48,7 +48,7 @@ pub(super) trait Ground {
     /// The contact function of a patch at a position.
     fn constraint(&self, patch: PatchId, at: Vec3) -> Result<Constraint, QueryError>;
 
-    /// The same of a position.
+    /// As above, for a position in weighted coordinates.
     fn is_blocked(&self, at: Vec3) -> bool {
         self.is_blocked_at(self.unweighted(at))
     }

@@ -99,8 +99,8 @@ impl<'a> Slider<'a> {
 
     /// The configuration asked for if it may be moved to; otherwise the first contact on the straight way, to within a resolution.
     ///
-    /// What is asked beyond the window or a range of motion is brought to its end first. From blocked space any way leads, so that a
-    /// part can be taken out. Of a lower pair the configuration of the joint that is as far along it as the one asked for.
+    /// A request beyond the window or a range of motion is brought to its end first. From blocked space any way leads, so that a
+    /// part can be taken out. For a lower pair: the configuration of the joint that is as far along it as the one asked for.
     ///
     /// # Errors
     /// If a configuration is in the coordinates of another class or not finite, the motion begins outside the window or the ranges, or

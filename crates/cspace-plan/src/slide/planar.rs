@@ -14,7 +14,7 @@ use super::vector::{Vec3, between, dot, minus, size};
 pub(super) struct Planar<'a> {
     space: &'a ContactSpace,
     frame: PairFrame,
-    /// Of the moving part about its centre: so much an orientation counts.
+    /// Radius of the moving part about its centre: the weight of an orientation.
     radius: f64,
 }
 

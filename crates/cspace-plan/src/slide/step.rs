@@ -14,15 +14,15 @@ use super::ways::{HalfSpace, ways_along};
 /// A step that leads nowhere is tried again, shorter by this factor.
 const SHORTER: f64 = 0.25;
 
-/// What a patch, or the end of a coordinate's range, leaves open at a position, to first order.
+/// Half-space that a patch, or the end of a coordinate's range, leaves open at a position, to first order.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Contact {
-    /// None of the end of a range.
+    /// `None` for the end of a range.
     pub(super) patch: Option<PatchId>,
     pub(super) space: HalfSpace,
 }
 
-/// What some patches and the ends of ranges leave open at a position.
+/// Half-spaces that some patches and the ends of ranges leave open at a position.
 pub(super) fn contacts_at(
     ground: &impl Ground,
     at: Vec3,

@@ -44,7 +44,7 @@ pub(super) const LEAST_BEND: f64 = 0.02;
 pub(super) const MOST_BEND: f64 = 4.0;
 /// A step follows the contacts that its end is nearer to than this share of its length: rounding of products of unit vectors.
 pub(super) const FOLLOWED: f64 = 1e-9;
-/// The same for contacts that hold it. A surface that is curved comes nearer than to first order: with less room than this a step has to
+/// As above, for contacts that hold it. A surface that is curved comes nearer than to first order: with less room than this a step has to
 /// keep to it.
 pub(super) const FOLLOWED_HELD: f64 = 1e-3;
 /// A step that is brought to the surface by more than so many of its lengths has not found the surface it was on.

@@ -6,7 +6,7 @@ use super::vector::{Vec3, dot, size, weighted, weights_of};
 /// Displacements d that a contact leaves open, to first order: normal · d ≥ −room.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct HalfSpace {
-    /// Of unit length.
+    /// Unit normal.
     pub(super) normal: Vec3,
     pub(super) room: f64,
 }

@@ -30,7 +30,7 @@ pub(crate) enum Until {
     Widest,
 }
 
-/// What is known of the ways between two configurations.
+/// Paths known between two configurations, with bounds of their clearance.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Wider {
     /// The places of the way with the most clearance that was found; none if none was.
@@ -45,7 +45,7 @@ pub(crate) struct Wider {
     at_ends: f64,
 }
 
-/// What becomes of a search for a way in the space of the grown part.
+/// Result of a search for a path in the space of the grown part.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Between {
     /// A way.
@@ -89,7 +89,7 @@ impl Wider {
 /// there is none.
 ///
 /// # Errors
-/// Of the computation of a grown pair; and what `progress` returns.
+/// If a grown pair cannot be computed; and errors that `progress` returns.
 pub(crate) fn widen(
     space: &PairSpace,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! What comes apart.
+//! Assemblies that come apart.
 
 use cspace::Part;
 use cspace_plan::assembly::Outcome;

@@ -9,7 +9,7 @@ use crate::played::play;
 
 /// Along each leg brute force looks at so many places.
 const PLACES: usize = 300;
-/// What is out is apart by this share of the parts' size.
+/// Gap, as a share of the parts' size, at which a part counts as out.
 const APART: f64 = 0.05;
 
 pub(crate) fn polygon(name: &str, corners: &[(f64, f64)]) -> Part {

@@ -1,4 +1,4 @@
-//! What leaves after others have made room.
+//! Parts that leave after others have made room.
 
 use cspace::mechanism::PartEntry;
 use cspace::{Axis, Coordinates, Mechanism, Part, Vector};

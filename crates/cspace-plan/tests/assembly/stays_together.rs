@@ -1,4 +1,4 @@
-//! What does not come apart.
+//! Assemblies that do not come apart.
 
 use cspace::{Part, Vertex, mechanism::JointEntry, pair::Joint};
 use cspace_plan::assembly::{Assembly, AssemblyError, Outcome};

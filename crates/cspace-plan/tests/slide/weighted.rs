@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 
 pub(crate) struct Weighted<'a> {
     space: &'a PairSpace,
-    /// Of planar pairs: the middle of each part, and how far the moving part's vertices are from its own.
+    /// For planar pairs: the middle of each part, and how far the moving part's vertices are from its own.
     middles: [Point; 2],
     radius: f64,
     /// Lengths are counted in units of 1 / scale.

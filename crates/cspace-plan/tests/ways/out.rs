@@ -155,7 +155,7 @@ fn on_axes_nothing_is_out() {
     assert_eq!(error.unwrap_err(), PlanError::NoGoal);
 }
 
-/// What is said about all ways out is not said about those to one place beside the parts alone: a small pin in the middle of a wide slot
+/// A bound on all paths out does not hold for those to one place beside the parts alone: a small pin in the middle of a wide slot
 /// has less room where it is only just out.
 #[test]
 fn no_way_out_has_more_clearance_than_is_said() {

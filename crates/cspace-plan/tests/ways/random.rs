@@ -17,7 +17,7 @@ const MOST_EDGES: usize = 24;
 struct Seen {
     paths: usize,
     none: usize,
-    /// Of these, so many by a flood fill.
+    /// Number of these that a flood fill found.
     filled: usize,
     blocked: usize,
     unknown: usize,

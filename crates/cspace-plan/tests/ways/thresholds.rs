@@ -1,4 +1,4 @@
-//! What just passes and what just does not, by formulas.
+//! Parts that just pass and parts that just do not, by formulas.
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 

@@ -32,7 +32,7 @@ impl Fit {
         }
     }
 
-    /// The same drawn elsewhere: nothing is parallel to an axis, and no origin is at a notable place.
+    /// As before, drawn elsewhere: nothing is parallel to an axis, and no origin is at a notable place.
     pub(super) fn moved(self, rng: &mut ChaCha8Rng) -> Self {
         let mut any = |most: f64| rng.random_range(-most..most);
         let (turns, f, m) = (

@@ -1,7 +1,7 @@
 //! Random fits with little play, each with a known answer.
 //!
-//! That there is a way is shown by one in the drawing: the part is moved along its slot. That there is none is shown by a disc
-//! inside the moving part that is wider than the only opening.
+//! A path is shown to exist by one in the drawing: the part is moved along its slot. No path exists where a disc
+//! inside the moving part is wider than the only opening.
 
 mod drawn;
 mod fit;
