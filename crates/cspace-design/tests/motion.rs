@@ -1,4 +1,4 @@
-//! What is measured of motions, against closed forms.
+//! Measures of motions, against closed forms.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 mod common;

@@ -114,7 +114,7 @@ impl Design {
     }
 }
 
-/// What every construction of an outline, an axis, a range and a configuration makes of a parameter.
+/// Derivatives of every construction of an outline, an axis, a range and a configuration by a parameter.
 #[test]
 fn derivatives_are_those_of_differences() {
     let wheel = r#"

@@ -221,7 +221,7 @@ measure = "caged"
     near(&of_one(&held), &[9.0], 0.0);
 }
 
-/// What is found meets the goal when it is measured, and no smaller change does.
+/// The solution meets the goal when it is measured, and no smaller change does.
 #[test]
 fn several_parameters_change_as_little_as_they_can() {
     let spans = [span("slot", 9.5, 11.0), span("high", 8.0, 28.0)];

@@ -634,7 +634,7 @@ along = [0, -24]
     }
 }
 
-/// What is free or blocked within all tolerances is so in drawings by chance, and the bands of the lock end where its plays do.
+/// Configurations free or blocked within all tolerances are so in drawings by chance, and the bands of the lock end where its plays do.
 #[test]
 fn contact_zones_hold_for_every_drawing() {
     const TRIES: usize = 1500;

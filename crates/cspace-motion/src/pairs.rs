@@ -102,7 +102,7 @@ impl Pairs {
     /// As [`compute`](Self::compute), with the spaces from elsewhere.
     ///
     /// # Errors
-    /// What `compute` returns.
+    /// Errors that `compute` returns.
     pub fn compute_by(
         mechanism: &Mechanism,
         compute: &Compute<'_>,

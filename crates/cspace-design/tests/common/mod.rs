@@ -1,4 +1,4 @@
-//! What tests of designs have in common.
+//! Helpers that tests of designs share.
 #![allow(clippy::unwrap_used, clippy::panic, dead_code)]
 
 use cspace_design::{Checked, Value};

@@ -24,7 +24,7 @@ pub(super) struct Domain {
     planar: bool,
     /// How far a point of the parts moves at most for a unit of each coordinate.
     levers: Coords,
-    /// The same with the points at which forces act: what is larger is divided first.
+    /// As above, with the points at which forces act: the coordinate with the larger extent is divided first.
     extents: Coords,
     /// A planar part whose pivot is not within this circle is out.
     circle: (Point, f64),

@@ -8,7 +8,7 @@ use super::pose::Placed;
 pub(super) struct At<'a> {
     pub(super) part: &'a Part,
     pub(super) placed: Placed,
-    /// What the placed frame's points are less than the part's own.
+    /// Origin of the placed frame, as a point of the part's own: points of the first are those of the second less this.
     pub(super) origin: Vector,
 }
 

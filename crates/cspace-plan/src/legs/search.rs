@@ -50,10 +50,10 @@ struct Over {
     moving: Placed,
 }
 
-/// What is sought: less than the best, or than a limit.
+/// Best distance found, and the limit below which a search goes on.
 struct Best {
     found: Nearest,
-    /// What is not less is passed over.
+    /// Distances that are not less are passed over.
     limit: f64,
     /// Whether anything less than the limit ends the search.
     decides: bool,
@@ -61,7 +61,7 @@ struct Best {
     /// After so many pairs of discs and pieces a search that decides ends as one that has found something, and another goes on with
     /// less precision.
     effort: u32,
-    /// What is found is right to this share of it.
+    /// Relative accuracy of the distance that is found.
     relative: f64,
     /// Features that are passed over.
     passed: Option<(FeatureName, FeatureName)>,

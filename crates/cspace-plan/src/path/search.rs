@@ -70,7 +70,7 @@ pub(super) struct Search<'s> {
     keep: Keep,
     /// So many orientations are used.
     angles: u32,
-    /// What weighs as much is not sought, nor what weighs more than a way that is known.
+    /// Weight of the best path known: paths that weigh as much or more are not sought.
     most: f64,
     reached: BTreeMap<State, Reached>,
     open: BinaryHeap<Open<State>>,
