@@ -108,14 +108,14 @@ class Model:
         """Values of parameters, each from `lo` to `hi`, at which a requirement is `=`, `<=` or `>=` a value."""
 
     def _source(self) -> Any:
-        """What the model is read from: the text, the path, and the values that are set."""
+        """The source of the model: the text, the path, and the values that are set."""
 
     def _sweep(self, names: Any, rows: Any, measures: Any) -> Any:
         """The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a
         value, or text with the reason why there is none."""
 
     def _tolerances(self, requirements: Any, samples: Any, seed: Any) -> Any:
-        """What tolerances do to the requirements of some names, or to all: what the command prints as JSON."""
+        """Effects of tolerances on the requirements of some names, or on all, as the command prints them in JSON."""
 
     def compute(self, fixed: Any = None, moving: Any = None, theta: Any = None) -> Any:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations."""
