@@ -6,6 +6,8 @@
 use std::path::Path;
 use std::process::Command;
 
+use crate::helpers::printed;
+
 /// A page with what the commands print now, and how many there are.
 fn run_page(text: &str, folder: &Path) -> (String, usize) {
     let program = assert_cmd::cargo::cargo_bin("cspace");
@@ -135,4 +137,21 @@ fn cages_and_escape() {
 #[test]
 fn motion() {
     is_true("motion.md", 6);
+}
+
+/// The README shows a model and what is computed of it.
+#[test]
+fn the_first_model() {
+    let file = format!("{}/../../README.md", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(file).unwrap();
+    let block = |opening: &str| -> String {
+        let (_, rest) = text.split_once(opening).unwrap();
+        rest.split_once("```").unwrap().0.to_owned()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("latch.toml");
+    std::fs::write(&model, block("```toml\n")).unwrap();
+    let shown = block("```console\n$ cspace compute latch.toml\n");
+    let computed = printed(&["compute", model.to_str().unwrap()]);
+    assert_eq!(without_seconds(&shown), without_seconds(&computed));
 }

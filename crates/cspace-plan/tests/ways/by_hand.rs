@@ -662,3 +662,32 @@ fn what_is_preferred_is_had() {
         );
     }
 }
+
+/// Lengths of legs and turns in degrees are whole or half numbers where there is room for it.
+#[test]
+fn numbers_of_legs_are_round() {
+    const ROUNDING: f64 = 1e-9;
+    let names = [
+        "round pin drawn afar in a J slot",
+        "key turned in a keyhole",
+        "disc through a maze",
+    ];
+    let all = problems();
+    let chosen: Vec<_> = all.iter().filter(|p| names.contains(&p.name)).collect();
+    assert_eq!(chosen.len(), names.len());
+    for problem in chosen {
+        let space = problem.space();
+        let planner = Planner::new(&space).unwrap();
+        let path = problem.way(&planner, problem.to, Prefer::Legs);
+        let places: Vec<_> = (path.configurations.iter())
+            .map(|&c| planner.scene().numbers(c).unwrap())
+            .collect();
+        for leg in places.windows(2) {
+            let by: [f64; 3] = core::array::from_fn(|k| leg[1][k] - leg[0][k]);
+            for number in [by[0].hypot(by[1]), by[2].to_degrees()] {
+                let off = (2.0 * number - (2.0 * number).round()).abs();
+                assert!(off < ROUNDING, "{}: {by:?}", problem.name);
+            }
+        }
+    }
+}

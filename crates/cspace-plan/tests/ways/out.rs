@@ -184,9 +184,41 @@ fn no_way_out_has_more_clearance_than_is_said() {
             (-1.0, 3.0),
         ],
     );
-    for (moving, clearance) in [(&pin, 9.0), (&angle, 7.0)] {
+    // The nearest place that is out is above the tray, at less than the part has on the way to it.
+    let tray = part(
+        "tray",
+        &[
+            (-30.0, -30.0),
+            (30.0, -30.0),
+            (30.0, 20.0),
+            (12.0, 20.0),
+            (12.0, 10.0),
+            (20.0, 10.0),
+            (20.0, -20.0),
+            (-20.0, -20.0),
+            (-20.0, 20.0),
+            (-30.0, 20.0),
+        ],
+    );
+    let bracket = part(
+        "bracket",
+        &[
+            (-15.0, -15.0),
+            (15.0, -15.0),
+            (15.0, -11.0),
+            (-11.0, -11.0),
+            (-11.0, 15.0),
+            (-15.0, 15.0),
+        ],
+    );
+    let pairs = [
+        (&slot, &pin, 9.0),
+        (&slot, &angle, 7.0),
+        (&tray, &bracket, 4.86),
+    ];
+    for (fixed, moving, clearance) in pairs {
         let space =
-            PairSpace::compute(&slot, moving, Relation::Planar, &Options::default()).unwrap();
+            PairSpace::compute(fixed, moving, Relation::Planar, &Options::default()).unwrap();
         let planner = Planner::new(&space).unwrap();
         let from = Coordinates::Planar(Configuration::new(0.0, 0.0, 0.0));
         let wishes = Wishes {
