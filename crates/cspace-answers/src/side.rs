@@ -4,6 +4,8 @@ use core::f64::consts::PI;
 
 use cspace::{Edge, FeatureKind, FeatureName, Loop, Part, Point, Vector};
 
+use cspace_plan::farthest;
+
 use crate::rounded::rounded;
 
 /// Lengths that differ by less than this share of the part's size are the same: drawings have six digits and more.
@@ -39,14 +41,8 @@ pub fn place_on_part(part: &Part, feature: FeatureName) -> Option<String> {
 
 fn line(part: &Part, outline: &Loop, edge: &Edge) -> String {
     let outward = (edge.end - edge.start).right().unit();
-    let reach = |p: Point| p.to_vector().dot(outward);
-    let farthest = (part.edges()).fold(f64::NEG_INFINITY, |most, other| {
-        let crest = (other.fraction_heading(outward.left()))
-            .filter(|_| other.bulge > 0.0)
-            .map_or(other.start, |u| other.at(u));
-        most.max(reach(other.start)).max(reach(crest))
-    });
-    if reach(edge.start) >= farthest - SAME * part.size() {
+    let reach = edge.start.to_vector().dot(outward);
+    if reach >= farthest(part, outward) - SAME * part.size() {
         return format!("{} side", direction(outward));
     }
     // What looks to the right is left of the space that it bounds.

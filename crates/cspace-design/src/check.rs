@@ -1,6 +1,6 @@
 //! All requirements of a model.
 
-use cspace::mechanism::Compute;
+use cspace::mechanism::{Compute, compute_anew};
 use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
 use cspace_io::model::{Requirement, Subject, Target};
 use cspace_io::{Model, ModelError};
@@ -91,10 +91,7 @@ pub(crate) struct Spaces {
 
 impl Spaces {
     pub(crate) fn compute(model: &Model, progress: &dyn Progress) -> Result<Self, Interrupted> {
-        let compute: &Compute<'_> = &|fixed, moving, relation, options| {
-            PairSpace::compute_with(fixed, moving, relation, options, progress)
-        };
-        Self::compute_by(model, compute, progress)
+        Self::compute_by(model, &compute_anew(progress), progress)
     }
 
     /// The spaces from elsewhere, and motions that are followed on them.

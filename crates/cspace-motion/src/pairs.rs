@@ -1,6 +1,6 @@
 //! The pairs of a mechanism that can meet, with their configuration spaces.
 
-use cspace::mechanism::{Compute, MechanismError};
+use cspace::mechanism::{Compute, MechanismError, compute_anew};
 use cspace::{
     Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
     PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
@@ -94,9 +94,7 @@ impl Pairs {
     /// # Errors
     /// If a space cannot be computed.
     pub fn compute(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, MechanismError> {
-        Self::compute_by(mechanism, &|fixed, moving, relation, options| {
-            PairSpace::compute_with(fixed, moving, relation, options, progress)
-        })
+        Self::compute_by(mechanism, &compute_anew(progress))
     }
 
     /// As [`compute`](Self::compute), with the spaces from elsewhere.

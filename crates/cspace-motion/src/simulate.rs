@@ -2,8 +2,8 @@
 
 use core::cell::Cell;
 
-use cspace::mechanism::Compute;
-use cspace::{Mechanism, PairSpace, Progress, Silent, Stage};
+use cspace::mechanism::{Compute, compute_anew};
+use cspace::{Mechanism, Progress, Silent, Stage};
 
 use crate::assemble::assemble;
 use crate::contact::check_start;
@@ -94,9 +94,7 @@ impl Simulation {
     /// # Errors
     /// As [`new`](Self::new), and errors returned by `progress`.
     pub fn new_with(mechanism: &Mechanism, progress: &dyn Progress) -> Result<Self, SimulateError> {
-        Self::new_by(mechanism, &|fixed, moving, relation, options| {
-            PairSpace::compute_with(fixed, moving, relation, options, progress)
-        })
+        Self::new_by(mechanism, &compute_anew(progress))
     }
 
     /// As [`new`](Self::new), with the spaces from elsewhere.

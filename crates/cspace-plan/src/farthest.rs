@@ -2,8 +2,16 @@
 
 use cspace::{Edge, Part, Point, Vector};
 
-/// max p · d over the points of a part.
-pub(crate) fn farthest(part: &Part, direction: Vector) -> f64 {
+/// max p · d over the points p of a part, for a direction d of unit length: how far the part reaches along d from the origin of its frame,
+/// in the model's unit.
+///
+/// ```
+/// use cspace::{Part, Vector};
+/// let disc = Part::circle("disc", (3.0, 0.0), 2.0)?;
+/// assert!((cspace_plan::farthest(&disc, Vector::new(1.0, 0.0)) - 5.0).abs() < 1e-12);
+/// # Ok::<(), cspace::PartError>(())
+/// ```
+pub fn farthest(part: &Part, direction: Vector) -> f64 {
     // With the direction as the x axis the box says it.
     let turned = |p: Point| {
         let v = p.to_vector();

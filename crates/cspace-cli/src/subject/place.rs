@@ -115,19 +115,23 @@ impl Chosen<'_> {
     /// page calls regions the same.
     pub(crate) fn region(&self, region: RegionId) -> String {
         match region {
+            _ if self.is_outside(region) => "outside".to_owned(),
             RegionId(i) if self.is_on_axes() => format!("region {i}"),
-            RegionId(0) => "outside".to_owned(),
             RegionId(i) => format!("pocket {i}"),
         }
     }
 
     /// The words that a configuration in a free region is told with.
     pub(crate) fn is_free(&self, region: RegionId) -> String {
-        let name = self.region(region);
-        match name.as_str() {
-            "outside" => "free, outside".to_owned(),
-            _ => format!("free, in {name}"),
+        match self.is_outside(region) {
+            true => "free, outside".to_owned(),
+            false => format!("free, in {}", self.region(region)),
         }
+    }
+
+    /// Whether a region is the one that goes on without limit, which only planar pairs have, and have first.
+    fn is_outside(&self, region: RegionId) -> bool {
+        region == RegionId(0) && !self.is_on_axes()
     }
 
     /// That a question has no answer.

@@ -90,11 +90,8 @@ impl PartCoordinates {
 
 /// The largest distance of a part's points from one, or a little more.
 pub(crate) fn reach(part: &Part, from: Point) -> f64 {
-    let corners = part.edges().flat_map(|e| {
-        let b = e.bounds();
-        [b.min.x, b.max.x].map(|x| [b.min.y, b.max.y].map(|y| Point::new(x, y)))
-    });
-    (corners.flatten().map(|p| from.distance(p))).fold(0.0, f64::max)
+    let corners = part.edges().flat_map(|e| e.bounds().corners());
+    corners.map(|p| from.distance(p)).fold(0.0, f64::max)
 }
 
 /// Functions of where two parts are, in any numbers.

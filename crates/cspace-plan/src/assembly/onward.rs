@@ -4,9 +4,11 @@
 //! needs room to be taken apart itself. So the last that leaves goes on until it is beside what is left, the one before it until it is
 //! beside both, and so on; always away from that line, where nothing of what stays is met.
 
-use cspace::{Axis, Configuration, Coordinates, Part, Point, Rotation, Vector};
+use cspace::{Axis, Configuration, Coordinates, Part, Point, Vector};
 
+use crate::legs::{configuration_about, numbers_about};
 use crate::out::exits;
+use crate::route::along;
 
 use super::answer::{Kind, Step, Tree};
 use super::error::AssemblyError;
@@ -113,14 +115,8 @@ impl<'a> Played<'a> {
     ) -> Vec<Point> {
         (parts.iter())
             .flat_map(|&i| {
-                let (b, at) = (self.parts[i].bounds(), place(self.at[i]));
-                [
-                    (b.min.x, b.min.y),
-                    (b.max.x, b.min.y),
-                    (b.max.x, b.max.y),
-                    (b.min.x, b.max.y),
-                ]
-                .map(|(x, y)| at.fixed_from_moving(Point::new(x, y)))
+                let at = place(self.at[i]);
+                (self.parts[i].bounds().corners()).map(|p| at.fixed_from_moving(p))
             })
             .collect()
     }
@@ -128,19 +124,15 @@ impl<'a> Played<'a> {
 
 /// The coordinates at a share of a leg along which a point of the moving parts goes straight.
 fn between(from: Coordinates, to: Coordinates, about: Vector, share: f64) -> Coordinates {
-    let mix = |a: f64, b: f64| a + (b - a) * share;
     match (from, to) {
         (Coordinates::Planar(a), Coordinates::Planar(b)) => {
-            let point = |c: Configuration| c.position() + Rotation::by(c.theta) * about;
-            let (p, q) = (point(a), point(b));
-            let theta = mix(a.theta, b.theta);
-            let at = Point::new(mix(p.x, q.x), mix(p.y, q.y)) - Rotation::by(theta) * about;
-            Coordinates::Planar(Configuration::new(at.x, at.y, theta))
+            let [a, b] = [a, b].map(|c| numbers_about(c, about));
+            Coordinates::Planar(configuration_about(along(a, b, share), about))
         }
-        (Coordinates::Axes { u, v }, Coordinates::Axes { u: p, v: q }) => Coordinates::Axes {
-            u: mix(u, p),
-            v: mix(v, q),
-        },
+        (Coordinates::Axes { u, v }, Coordinates::Axes { u: p, v: q }) => {
+            let [u, v, _] = along([u, v, 0.0], [p, q, 0.0], share);
+            Coordinates::Axes { u, v }
+        }
         _ => to,
     }
 }

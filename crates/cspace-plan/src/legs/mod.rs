@@ -4,6 +4,7 @@
 //! and bound over pairs of discs around pieces of the boundaries and over time; no bound is sampled. It knows the parts
 //! alone, and nothing of their contact space: a path that it passes is free whatever the space says.
 
+mod about;
 mod apart;
 mod at;
 mod body;
@@ -21,6 +22,7 @@ mod search;
 mod shape;
 mod tree;
 
+pub(crate) use about::{configuration_about, numbers_about};
 pub(crate) use body::{Between, Body};
 pub use near::Near;
 pub use pose::Coords;

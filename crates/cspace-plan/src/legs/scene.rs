@@ -1,10 +1,11 @@
 //! Two parts with their motions, to be asked for distances.
 
 use cspace::{
-    Axis, AxisMotion, Configuration, Coordinates, FeatureName, PairSpace, Part, Point, QueryError,
-    Rotation, Vector,
+    Axis, AxisMotion, Coordinates, FeatureName, PairSpace, Part, Point, QueryError, Rotation,
+    Vector,
 };
 
+use super::about::{configuration_about, numbers_about};
 use super::at::At;
 use super::depth::{NORMALS, is_deep};
 use super::near::Near;
@@ -190,11 +191,7 @@ impl Scene {
     /// If they are those of another class.
     pub fn numbers(&self, at: Coordinates) -> Result<Coords, QueryError> {
         match (self.motions, at) {
-            (None, Coordinates::Planar(c)) if self.about == Vector::ZERO => Ok([c.x, c.y, c.theta]),
-            (None, Coordinates::Planar(c)) => {
-                let at = c.position() + Rotation::by(c.theta) * self.about;
-                Ok([at.x, at.y, c.theta])
-            }
+            (None, Coordinates::Planar(c)) => Ok(numbers_about(c, self.about)),
             (Some(_), Coordinates::Axes { u, v }) => Ok([u, v, 0.0]),
             _ => Err(QueryError::Outside),
         }
@@ -203,13 +200,7 @@ impl Scene {
     /// Numbers as coordinates of the pair's class.
     pub fn coordinates(&self, at: Coords) -> Coordinates {
         match self.motions {
-            None if self.about == Vector::ZERO => {
-                Coordinates::Planar(Configuration::new(at[0], at[1], at[2]))
-            }
-            None => {
-                let p = Point::new(at[0], at[1]) - Rotation::by(at[2]) * self.about;
-                Coordinates::Planar(Configuration::new(p.x, p.y, at[2]))
-            }
+            None => Coordinates::Planar(configuration_about(at, self.about)),
             Some(_) => Coordinates::Axes { u: at[0], v: at[1] },
         }
     }

@@ -3,15 +3,13 @@
 //! A leg is made longer or shorter, or turns by more or less, until its number is round. Places after it are moved by as much, up to a
 //! later leg in the same direction, which takes up the difference; what is out may end elsewhere.
 
-use core::f64::consts::TAU;
-
 use cspace::Vector;
 
 use crate::legs::{Coords, Scene};
 
 use super::legs::Legs;
 use super::outside::{Outside, is_out};
-use super::tracks::{ALIGNED, alignments};
+use super::tracks::{aligned_near, alignments};
 
 /// A leg keeps this share of its clearance.
 const KEPT: f64 = 0.9;
@@ -83,7 +81,9 @@ impl Tidy<'_, '_> {
                 let found = turns(from[2], to[2], &aligned)
                     .into_iter()
                     .find_map(|by| self.shifted(leg, [0.0, 0.0, by]));
-                self.places = found.unwrap_or_else(|| core::mem::take(&mut self.places));
+                if let Some(places) = found {
+                    self.places = places;
+                }
             }
             let (from, to) = (self.places[leg], self.places[leg + 1]);
             if from[2] == to[2] {
@@ -91,7 +91,9 @@ impl Tidy<'_, '_> {
                 let unit = way.unit();
                 let found = lengths(way.length())
                     .find_map(|by| self.shifted(leg, [unit.x * by, unit.y * by, 0.0]));
-                self.places = found.unwrap_or_else(|| core::mem::take(&mut self.places));
+                if let Some(places) = found {
+                    self.places = places;
+                }
             }
         }
     }
@@ -141,11 +143,8 @@ fn takes_up(from: Coords, to: Coords, by: Coords) -> bool {
 
 /// By how much more to turn so that the parts are aligned or the turn is a round one, the roundest first, radians.
 fn turns(from: f64, to: f64, aligned: &[f64]) -> Vec<f64> {
-    let mut near: Vec<f64> = (aligned.iter())
-        .map(|a| a + TAU * ((to - a) / TAU).round() - to)
-        .filter(|by| by.abs() < ALIGNED)
-        .collect();
-    near.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    let mut near = aligned_near(aligned, to);
+    near.iter_mut().for_each(|angle| *angle -= to);
     let turn = to - from;
     let round = TURNS.iter().map(|step| step.to_radians()).map(|step| {
         let turns = (turn / step).round();

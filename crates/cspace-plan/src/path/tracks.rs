@@ -35,7 +35,7 @@ const ON_TRACK: f64 = 1e-9;
 /// Tracks nearer to each other than this share of the way's extent are one.
 const SAME_TRACK: f64 = 1e-6;
 /// An orientation this near to one at which lines of the two parts are parallel gives way to that, radians.
-pub(super) const ALIGNED: f64 = 0.2;
+const ALIGNED: f64 = 0.2;
 /// The middle of a gap is found to this share of the clearance there, in so many steps at most.
 const CENTRED: f64 = 1e-7;
 const STEPS: usize = 64;
@@ -194,11 +194,8 @@ fn within(places: &[Coords]) -> Vec<Coords> {
 fn around(scene: &Scene, places: &[Coords]) -> Bounds {
     let by = Vector::new(scene.size(), scene.size());
     let fixed = scene.parts().0.bounds();
-    let corners = places.iter().map(|at| Point::new(at[0], at[1]));
-    let within = corners.fold(fixed, |b, p| Bounds {
-        min: Point::new(b.min.x.min(p.x), b.min.y.min(p.y)),
-        max: Point::new(b.max.x.max(p.x), b.max.y.max(p.y)),
-    });
+    let points = places.iter().map(|at| Point::new(at[0], at[1]));
+    let within = points.fold(fixed, |all, p| all.union(Bounds::of(p, p)));
     Bounds {
         min: within.min - by,
         max: within.max + by,
@@ -269,11 +266,7 @@ fn angles(scene: &Scene, bends: &[Coords]) -> Vec<f64> {
     if scene.motions().is_none() {
         let aligned = alignments(scene);
         for at in bends {
-            let near = aligned
-                .iter()
-                .map(|a| a + TAU * ((at[2] - a) / TAU).round());
-            let nearest = near.min_by(|a, b| (a - at[2]).abs().total_cmp(&(b - at[2]).abs()));
-            if let Some(angle) = nearest.filter(|a| (a - at[2]).abs() < ALIGNED) {
+            if let Some(&angle) = aligned_near(&aligned, at[2]).first() {
                 add(angle);
             }
         }
@@ -284,6 +277,16 @@ fn angles(scene: &Scene, bends: &[Coords]) -> Vec<f64> {
     let (lo, hi) = scene.limits()[2];
     found.retain(|a| (lo..=hi).contains(a) || *a == first[2] || *a == last[2]);
     found
+}
+
+/// The orientations of those aligned that are near another, as often around as that, the nearest first; radians.
+pub(super) fn aligned_near(aligned: &[f64], at: f64) -> Vec<f64> {
+    let mut near: Vec<f64> = (aligned.iter())
+        .map(|a| a + TAU * ((at - a) / TAU).round())
+        .filter(|a| (a - at).abs() < ALIGNED)
+        .collect();
+    near.sort_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()));
+    near
 }
 
 /// The orientations at which the longest lines of the two parts are parallel, radians in a turn.

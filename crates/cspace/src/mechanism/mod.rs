@@ -14,7 +14,7 @@ pub use dynamics::{
     MassProperties, PairSurface, PartDynamics, PartPosition, PartVelocity, Spring, SpringKind,
 };
 pub use entries::{JointEntry, Mechanism, PairEntry, PartEntry};
-pub use relation::Compute;
+pub use relation::{Compute, compute_anew};
 
 #[cfg(test)]
 mod tests;

@@ -12,6 +12,15 @@ use super::entries::{Mechanism, PairEntry};
 pub type Compute<'a> =
     dyn Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync + 'a;
 
+/// The [`Compute`] that computes every space, with a report of every stage to `progress`.
+pub fn compute_anew(
+    progress: &dyn Progress,
+) -> impl Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync {
+    move |fixed, moving, relation, options| {
+        PairSpace::compute_with(fixed, moving, relation, options, progress)
+    }
+}
+
 impl Mechanism {
     /// Relation of the parts of a pair: by a joint if one names both, in either order; otherwise in the plane if either is planar;
     /// otherwise each on its own axis.
@@ -82,9 +91,7 @@ impl Mechanism {
         options: &Options,
         progress: &dyn Progress,
     ) -> Result<PairSpace, MechanismError> {
-        self.compute_by(pair, options, &|fixed, moving, relation, options| {
-            PairSpace::compute_with(fixed, moving, relation, options, progress)
-        })
+        self.compute_by(pair, options, &compute_anew(progress))
     }
 
     /// As [`compute`](Self::compute), with the space from elsewhere.

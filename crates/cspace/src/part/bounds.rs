@@ -52,6 +52,13 @@ impl Bounds {
         (self.max.x - self.min.x).hypot(self.max.y - self.min.y)
     }
 
+    /// The four corners, counter-clockwise from `min`.
+    #[inline]
+    pub fn corners(self) -> [Point; 4] {
+        let (min, max) = (self.min, self.max);
+        [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y)]
+    }
+
     /// The middle of the box.
     #[inline]
     pub fn center(self) -> Point {
