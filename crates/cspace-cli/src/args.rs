@@ -168,7 +168,7 @@ pub(crate) struct CacheArgs {
     pub(crate) no_cache: bool,
 }
 
-/// What all commands that take a file have.
+/// Arguments common to the commands that take a file.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct Common {
     /// A model (.toml, .json), or a contact space saved by `cspace export FILE -o OUT.json`; - is standard input
@@ -307,8 +307,8 @@ pub(crate) struct SliceArgs {
     /// has none
     #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
-    /// What fits exactly is free: a loop may be one point, or go along a segment or arc and back; curves are those of the parts as
-    /// drawn, and what goes on along one line or circle is one of them
+    /// Count exact fits as free: a loop of the slice may be a single point, or run along a segment or an arc and back; curves are
+    /// those of the parts as drawn, and adjacent curves on one line or circle are merged
     #[arg(long)]
     pub(crate) exact: bool,
     /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
@@ -327,7 +327,7 @@ pub(crate) struct ClassifyArgs {
     pub(crate) common: Common,
     #[command(flatten)]
     pub(crate) window: WindowArg,
-    /// What is added to each row, in this order
+    /// Columns added to each row, in this order
     #[arg(
         long,
         value_enum,
@@ -341,7 +341,7 @@ pub(crate) struct ClassifyArgs {
     pub(crate) touch: Option<f64>,
 }
 
-/// What is told of a configuration.
+/// A property of a configuration, as a column of the answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Column {
     /// free, blocked or contact
@@ -437,14 +437,14 @@ pub(crate) struct MoveArgs {
     pub(crate) by: String,
 }
 
-/// What makes a path good.
+/// The property by which a path is chosen among those with the requested clearance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PreferChoice {
     /// Few legs, straight along edges and axes, or turns on the spot
     Legs,
     /// Clearance all along
     Clearance,
-    /// A short way
+    /// A short path
     Length,
 }
 
@@ -478,7 +478,7 @@ pub(crate) struct PlanArgs {
     /// A path with at least this clearance, in the model's unit [default: half of what is possible]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "check")]
     pub(crate) clearance: Option<f64>,
-    /// What makes a path with that clearance good
+    /// Property by which the path is chosen among those with that clearance
     #[arg(
         long,
         value_enum,
@@ -621,14 +621,14 @@ pub(crate) struct TolerancesArgs {
     /// Measure the yield on this many samples by chance
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000))]
     pub(crate) samples: u64,
-    /// What the samples follow from: the same numbers for the same seed, on any number of threads
+    /// Seed of the random samples: the same seed gives the same numbers, on any number of threads
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub(crate) seed: u64,
     /// Find the tolerances of least cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
     /// tolerance doubles its cost
     #[arg(long, value_name = "worst|YIELD", value_parser = criterion)]
     pub(crate) allocate: Option<Criterion>,
-    /// What the tolerance of a parameter costs as it is given in the model; may be given several times [default: all cost the same, 1]
+    /// Cost of a parameter's tolerance at the value given in the model; may be given several times [default: 1 for every parameter]
     #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost)]
     pub(crate) cost: Vec<(String, f64)>,
     /// Tell each value and its extremes where a coordinate has each of N values from LO to HI; of a play about where the part was before
@@ -728,7 +728,7 @@ pub(crate) struct SolveArgs {
     /// A parameter that may be from LO to HI; of several the smallest change from the model's values is sought, relative to their ranges
     #[arg(long, value_name = "NAME=LO:HI", value_parser = bounds, allow_hyphen_values = true, required = true)]
     pub(crate) vary: Vec<Bounds>,
-    /// What must be so: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true
+    /// Condition to satisfy: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true
     #[arg(long, value_name = "MEASURE = VALUE", value_parser = wanted, allow_hyphen_values = true)]
     pub(crate) so_that: Goal,
     /// One parameter: the number of values at which is measured before solutions are sought between them
@@ -862,7 +862,7 @@ pub(crate) struct SimulateArgs {
     pub(crate) threads: u16,
 }
 
-/// What moves a mechanism.
+/// The model of motion: with or without inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Mode {
     /// Masses move by forces
@@ -926,7 +926,7 @@ pub(crate) struct SiteArgs {
 }
 
 impl SiteArgs {
-    /// What other commands that take a file are given, of one model of the site.
+    /// The arguments with which other commands would compute one model of the site.
     pub(crate) fn common(&self, file: PathBuf) -> Common {
         Common {
             file,
@@ -998,7 +998,7 @@ pub(crate) struct ViewArgs {
 }
 
 impl ViewArgs {
-    /// What it has of what other commands that take a file have.
+    /// The arguments that it shares with the other commands that take a file; the others have their defaults.
     pub(crate) fn common(&self) -> Common {
         Common {
             file: self.file.clone(),

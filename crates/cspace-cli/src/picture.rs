@@ -1,4 +1,4 @@
-//! What all commands say of the pictures that they write.
+//! Options of pictures, common to all commands that write them.
 
 use std::path::Path;
 
@@ -10,14 +10,14 @@ use crate::angle;
 use crate::failure::Failure;
 use crate::output;
 
-/// What may be said of every picture.
+/// Options of every picture.
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Pictures (.svg, .png, .pdf)")]
 pub(crate) struct SheetArgs {
     /// Width and height in dots
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub(crate) size: Option<(f64, f64)>,
-    /// What is written above it
+    /// Title above the picture
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 }
@@ -28,19 +28,19 @@ pub(crate) struct SheetArgs {
 pub(crate) struct PictureArgs {
     #[command(flatten)]
     sheet: SheetArgs,
-    /// Which names and numbers it has [default: auto, those that fit]
+    /// Names and numbers in the picture [default: auto, those that fit]
     #[arg(long, value_enum)]
     pub(crate) labels: Option<LabelChoice>,
-    /// What of x is seen
+    /// Range of x that is shown
     #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true)]
     pub(crate) x: Option<(f64, f64)>,
-    /// What of y is seen
+    /// Range of y that is shown
     #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true)]
     pub(crate) y: Option<(f64, f64)>,
-    /// Fixed axes: what of u is seen; angles in radians or such as 18deg
+    /// Fixed axes: range of u that is shown; angles in radians or such as 18deg
     #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true)]
     pub(crate) u: Option<(f64, f64)>,
-    /// Fixed axes: what of v is seen
+    /// Fixed axes: range of v that is shown
     #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true)]
     pub(crate) v: Option<(f64, f64)>,
 }
@@ -49,15 +49,15 @@ pub(crate) struct PictureArgs {
 pub(crate) enum LabelChoice {
     /// None
     None,
-    /// Those that fit
+    /// Labels that fit
     Auto,
-    /// Those that fit, also of features, as answers call them
+    /// Labels that fit, including those of features, named as in answers
     Features,
     /// All, and numbers of vertices
     All,
 }
 
-/// What a strip of a picture is called that shows a quantity.
+/// The label of a strip that plots a quantity: its name and unit.
 pub(crate) fn strip_label(name: &str, dimension: Dimension, unit: Option<&str>) -> String {
     match (dimension, unit) {
         (Dimension::Angle, _) => format!("{name}, deg"),
@@ -172,7 +172,7 @@ pub(crate) fn write(
 }
 
 fn size(text: &str) -> Result<(f64, f64), String> {
-    /// What a picture needs to show anything, and more than any printer has.
+    /// Accepted lengths of a side, in dots: from the smallest readable picture to more than any printer resolves.
     const SIDES: std::ops::RangeInclusive<f64> = 100.0..=50_000.0;
     let side = |text: &str| {
         text.trim()
