@@ -19,7 +19,7 @@ use sha2::{Digest, Sha256};
 /// The variable that names the folder, or says that there is none.
 const FOLDER: &str = "CSPACE_CACHE";
 
-/// What it says then.
+/// Value of [`FOLDER`] that turns the cache off.
 const OFF: &str = "off";
 
 /// The variable for the seconds that a computation takes at least of which the space is kept.
@@ -34,10 +34,10 @@ const MOST: u64 = 512 << 20;
 /// The bytes of one entry, at most, so that there is room for several.
 const LARGEST: u64 = MOST / 4;
 
-/// What names of entries end in.
+/// Ending of the file names of entries.
 const ENDING: &str = ".cspace.gz";
 
-/// What names of files begin with that are not written to their ends.
+/// Prefix of the names of files whose writing is not complete.
 const UNFINISHED: &str = ".cspace-";
 
 /// The space of two parts, and whether it was kept from before. One that is computed is kept.

@@ -25,7 +25,7 @@ pub(crate) fn read_with_bytes(
     Ok((drawing.map_err(|e| failed(path, &e))?, bytes))
 }
 
-/// What is wrong with a drawing.
+/// The failure of a command whose drawing is rejected: the reason, and how to fix it.
 pub(crate) fn failed(path: &Path, error: &DrawingError) -> Failure {
     Failure::input(format_args!("{}: {error}", path.display())).help(error.help())
 }
@@ -148,7 +148,7 @@ pub(crate) fn of_model(
     Ok(kept.map(|u| u.label().to_owned()))
 }
 
-/// What the lengths of a drawing are multiplied by.
+/// The scale factor for the lengths of a drawing: `--scale`, or the conversion between units.
 pub(crate) fn factor(
     args: &DrawingArgs,
     path: &Path,

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anstyle::AnsiColor;
 use cspace_io::{ModelError, shown};
 
-/// What went wrong, and what to do about it.
+/// An error of a command: its exit code, its message, and how to fix it.
 #[derive(Debug)]
 pub(crate) struct Failure {
     code: u8,
@@ -57,7 +57,7 @@ impl Failure {
         self.code > other.code
     }
 
-    /// What is wrong.
+    /// The message, without the help.
     pub(crate) fn message(&self) -> &str {
         &self.message
     }
@@ -74,7 +74,7 @@ impl Failure {
         }
     }
 
-    /// The same, once it has been printed.
+    /// This failure without message and help, for one that has been printed already.
     pub(crate) fn said(self) -> Self {
         Self {
             message: String::new(),

@@ -24,7 +24,7 @@ use cspace_io::shown;
 use args::{Cli, Command};
 use failure::Failure;
 
-/// What `cspace tolerances --format json` prints of an analysis: its schema is `docs/answers/tolerances.schema.json`.
+/// The answer of `cspace tolerances --format json` for an analysis; its schema is `docs/answers/tolerances.schema.json`.
 ///
 /// # Errors
 /// If it cannot be written as JSON.
@@ -35,8 +35,8 @@ pub fn tolerances_answer(
     serde_json::to_value(command::tolerances::answer::rows(variations, found))
 }
 
-/// What `cspace modes --format json` prints of three parts of a mechanism and a configuration of them, where that is, and how many seconds it
-/// took: its schema is `docs/answers/modes.schema.json`.
+/// The answer of `cspace modes --format json` for three parts of a mechanism, a requested configuration with its place among the modes, and
+/// the computing time in seconds; its schema is `docs/answers/modes.schema.json`.
 ///
 /// # Errors
 /// If it cannot be written as JSON.

@@ -13,7 +13,7 @@ use flate2::write::GzEncoder;
 
 use crate::failure::Failure;
 
-/// What stands for standard input as FILE, and for standard output after `-o`.
+/// Path that stands for standard input as FILE, and for standard output after `-o`.
 pub(crate) const STANDARD: &str = "-";
 
 /// The file to write, if it is not standard output.
@@ -54,7 +54,7 @@ fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
     printed(std::io::stdout().write_all(bytes))
 }
 
-/// What has been printed to standard output, once all of it is there.
+/// Flushes standard output after `result` of writing to it; a reader that closed the pipe is no error.
 pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
     match result.and_then(|()| std::io::stdout().flush()) {
         Ok(()) => Ok(()),
@@ -128,7 +128,7 @@ pub(crate) fn abandon() -> MutexGuard<'static, Pending> {
     pending
 }
 
-/// That the output can be written is found out before the work is done, and before anything is read.
+/// Checks that the output can be written; to be called before any input is read and any work is done.
 pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = file(path) else {
         return Ok(());
@@ -186,14 +186,14 @@ fn files() -> MutexGuard<'static, Files> {
     FILES.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// That a file may be read, under whatever name: it is refused if the output would be written over it.
+/// Registers a file that is about to be read; an error if the output, under whatever name, would overwrite it.
 ///
-/// Every file is asked about before it is read. It is known from then on, so that no output is written over it.
+/// To be called before every file is read. From then on no output is written over that file.
 pub(crate) fn before_reading(path: &Path) -> Result<(), Failure> {
     reading(identity(path), OVER_INPUT)
 }
 
-/// That standard input may be read, which may come from a file.
+/// Registers the file that standard input comes from, if any, as one that is read; an error if it is the output.
 pub(crate) fn before_reading_stdin() -> Result<(), Failure> {
     reading(
         stdin_identity(),
@@ -211,7 +211,7 @@ fn reading(read: Option<Identity>, what: &'static str) -> Result<(), Failure> {
     output.map_or(Ok(()), |path| check_apart(&path))
 }
 
-/// That the output is none of the files that are read.
+/// Checks that the output is none of the registered input files.
 fn check_apart(path: &Path) -> Result<(), Failure> {
     let known = |output: Identity| {
         let files = files();
@@ -266,7 +266,7 @@ fn stdin_identity() -> Option<Identity> {
     None
 }
 
-/// What is known of a regular file.
+/// The metadata of a regular file; `None` for anything else.
 fn regular(path: &Path) -> Option<std::fs::Metadata> {
     std::fs::metadata(path)
         .ok()
@@ -297,7 +297,7 @@ fn directory(path: &Path) -> &Path {
         .unwrap_or(Path::new("."))
 }
 
-/// Those of the file it replaces, or as for any new file.
+/// Gives the temporary file the permissions of the file it replaces, or those of a new file.
 #[cfg(unix)]
 fn permissions(builder: &mut tempfile::Builder<'_, '_>, path: &Path) {
     use std::os::unix::fs::PermissionsExt;

@@ -1,4 +1,4 @@
-//! What a long computation shows.
+//! The progress bar of a long computation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};

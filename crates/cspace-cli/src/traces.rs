@@ -8,15 +8,15 @@ use cspace_io::shown;
 
 use crate::failure::{is_quiet, warning};
 
-/// What the model of fewer pieces is called in the commands that are told.
+/// File name of the simplified model in the commands that the warning suggests.
 pub(crate) const OTHER: &str = "traced.toml";
 
 /// The seconds of processor time that computing takes for each pair of edges of two outlines without symmetry: 2e-5 for some hundred
 /// edges each, 3e-5 for a thousand, and more beyond.
 const SECONDS: f64 = 4e-5;
 
-/// Says on stderr of each part of very many edges how few lines and arcs could be fitted to it; `command` tells the command for
-/// a fit.
+/// Warns on stderr about each part with very many edges, with the number of lines and arcs that a fit would need; `command` gives the command
+/// line for a fit of that tolerance.
 pub(crate) fn tell(model: &Mechanism, command: impl Fn(f64) -> String) {
     if is_quiet() {
         return;

@@ -16,9 +16,9 @@ use crate::output;
 use crate::subject::{named_pair, read_model, set_threads};
 use crate::wording::{count, length};
 
-/// Of more parts not every pair is told: so many make some 20,000.
+/// Number of parts up to which all pairs are listed: so many parts make some 20,000 pairs.
 const MANY: usize = 200;
-/// Then those are told that are nearer than this share of the largest part's size, if the user does not say.
+/// Default of `--within` for more parts, as a share of the largest part's size.
 const NEARBY: f64 = 0.1;
 
 /// The whole answer.

@@ -11,17 +11,17 @@ use crate::output;
 use crate::subject::{Chosen, FeaturePair, Subject, pair_of, placed, texts};
 use crate::wording::length;
 
-/// What is within this share of the smaller part's size is told, if the user does not say.
+/// Default of `--within`, as a share of the smaller part's size.
 const NEARBY: f64 = 0.01;
 
-/// What touches, or nearly.
+/// The pairs of features that touch or nearly touch at a configuration.
 #[derive(Serialize)]
 struct Answer {
     at: Coordinates,
     class: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<u32>,
-    /// The least distance of the parts, if they do not overlap.
+    /// The minimum distance of the parts, if they do not overlap.
     #[serde(skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
     within: f64,

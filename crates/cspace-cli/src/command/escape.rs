@@ -82,7 +82,7 @@ pub(crate) fn run(args: &EscapeArgs) -> Result<(), Failure> {
     output::write(common.result.output.as_deref(), &answer)
 }
 
-/// What acts on the parts, and whether the moving part has a mass.
+/// The force field that acts on the moving part, and whether that part has a mass.
 fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure> {
     let given = args.gravity.map(|[x, y]| Vector::new(x, y));
     let Some((model, entry)) = pair.in_model() else {

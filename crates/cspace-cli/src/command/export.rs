@@ -23,7 +23,7 @@ use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject};
 use crate::wording::count;
 
-/// What can be written.
+/// A format of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Json,
@@ -152,7 +152,7 @@ fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failu
     }
 }
 
-/// That a mesh does not fit the format.
+/// The failure of a mesh that does not fit into the GLB format.
 fn single(path: &Path, error: &GlbError) -> Failure {
     Failure::work(format_args!("{}: {error}", path.display()))
         .help("write .ply, which has double precision and is as long as need be")
@@ -226,7 +226,7 @@ fn even(window: Window, count: u32) -> Vec<f64> {
         .collect()
 }
 
-/// What a reader of the mesh should know.
+/// The summary of a mesh: its size, its error, and whether it is closed.
 fn report(mesh: &Mesh, path: &Path) -> String {
     let openings = mesh.openings();
     format!(

@@ -38,7 +38,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-/// What to give in place of a name that is none of a model's parameters.
+/// The help for an unknown parameter: the names of the model's parameters.
 fn parameters_of(model: &Model) -> String {
     let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
     match known.is_empty() {
@@ -47,7 +47,7 @@ fn parameters_of(model: &Model) -> String {
     }
 }
 
-/// The same of its requirements.
+/// The help for an unknown requirement: the names of the model's requirements.
 fn requirements_of(model: &Model) -> String {
     let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
     match known.is_empty() {

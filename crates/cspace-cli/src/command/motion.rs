@@ -11,11 +11,11 @@ use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, FeaturePair, Subject, texts};
 
-/// What becomes of a motion.
+/// The outcome of a requested displacement.
 #[derive(Serialize)]
 struct Answer {
     result: &'static str,
-    /// How much of the displacement is done.
+    /// The fraction of the displacement that is travelled.
     fraction: f64,
     at: Coordinates,
     /// Features of the fixed and of the moving part.

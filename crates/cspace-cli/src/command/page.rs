@@ -15,13 +15,13 @@ use crate::interrupt;
 use crate::output;
 use crate::subject::{Chosen, Subject};
 
-/// What was bundled with the program: [`Page::bundled`].
+/// The page that was bundled with the program, by [`Page::bundled`]; a failure with help if there is none.
 pub(super) fn bundled(found: Result<Page, PageError>) -> Result<Page, Failure> {
     found.map_err(|e| Failure::work(&e).help(e.help()))
 }
 
-/// What is shown of a subject: these of its pairs. The page has the text of a model in a file, so that its parameters can be given
-/// other values.
+/// The scene of the page: a subject with these of its pairs. For a model in a file it includes the text, so that the page can change the
+/// model's parameters.
 pub(super) fn opened(
     subject: Subject,
     pairs: Vec<PairEntry>,

@@ -8,7 +8,7 @@ use crate::args::{Common, Format};
 use crate::failure::Failure;
 use crate::output;
 
-/// What is answered of one file.
+/// The answer for one file.
 pub(super) enum Answer {
     Text(String),
     Json(Vec<u8>),

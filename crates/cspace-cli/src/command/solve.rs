@@ -21,7 +21,7 @@ use crate::subject::set_threads;
 #[derive(Debug, Serialize)]
 struct Answer {
     solutions: Vec<Map<String, serde_json::Value>>,
-    /// Of one parameter: the ranges in which it is so.
+    /// The ranges of a single parameter in which the condition holds.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     ranges: Vec<[f64; 2]>,
     /// Why there is no solution.

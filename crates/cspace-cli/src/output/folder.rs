@@ -127,7 +127,7 @@ impl Folder {
     }
 }
 
-/// That nothing but what this command wrote is at a place.
+/// Checks that a folder is missing, is empty, or holds only files that `cspace site` wrote.
 fn check(place: &Path) -> Result<(), Failure> {
     let unreadable = |e: std::io::Error| {
         Failure::input(format_args!("{}: it cannot be read: {e}", place.display()))

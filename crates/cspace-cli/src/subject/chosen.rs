@@ -1,4 +1,4 @@
-//! What is known of a pair before anything is computed.
+//! Properties of a pair that are known before its space is computed.
 
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
 use cspace::{Mechanism, PairEntry, Vector};
@@ -68,17 +68,17 @@ impl Chosen<'_> {
         unit.map_or(String::new(), |u| format!(" {u}"))
     }
 
-    /// The same without the space, if the model has one.
+    /// The label of the unit of length, if the model has one.
     pub(crate) fn unit_label(&self) -> Option<&str> {
         self.subject.unit()
     }
 
-    /// What the model is called, if that is known.
+    /// The name of the model, if it is known.
     pub(crate) fn model_name(&self) -> Option<&str> {
         self.subject.name()
     }
 
-    /// What a picture is called: the model, its parts, the unit of lengths.
+    /// The title of a picture: the model, the parts of the pair, and the unit of length.
     pub(crate) fn title(&self) -> String {
         let model = (self.model_name()).map_or(String::new(), |name| format!("{name}: "));
         let unit = (self.subject.unit()).map_or(String::new(), |u| format!(", lengths in {u}"));

@@ -1,4 +1,4 @@
-//! What a command works on: a model file or a saved contact space, and the pairs in it.
+//! The subject of a command: a model file or a saved contact space, and the pairs in it.
 
 mod chosen;
 mod named;
@@ -31,7 +31,7 @@ pub(crate) enum Subject {
     Model {
         /// Where it was read from.
         path: PathBuf,
-        /// What it says.
+        /// The mechanism that the file describes.
         model: Box<Mechanism>,
         /// The names of its numbers.
         parameters: Vec<Parameter>,
@@ -98,7 +98,7 @@ fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
 }
 
 impl Subject {
-    /// What the model is called.
+    /// The name of the model.
     pub(crate) fn name(&self) -> Option<&str> {
         match self {
             Self::Model { model, .. } => Some(&model.name),

@@ -134,7 +134,7 @@ impl Chosen<'_> {
         region == RegionId(0) && !self.is_on_axes()
     }
 
-    /// That a question has no answer.
+    /// The failure for a query that has no answer at the configuration given by `option`.
     pub(crate) fn unanswered(&self, option: &str, error: &QueryError) -> Failure {
         let failure = Failure::input(format_args!("{option}: pair {}: {error}", self.names()));
         match error {

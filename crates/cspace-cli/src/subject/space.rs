@@ -1,4 +1,4 @@
-//! What is computed of a pair, or was before.
+//! The spaces and slices of a pair: computed, read from the cache, or read from a saved file.
 
 use core::f64::consts::TAU;
 
@@ -56,7 +56,7 @@ impl Chosen<'_> {
         Ok(())
     }
 
-    /// That something is made of orientations, and the pair has none.
+    /// The failure of a request that needs orientations, for a pair that has none.
     pub(crate) fn no_orientation(&self, what: &str) -> Failure {
         let class = self.class();
         let failure = Failure::work(format_args!(

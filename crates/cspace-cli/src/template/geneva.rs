@@ -21,7 +21,7 @@ pub(crate) struct Geneva {
     play: f64,
 }
 
-/// What follows from the dimensions, for the comment.
+/// Derived dimensions that the comment of the model states.
 struct Layout {
     /// From one slot to the next, in degrees.
     step: f64,

@@ -12,7 +12,7 @@ use clap::{FromArgMatches, Subcommand};
 
 use crate::failure::Failure;
 
-/// What can be drawn, each with its dimensions as options.
+/// A model that `cspace new` can write, with its dimensions as options.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Template {
     /// A bolt in a catch: does it come out?

@@ -58,7 +58,7 @@ impl Page {
         self.text += &format!("{name} = \"{expression}\"\n");
     }
 
-    /// What is measured, as lines of a requirement.
+    /// Adds a requirement; `lines` are the keys of its table.
     pub(super) fn requirement(&mut self, comment: &str, lines: &str) {
         self.text.push('\n');
         self.comment(comment);
@@ -106,7 +106,7 @@ impl Page {
         self.text += "    ] },\n";
     }
 
-    /// What moves the model: lines of a drive, and of what lays other parts on it.
+    /// Adds a drive that moves a part at a constant rate.
     pub(super) fn driven(&mut self, comment: &str, part: &str, rate: &str) {
         self.text.push('\n');
         self.comment(comment);

@@ -49,12 +49,12 @@ struct Step {
     about: Option<[f64; 2]>,
     words: Vec<String>,
     clearance: Option<f64>,
-    /// Of parts that leave, how much farther they go to be out of the way of what comes later.
+    /// Further translation of parts that leave, after the path, which clears the space for later steps.
     #[serde(skip_serializing_if = "Option::is_none")]
     onward: Option<[f64; 2]>,
 }
 
-/// What comes out of some parts.
+/// The order in which a group of parts is taken apart: the branches that come out, and the parts left.
 #[derive(Debug, Serialize)]
 struct Tree {
     parts: Vec<String>,
@@ -69,7 +69,7 @@ struct Branch {
     room: Vec<usize>,
     /// The index of the step.
     step: usize,
-    /// What comes out of it in turn; nothing out of one part.
+    /// The order in which the removed group is itself taken apart; `None` for a single part.
     #[serde(skip_serializing_if = "Option::is_none")]
     tree: Option<Tree>,
 }
@@ -136,7 +136,7 @@ fn scene(parts: &[cspace::Part], model: &Mechanism, step: &assembly::Step) -> Op
     Some(Scene::new(part, part, axes).with_about(step.path.about))
 }
 
-/// What each leg does, in words: on an axis, what the part does about or along it.
+/// A description of each leg; for a part on an axis, of its motion about or along that axis.
 fn words(scene: &Scene, path: &[Coordinates], unit: Option<&str>) -> Vec<String> {
     let Some((_, motion)) = scene.motions() else {
         return legs_in_words(scene, path, unit);
@@ -151,7 +151,7 @@ fn words(scene: &Scene, path: &[Coordinates], unit: Option<&str>) -> Vec<String>
         .collect()
 }
 
-/// What the model cannot be asked is bad input; what could not be computed is not.
+/// The failure for an error: bad input if the model does not allow the question, otherwise work that could not be done.
 fn failure(path: &Path, error: AssemblyError) -> Failure {
     let interrupted = PairError::Compute(ComputeError::Interrupted);
     match error {

@@ -47,8 +47,8 @@ fn part(model: &Mechanism, number: usize, at: Configuration) -> PlacedPart<'_> {
     }
 }
 
-/// What moves in a step and what stays, after the step. What has moved aside is there from then on; what has left is moved no more, so
-/// that what comes out of it in turn is seen where it was.
+/// The picture of a step: the parts that stay, and those that move, at the end of the step and along the path. Parts that move aside keep
+/// their new configuration in later pictures; parts that leave keep the old one, so that later steps that take them apart are drawn there.
 fn frame<'a>(
     model: &'a Mechanism,
     at: &mut [Configuration],

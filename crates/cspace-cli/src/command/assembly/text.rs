@@ -44,7 +44,7 @@ fn list(names: &[String]) -> String {
     shown::text(&names.join(", ")).into_owned()
 }
 
-/// What goes out of some parts, by the numbers of the steps; what comes out of that in turn is farther in.
+/// Prints the tree with the numbers of the steps; groups that are taken apart further are indented more.
 fn branches(text: &mut String, tree: &Tree, steps: &[Step], depth: usize) -> fmt::Result {
     let indent = "  ".repeat(depth);
     for branch in &tree.out {

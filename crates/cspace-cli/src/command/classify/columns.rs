@@ -17,7 +17,7 @@ impl Column {
         }
     }
 
-    /// What it says of a configuration of a class.
+    /// The column's value at a configuration whose class is known.
     ///
     /// # Errors
     /// If it has no meaning for the pair.
@@ -59,7 +59,7 @@ fn region(space: &PairSpace, at: Coordinates) -> Option<u32> {
     }
 }
 
-/// What a column says of a row.
+/// The value of a column in a row.
 #[derive(Debug, Clone)]
 pub(super) enum Answer {
     Class(Classification),

@@ -71,7 +71,7 @@ fn columns(args: &ClassifyArgs) -> Result<Vec<Column>, Failure> {
     Ok(asked.clone())
 }
 
-/// What the columns say of all rows; orientations, which were checked, are brought into the window by turns.
+/// The values of the columns in all rows. Orientations, which were checked, are brought into the window by adding whole turns.
 fn answers(
     pair: &Chosen<'_>,
     space: &PairSpace,

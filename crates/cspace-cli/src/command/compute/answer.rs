@@ -1,4 +1,4 @@
-//! What a designer asks first: do the parts fit as drawn, where can they be, what can touch.
+//! The summary for a designer: whether the parts fit as drawn, the free regions, and the features that can touch.
 
 use std::collections::BTreeSet;
 use std::fmt::{self, Write};

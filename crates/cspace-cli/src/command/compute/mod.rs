@@ -50,7 +50,7 @@ struct Summary<'a> {
     seconds: Seconds,
 }
 
-/// What moves in a pair without orientations.
+/// The degrees of freedom of a pair without orientations: two axes, or a joint.
 #[derive(Serialize)]
 #[serde(rename_all = "kebab-case", tag = "type")]
 enum MotionSpace<'a> {

@@ -17,7 +17,7 @@ pub(super) struct Average {
     /// How many pairs of the group were measured.
     pub(super) pairs: usize,
     pub(super) slices: Ratios,
-    /// The same of the same pairs' numbers in Figure 5.
+    /// The ratios of slices for the same pairs, from the numbers in Figure 5.
     pub(super) paper_slices: Ratios,
     pub(super) seconds: Ratios,
     /// Geometric mean of the time ratios with the general algorithm's search of critical orientations.

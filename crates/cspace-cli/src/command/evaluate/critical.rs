@@ -22,7 +22,7 @@ pub(super) struct Kinds {
 }
 
 impl Kinds {
-    /// Of a space of the whole turn.
+    /// Counts the critical orientations in one of the `slabs` that are images of each other; the space covers the whole turn.
     pub(super) fn new(space: &ContactSpace, slabs: u32) -> Self {
         let all = kinds::of(space);
         // From one critical orientation on, so that rounding puts none of a slab's two ends in it twice.
@@ -40,14 +40,14 @@ impl Kinds {
     }
 }
 
-/// What the general algorithm's search did, and how long it took.
+/// The work of one search of critical orientations by the general algorithm, and its time.
 #[derive(Serialize, Clone, Copy)]
 pub(super) struct Searched {
     /// The median of so many runs, or of as many as fit in the limit.
     pub(super) seconds: f64,
     /// Solutions of the equations of all combinations of features.
     pub(super) solutions: u64,
-    /// Those that were examined one by one: the others are at an orientation that was known.
+    /// Solutions that were examined one by one; the others lie at an orientation that was known.
     pub(super) examined: u64,
     /// Configurations at which the parts were tested for overlap.
     pub(super) overlap_tests: u64,

@@ -11,7 +11,7 @@ use super::special::Survey;
 pub(super) struct Evaluation {
     /// Between slices of the general algorithm, radians.
     pub(super) separation: f64,
-    /// Of how many runs seconds are the median.
+    /// Number of runs of which the times are medians.
     pub(super) repeat: u16,
     /// Under which the search of critical orientations had to end, seconds.
     pub(super) criticality_limit: f64,

@@ -19,7 +19,7 @@ use super::timing::{median, timed};
 /// How far the surface's straight pieces may be from arcs, as a share of both parts' size: the paper's 1 % accuracy.
 const ACCURACY: f64 = 0.01;
 
-/// What was measured of a pair.
+/// The measurements of a pair.
 #[derive(Serialize)]
 pub(super) struct Measured {
     /// Figure 5's name.
@@ -40,36 +40,36 @@ pub(super) struct Measured {
     pub(super) old_stages: OldStages,
     pub(super) new_seconds: f64,
     pub(super) new_seconds_without_symmetry: f64,
-    /// Of one slice: by the old algorithm on all threads, and by the product's kernel on one.
+    /// Seconds for one slice: by the old algorithm on all threads, and by the product's kernel on one.
     pub(super) seconds_per_slice: PerSlice,
     /// Old seconds by new ones.
     pub(super) ratio: f64,
     /// The general algorithm's search of critical orientations over all combinations of features, those known skipped; `None`
     /// if it did not end within the limit.
     pub(super) criticality_seconds: Option<f64>,
-    /// The same with every criticality examined, as the general algorithm does.
+    /// The time of that search with every criticality examined, as the general algorithm does.
     pub(super) criticality_seconds_without_skipping: Option<f64>,
-    /// What both of them did.
+    /// The work of both searches: with known criticalities skipped, and with all examined.
     pub(super) criticality_search: [Option<Searched>; 2],
     /// Old seconds with that search, every criticality examined, by new ones; where the search did not end, with the limit in its
     /// place, and so less than it is.
     pub(super) ratio_with_criticalities: f64,
-    /// What makes the critical orientations of the slices computed.
+    /// The kinds of events at the critical orientations of the computed slices.
     pub(super) critical: Kinds,
     pub(super) patches: usize,
     pub(super) links: Links,
-    /// Of the old surface.
+    /// Triangles of the old surface.
     pub(super) triangles: usize,
     pub(super) largest_gap: f64,
     /// The largest gap as a share of the larger part's size.
     pub(super) largest_gap_share: f64,
-    /// Of the stack without critical orientations: bands that no slice falls in,
+    /// Bands that no slice falls in, if the stack is made without critical orientations;
     pub(super) missed_bands: usize,
-    /// spaces between slices in which free and blocked configurations are joined,
+    /// in that stack, spaces between slices in which free and blocked configurations are joined;
     pub(super) wrongly_joined: usize,
-    /// curves there that nothing continues,
+    /// curves in that stack that nothing continues;
     pub(super) curves_left_open: usize,
-    /// and curves continued by another piece of contact.
+    /// and curves in it that are continued by another piece of contact.
     pub(super) curves_joined_across: usize,
     /// Figure 5's numbers.
     pub(super) paper: Paper,

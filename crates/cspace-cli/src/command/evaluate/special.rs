@@ -1,4 +1,4 @@
-//! What the special methods save: the survey's shares with times measured here.
+//! The time saved by the special methods: the survey's shares, with the times measured here.
 
 use cspace::{PairClass, PairSpace, Relation};
 use cspace_baseline::survey::{MODELS, SURVEY, saving};

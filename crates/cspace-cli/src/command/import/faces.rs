@@ -11,8 +11,8 @@ use crate::wording::{count, length};
 /// Faces that are printed, at most.
 const MOST: usize = 12;
 
-/// What is printed after the problems of a drawing: its largest faces with the option that picks each, and the parts that
-/// `--partial` gives.
+/// The choices listed after the problems of a drawing: its largest faces, each with the option that picks it, and the number of parts
+/// that `--partial` gives.
 #[derive(Default)]
 pub(super) struct Choice {
     faces: DrawnFaces,
@@ -63,7 +63,7 @@ impl Choice {
         }
     }
 
-    /// What to do.
+    /// The help of the failure: `otherwise`, and the options that would make parts of this drawing.
     pub(super) fn help(&self, otherwise: &str) -> String {
         let mut ways = Vec::new();
         if self.parts > 0 {

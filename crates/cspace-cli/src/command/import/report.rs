@@ -1,4 +1,4 @@
-//! What was made of drawings.
+//! The report of an import: the parts made, and the entities used, ignored, joined and fitted.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -115,7 +115,7 @@ impl Report {
         }
     }
 
-    /// The same for people.
+    /// The report as text.
     pub(super) fn text(&self, drawings: &[PathBuf], imported: &[Outlines]) -> String {
         let mut text = String::new();
         // A String takes everything.

@@ -1,4 +1,4 @@
-//! What makes a mechanism move, as `cspace info` prints it.
+//! Masses, forces and drives of a mechanism, as `cspace info` prints them.
 
 use cspace::Mechanism;
 use cspace::mechanism::{
@@ -7,7 +7,7 @@ use cspace::mechanism::{
 use cspace::{AxisMotion, Point, Vector};
 use serde::Serialize;
 
-/// Of a part: only what the model says, or what follows from it.
+/// Mass properties and initial state of a part, as far as the model determines them.
 #[derive(Serialize, Default)]
 pub(super) struct PartMotion {
     /// kg, also where a density is given.
@@ -36,7 +36,7 @@ pub(super) enum OneOrThree {
     Three([f64; 3]),
 }
 
-/// Of a pair, where it has its own.
+/// Friction and restitution of a pair, if the model gives them for the pair itself.
 #[derive(Serialize, Default)]
 pub(super) struct SurfaceInfo {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -45,7 +45,7 @@ pub(super) struct SurfaceInfo {
     pub(super) restitution: Option<f64>,
 }
 
-/// Of the mechanism as a whole.
+/// Forces, drives and surface constants of the whole mechanism.
 #[derive(Serialize, Default)]
 pub(super) struct Forces {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -142,7 +142,7 @@ pub(super) fn part_motion(model: &Mechanism, part: usize) -> PartMotion {
     }
 }
 
-/// Of the pair of parts of these names.
+/// The friction and restitution given for the pair of these parts.
 pub(super) fn surface(model: &Mechanism, fixed: &str, moving: &str) -> SurfaceInfo {
     let parts = model.part_index(fixed).zip(model.part_index(moving));
     let own = parts.and_then(|(a, b)| model.dynamics.surface(a, b));

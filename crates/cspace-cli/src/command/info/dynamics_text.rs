@@ -1,4 +1,4 @@
-//! The same for people.
+//! Masses, forces and drives of a mechanism as text.
 
 use std::fmt::{self, Write};
 
@@ -72,7 +72,7 @@ fn one_rate(rate: f64, turns: bool, unit: &str) -> String {
     }
 }
 
-/// What a pair has of its own, each after a comma.
+/// The friction and restitution of a pair, as far as given, each after a comma.
 pub(super) fn surface(friction: Option<f64>, restitution: Option<f64>) -> String {
     let own = |what: &str, x: Option<f64>| {
         x.map_or_else(String::new, |x| format!(", {what} {}", short(x)))

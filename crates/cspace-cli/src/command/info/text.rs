@@ -1,4 +1,4 @@
-//! The same for people.
+//! The answer of `cspace info` as text.
 
 use std::fmt::{self, Write};
 

@@ -53,7 +53,7 @@ struct Row {
     sample: At,
 }
 
-/// What of a coordinate a mode reaches; `null` for no limit.
+/// The range of a coordinate within a mode; `null` for no limit.
 #[derive(Debug, Serialize)]
 struct Reach {
     lo: Option<f64>,

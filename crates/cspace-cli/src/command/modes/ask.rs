@@ -1,4 +1,4 @@
-//! What is requested of `cspace modes`: which parts, and which configuration.
+//! The arguments of `cspace modes`: the parts, and the requested configuration.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use cspace_modes::{ModesError, moving_parts};
 use crate::angle;
 use crate::failure::Failure;
 
-/// What the coordinates are called.
+/// Names of the coordinates.
 pub(super) const LETTERS: [&str; 3] = ["u", "v", "w"];
 
 fn moving(model: &Mechanism) -> String {

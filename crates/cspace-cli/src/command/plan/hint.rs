@@ -1,4 +1,4 @@
-//! What may help where there is no path.
+//! Hints for a request that has no path.
 
 use std::fmt::{self, Write};
 

@@ -101,7 +101,7 @@ fn moved(entry: &JointEntry, at: &[Configuration]) -> JointEntry {
     JointEntry { joint, ..*entry }
 }
 
-/// What touches there.
+/// The contacts at coordinates `q`, as marks of a picture.
 fn contacts(
     simulation: &Simulation,
     q: &[f64],

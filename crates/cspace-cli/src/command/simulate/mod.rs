@@ -129,7 +129,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     }
 }
 
-/// That the motion was interrupted, and how to go on.
+/// The failure of an interrupted motion, with the command that resumes it.
 fn interrupted(args: &SimulateArgs, until: f64, is_kept: bool) -> Failure {
     let failure = Failure::work(format_args!("interrupted at {until:.6} s of {}", args.time));
     match &args.result.output {
@@ -200,7 +200,7 @@ fn check_names(path: &Path, model: &Mechanism) -> Result<(), Failure> {
     }
 }
 
-/// What the model cannot be asked is bad input; what could not be computed is not.
+/// The failure for an error: bad input if the model does not allow the question, otherwise work that could not be done.
 fn failure(path: &Path, error: SimulateError) -> Failure {
     match error {
         error if error.is_interrupted() => Failure::work("interrupted"),

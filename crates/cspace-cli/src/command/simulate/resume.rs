@@ -19,7 +19,7 @@ const SAME: f64 = 1e-11;
 
 const HELP: &str = "give what `cspace simulate` wrote with -o RECORD.json, of the same model";
 
-/// Of a model, which is to go on in the same mode to a time.
+/// Reads the record to resume; rejected unless it has this model and mode, can go on, and ends before `time`.
 pub(super) fn record(
     file: &Path,
     model: &Mechanism,

@@ -1,4 +1,4 @@
-//! What becomes of a mechanism, as text.
+//! The answer of `cspace simulate` as text.
 
 use std::fmt::{self, Write};
 
@@ -84,7 +84,7 @@ fn describe_energy(text: &mut String, model: &Mechanism, energy: &Energy) -> fmt
     )
 }
 
-/// What an event is called.
+/// The name of an event's kind.
 pub(super) fn kind(event: &Event) -> &'static str {
     match event.kind {
         EventKind::Impact => "impact",

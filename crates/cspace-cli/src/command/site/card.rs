@@ -1,4 +1,4 @@
-//! What the gallery shows of a model.
+//! The cards of the gallery, one for each model.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ const LONGEST: usize = 200;
 #[derive(Debug)]
 pub(super) struct Card {
     pub(super) name: String,
-    /// What it is, in one line.
+    /// A description of the model in one line.
     pub(super) line: String,
     /// The classes of its pairs, and how many pairs have each.
     pub(super) classes: Vec<(PairClass, usize)>,

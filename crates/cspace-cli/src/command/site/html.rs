@@ -1,4 +1,4 @@
-//! What all pages of a site have in common that are not models'.
+//! The frame of those pages of a site that are not models': the gallery and the documents.
 
 use std::fmt::Write;
 
@@ -18,7 +18,7 @@ pub(super) fn text(text: &str) -> String {
     out
 }
 
-/// A page of this name, with what it shows and the way to the gallery and the documents.
+/// A page of this name with the content `main`, and with links to the gallery and the documents.
 pub(super) fn page(name: &str, title: &str, has_documents: bool, main: &str) -> String {
     let place = |to: &str| relative(name, to);
     let mut ways = format!(r#"<a href="{}">Models</a>"#, place("index.html"));

@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
-/// Of Markdown what GitHub shows, as far as it is text.
+/// Extensions of Markdown that GitHub renders, as far as they are text.
 const WRITTEN: Options = (Options::ENABLE_TABLES)
     .union(Options::ENABLE_STRIKETHROUGH)
     .union(Options::ENABLE_FOOTNOTES)
     .union(Options::ENABLE_TASKLISTS);
 
-/// What a link in a document leads to, or an image shows.
+/// The use of an address in a document: as the target of a link, or as the source of an image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Use {
     Link,
@@ -80,7 +80,7 @@ fn plain<'a>(event: &'a Event<'_>) -> &'a str {
     }
 }
 
-/// What GitHub calls a heading of this text; of several with one text the second ends in `-1`.
+/// The anchor that GitHub gives a heading of this text; for repeated texts the second anchor ends in `-1`.
 fn anchor(text: &str, names: &mut BTreeSet<String>) -> CowStr<'static> {
     let name: String = (text.trim().to_lowercase().chars())
         .filter(|c| c.is_alphanumeric() || "-_ ".contains(*c))

@@ -42,7 +42,7 @@ pub(crate) fn run(args: &SiteArgs) -> Result<(), Failure> {
 /// Makes the page of a model.
 type MakePage<'a> = &'a dyn Fn(&Common) -> Result<Vec<u8>, Failure>;
 
-/// What a site is made of.
+/// The contents of a site: models, playground and documents, with the folder to write and the names taken in it.
 struct Site<'a> {
     args: &'a SiteArgs,
     sources: Vec<Source>,

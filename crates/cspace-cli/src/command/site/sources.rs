@@ -19,7 +19,7 @@ impl Source {
         Ok(Self::Text(name, template.text()?))
     }
 
-    /// What its page is called.
+    /// The name of its page, without extension.
     pub(super) fn stem(&self) -> String {
         match self {
             Self::File(file) => stem(file),
@@ -94,7 +94,7 @@ pub(super) fn files_below(folder: &Path, extension: &str) -> Result<Vec<PathBuf>
     Ok(files)
 }
 
-/// That a path cannot be read.
+/// The failure for a path that cannot be read.
 pub(super) fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
     Failure::input(format_args!(
         "{}: it cannot be read: {error}",

@@ -50,7 +50,7 @@ fn values<'a>(html: &'a str, before: &'a str) -> impl Iterator<Item = &'a str> {
     (html.split(before).skip(1)).map(|rest| rest.split_once('"').unwrap().0)
 }
 
-/// That every link of every page leads to a file of the site, and every anchor to a heading; how many links there are.
+/// Asserts that every link of every page leads to a file of the site, and every anchor to a heading; returns the number of links.
 #[track_caller]
 fn all_links_lead(site: &Path) -> usize {
     let known = files(site, "");
@@ -244,7 +244,7 @@ fn documents_are_text() {
     all_links_lead(&place("site"));
 }
 
-/// What is in the way is named, and stays.
+/// Foreign files in the output folder are named in the error, and are kept.
 #[test]
 fn only_its_own_folder_is_replaced() {
     let folder = tempfile::tempdir().unwrap();

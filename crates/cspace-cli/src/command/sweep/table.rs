@@ -16,7 +16,7 @@ const MOST: usize = 10_000_000;
 /// The largest file of rows that is read, in bytes.
 const LARGEST: u64 = 1 << 28;
 
-/// What is varied, with the values of each row.
+/// The varied parameters and coordinates, with their values in each row.
 pub(super) struct Table {
     pub(super) names: Vec<String>,
     pub(super) rows: Vec<Vec<f64>>,
@@ -84,7 +84,7 @@ pub(super) fn rows_of(file: &Path) -> Result<Table, Failure> {
     Ok(Table { names, rows })
 }
 
-/// What could not be measured, and why.
+/// The reasons for the measures that a row lacks.
 fn failure(measures: &[String], row: &Row) -> String {
     let mut reasons: Vec<String> = Vec::new();
     for (name, measured) in measures.iter().zip(&row.measured) {

@@ -10,15 +10,15 @@ use super::answer::{Row, rows};
 use super::text;
 use crate::failure::Failure;
 
-/// What `cspace tolerances --allocate --format json` prints.
+/// The answer of `cspace tolerances --allocate --format json`.
 #[derive(Debug, Serialize)]
 pub(super) struct Answer {
     /// "worst", or the yield that is required.
     criterion: Json,
     parameters: Map<String, Json>,
-    /// Of the tolerances given, and of those allocated.
+    /// Costs of the given and of the allocated tolerances.
     cost: [f64; 2],
-    /// What the tolerances allocated do.
+    /// The requirements under the allocated tolerances.
     requirements: Vec<Row>,
 }
 

@@ -6,7 +6,7 @@ use cspace_design::{Extreme, MonteCarlo, Structural, Tolerances, Value, Variatio
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
-/// What tolerances do to a requirement.
+/// The effect of the tolerances on a requirement.
 #[derive(Debug, Serialize)]
 pub(crate) struct Row {
     requirement: String,
@@ -19,7 +19,7 @@ pub(crate) struct Row {
     limits: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     equals: Option<bool>,
-    /// What decides the value as drawn: features of the fixed and of the moving part.
+    /// The pairs of features, of the fixed and of the moving part, that determine the nominal value.
     touching: Vec<[String; 2]>,
     sensitivities: Map<String, Json>,
     linear: Option<[f64; 2]>,
@@ -28,7 +28,7 @@ pub(crate) struct Row {
     structure: Vec<Change>,
     /// The factor on all tolerances at which something fails; none if nothing does up to 16.
     margin: Option<f64>,
-    /// What fails there.
+    /// The condition that fails at that factor.
     fails: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     monte_carlo: Option<Samples>,
@@ -96,7 +96,7 @@ fn values(variations: &Variations, deviations: &[f64]) -> Map<String, Json> {
         .collect()
 }
 
-/// What `cspace tolerances --format json` prints.
+/// The answer of `cspace tolerances --format json`.
 pub(crate) fn rows(variations: &Variations, found: &[Tolerances]) -> Vec<Row> {
     found.iter().map(|t| row(variations, t)).collect()
 }

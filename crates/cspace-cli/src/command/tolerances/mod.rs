@@ -104,7 +104,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     output::write(output, &answer)
 }
 
-/// What the tolerance of each variation costs.
+/// The cost of each variation's tolerance: 1 unless given.
 fn costs(variations: &Variations, given: &[(String, f64)]) -> Result<Vec<f64>, Failure> {
     let mut costs = vec![1.0; variations.len()];
     for (name, cost) in given {

@@ -10,7 +10,7 @@ use crate::wording::{degrees, length};
 /// A column of labels is so wide.
 const LABEL: usize = 10;
 
-/// What a requirement's numbers are shown as.
+/// Formats the numbers of a requirement: by its dimension, with the unit.
 struct Words<'a> {
     variations: &'a Variations,
     dimension: Dimension,
@@ -101,7 +101,7 @@ impl Words<'_> {
         Ok(())
     }
 
-    /// What a designer wants to know first.
+    /// The first line: whether the requirement holds within the tolerances, and the parameter that matters most.
     fn summary(&self, of: &Tolerances) -> String {
         let fails = match of.margin.factor {
             Some(0.0) => "not met as drawn".to_owned(),

@@ -22,7 +22,7 @@ struct Answer<'a> {
     moving: &'a str,
     /// The names of the coordinates.
     coordinates: [&'static str; 2],
-    /// Of a pair in the plane, in radians.
+    /// The orientation of a pair in the plane, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     theta: Option<f64>,
     window: Cell,
