@@ -25,7 +25,7 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     all
 }
 
-/// What a command answers, and whether it says that the space was computed before.
+/// The answer of a command, and whether its notes say that the space was computed before.
 fn answer(mut command: Command) -> (String, bool) {
     let output = command.assert().success().get_output().clone();
     let notes = String::from_utf8(output.stderr).unwrap();

@@ -1039,7 +1039,7 @@ fn messages_are_coloured_and_silenced_on_request() {
     assert!(failed.stderr.starts_with(b"error: ") && failed.status.code() == Some(2));
 }
 
-/// What all but is tangent is made so on request, and told.
+/// `--snap` makes joints tangent that nearly are, and a note reports how many.
 #[test]
 fn joints_are_snapped_on_request() {
     let dir = tempfile::tempdir().unwrap();

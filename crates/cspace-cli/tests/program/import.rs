@@ -264,7 +264,7 @@ fn parts_are_offset() {
     );
 }
 
-/// What is left out is printed once for each kind, and listed one by one for programs.
+/// Ignored entities are printed once for each kind as text, and listed one by one as JSON.
 #[test]
 fn kinds_are_printed_once() {
     let hatches = drawing("hatches.dxf");
@@ -304,7 +304,7 @@ fn kinds_are_printed_once() {
     );
 }
 
-/// What is written as DXF is read again to the last bit; as SVG, to rounding.
+/// Outlines written as DXF are read again to the last bit; those written as SVG, to rounding.
 #[test]
 fn outlines_are_written_and_read_again() {
     let folder = tempfile::tempdir().unwrap();

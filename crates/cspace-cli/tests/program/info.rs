@@ -1,4 +1,4 @@
-//! What `cspace info` says of masses, forces and drives.
+//! Masses, forces and drives in the answer of `cspace info`.
 
 use serde_json::{Value, json};
 

@@ -97,7 +97,7 @@ fn is_true(path: &Path) -> bool {
 
 #[test]
 fn no_options_make_it_panic_or_lie() {
-    /// Of so many runs some do what they are asked to.
+    /// Number of runs: enough that some of them succeed.
     const RUNS: usize = 400;
     const COMMANDS: [&str; 9] = [
         "info", "compute", "slice", "classify", "contacts", "move", "play", "draw", "export",

@@ -1,4 +1,4 @@
-//! What `--format json` prints is what the schemas in `docs/answers/` say.
+//! The output of `--format json` conforms to the schemas in `docs/answers/`.
 
 use serde_json::Value;
 

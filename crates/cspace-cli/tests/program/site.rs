@@ -43,7 +43,7 @@ fn a_site_has_the_pages_that_export_writes() {
     assert!(read("site/index.html").contains("href=\"latch_box.html\""));
 }
 
-/// What is wrong is told before anything is computed, also by programs without the page.
+/// Wrong arguments are reported before anything is computed, also by programs built without the page.
 #[test]
 fn what_is_not_there_is_named() {
     let folder = tempfile::tempdir().unwrap();

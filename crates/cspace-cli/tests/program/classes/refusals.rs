@@ -1,4 +1,4 @@
-//! What is refused, and how it is said.
+//! Rejected requests, and their messages.
 
 use crate::helpers::{cspace, fails, mechanism, model, printed, with_rows};
 

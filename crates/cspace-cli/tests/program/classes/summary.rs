@@ -1,4 +1,4 @@
-//! What `info` and `compute` say of every class.
+//! The answers of `info` and `compute` for every class of pairs.
 
 use serde_json::{Value, json as value};
 
@@ -222,7 +222,7 @@ fn symmetry_is_told_in_the_same_words() {
     assert_eq!(round, 2);
 }
 
-/// What is not there is null or left out, never the number by which programs mark that in memory.
+/// Missing values are null or left out, never the sentinel numbers that mark them in memory.
 #[test]
 fn no_output_has_a_mark_for_none() {
     for (name, pair, theta) in [

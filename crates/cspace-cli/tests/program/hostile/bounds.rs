@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 const MEMORY: u32 = 4_000_000;
 /// Processor time of a run, in seconds; most take a hundredth.
 const WORK: u32 = 40;
-/// What no run here takes unless it waits for something that never comes, however busy the machine is.
+/// Time limit of a run, which even a busy machine reaches only if the command hangs.
 const PATIENCE: Duration = Duration::from_secs(300);
 
 pub(crate) const PROGRAM: &str = env!("CARGO_BIN_EXE_cspace");

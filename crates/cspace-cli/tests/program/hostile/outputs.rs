@@ -120,7 +120,7 @@ fn places_that_cannot_be_written_are_told() {
     assert_eq!(names(dir.path()), ["file", "folder.json", "link.json"]);
 }
 
-/// What was there before remains when the work fails.
+/// The previous output file remains when the work fails.
 #[test]
 fn failures_leave_what_was_there() {
     let dir = tempfile::tempdir().unwrap();
@@ -144,7 +144,7 @@ fn failures_leave_what_was_there() {
     }
 }
 
-/// What is read is not written over, under whatever name.
+/// Input files are not overwritten, under whatever name.
 #[test]
 fn inputs_are_not_written_over() {
     let dir = tempfile::tempdir().unwrap();

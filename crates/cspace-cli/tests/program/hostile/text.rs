@@ -52,7 +52,7 @@ fn arguments_are_shown_escaped() {
     assert!(!output.stderr.contains(&0x1b));
 }
 
-/// What is repeated of it is short.
+/// Messages quote only a short piece of an enormous row or name.
 #[test]
 fn enormous_rows_and_names_are_cut() {
     const LENGTH: usize = 5_000_000;
