@@ -39,37 +39,37 @@ pub(crate) enum Command {
     /// Show the planar slice of a contact space at one orientation
     #[command(after_long_help = SLICE)]
     Slice(SliceArgs),
-    /// Tell for each configuration on standard input whether it is free, blocked or in contact
+    /// Classify each configuration on standard input as free, blocked or in contact
     #[command(after_long_help = CLASSIFY)]
     Classify(ClassifyArgs),
-    /// Tell what touches or nearly touches at a configuration
+    /// List the features that touch or nearly touch at a configuration
     #[command(after_long_help = CONTACTS)]
     Contacts(ContactsArgs),
     /// Move from a configuration by a displacement, to the first contact
     #[command(after_long_help = MOVE)]
     Move(MoveArgs),
-    /// Find a way from one configuration to another, or tell that there is none
+    /// Find a path from one configuration to another, or show that there is none
     #[command(after_long_help = PLAN)]
     Plan(PlanArgs),
-    /// Tell how much energy lets the moving part out, or that none does
+    /// Bound the minimum energy with which the moving part gets out, or show that none is enough
     #[command(after_long_help = ESCAPE)]
     Escape(EscapeArgs),
-    /// Take the parts of a model apart: in which order, by which motions, or tell which lock each other
+    /// Take the parts of a model apart: find the order and the motions, or the parts that lock each other
     #[command(after_long_help = ASSEMBLY)]
     Assembly(AssemblyArgs),
-    /// Tell which parts overlap, touch or come near each other, as drawn or over a simulation
+    /// List the parts that overlap, touch or come near each other, as drawn or over a simulation
     #[command(after_long_help = CLASH)]
     Clash(ClashArgs),
     /// List the operating modes of three parts on axes: the connected free configurations of all three
     #[command(after_long_help = MODES)]
     Modes(ModesArgs),
-    /// Measure what the model requires of its design, and tell which requirements are met
+    /// Measure the requirements of the model's design, and report which are met
     #[command(after_long_help = CHECK)]
     Check(CheckArgs),
     /// Measure requirements over a range of a parameter or coordinate, or over rows of values
     #[command(after_long_help = SWEEP)]
     Sweep(SweepArgs),
-    /// Tell what tolerances do to each requirement: worst cases, what changes, the margin, the yield
+    /// Analyse tolerances for each requirement: worst cases, changes of structure, the margin, the yield
     #[command(after_long_help = TOLERANCES)]
     Tolerances(TolerancesArgs),
     /// Find the values of parameters at which a requirement's measure is what it must be
@@ -78,7 +78,7 @@ pub(crate) enum Command {
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
-    /// Tell how far the parts go from a configuration in each direction
+    /// Measure how far the parts can move from a configuration in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
     /// Draw the parts of a model, or a pair at a configuration, as a picture
@@ -187,7 +187,7 @@ pub(crate) struct Common {
     #[arg(long)]
     pub(crate) general: bool,
 
-    /// Make lines and arcs tangent that miss it by less than 0.001 rad; what was moved is told
+    /// Make lines and arcs tangent that miss tangency by less than 0.001 rad; a note reports how far points were moved
     #[arg(long)]
     pub(crate) snap: bool,
 
@@ -597,7 +597,7 @@ pub(crate) struct CheckArgs {
     /// This requirement alone; may be given several times
     #[arg(long, value_name = "NAME")]
     pub(crate) requirement: Vec<String>,
-    /// Tell by how much each value changes with each parameter
+    /// Report how much each value changes with each parameter
     #[arg(long)]
     pub(crate) sensitivities: bool,
     #[command(flatten)]
@@ -624,17 +624,17 @@ pub(crate) struct TolerancesArgs {
     /// Seed of the random samples: the same seed gives the same numbers, on any number of threads
     #[arg(long, value_name = "S", default_value_t = 0)]
     pub(crate) seed: u64,
-    /// Find the tolerances of least cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
+    /// Find the tolerances of minimum cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
     /// tolerance doubles its cost
     #[arg(long, value_name = "worst|YIELD", value_parser = criterion)]
     pub(crate) allocate: Option<Criterion>,
     /// Cost of a parameter's tolerance at the value given in the model; may be given several times [default: 1 for every parameter]
     #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost)]
     pub(crate) cost: Vec<(String, f64)>,
-    /// Tell each value and its extremes where a coordinate has each of N values from LO to HI; of a play about where the part was before
+    /// Report each value and its extremes at N values of a coordinate from LO to HI; a play is measured about where the part was before
     #[arg(long, value_name = "NAME=LO:HI:N", value_parser = vary, allow_hyphen_values = true, conflicts_with_all = ["allocate", "samples"])]
     pub(crate) along: Option<Vary>,
-    /// Tell where the pair of a requirement is free, blocked, or either, within the tolerances: over u and v, or over x and y at an orientation;
+    /// Report where the pair of a requirement is free, blocked, or either, within the tolerances: over u and v, or over x and y at an orientation;
     /// -o OUT.svg, .png or .pdf makes a picture of it
     #[arg(long, conflicts_with_all = ["allocate", "samples", "along"])]
     pub(crate) zones: bool,
@@ -666,8 +666,8 @@ pub(crate) struct SweepArgs {
     /// A requirement that is measured; may be given several times [default: all]
     #[arg(long, value_name = "NAME")]
     pub(crate) measure: Vec<String>,
-    /// Tell in place of the rows where something changes as what is varied last goes through its values: what touches, free
-    /// regions, whether there is a value; located to 1e-9 of the range
+    /// Report in place of the rows where the structure changes as the name that is varied last goes through its range: features that
+    /// touch, free regions, whether there is a value; located to 1e-9 of the range
     #[arg(long, conflicts_with = "rows")]
     pub(crate) changes: bool,
     /// Keep the rows that the table OUT.csv of an interrupted sweep has, and compute those that it lacks; the model and the other
@@ -845,10 +845,10 @@ pub(crate) struct SimulateArgs {
     /// --scheme stepping: the longest step, in seconds [default: a 10000th of the whole]
     #[arg(long, value_name = "DT", value_parser = duration, allow_negative_numbers = true)]
     pub(crate) step: Option<f64>,
-    /// Tell the rates of all coordinates as well
+    /// Report the rates of all coordinates as well
     #[arg(long)]
     pub(crate) rates: bool,
-    /// Tell the forces at contacts, in joints and of drives as well
+    /// Report the forces at contacts, in joints and of drives as well
     #[arg(long)]
     pub(crate) forces: bool,
     #[command(flatten)]
@@ -985,7 +985,7 @@ pub(crate) struct ViewArgs {
     #[arg(long)]
     pub(crate) general: bool,
 
-    /// Make lines and arcs tangent that miss it by less than 0.001 rad; what was moved is told
+    /// Make lines and arcs tangent that miss tangency by less than 0.001 rad; a note reports how far points were moved
     #[arg(long)]
     pub(crate) snap: bool,
 
@@ -1030,7 +1030,7 @@ pub(crate) struct EvaluateArgs {
     #[arg(long, value_name = "ANGLE", default_value_t = cspace_baseline::SEPARATION, value_parser = angle::parse, allow_negative_numbers = true)]
     pub(crate) separation: f64,
 
-    /// How long the general algorithm may search critical orientations, for each pair and way; 0 for not at all
+    /// Time limit of each of the general algorithm's two searches of critical orientations, for each pair; 0 skips them
     #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) criticality_limit: f64,
 
@@ -1332,7 +1332,7 @@ the result is the method that was used: `lower` for two parts that a joint
 connects, whose patches are permanent contacts; `fixed-axes` for two of which
 each turns, slides or stands still, in (u, v); `symmetric` if one slab of
 orientations was computed and the others are copies; else `general`. `slices`
-are the bands that were computed. `cspace info` tells the class of the pair
+are the bands that were computed. `cspace info` shows the class of the pair
 itself.
 
 --theta is for the pairs that have orientations; the others are computed as if
@@ -1362,37 +1362,38 @@ Examples:
   cspace plan models/peg_hole.toml --from 40,30,90deg --to 0,2,0
   cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 --widest
   cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0
-  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 -o way.csv
-  cspace plan models/peg_hole.toml --check way.csv --format json
+  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 -o path.csv
+  cspace plan models/peg_hole.toml --check path.csv --format json
 
 The answer is a path of motions of constant rates, each of them checked, or
 no-path: start and goal are in different free regions, with what encloses the
 smaller; or from-blocked, to-blocked: the parts overlap there, and the nearest
-free configuration. It is certain: there is no way that is not found. `unknown`
-is the answer only at doubtful orientations, which are told, and where rounding
-hides a way. The path has at least half the clearance that is possible;
---widest and --clearance ask for more. Angles run on, not modulo a turn.
+free configuration. The answer is certain: a path is found if there is one.
+`unknown` is the answer only at doubtful orientations, which are listed, and
+where rounding hides a path. The path has at least half the clearance that is
+possible; --widest and --clearance ask for more. Angles run on, not modulo a
+turn.
 
 With -o OUT.json or --depth the answer no-path holds a proof that start and
 goal are in different regions, which the program cspace-check verifies from the
-file alone; or it says in `unproved` why there is none: there is a way, but
+file alone; or it says in `unproved` why there is none: there is a path, but
 with less than --clearance, or the pair is on fixed axes.
 
 -o OUT writes the path as .csv, the whole answer as .json, or a picture of the
-way as .svg, .png or .pdf; the answer is printed as well, but for .json. --check
-judges a path by the two outlines alone, without their contact space; blocked:
-it meets a contact (in JSON no-path).";
+path as .svg, .png or .pdf; the answer is printed as well, but for .json.
+--check judges a path by the two outlines alone, without their contact space;
+blocked: it meets a contact (in JSON no-path).";
 
 const ESCAPE: &str = "\
 Examples:
   cspace escape models/peg_hole.toml --from 0,-10,0 --gravity=0,-9810
   cspace escape models/ball_in_c.toml --from 0,0,0 --gravity=0,-1
 
-The least energy by which the moving part gets from --from to --to, or out,
+The minimum energy with which the moving part gets from --from to --to, or out,
 while the fixed part stays: over the lowest pass, where contacts balance
 gravity, loads and springs of the model. `cage` if no energy is enough.
 
-The bounds are certain: no way needs less than `least`, and the path printed
+The bounds are certain: no path needs less than `least`, and the path printed
 needs no more than `most`. `energy` is that of the one pass between them, to
 rounding; it is null where there are several or the bounds stay far apart.
 Energies are counted from that at --from. Without a mass in the model the part
@@ -1410,16 +1411,17 @@ Examples:
 
 One part, or a group as one, moves at a time, while the others stay. Where none
 goes out, one part or two make room first: parts on axes (doors, bolts) along
-these, others straight; they stay where they have come to. The tree tells what
-comes out of what; a step tells what moves, and its path: x, y, theta of the
-moving parts from where they are before the step, or what a part on an axis
-does. A path ends where a line lies between the parts and the others.
+these, others straight; they stay where they have come to. The tree shows what
+comes out of what; a step gives the moving parts and their path: x, y, theta of
+these parts from where they are before the step, or what a part on an axis does.
+A path ends where a line lies between the parts and the others.
 
-  apart    all comes apart, in the order told
+  apart    all comes apart, in the order listed
   locked   some parts do not, however the others move: of two parts one encloses
-           the other, by the features that are told. That is certain
-  unknown  no way was found and none is excluded: what was tried is told, and
-           the smallest set of which none leaves while the others stay
+           the other, by the features listed. That is certain
+  unknown  no path was found and none is excluded: the answer gives the extent
+           of the search, and the smallest set of which none leaves while the
+           others stay
 
 Parts on axes never go out; parts joined by a joint move as one. All parts are
 taken to lie in one plane, whichever pairs the model lists. Parts may touch as
@@ -1523,7 +1525,7 @@ computed.
   meets     with --along: the boundaries meet between two samples at which the
             parts are apart
   touching  the gap or the depth is --touch or less
-  clear     with the gap: the least distance
+  clear     with the gap: the minimum distance
   joined    a joint connects the two, so they may overlap: they are not judged
 
 Features and points are those that are nearest, in the assembly's frame; of an
@@ -1531,11 +1533,11 @@ overlap those that touch after the translation, the point of the second part
 where it is before. All parts are taken to lie in one plane, whichever pairs
 the model lists.
 
-With --along the gap is the least over the whole motion, with its time: between
-two samples all coordinates are taken to change at constant rates, and the gap
-is bounded there, not sampled. Depths are those at the samples.
+With --along the gap is the minimum over the whole motion, with its time:
+between two samples all coordinates are taken to change at constant rates, and
+the gap is bounded there, not sampled. Depths are those at the samples.
 
-All findings are answers, so the exit code is 0. docs/clash.md tells more.";
+All findings are answers, so the exit code is 0. See docs/clash.md.";
 
 const SIMULATE: &str = "\
 Examples:
@@ -1544,10 +1546,10 @@ Examples:
   cspace simulate models/gears_on_shafts.toml --time 1 --rates --format json
   cspace simulate models/escapement.toml --time 3 -o run.svg
 
-The answer tells whether the motion repeats, what each part does in a cycle,
-and which contacts last how long. -o OUT.csv writes the samples beside it,
+The answer reports whether the motion repeats, what each part does in a cycle,
+and how long each contact lasts. -o OUT.csv writes the samples beside it,
 -o OUT.svg, .png or .pdf a page: the mechanism at some times, each part's
-motion and the contacts over time, the way in the plane of each pair on axes.
+motion and the contacts over time, the path in the plane of each pair on axes.
 
 The model says what moves it: [[drive]], [[load]] and [[spring]]. In the
 kinematic mode drives move slowly, and loads, springs and weights balance at
@@ -1555,8 +1557,8 @@ every instant; other parts go only where contacts push them.
 
   done          it came to the end
   jammed        what is driven cannot go on: no velocity is allowed by the
-                contacts that are told
-  undetermined  it cannot be told how it goes on, and why
+                contacts that are listed
+  undetermined  how it goes on is not determined, and why
 
 Events are contacts that come (touch) and go (release), ends of ranges that are
 reached (limit), and balances that end (snap). Their times do not depend on
@@ -1576,8 +1578,9 @@ Of every pair, or of that of --pair: how far the moving part goes along x and y
 of the fixed part's frame, and how far it turns about its own origin and about
 the middle of its box, until something touches, and what; on fixed axes, how
 far each part goes on its axis while the other is held, to a contact or to its
-limit. From contact a direction that is blocked has distance 0. First is told
-where the configuration is: free and in which region, in contact, or blocked.";
+limit. From contact a direction that is blocked has distance 0. The answer
+begins with the place of the configuration: free and in which region, in
+contact, or blocked.";
 
 const DRAW: &str = "\
 Examples:
@@ -1639,9 +1642,9 @@ Examples:
   cspace move models/geneva.toml --from 0,0 --by 0,1turn --format json
 
 The result is free (nothing touches all the way), contact (with the share of
-the way and what touches), blocked (the parts overlap where the motion begins)
-or leaves (the window of orientations, or the range of a part's motion). Angles
-run on and are not taken modulo a turn.";
+the displacement and what touches), blocked (the parts overlap where the motion
+begins) or leaves (the window of orientations, or the range of a part's motion).
+Angles run on and are not taken modulo a turn.";
 
 const EXPORT: &str = "\
 Examples:
@@ -1708,7 +1711,7 @@ Examples:
 The page shows the parts to scale, and beside them the contact space in x, y
 and theta, or the plane of two motions; drag either, and the other follows. It
 is served on this machine alone, at an address that is printed first and that
-nobody can guess; whoever is told it may look. Pairs are computed when they are
+nobody can guess; whoever has it may look. Pairs are computed when they are
 looked at. Parts can be edited: the space is computed again while they are
 dragged, and the edited model is saved by the browser; FILE stays as it is.
 
@@ -1771,8 +1774,8 @@ Examples:
 The model is TOML with comments, drawn from the dimensions; `cspace new peg
 --help` lists those of the peg with their defaults. Lengths are in mm, or in
 any other unit: change `unit` in the file. The comment at the top says what the
-parts do at which configuration, and has commands that ask. docs/model.md tells
-how a model is written.";
+parts do at which configuration, and has commands that ask. See docs/model.md
+for how a model is written.";
 
 const IMPORT: &str = "\
 Examples:
@@ -1788,7 +1791,7 @@ is drawn twice is taken once, splines, ellipses and points become tangent lines
 and arcs. What was made, left out, joined and fitted is printed; what cannot be
 used is an error that names it, or with --partial is left out and listed.
 Without -o nothing is written. A model may name a drawing as well: dxf =
-\"plate.dxf\" in place of loops. docs/drawings.md tells more.";
+\"plate.dxf\" in place of loops. See docs/drawings.md.";
 
 const COMPLETIONS: &str = "\
 Example:
