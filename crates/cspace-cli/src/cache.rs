@@ -22,10 +22,10 @@ const FOLDER: &str = "CSPACE_CACHE";
 /// Value of [`FOLDER`] that turns the cache off.
 const OFF: &str = "off";
 
-/// The variable for the seconds that a computation takes at least of which the space is kept.
+/// The variable for the minimum computing time, in seconds, of the spaces that are kept.
 const AFTER: &str = "CSPACE_CACHE_AFTER";
 
-/// The seconds, if it is not set: reading takes longer than computing what is computed sooner.
+/// The minimum, if the variable is not set: a space that is computed faster takes longer to read.
 const USUAL_AFTER: f64 = 0.2;
 
 /// The bytes that all entries have together, at most.
@@ -63,7 +63,7 @@ pub(crate) fn space(
     Ok((space, false))
 }
 
-/// A way to come by spaces for computations on several pairs: kept from before, or computed and then kept.
+/// A function that gives the spaces of pairs: read from the cache, or computed and then kept.
 pub(crate) fn compute(
     keeps: bool,
     progress: &dyn Progress,

@@ -52,7 +52,7 @@ impl Failure {
         .help("choose another place with -o; nothing was written")
     }
 
-    /// Whether it tells a user more than another: bad input comes before work that could not be done.
+    /// Whether it is reported rather than another one: bad input comes before work that could not be done.
     pub(crate) fn is_worse_than(&self, other: &Self) -> bool {
         self.code > other.code
     }

@@ -92,7 +92,7 @@ fn values_of(parameters: &[Parameter]) -> String {
     values.join(", ")
 }
 
-/// A drawing. An error of what is in it is for the caller to tell.
+/// Reads a drawing. The inner error is one in its content, which the caller reports.
 pub(crate) fn drawing(
     path: &Path,
     source: &Source,
@@ -101,7 +101,7 @@ pub(crate) fn drawing(
     Ok(cspace_drawing::read(path, source))
 }
 
-/// The bytes of a drawing's file. What is wrong with them is for the caller to tell.
+/// The bytes of a drawing's file. The inner error is one in its content, which the caller reports.
 pub(crate) fn drawing_bytes(path: &Path) -> Result<Result<Vec<u8>, DrawingError>, Failure> {
     output::before_reading(path)?;
     Ok(cspace_drawing::bytes_of(path))

@@ -161,7 +161,7 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     files().output = Some(path.to_owned());
     check_apart(path)?;
     if is_replaceable(path) {
-        // Only trying tells whether a file may be made there. Where it needs a name for that, the process does not end meanwhile.
+        // Whether a file may be made there is known only by trying. If that needs a named file, the process does not end before it is removed.
         let target = target(path);
         let _pending = pending();
         tempfile::tempfile_in(self::directory(&target)).map_err(|e| Failure::writing(path, &e))?;

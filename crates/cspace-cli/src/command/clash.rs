@@ -58,7 +58,7 @@ pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
     let (path, model) = read_model(
         &args.file,
         &args.values,
-        "what clashes is told of all of its parts",
+        "clashes are found between all of its parts",
     )?;
     let pair = (args.pair.as_ref())
         .map(|names| named_pair(&path, &model, names))

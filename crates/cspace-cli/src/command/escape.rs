@@ -94,7 +94,7 @@ fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure>
     let gravity = given.unwrap_or(model.dynamics.gravity);
     let (field, weighs) = Field::of_pair(model, entry, gravity).map_err(|error| {
         let help = match error {
-            FieldError::Still { .. } => "name the pair the other way around: --pair FIXED,MOVING",
+            FieldError::Still { .. } => "name the pair in the other order: --pair FIXED,MOVING",
             _ => "take it out of the model, or choose another pair",
         };
         Failure::input(error).help(help)
@@ -118,7 +118,7 @@ fn escaped(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         PlanError::Stopped(ComputeError::Interrupted) => Failure::work("interrupted"),
         _ => Failure::work(error),
     };
-    // What is wrong with the question is told before anything is computed.
+    // Wrong arguments are reported before anything is computed.
     if field.is_none() {
         return Err(failed(PlanError::NoForce));
     }

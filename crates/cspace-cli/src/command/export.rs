@@ -173,7 +173,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         Some("stl") => Ok(Kind::Stl),
         Some("glb") => Ok(Kind::Glb),
         _ => Err(Failure::input(format_args!(
-            "{}: the extension does not tell what to write",
+            "{}: the extension names no known format",
             path.display()
         ))
         .help(format_args!("let the name end in {EXTENSIONS}"))),

@@ -31,7 +31,7 @@ struct Answer {
     result: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<u32>,
-    /// The least distance of the parts.
+    /// The minimum distance of the parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
     directions: Vec<Direction>,
@@ -191,7 +191,7 @@ fn in_the_plane(
     Ok(all)
 }
 
-/// Each part that moves, the other held, both ways.
+/// The motions of each part that moves, in both directions, while the other is held.
 fn on_axes(
     space: &PairSpace,
     (fixed, moving): (Axis, Axis),

@@ -114,7 +114,7 @@ impl<'a> Coordinate<'a> {
         }
     }
 
-    /// A value of a region: within its range as that is told, or in [−π, π) where it turns for ever.
+    /// A coordinate of a configuration in a region: reduced to the region's range as printed, or to [−π, π) if it turns for ever.
     pub(super) fn example(&self, t: f64, range: (f64, f64), around: bool) -> String {
         self.value(t - self.turns_before(if around { t } else { range.0 }))
     }

@@ -38,7 +38,7 @@ pub(crate) fn read(
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
-        // Rows of other lengths are told apart below: those of blanks alone are none.
+        // Rows of other lengths are handled below: blank rows are skipped, others are rejected.
         .flexible(true)
         .from_reader(bytes);
     let header = reader
@@ -131,7 +131,7 @@ fn unequal(source: &str, line: u64, found: usize, named: usize) -> Failure {
 
 const ONE_IN_A_ROW: &str = "give one configuration in each row, values separated by commas";
 
-/// The answer would have the column twice, and nobody could tell which is which.
+/// Rejects input with a column that the answer adds: the answer would have two columns of one name.
 fn no_answers(source: &str, header: &csv::StringRecord, answers: &[Column]) -> Result<(), Failure> {
     let twice = answers
         .iter()

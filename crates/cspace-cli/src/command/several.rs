@@ -14,9 +14,9 @@ pub(super) enum Answer {
     Json(Vec<u8>),
 }
 
-/// Answers of the file of `common` and of more, one after the other. Of several, a text is headed by its file, and JSON is one
-/// list of objects that name theirs. A file that has no answer does not keep those of others back; the worst failure tells
-/// how it ends.
+/// Answers for the file of `common` and for more, one after the other. For several files, each text is headed by its file, and JSON is
+/// one list of objects that name theirs. A file without an answer does not hold back the others; the worst failure determines the
+/// exit code.
 pub(super) fn run(
     common: &Common,
     more: &[PathBuf],

@@ -34,7 +34,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         args.picture.refuse()?;
         if args.at.is_some() {
             return Err(Failure::input("--at is about pictures").help(
-                "let the name after -o end in .svg, .png or .pdf; `cspace classify` tells whether a position is free",
+                "let the name after -o end in .svg, .png or .pdf; `cspace classify` shows whether a position is free",
             ));
         }
     }

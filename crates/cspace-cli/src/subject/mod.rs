@@ -152,7 +152,7 @@ impl Subject {
 
     /// Says on stderr what in a model is most likely not meant.
     pub(crate) fn warn(&self) {
-        /// More of them tell nothing new.
+        /// Maximum number of warnings.
         const MOST: usize = 8;
         let Self::Model { path, model, .. } = self else {
             return;

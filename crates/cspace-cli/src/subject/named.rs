@@ -6,7 +6,7 @@ use cspace::{Mechanism, PairEntry};
 
 use crate::failure::Failure;
 
-/// The pair with the parts of these names; its window is that of the file where it lists the pair, either way around.
+/// The pair with the parts of these names; its window is that of the file where it lists the pair, in either order.
 pub(crate) fn named_pair(
     path: &Path,
     model: &Mechanism,

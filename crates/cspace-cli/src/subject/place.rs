@@ -121,7 +121,7 @@ impl Chosen<'_> {
         }
     }
 
-    /// The words that a configuration in a free region is told with.
+    /// The description of a configuration in a free region.
     pub(crate) fn is_free(&self, region: RegionId) -> String {
         match self.is_outside(region) {
             true => "free, outside".to_owned(),

@@ -58,7 +58,7 @@ impl Latch {
         let (wall, foot) = (pocket + lip, bottom - lip);
         let upright = if head > mouth {
             format!(
-                "The head is wider than the mouth by {}: upright it does not come out. Whether it can be tilted\nout, `cspace compute` tells: two regions of free space, one of them caged, say no.",
+                "The head is wider than the mouth by {}: upright it does not come out. `cspace compute` shows\nwhether it can be tilted out: with two regions of free space, one of them caged, it cannot.",
                 about(head - mouth, 6)
             )
         } else {
@@ -127,7 +127,7 @@ Ask it:     cspace compute FILE
         page.end_loop();
         page.end_part();
         page.requirement(
-            "What `cspace check FILE` tells, also with --set mouth=10.",
+            "What `cspace check FILE` reports, also with --set mouth=10.",
             "name = \"held\"\nmeasure = \"caged\"",
         );
         page.mount(

@@ -231,7 +231,7 @@ impl Page {
     }
 }
 
-/// Which way an arc turns.
+/// The direction in which an arc turns.
 #[derive(Clone, Copy)]
 pub(super) enum Turn {
     Left,

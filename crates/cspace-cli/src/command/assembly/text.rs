@@ -87,7 +87,7 @@ fn describe_step(text: &mut String, unit: &str, number: usize, step: &Step) -> f
 }
 
 fn describe_locked(text: &mut String, locked: &Locked, verdict: Outcome) -> fmt::Result {
-    /// More of them tell nothing new.
+    /// Maximum number of pairs of features that are listed.
     const MOST: usize = 12;
     match verdict {
         Outcome::Locked => writeln!(text, "lock each other: {}", list(&locked.parts))?,

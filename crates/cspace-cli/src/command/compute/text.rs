@@ -10,7 +10,7 @@ use crate::wording::{angle, count, length, symmetry};
 
 use super::{Counts, MotionSpace, Seconds, Statistic, Summary, answer};
 
-/// The answer first, then counts; with `verbose` also what tells how certain the structure is.
+/// The answer first, then counts; with `verbose` also the numbers that show how certain the structure is.
 pub(super) fn describe(
     text: &mut String,
     pair: &Chosen<'_>,

@@ -41,7 +41,7 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
                 file.display(),
                 count(survey.problems.len(), "thing", "things")
             ),
-            "`cspace import` tells of all of them",
+            "`cspace import` lists all of them",
         );
     }
     let picture = PartsPicture {
@@ -77,7 +77,7 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
     )
 }
 
-/// The path of an entity. A picture shows curves by chords that cannot be told from them.
+/// The path of an entity, with curves as chords so short that a picture shows no difference.
 fn unused(entity: &Entity) -> UnusedPath {
     const CHORDS: u32 = 24;
     let mut edges: Vec<(Point, f64)> = Vec::new();

@@ -34,7 +34,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
         (None, None) => PictureFormat::Svg,
         (Some(path), None) => {
             return Err(Failure::input(format_args!(
-                "{}: the extension does not tell what to write",
+                "{}: the extension names no known format",
                 path.display()
             ))
             .help("let the name end in .svg, .png or .pdf, or in .dxf for the outlines alone"));

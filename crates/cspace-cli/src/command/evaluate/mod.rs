@@ -26,7 +26,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
     args.result.check_answer()?;
     output::check(args.result.output.as_deref())?;
     let chosen = chosen(&args.pairs)?;
-    // What is wrong with the separation is told before anything is measured.
+    // A wrong separation is reported before anything is measured.
     cspace_baseline::evenly(args.separation).map_err(|e| {
         Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
     })?;

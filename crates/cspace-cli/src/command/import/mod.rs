@@ -153,7 +153,7 @@ fn outlines(
             }
         };
         {
-            /// More are not told one by one.
+            /// Maximum number of kinds of problems that are listed.
             const MOST: usize = 20;
             let kinds = alike(problems);
             for (problem, more) in kinds.iter().take(MOST) {

@@ -27,7 +27,7 @@ use crate::wording::{angle, count, length};
 use cspace_answers::Rest;
 use cspace_answers::plan::{Contact, Name, Parts, Told};
 
-/// Why there is no proof where there is a way that is too narrow.
+/// Reason for a missing proof: there is a path, but it is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
 
 /// The largest path that is judged: as much as of rows that are classified.
@@ -80,7 +80,7 @@ fn check_name(path: Option<&Path>) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::input(format_args!(
-        "{}: the extension does not tell what to write",
+        "{}: the extension names no known format",
         path.display()
     ))
     .help("let the name end in .csv for the path, in .json or .txt for the answer, or in .svg, .png or .pdf for a picture"))
@@ -352,7 +352,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         }
     }
     if let Some(enclosed) = &told.enclosed {
-        /// More of them tell nothing new.
+        /// Maximum number of pairs of features that are listed.
         const MOST: usize = 12;
         writeln!(
             text,

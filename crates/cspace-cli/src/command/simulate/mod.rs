@@ -152,7 +152,7 @@ fn check_name(path: Option<&Path>) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::input(format_args!(
-        "{}: the extension does not tell what to write",
+        "{}: the extension names no known format",
         path.display()
     ))
     .help("let the name end in .csv for the samples, in .json or .txt for the answer (.gz after it to compress them), or in .svg, .png or .pdf for a picture"))
@@ -180,7 +180,7 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
     }
     if args.forces && mode == Mode::Kinematic && !is_loaded {
         return Err(Failure::input(format_args!(
-            "{}: --forces tells the forces of loads, springs and weights, and the model has none",
+            "{}: --forces reports the forces of loads, springs and weights, and the model has none",
             path.display()
         ))
         .help("add a [[load]] or a [[spring]], or leave --forces out"));

@@ -176,7 +176,7 @@ fn short(feature: &str) -> String {
     shorter.unwrap_or_else(|| feature.to_owned())
 }
 
-/// The planes of pairs both of whose parts move on axes, with their ways.
+/// The planes of pairs both of whose parts move on axes, with the paths of the motion in them.
 fn planes<'a>(simulation: &'a Simulation, trajectory: &Trajectory<'_>) -> Vec<PlanePath<'a>> {
     let system = simulation.system();
     let mut planes = Vec::new();

@@ -41,7 +41,7 @@ pub(super) fn record(
         let what = format!("it was made with other {}", others.join(", "));
         return Err(bad(&what));
     }
-    // The balance of energy is told of motions with masses alone.
+    // Only records of motions with masses have a balance of energy.
     let (its_mode, its_name) = match value.get("energy") {
         Some(_) => (Mode::Dynamic, "dynamic"),
         None => (Mode::Kinematic, "kinematic"),

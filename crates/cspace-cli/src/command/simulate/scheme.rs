@@ -1,12 +1,12 @@
-//! Which way the dynamic mode goes on.
+//! The integration scheme of the dynamic mode, and its step.
 
 use crate::args::{Mode, Scheme, SimulateArgs};
 use crate::failure::Failure;
 
-/// So many steps there are unless another length is asked for.
+/// Number of steps unless `--step` gives their length.
 const STEPS: f64 = 10_000.0;
 
-/// The length of steps, of the scheme that has some.
+/// The length of a step, for the scheme with steps of one length.
 pub(super) fn step(args: &SimulateArgs, mode: Mode) -> Result<Option<f64>, Failure> {
     match (args.scheme, args.step) {
         (Scheme::Event, None) => Ok(None),

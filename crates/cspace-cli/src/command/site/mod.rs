@@ -110,7 +110,7 @@ impl<'a> Site<'a> {
                 "{}: not one model could be computed",
                 folder.place().display()
             ))
-            .help("`cspace compute MODEL` tells why; nothing was written"));
+            .help("`cspace compute MODEL` shows why; nothing was written"));
         }
         let (blank, _) = steps.step("playground", || {
             add(&playground, &blank, args, page, &mut folder)

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 pub(super) struct Names(BTreeSet<String>);
 
 impl Names {
-    /// A name that no other file has: as wanted, of characters that neither disks nor addresses treat in ways of their own, with a
+    /// A name that no other file has: as wanted, of characters that have no special meaning for file systems and URLs, with a
     /// number if need be. `/` separates folders.
     pub(super) fn take(&mut self, wanted: &str, extension: &str) -> String {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);

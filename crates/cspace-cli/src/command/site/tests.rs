@@ -108,7 +108,7 @@ fn every_link_leads_somewhere() {
         .filter(|n| n.ends_with(".toml"))
         .count();
     assert_eq!(index.matches("<li>").count(), shipped + 1);
-    // What is told of a model is the beginning of its comment, and of its pairs what `cspace info` tells.
+    // A card shows the beginning of the model's comment, and the classes of its pairs as in `cspace info`.
     assert!(index.contains("<h2>peg in hole</h2>"));
     assert!(index.contains(
         "Collared peg of diameter 10 and a blind hole of diameter 10.1, in section.</p>"

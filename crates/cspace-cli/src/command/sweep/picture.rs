@@ -20,7 +20,7 @@ pub(super) fn drawn(
     table: &Table,
     line: usize,
 ) -> Result<Scene, Failure> {
-    /// More curves in one strip cannot be told apart.
+    /// Maximum number of curves in one strip: more are not distinguishable.
     const MOST: usize = 12;
     let Some(across) = args.vary.last() else {
         return Err(
