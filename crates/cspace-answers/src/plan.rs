@@ -106,8 +106,8 @@ pub struct Place {
 pub struct Bottleneck {
     /// The clearance of the widest way there.
     pub clearance: f64,
-    /// No way has more.
-    pub most: f64,
+    /// No path has more; none for a path that starts or ends in contact, where another leg off it may leave more.
+    pub most: Option<f64>,
     /// Where that is.
     #[serde(flatten)]
     pub place: Place,

@@ -19,8 +19,9 @@ pub struct Answer {
 pub struct Bottleneck {
     /// Where that is.
     pub narrow: Narrow,
-    /// No way has more clearance than this, in the model's unit of length: finite, and no less than that of any path that is told.
-    pub most: f64,
+    /// No path has more clearance than this, in the model's unit of length. None for a path that starts or ends in contact: by another
+    /// leg off the contact there may be more.
+    pub most: Option<f64>,
 }
 
 /// Whether there is a way.
@@ -37,7 +38,7 @@ pub enum Verdict {
     /// The parts overlap at the goal.
     ToBlocked(Blocked),
     /// It is not known: at these doubtful orientations (radians) the contact space is not relied upon; if there are none, rounding
-    /// hides a way.
+    /// hides a path, or paths by another leg off a contact may have the requested clearance.
     Unknown(Vec<(f64, f64)>),
 }
 

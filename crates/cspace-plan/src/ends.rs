@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use cspace::{Configuration, Coordinates, Location, PairSpace, QueryError, RegionId};
 
 use crate::legs::{Coords, Scene};
-use crate::off_contact::off_contact;
+use crate::off_contact::Contacts;
 
 /// Ways begin no farther than so many sizes from the fixed part, to be rounded as little as the parts are. From farther away a leg
 /// comes straight there: nothing is in the way.
@@ -20,32 +20,41 @@ pub(crate) fn is_far(scene: &Scene, at: Coords) -> bool {
 }
 
 /// Where a path begins or ends.
-pub(crate) enum End {
-    /// In a region; a configuration in contact is left by a leg.
+pub(crate) enum End<'a> {
+    /// In a region; a configuration in contact, or far away, is left by a leg.
     Free {
         region: RegionId,
         leg: Option<Coords>,
+        contacts: Option<Contacts<'a>>,
     },
     Blocked,
 }
 
-/// Locates a start or a goal in the space.
-pub(crate) fn end(space: &PairSpace, scene: &Scene, at: Coordinates) -> Result<End, QueryError> {
+/// Locates a start or a goal in the space. The leg that leaves a contact goes to where there is enough clearance, or as much as is found.
+pub(crate) fn end<'a>(
+    space: &PairSpace,
+    scene: &'a Scene,
+    at: Coordinates,
+    enough: f64,
+) -> Result<End<'a>, QueryError> {
     Ok(match space.locate(at)? {
         Location::Outside => return Err(QueryError::Outside),
         Location::Free(region) => End::Free {
             region,
             leg: nearer(space, scene, scene.numbers(at)?),
+            contacts: None,
         },
         Location::Blocked => End::Blocked,
         Location::Contact => {
-            let Some(off) = off_contact(space, scene, at)? else {
+            let contacts = Contacts::of(space, scene, at)?;
+            let Some(off) = contacts.off(enough) else {
                 return Ok(End::Blocked);
             };
             match space.locate(scene.coordinates(off))? {
                 Location::Free(region) => End::Free {
                     region,
                     leg: Some(off),
+                    contacts: Some(contacts),
                 },
                 _ => End::Blocked,
             }

@@ -99,7 +99,10 @@ impl Planner<'_> {
                 Ok(PairMotion::Free)
             )
         };
-        if let Some(exit) = exits.iter().find(is_straight) {
+        // A part in contact would go along it.
+        if location != Location::Contact
+            && let Some(exit) = exits.iter().find(is_straight)
+        {
             return to(goal(exit));
         }
         // To the nearest exit, and on the simplest way to where it is out anywhere.

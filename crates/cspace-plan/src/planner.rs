@@ -10,6 +10,7 @@ use crate::answer::{Answer, Bottleneck, Path, Verdict};
 use crate::apart::{blocked, enclosed};
 use crate::ends::{End, FARTHEST, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
+use crate::off_contact::Contacts;
 use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
@@ -215,8 +216,15 @@ impl<'a> Planner<'a> {
                 return Err(PlanError::TooFar { place });
             }
         }
-        let start = end(self.space, &self.scene, from).map_err(PlanError::From)?;
-        let goal = end(self.space, &self.scene, to).map_err(PlanError::To)?;
+        // Off a contact there is to be more clearance than the path has elsewhere.
+        let enough = match wishes.clearance {
+            Clearance::Quick | Clearance::Half => 0.0,
+            Clearance::AtLeast(least) => least,
+            Clearance::Widest => self.scene.size(),
+        };
+        let end = |at| end(self.space, &self.scene, at, enough);
+        let start = end(from).map_err(PlanError::From)?;
+        let goal = end(to).map_err(PlanError::To)?;
         let region = |end: &End| match end {
             End::Free { region, .. } => Some(*region),
             End::Blocked => None,
@@ -236,23 +244,24 @@ impl<'a> Planner<'a> {
             (End::Free { region: a, .. }, End::Free { region: b, .. }) if a != b => {
                 Verdict::NoPath(enclosed(self.space, a, b).map_err(PlanError::Pair)?)
             }
-            (End::Free { leg: leave, .. }, End::Free { leg: arrive, .. }) => {
-                let from = self.scene.numbers(from).map_err(PlanError::From)?;
-                let to = self.scene.numbers(to).map_err(PlanError::To)?;
-                let (first, last) = (leave.unwrap_or(from), arrive.unwrap_or(to));
+            (start @ End::Free { .. }, goal @ End::Free { .. }) => {
+                let from = Tip::of(start, self.scene.numbers(from).map_err(PlanError::From)?);
+                let to = Tip::of(goal, self.scene.numbers(to).map_err(PlanError::To)?);
+                let (first, last) = (from.near, to.near);
+                let is_bounded = from.contacts.is_none() && to.contacts.is_none();
                 let Some(wider) = self.wider(first, last, wishes.clearance, progress)? else {
                     answer.verdict = Verdict::Unknown(self.doubtful());
                     return Ok(answer);
                 };
                 let bottleneck = |wider: &Wider| Bottleneck {
                     narrow: Legs::new(&self.scene, wider.places.clone()).narrow(),
-                    most: wider.most,
+                    most: is_bounded.then_some(wider.most),
                 };
                 if let Clearance::AtLeast(least) = wishes.clearance
                     && wider.clearance < least
                 {
                     answer.bottleneck = Some(bottleneck(&wider));
-                    if wider.most >= least {
+                    if !is_bounded || wider.most >= least {
                         answer.verdict = Verdict::Unknown(self.doubtful());
                     }
                     return Ok(answer);
@@ -277,8 +286,8 @@ impl<'a> Planner<'a> {
                     let shorter = wider.with(&self.scene, legs.places().to_vec());
                     answer.bottleneck = Some(bottleneck(&shorter));
                 }
-                let ends = ((from, leave.is_some()), (to, arrive.is_some()), last);
-                let mut path = self.told(&self.with_ends(&legs, ends), wishes)?;
+                let legs = self.with_ends(&legs, (&from, &to), (kept, wishes.prefer));
+                let mut path = self.told(&legs, wishes)?;
                 for at in &mut path.configurations {
                     *at = turned(*at, -turns);
                 }
@@ -342,32 +351,23 @@ impl<'a> Planner<'a> {
         Ok(Some(known))
     }
 
-    /// A path with the legs that leave and come to contacts.
+    /// A path with the legs that leave and come to contacts, and come from far away. Legs beside them that they can replace go, if few
+    /// legs or a short path is preferred.
     fn with_ends(
         &self,
         legs: &Legs<'_>,
-        ((from, leaves), (to, arrives), last): ((Coords, bool), (Coords, bool), Coords),
+        (from, to): (&Tip<'_>, &Tip<'_>),
+        (clearance, prefer): (f64, Prefer),
     ) -> Legs<'_> {
         let mut places = legs.places().to_vec();
-        let end = places.last().copied().unwrap_or(last);
-        if leaves {
-            if let [first, second, ..] = places[..]
-                && are_one([from, first, second])
-            {
-                places.remove(0);
-            }
-            places.insert(0, from);
-        }
-        if arrives {
-            // The goal as often around as the place before it.
-            let goal = core::array::from_fn(|k| to[k] + (end[k] - last[k]));
-            if let [.., before, end] = places[..]
-                && are_one([before, end, goal])
-            {
-                places.pop();
-            }
-            places.push(goal);
-        }
+        let end = places.last().copied().unwrap_or(to.near);
+        let clearance = (prefer != Prefer::Clearance).then_some(clearance);
+        from.join(&mut places, from.at, clearance);
+        // The goal as often around as the place before it.
+        let goal = core::array::from_fn(|k| to.at[k] + (end[k] - to.near[k]));
+        places.reverse();
+        to.join(&mut places, goal, clearance);
+        places.reverse();
         Legs::new(&self.scene, places)
     }
 
@@ -448,6 +448,53 @@ fn middle_if_far(part: &Part) -> Vector {
         Vector::ZERO
     } else {
         bounds.center().to_vector()
+    }
+}
+
+/// The start or the goal of a path, and the place near it from which the path is sought.
+struct Tip<'a> {
+    at: Coords,
+    near: Coords,
+    has_leg: bool,
+    contacts: Option<Contacts<'a>>,
+}
+
+impl<'a> Tip<'a> {
+    fn of(end: End<'a>, at: Coords) -> Self {
+        let (leg, contacts) = match end {
+            End::Free { leg, contacts, .. } => (leg, contacts),
+            End::Blocked => (None, None),
+        };
+        Self {
+            at,
+            near: leg.unwrap_or(at),
+            has_leg: leg.is_some(),
+            contacts,
+        }
+    }
+
+    /// Puts the leg from here before the places of a path from the end of that leg. The leg goes to the farthest of them to which it
+    /// leaves the contacts with a clearance, if one is given.
+    fn join(&self, places: &mut Vec<Coords>, at: Coords, clearance: Option<f64>) {
+        if !self.has_leg {
+            return;
+        }
+        // Numbers of places are by the turn that they are in.
+        let by: Coords = core::array::from_fn(|k| self.at[k] - at[k]);
+        let leaves = |to: &Coords| {
+            (self.contacts.as_ref().zip(clearance)).is_some_and(|(contacts, clearance)| {
+                contacts.leaves_with(core::array::from_fn(|k| to[k] + by[k]), clearance)
+            })
+        };
+        let skipped = (1..places.len()).rev().find(|&k| leaves(&places[k]));
+        if let Some(k) = skipped {
+            places.drain(..k);
+        } else if let [first, second, ..] = places[..]
+            && are_one([at, first, second])
+        {
+            places.remove(0);
+        }
+        places.insert(0, at);
     }
 }
 

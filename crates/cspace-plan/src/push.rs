@@ -1,6 +1,6 @@
 //! Away from what is near: towards more clearance.
 
-use crate::legs::{Coords, Near};
+use crate::legs::{Coords, Near, Scene};
 
 /// Steps of the search for the best mixture of gradients.
 const STEPS: usize = 400;
@@ -77,6 +77,63 @@ pub(crate) fn rise(
             }
         })
     })
+}
+
+/// A configuration that climbs to more clearance.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Climb {
+    pub(crate) at: Coords,
+    pub(crate) clearance: f64,
+    /// How far the next step goes at most.
+    pub(crate) reach: f64,
+}
+
+/// Steps are made longer by this after one that was taken, and shorter after one that was not.
+const LONGER: f64 = 4.0;
+const SHORTER: f64 = 0.25;
+/// So many lengths of a step are tried at once.
+const TRIED: usize = 8;
+
+impl Climb {
+    /// Takes a step, across a direction if one is given, to where the clearance is larger by a share `gain` and which is accepted.
+    /// Returns whether one was found.
+    pub(crate) fn step(
+        &mut self,
+        scene: &Scene,
+        levers: Coords,
+        across: Option<Coords>,
+        gain: f64,
+        accepts: impl Fn(Coords, f64) -> bool,
+    ) -> bool {
+        let mut reach = self.reach;
+        for _ in 0..TRIED {
+            // A step changes distances by its length at most: what is farther does not become the nearest.
+            let near: Vec<Near> = scene.near(self.at, self.clearance + 2.0 * reach);
+            let Some(step) = rise(&near, levers, across, reach) else {
+                break;
+            };
+            let to = scene.within_limits(core::array::from_fn(|k| self.at[k] + step[k]));
+            let clearance = scene.clearance(to);
+            if clearance > self.clearance * (1.0 + gain) && accepts(to, clearance) {
+                *self = Self {
+                    at: to,
+                    clearance,
+                    reach: reach * LONGER,
+                };
+                return true;
+            }
+            reach *= SHORTER;
+        }
+        false
+    }
+}
+
+/// How long a displacement is, where turning counts by its lever.
+pub(crate) fn norm(by: Coords, levers: Coords) -> f64 {
+    (0..3)
+        .map(|k| (by[k] * levers[k]).powi(2))
+        .sum::<f64>()
+        .sqrt()
 }
 
 fn dot(a: &Coords, b: &Coords) -> f64 {

@@ -125,22 +125,24 @@ impl<'a> Escape<'a> {
         }
         let (_, from) = home(self.space, &self.scene, from);
         let to = to.map(|to| home(self.space, &self.scene, to).1);
-        let start = match end(self.space, &self.scene, from).map_err(PlanError::From)? {
+        let start = match end(self.space, &self.scene, from, 0.0).map_err(PlanError::From)? {
             End::Blocked => {
                 let how = blocked(self.space, &self.scene, from).map_err(PlanError::From)?;
                 return Ok(Escaped::FromBlocked(how));
             }
-            End::Free { region, leg } => (region, self.end(from, leg).map_err(PlanError::From)?),
+            End::Free { region, leg, .. } => {
+                (region, self.end(from, leg).map_err(PlanError::From)?)
+            }
         };
         let goal = match to {
             None if self.scene.motions().is_some() => return Err(PlanError::NoGoal),
             None => None,
-            Some(to) => match end(self.space, &self.scene, to).map_err(PlanError::To)? {
+            Some(to) => match end(self.space, &self.scene, to, 0.0).map_err(PlanError::To)? {
                 End::Blocked => {
                     let how = blocked(self.space, &self.scene, to).map_err(PlanError::To)?;
                     return Ok(Escaped::ToBlocked(how));
                 }
-                End::Free { region, leg } => {
+                End::Free { region, leg, .. } => {
                     Some((region, self.end(to, leg).map_err(PlanError::To)?))
                 }
             },

@@ -103,7 +103,7 @@ fn the_widest_way_out_of_an_eye_is_as_wide_as_the_formula_says() {
     let bottleneck = asked(&space, from, to, Clearance::Widest)
         .bottleneck
         .unwrap();
-    let (found, most) = (bottleneck.narrow.clearance, bottleneck.most);
+    let (found, most) = (bottleneck.narrow.clearance, bottleneck.most.unwrap());
     assert!((found - widest).abs() < 1e-8, "{found} {widest}");
     assert!((most - widest).abs() < 1e-8, "{most} {widest}");
 }

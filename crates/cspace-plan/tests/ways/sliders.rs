@@ -150,7 +150,7 @@ fn asked(pair: &Pair, arm_moves: bool, from: Node, to: Node, clearance: Clearanc
             panic!("{checked:?}");
         };
         if let Some(bottleneck) = answer.bottleneck {
-            let (most, widest) = (bottleneck.most, bottleneck.narrow.clearance);
+            let (most, widest) = (bottleneck.most.unwrap(), bottleneck.narrow.clearance);
             assert!(narrow.clearance <= most, "{narrow:?} {bottleneck:?}");
             assert!(widest <= most, "{bottleneck:?}");
             assert!(most - widest < 1e-6, "{bottleneck:?}");

@@ -114,7 +114,7 @@ fn the_widest_way_around_a_corner_is_as_wide_as_the_formula_says() {
     let answer = asked(&space, from, to, Clearance::Widest);
     let bottleneck = answer.bottleneck.unwrap();
     assert!((bottleneck.narrow.clearance - widest).abs() < 1e-8);
-    assert!((bottleneck.most - widest).abs() < 1e-8);
+    assert!((bottleneck.most.unwrap() - widest).abs() < 1e-8);
     // In the corner, at 45 degrees to it.
     let Coordinates::Planar(c) = bottleneck.narrow.at else {
         panic!("a planar pair");
@@ -251,6 +251,66 @@ fn a_way_in_contact_at_its_ends_leaves_them() {
     assert!(path.narrowest.clearance < 1e-9);
     let checked = cspace_plan::check(&Scene::of(&space).unwrap(), &path.configurations);
     assert!(matches!(checked, Ok(cspace_plan::Checked::Free(_))));
+}
+
+/// A block in the corner of a tray: off the contacts it has as much clearance as half the play, and no bound is claimed, since other
+/// legs off the contacts might leave more.
+#[test]
+fn a_path_from_a_corner_has_the_clearance_of_the_middle() {
+    let tray = [
+        (0.0, 0.0),
+        (60.0, 0.0),
+        (60.0, 40.0),
+        (50.0, 40.0),
+        (50.0, 10.0),
+        (10.0, 10.0),
+        (10.0, 40.0),
+        (0.0, 40.0),
+    ];
+    let tray = Part::polygon("tray", &tray).unwrap();
+    let block = [(0.0, 0.0), (30.0, 0.0), (30.0, 10.0), (0.0, 10.0)];
+    let block = Part::polygon("block", &block).unwrap();
+    let space = space(&tray, &block, None);
+    let planner = Planner::new(&space).unwrap();
+    let asked = |clearance: Clearance| {
+        let wishes = Wishes {
+            clearance,
+            ..Wishes::default()
+        };
+        let from = at(20.0, 10.0, 0.0);
+        planner.plan_out(from, &wishes, &cspace::Silent).unwrap().1
+    };
+    for clearance in [
+        Clearance::Half,
+        Clearance::AtLeast(4.0),
+        Clearance::AtLeast(4.999),
+        Clearance::Widest,
+    ] {
+        let answer = asked(clearance);
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("{clearance:?} {:?}", answer.verdict);
+        };
+        let least = match clearance {
+            Clearance::AtLeast(least) => least,
+            Clearance::Widest => 4.99,
+            _ => 2.5,
+        };
+        let places = &path.configurations;
+        assert!(places.len() <= 3, "{clearance:?} {places:?}");
+        let scene = planner.scene();
+        for leg in places[1..].windows(2) {
+            let [from, to] = [leg[0], leg[1]].map(|c| scene.numbers(c).unwrap());
+            assert!(
+                scene.least(from, to).distance >= least,
+                "{clearance:?} {leg:?}"
+            );
+        }
+        assert!(answer.bottleneck.is_none_or(|b| b.most.is_none()));
+    }
+    // Upwards there is no more than 5, but nothing proves it of other legs off the contacts.
+    let answer = asked(Clearance::AtLeast(6.0));
+    assert!(matches!(answer.verdict, Verdict::Unknown(_)), "{answer:?}");
+    assert!(answer.bottleneck.unwrap().most.is_none());
 }
 
 #[test]

@@ -319,6 +319,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
         Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Name::Unknown if told.bottleneck.as_ref().is_some_and(|b| b.most.is_none()) => writeln!(
+            text,
+            "unknown: no way with that clearance was found, and none is excluded off the contact"
+        )?,
         Name::Unknown if told.doubtful.is_empty() => writeln!(
             text,
             "unknown: no such way was found, and none is excluded: rounding hides it"
@@ -339,13 +343,19 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         }
     }
     if let Some(b) = &told.bottleneck {
-        writeln!(
-            text,
-            "bottleneck {}{unit}: no way has more than {}{unit}, so much may {} grow all round",
-            length(b.clearance),
-            length(b.most),
-            shown::text(pair.moving().name()),
-        )?;
+        write!(text, "bottleneck {}{unit}: ", length(b.clearance))?;
+        match b.most {
+            Some(most) => writeln!(
+                text,
+                "no way has more than {}{unit}, so much may {} grow all round",
+                length(most),
+                shown::text(pair.moving().name()),
+            )?,
+            None => writeln!(
+                text,
+                "the most that was found off the contact; another leg off it may leave more"
+            )?,
+        }
         writeln!(text, "  at       {}", pair.place(b.place.at))?;
         if let Some(features) = b.place.features {
             writeln!(text, "  there    {}", pair.beside(features))?;
