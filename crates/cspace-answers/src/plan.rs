@@ -246,8 +246,11 @@ impl Told {
             Verdict::Path(Path {
                 configurations,
                 narrowest,
-                ..
-            }) => told.free(parts, legs, configurations, &narrowest),
+                about,
+            }) => {
+                let scene = legs.0.clone().with_about(about);
+                told.free(parts, (&scene, legs.1), configurations, &narrowest);
+            }
             Verdict::NoPath(enclosed) => {
                 told.twin = (told.regions.from.zip(goal))
                     .and_then(|(region, goal)| Twin::in_region(space, region, goal));

@@ -30,6 +30,67 @@ pub(crate) enum End<'a> {
     Blocked,
 }
 
+/// The start or the goal of a path, and the place near it from which the path is sought.
+pub(crate) struct Tip<'a> {
+    pub(crate) at: Coords,
+    pub(crate) near: Coords,
+    has_leg: bool,
+    pub(crate) contacts: Option<Contacts<'a>>,
+}
+
+impl<'a> Tip<'a> {
+    pub(crate) fn of(end: End<'a>, at: Coords) -> Self {
+        let (leg, contacts) = match end {
+            End::Free { leg, contacts, .. } => (leg, contacts),
+            End::Blocked => (None, None),
+        };
+        Self {
+            at,
+            near: leg.unwrap_or(at),
+            has_leg: leg.is_some(),
+            contacts,
+        }
+    }
+
+    /// What is far away and stays there needs no leg.
+    pub(crate) fn stay(&mut self) {
+        if self.contacts.is_none() {
+            (self.near, self.has_leg) = (self.at, false);
+        }
+    }
+
+    /// Puts the leg from here before the places of a path from the end of that leg. The leg goes to the farthest of them to which it
+    /// leaves the contacts with a clearance, if one is given.
+    pub(crate) fn join(&self, places: &mut Vec<Coords>, at: Coords, clearance: Option<f64>) {
+        if !self.has_leg {
+            return;
+        }
+        // Numbers of places are by the turn that they are in.
+        let by: Coords = core::array::from_fn(|k| self.at[k] - at[k]);
+        let leaves = |to: &Coords| {
+            (self.contacts.as_ref().zip(clearance)).is_some_and(|(contacts, clearance)| {
+                contacts.leaves_with(core::array::from_fn(|k| to[k] + by[k]), clearance)
+            })
+        };
+        let skipped = (1..places.len()).rev().find(|&k| leaves(&places[k]));
+        if let Some(k) = skipped {
+            places.drain(..k);
+        } else if let [first, second, ..] = places[..]
+            && are_one([at, first, second])
+        {
+            places.remove(0);
+        }
+        places.insert(0, at);
+    }
+}
+
+/// Whether two legs change the same coordinate alone: they are one leg without rounding, and if the second goes back it passes no place
+/// that the two do not pass.
+fn are_one([a, b, c]: [Coords; 3]) -> bool {
+    let changes = |k: &usize| a[*k] != b[*k] || b[*k] != c[*k];
+    (0..3).filter(changes).count() == 1
+}
+
 /// Locates a start or a goal in the space. The leg that leaves a contact goes to where there is enough clearance, or as much as is found.
 pub(crate) fn end<'a>(
     space: &PairSpace,

@@ -7,6 +7,7 @@
 mod answer;
 mod apart;
 pub mod assembly;
+mod centers;
 mod check;
 pub mod clash;
 mod ends;

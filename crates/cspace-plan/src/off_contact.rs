@@ -9,8 +9,8 @@ use crate::push::{Climb, norm, rise};
 const LONGEST: f64 = 0.25;
 /// And are halved at most so often: below lies what rounding does to contacts.
 const HALVINGS: u32 = 44;
-/// The best step is found to (2/3)³² of its length.
-const REFINED: u32 = 32;
+/// The best step is found to (2/3)⁶⁴ of its length.
+const REFINED: u32 = 64;
 /// Contacts within so many resolutions are left together.
 const TOUCHING: f64 = 8.0;
 /// The leg is tested from this share of it on; before, it goes where all contact functions grow.

@@ -57,6 +57,17 @@ impl Planner<'_> {
         wishes: &Wishes,
         progress: &dyn Progress,
     ) -> Result<(Coordinates, Answer), PlanError> {
+        let plan = |planner: &Self| planner.out(from, wishes, progress);
+        self.about_any(plan, |out| &out.1, wishes)
+    }
+
+    /// As above, by legs about one point.
+    fn out(
+        &self,
+        from: Coordinates,
+        wishes: &Wishes,
+        progress: &dyn Progress,
+    ) -> Result<(Coordinates, Answer), PlanError> {
         let PairSpace::Planar(space) = self.space() else {
             return Err(PlanError::NoGoal);
         };
@@ -83,7 +94,7 @@ impl Planner<'_> {
             return Err(PlanError::NoGoal);
         };
         let to = |goal: Coordinates| {
-            let answer = self.plan_with(from, goal, wishes, progress)?;
+            let answer = self.plan_to((from, goal), None, wishes, progress)?;
             Ok((goal, answer))
         };
         if let Location::Free(region) = location

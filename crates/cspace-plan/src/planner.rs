@@ -8,9 +8,9 @@ use cspace::{
 
 use crate::answer::{Answer, Bottleneck, Path, Verdict};
 use crate::apart::{blocked, enclosed};
-use crate::ends::{End, FARTHEST, end, home, is_far, turned};
+use crate::centers::fitting_centers;
+use crate::ends::{End, FARTHEST, Tip, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
-use crate::off_contact::Contacts;
 use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
 use crate::route::{Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
@@ -123,6 +123,8 @@ pub struct Planner<'a> {
     space: &'a PairSpace,
     scene: Scene,
     ways: Ways<'a>,
+    /// Other points for legs to be about, where the usual one takes many.
+    centers: Vec<Vector>,
 }
 
 #[derive(Debug)]
@@ -138,12 +140,17 @@ const WIDEST: f64 = 0.999;
 
 impl<'a> Planner<'a> {
     /// Prepares a pair. Legs move a point of the moving part straight and turn the part about it: the origin of its frame if the part is
-    /// around that, otherwise the middle of the part's bounds.
+    /// around that, otherwise the middle of the part's bounds. Where that takes many legs, the centres of arcs that fit arcs of the
+    /// other part are tried: a curved key turns about the centre of its groove. [`Path::about`] is the point that is taken.
     ///
     /// # Errors
     /// For a lower pair, whose parts are in permanent contact.
     pub fn new(space: &'a PairSpace) -> Result<Self, PlanError> {
-        Self::with_about(space, middle_if_far(space.moving()))
+        let mut planner = Self::with_about(space, middle_if_far(space.moving()))?;
+        if matches!(space, PairSpace::Planar(_)) {
+            planner.centers = fitting_centers(space.fixed(), space.moving());
+        }
+        Ok(planner)
     }
 
     /// Prepares a pair for legs that move a point of the moving part straight, given in its frame, and turn it about that. On axes it
@@ -158,7 +165,12 @@ impl<'a> Planner<'a> {
             PairSpace::FixedAxes(space) => Ways::Axes(Gaps::new(space, &scene)),
             PairSpace::Lower(_) => return Err(PlanError::Pair(QueryError::Permanent)),
         };
-        Ok(Self { space, scene, ways })
+        Ok(Self {
+            space,
+            scene,
+            ways,
+            centers: Vec::new(),
+        })
     }
 
     /// The two parts with their motions.
@@ -196,7 +208,35 @@ impl<'a> Planner<'a> {
         wishes: &Wishes,
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
-        self.plan_to((from, to), None, wishes, progress)
+        let plan = |planner: &Self| planner.plan_to((from, to), None, wishes, progress);
+        self.about_any(plan, |answer| answer, wishes)
+    }
+
+    /// An answer by legs about the usual point, or about the centre of an arc if that takes fewer legs where there are many.
+    pub(crate) fn about_any<T>(
+        &self,
+        plan: impl Fn(&Self) -> Result<T, PlanError>,
+        answer: impl Fn(&T) -> &Answer,
+        wishes: &Wishes,
+    ) -> Result<T, PlanError> {
+        /// So many legs are few.
+        const FEW: usize = 6;
+        let path = |answer: &Answer| match &answer.verdict {
+            Verdict::Path(path) => Some((path.configurations.len() - 1, path.narrowest.clearance)),
+            _ => None,
+        };
+        let mut best = plan(self)?;
+        for &about in &self.centers {
+            let Some((legs, clearance)) = path(answer(&best)).filter(|p| p.0 > FEW) else {
+                break;
+            };
+            let other = plan(&Self::with_about(self.space, about)?)?;
+            let is_wide = |c: f64| wishes.clearance != Clearance::Widest || c >= clearance * WIDEST;
+            if path(answer(&other)).is_some_and(|(n, c)| n < legs && is_wide(c)) {
+                best = other;
+            }
+        }
+        Ok(best)
     }
 
     /// A path to a configuration, or to where the part is out if that is given: then the configuration is one that is.
@@ -245,8 +285,13 @@ impl<'a> Planner<'a> {
                 Verdict::NoPath(enclosed(self.space, a, b).map_err(PlanError::Pair)?)
             }
             (start @ End::Free { .. }, goal @ End::Free { .. }) => {
-                let from = Tip::of(start, self.scene.numbers(from).map_err(PlanError::From)?);
-                let to = Tip::of(goal, self.scene.numbers(to).map_err(PlanError::To)?);
+                let [a, b] = [from, to].map(|at| self.scene.numbers(at));
+                let (a, b) = (a.map_err(PlanError::From)?, b.map_err(PlanError::To)?);
+                let mut ends = [Tip::of(start, a), Tip::of(goal, b)];
+                if a == b {
+                    ends.iter_mut().for_each(Tip::stay);
+                }
+                let [from, to] = ends;
                 let (first, last) = (from.near, to.near);
                 let is_bounded = from.contacts.is_none() && to.contacts.is_none();
                 let Some(wider) = self.wider(first, last, wishes.clearance, progress)? else {
@@ -449,60 +494,6 @@ fn middle_if_far(part: &Part) -> Vector {
     } else {
         bounds.center().to_vector()
     }
-}
-
-/// The start or the goal of a path, and the place near it from which the path is sought.
-struct Tip<'a> {
-    at: Coords,
-    near: Coords,
-    has_leg: bool,
-    contacts: Option<Contacts<'a>>,
-}
-
-impl<'a> Tip<'a> {
-    fn of(end: End<'a>, at: Coords) -> Self {
-        let (leg, contacts) = match end {
-            End::Free { leg, contacts, .. } => (leg, contacts),
-            End::Blocked => (None, None),
-        };
-        Self {
-            at,
-            near: leg.unwrap_or(at),
-            has_leg: leg.is_some(),
-            contacts,
-        }
-    }
-
-    /// Puts the leg from here before the places of a path from the end of that leg. The leg goes to the farthest of them to which it
-    /// leaves the contacts with a clearance, if one is given.
-    fn join(&self, places: &mut Vec<Coords>, at: Coords, clearance: Option<f64>) {
-        if !self.has_leg {
-            return;
-        }
-        // Numbers of places are by the turn that they are in.
-        let by: Coords = core::array::from_fn(|k| self.at[k] - at[k]);
-        let leaves = |to: &Coords| {
-            (self.contacts.as_ref().zip(clearance)).is_some_and(|(contacts, clearance)| {
-                contacts.leaves_with(core::array::from_fn(|k| to[k] + by[k]), clearance)
-            })
-        };
-        let skipped = (1..places.len()).rev().find(|&k| leaves(&places[k]));
-        if let Some(k) = skipped {
-            places.drain(..k);
-        } else if let [first, second, ..] = places[..]
-            && are_one([at, first, second])
-        {
-            places.remove(0);
-        }
-        places.insert(0, at);
-    }
-}
-
-/// Whether two legs change the same coordinate alone: they are one leg without rounding, and if the second goes back it passes no place
-/// that the two do not pass.
-fn are_one([a, b, c]: [Coords; 3]) -> bool {
-    let changes = |k: &usize| a[*k] != b[*k] || b[*k] != c[*k];
-    (0..3).filter(changes).count() == 1
 }
 
 /// Puts the ends of a path where they were asked for: numbers of a point of the part and back are rounded.

@@ -1,7 +1,7 @@
 //! Room that is made for others: parts on axes are moved along these, others straight, so that something leaves.
 //!
-//! Only what would leave if some units were not there can leave once these have moved. So this is asked first, of one unit and then
-//! of two, and then places of these units are tried: those just past where they are clear of the straight ways of what leaves, and
+//! Only what would leave if some units were not there can leave once these have moved. So this is asked first, of one unit, then of two,
+//! and of three on axes (a bar before two doors), and then places of these units are tried: those just past where they are clear of the straight ways of what leaves, and
 //! those at shares of where they get to.
 
 use crate::legs::Scene;
@@ -15,7 +15,7 @@ use super::units::{Set, Units, members};
 use super::way_out::{along, straight};
 
 /// So many units are moved aside at a time, at most.
-pub(super) const TOGETHER: usize = 2;
+pub(super) const TOGETHER: usize = 3;
 /// Along each way a unit is looked for in so many places.
 const PLACES: u32 = 24;
 /// The place just past where it is clear is known to 1/2 to the power of this of the way between two.
@@ -81,7 +81,7 @@ impl Helped {
     }
 }
 
-/// The sets of one and two units that may make room: those on axes first.
+/// The sets of one and two units that may make room, those on axes first, and of three on axes.
 pub(super) fn choices(units: &Units, set: Set) -> Vec<Vec<usize>> {
     let on_axis = |u: &usize| units.axes[*u].is_some();
     let mut able: Vec<usize> = members(set)
@@ -91,6 +91,13 @@ pub(super) fn choices(units: &Units, set: Set) -> Vec<Vec<usize>> {
     let mut all: Vec<Vec<usize>> = able.iter().map(|&u| vec![u]).collect();
     for &a in &able {
         all.extend(able.iter().filter(|&&b| b != a).map(|&b| vec![a, b]));
+    }
+    able.retain(on_axis);
+    for &a in &able {
+        for &b in able.iter().filter(|&&b| b != a) {
+            let others = able.iter().filter(|&&c| c != a && c != b);
+            all.extend(others.map(|&c| vec![a, b, c]));
+        }
     }
     all
 }

@@ -21,7 +21,7 @@ struct Score {
     at_stop: bool,
     /// The legs of the way out.
     legs: usize,
-    /// Between what made room and the way out.
+    /// Between the unit and the way out: others that made room have their turn.
     clearance: f64,
 }
 
@@ -108,12 +108,11 @@ fn score(
     travel: &Travel,
     to: f64,
 ) -> Result<Score, AssemblyError> {
-    let room = (moved.went.iter()).fold(0, |all: Set, (travel, _)| all | 1 << travel.unit);
-    let (room, mover) = (
-        moved.units.together(room & !moving)?,
+    let (unit, mover) = (
+        moved.units.together(1 << travel.unit)?,
         moved.units.together(moving)?,
     );
-    let scene = Scene::new(&room, &mover, None).with_about(step.path.about);
+    let scene = Scene::new(&unit, &mover, None).with_about(step.path.about);
     let places: Vec<Coords> = (step.path.configurations.iter())
         .filter_map(|&at| scene.numbers(at).ok())
         .collect();

@@ -19,6 +19,8 @@ const CHANGED: f64 = 0.05;
 const DIGITS: i32 = 6;
 /// Turns are by multiples of these, in degrees.
 const TURNS: [f64; 11] = [90.0, 45.0, 30.0, 15.0, 10.0, 5.0, 1.0, 0.5, 0.1, 0.05, 0.01];
+/// A turn of less than so many degrees goes if a later one can take it up.
+const SMALL: f64 = 2.0;
 /// Legs whose directions differ by less are parallel: a sine.
 const PARALLEL: f64 = 1e-9;
 /// A way of more legs has no numbers that anybody reads.
@@ -141,7 +143,8 @@ fn takes_up(from: Coords, to: Coords, by: Coords) -> bool {
     way.dot(left) > 0.0 && (turn != 0.0 || is_parallel)
 }
 
-/// By how much more to turn so that the parts are aligned or the turn is a round one, the roundest first, radians.
+/// By how much more to turn so that there is no turn, where that is a small one, the parts are aligned or the turn is a round one, the
+/// roundest first, radians.
 fn turns(from: f64, to: f64, aligned: &[f64]) -> Vec<f64> {
     let mut near = aligned_near(aligned, to);
     near.iter_mut().for_each(|angle| *angle -= to);
@@ -152,6 +155,9 @@ fn turns(from: f64, to: f64, aligned: &[f64]) -> Vec<f64> {
     });
     near.extend(round.filter(|by| by.abs() <= CHANGED * turn.abs()));
     near.retain(|by| *by != 0.0 && turn * (turn + by) > 0.0);
+    if turn.abs() < SMALL.to_radians() {
+        near.insert(0, -turn);
+    }
     near
 }
 
