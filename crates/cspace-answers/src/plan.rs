@@ -18,6 +18,9 @@ pub type FeaturePair = (FeatureName, FeatureName);
 pub struct Told {
     /// Kind of the answer.
     pub verdict: Name,
+    /// Whether the goal is where the part is out.
+    #[serde(skip)]
+    pub is_out: bool,
     /// Configurations; empty if there is no path.
     pub path: Vec<Coordinates>,
     /// The point of a planar part, in its frame, that legs move straight and turn the part about.
@@ -186,6 +189,7 @@ impl Told {
     fn new(verdict: Name, seconds: f64) -> Self {
         Self {
             verdict,
+            is_out: false,
             path: Vec::new(),
             about: None,
             words: Vec::new(),
@@ -233,6 +237,7 @@ impl Told {
             moving: space.moving(),
         };
         let mut told = Self::new(name(&answer.verdict), seconds);
+        told.is_out = goal.is_none();
         told.regions = Regions {
             from: answer.regions.0,
             to: answer.regions.1,

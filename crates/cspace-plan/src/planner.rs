@@ -141,7 +141,8 @@ const WIDEST: f64 = 0.999;
 impl<'a> Planner<'a> {
     /// Prepares a pair. Legs move a point of the moving part straight and turn the part about it: the origin of its frame if the part is
     /// around that, otherwise the middle of the part's bounds. Where that takes many legs, the centres of arcs that fit arcs of the
-    /// other part are tried: a curved key turns about the centre of its groove. [`Path::about`] is the point that is taken.
+    /// other part are tried: a curved key turns about the centre of its groove. [`Path::about`] is the point that is taken, and
+    /// [`Scene::with_about`] gives the scene in which the path's legs are straight.
     ///
     /// # Errors
     /// For a lower pair, whose parts are in permanent contact.

@@ -14,8 +14,9 @@ use super::travel::Travel;
 use super::units::{Set, Units, members};
 use super::way_out::{along, straight};
 
-/// So many units are moved aside at a time, at most.
-pub(super) const TOGETHER: usize = 3;
+/// So many units are moved aside at a time, at most; and so many that are on axes.
+const TOGETHER: usize = 2;
+const ON_AXES: usize = 3;
 /// Along each way a unit is looked for in so many places.
 const PLACES: u32 = 24;
 /// The place just past where it is clear is known to 1/2 to the power of this of the way between two.
@@ -79,6 +80,12 @@ impl Helped {
     pub(super) fn is_straight(&self) -> bool {
         !self.exits.is_empty()
     }
+}
+
+/// How many units are moved aside at a time.
+pub(super) fn together(units: &Units) -> usize {
+    let on_axes = units.axes.iter().flatten().count();
+    if on_axes < ON_AXES { TOGETHER } else { ON_AXES }
 }
 
 /// The sets of one and two units that may make room, those on axes first, and of three on axes.

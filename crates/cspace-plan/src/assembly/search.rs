@@ -3,7 +3,7 @@
 use cspace::Progress;
 
 use super::answer::{Branch, Enclosure, Locked, Outcome, Step, TakenApart, Tree, Tried};
-use super::aside::{Helped, TOGETHER, choices, each_place, straight_step};
+use super::aside::{Helped, choices, each_place, straight_step, together};
 use super::blocking::Blocking;
 use super::error::AssemblyError;
 use super::exact::{Leaves, Way, leaves, leaves_straight, leaves_straight_like};
@@ -103,7 +103,7 @@ impl<'a> Search<'a> {
             tree,
             locked,
             tried: (self.places > 0 || outcome == Outcome::Unknown).then_some(Tried {
-                aside: TOGETHER,
+                aside: together(&self.units),
                 places: self.places,
             }),
             spaces: self.spaces,

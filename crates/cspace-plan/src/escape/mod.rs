@@ -214,7 +214,8 @@ impl<'a> Escape<'a> {
             ..Wishes::default()
         };
         let [from, to] = [from, to].map(|c| self.scene.coordinates(c));
-        let answer = Planner::new(self.space)?.plan_with(from, to, &wishes, progress)?;
+        let answer = Planner::with_about(self.space, self.scene.about())?
+            .plan_with(from, to, &wishes, progress)?;
         let Verdict::Path(path) = answer.verdict else {
             return Ok(Vec::new());
         };

@@ -86,6 +86,53 @@ fn a_door_that_hardly_opens_proves_nothing() {
     assert_eq!(apart.locked.unwrap().parts, [0, 1, 2]);
 }
 
+/// A block behind two doors, each of which opens up to the walls, and a bar that slides from before both.
+#[test]
+fn a_bar_then_two_doors_then_the_block() {
+    let tray = [
+        (-10.0, -10.0),
+        (50.0, -10.0),
+        (50.0, 40.0),
+        (40.0, 40.0),
+        (40.0, 0.0),
+        (0.0, 0.0),
+        (0.0, 40.0),
+        (-10.0, 40.0),
+    ];
+    let part = |name: &str, (x, y): (f64, f64), (w, h): (f64, f64)| {
+        Part::rectangle(name, (x + 0.5 * w, y + 0.5 * h), w, h).unwrap()
+    };
+    let door = |x: f64, angles: [f64; 2]| {
+        let hinge = Axis::revolute((x, 40.0).into());
+        hinge.within(angles[0].to_radians(), angles[1].to_radians())
+    };
+    let bar = Axis::prismatic(Vector::new(1.0, 0.0)).within(-60.0, 0.0);
+    let doors = [
+        (
+            part("left door", (-5.0, 40.0), (24.9, 3.0)),
+            door(-5.0, [0.0, 170.0]),
+        ),
+        (
+            part("right door", (20.1, 40.0), (24.9, 3.0)),
+            door(45.0, [-170.0, 0.0]),
+        ),
+        (part("bar", (-10.0, 44.0), (60.0, 3.0)), bar),
+    ];
+    let block = part("block", (0.5, 0.0), (39.0, 30.0));
+    let mut model = mechanism(&[polygon("tray", &tray)], &[block]);
+    (model.parts).extend(doors.map(|(part, axis)| PartEntry::on(part, axis)));
+    let apart = asked(&model);
+    assert_eq!(apart.outcome, Outcome::Apart, "{apart:?}");
+    let made: Vec<_> = kinds(&apart);
+    assert_eq!(made[0], (Kind::Moves, 4));
+    assert_eq!(made.last(), Some(&(Kind::Leaves, 1)));
+    // Both stop before the wall at 90 degrees, and neither just where the block passes, at 77.
+    for step in [1, 2] {
+        let angle = comes_to(&apart, step).abs().to_degrees();
+        assert!((80.0..90.0).contains(&angle), "{angle}");
+    }
+}
+
 #[test]
 fn a_bolt_then_the_door_then_the_block() {
     let mut model = behind_a_door(100.0);

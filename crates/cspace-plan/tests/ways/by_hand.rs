@@ -578,8 +578,7 @@ impl Problem {
             panic!("{}: {answer:?}", self.name);
         };
         let oracle = Oracle::new(&self.fixed, &self.moving);
-        let (scene, places) = (planner.scene(), &path.configurations);
-        is_free(scene, &oracle, places, 2000, self.name);
+        is_free(planner.scene(), &oracle, &path, 2000, self.name);
         path
     }
 }

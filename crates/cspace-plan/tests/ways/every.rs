@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use cspace::{Configuration, Coordinates, Location, Options, PairSpace, Part, Relation, Silent};
 use cspace_oracle::{Oracle, families, pairs};
-use cspace_plan::{Checked, Clearance, PlanError, Planner, Verdict, Wishes, check};
+use cspace_plan::{Checked, Clearance, Path, PlanError, Planner, Verdict, Wishes, check};
 
 /// Larger pairs are not asked about.
 const MOST_FEATURES: usize = 320;
@@ -35,12 +35,8 @@ fn asked(name: &str, fixed: &Part, moving: &Part, at: Configuration) {
         let seconds = begin.elapsed().as_secs_f64();
         let verdict = match answer.verdict {
             Verdict::Path(path) => {
-                judged(
-                    &planner,
-                    &Oracle::new(fixed, moving),
-                    &path.configurations,
-                    name,
-                );
+                let oracle = Oracle::new(fixed, moving);
+                judged(&planner, &oracle, &path, name);
                 format!("{} legs", path.configurations.len() - 1)
             }
             Verdict::NoPath(_) => "none".to_owned(),
@@ -53,9 +49,10 @@ fn asked(name: &str, fixed: &Part, moving: &Part, at: Configuration) {
 }
 
 /// A path is free by the distances of its legs; brute force finds nothing deeper than what touches is drawn.
-fn judged(planner: &Planner<'_>, oracle: &Oracle, path: &[Coordinates], name: &str) {
+fn judged(planner: &Planner<'_>, oracle: &Oracle, path: &Path, name: &str) {
     const PLACES: u32 = 100;
-    let scene = planner.scene();
+    let scene = &planner.scene().clone().with_about(path.about);
+    let path = &path.configurations;
     let checked = check(scene, path).unwrap();
     assert!(matches!(checked, Checked::Free(_)), "{name}: {checked:?}");
     for leg in path.windows(2) {

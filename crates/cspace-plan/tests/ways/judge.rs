@@ -3,16 +3,12 @@
 use cspace::Coordinates;
 use cspace_oracle::Oracle;
 use cspace_plan::legs::Scene;
-use cspace_plan::{Checked, check};
+use cspace_plan::{Checked, Path, check};
 
 /// A path is free by the least distances along its legs, and at so many places by brute force.
-pub(crate) fn is_free(
-    scene: &Scene,
-    oracle: &Oracle,
-    path: &[Coordinates],
-    places: usize,
-    name: &str,
-) {
+pub(crate) fn is_free(scene: &Scene, oracle: &Oracle, path: &Path, places: usize, name: &str) {
+    let scene = &scene.clone().with_about(path.about);
+    let path = &path.configurations;
     let checked = check(scene, path).unwrap();
     let Checked::Free(narrow) = checked else {
         panic!("{name}: {checked:?}");

@@ -71,10 +71,9 @@ fn asked(seed: u64, pairs: u64, places: usize) -> Seen {
         match answer.verdict {
             Verdict::Path(path) => {
                 seen.paths += 1;
-                let found = path.configurations;
-                assert_eq!(found[0], Coordinates::Planar(from));
+                assert_eq!(path.configurations[0], Coordinates::Planar(from));
                 let name = format!("pair {number} of {seed} ({name})");
-                is_free(planner.scene(), &oracle, &found, places, &name);
+                is_free(planner.scene(), &oracle, &path, places, &name);
             }
             Verdict::NoPath(_) => {
                 seen.none += 1;

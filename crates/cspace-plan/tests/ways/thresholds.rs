@@ -64,7 +64,7 @@ pub(crate) fn passes_up_to(
                     let (scene, oracle) =
                         (Scene::of(&space).unwrap(), Oracle::new(&fixed, &moving));
                     let name = format!("{number}");
-                    is_free(&scene, &oracle, &path.configurations, PLACES, &name);
+                    is_free(&scene, &oracle, &path, PLACES, &name);
                 }
                 Verdict::NoPath(_) => assert!(!opens, "{number} does not pass"),
                 other => panic!("{number}: {other:?}"),
@@ -251,6 +251,50 @@ fn a_way_in_contact_at_its_ends_leaves_them() {
     assert!(path.narrowest.clearance < 1e-9);
     let checked = cspace_plan::check(&Scene::of(&space).unwrap(), &path.configurations);
     assert!(matches!(checked, Ok(cspace_plan::Checked::Free(_))));
+}
+
+/// A curved key with little play in a half ring: it turns about the centre of the ring, far from its own middle, and then goes down.
+#[test]
+fn a_curved_key_turns_about_the_center_of_its_groove() {
+    const PLAY: f64 = 1e-3;
+    let on = |r: f64, degrees: f64, bulge: f64| {
+        let angle = degrees.to_radians();
+        Vertex::new(r * angle.cos(), r * angle.sin(), bulge)
+    };
+    let bulge = |degrees: f64| (degrees.to_radians() / 4.0).tan();
+    let (inner, outer) = (30.0, 40.0);
+    // From 30 degrees the groove is closed by the plate; at 180 it is open below.
+    let plate = vec![
+        Vertex::line(-60.0, 0.0),
+        on(outer + PLAY, 180.0, -bulge(150.0)),
+        on(outer + PLAY, 30.0, 0.0),
+        on(inner - PLAY, 30.0, bulge(150.0)),
+        on(inner - PLAY, 180.0, 0.0),
+        Vertex::line(60.0, 0.0),
+        Vertex::line(60.0, 60.0),
+        Vertex::line(-60.0, 60.0),
+    ];
+    let key = vec![
+        on(outer, 60.0, bulge(50.0)),
+        on(outer, 110.0, 0.0),
+        on(inner, 110.0, -bulge(50.0)),
+        on(inner, 60.0, 0.0),
+    ];
+    let plate = Part::new("plate", vec![plate]).unwrap();
+    let key = Part::new("key", vec![key]).unwrap();
+    let space = space(&plate, &key, None);
+    let planner = Planner::new(&space).unwrap();
+    let (_, answer) = planner
+        .plan_out(at(0.0, 0.0, 0.0), &Wishes::default(), &cspace::Silent)
+        .unwrap();
+    let Verdict::Path(path) = answer.verdict else {
+        panic!("{:?}", answer.verdict);
+    };
+    assert!(path.configurations.len() <= 4, "{path:?}");
+    assert!(path.about.length() < 1e-9, "{:?}", path.about);
+    assert!((path.narrowest.clearance - PLAY).abs() < 1e-6, "{path:?}");
+    let oracle = Oracle::new(&plate, &key);
+    is_free(planner.scene(), &oracle, &path, PLACES, "curved key");
 }
 
 /// A block in the corner of a tray: off the contacts it has as much clearance as half the play, and no bound is claimed, since other

@@ -21,7 +21,7 @@ use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::progress::Bar;
-use crate::subject::{read_model, set_threads};
+use crate::subject::{placed, read_model, set_threads};
 
 /// The whole answer.
 #[derive(Debug, Serialize)]
@@ -86,6 +86,9 @@ struct Why {
     staying: Vec<String>,
     patches: usize,
     touching: Vec<[String; 2]>,
+    /// As above, with where on the parts the features are.
+    #[serde(skip)]
+    places: Vec<[String; 2]>,
     doubtful: Vec<(f64, f64)>,
 }
 
@@ -181,6 +184,9 @@ fn told(model: &Mechanism, assembly: &Assembly, apart: &TakenApart, seconds: f64
         patches: why.patches,
         touching: (why.features.iter())
             .map(|(a, b)| [feature(a), feature(b)])
+            .collect(),
+        places: (why.features.iter())
+            .map(|(a, b)| [a, b].map(|f| placed(&model.parts[f.part].part, f.feature)))
             .collect(),
         doubtful: why.doubtful.clone(),
     };

@@ -105,7 +105,7 @@ fn describe_locked(text: &mut String, locked: &Locked, verdict: Outcome) -> fmt:
             list(&why.staying),
             count(why.patches, "contact patch", "contact patches")
         )?;
-        for [a, b] in why.touching.iter().take(MOST) {
+        for [a, b] in why.places.iter().take(MOST) {
             writeln!(text, "    {} and {}", shown::text(a), shown::text(b))?;
         }
         let more = why.touching.len().saturating_sub(MOST);

@@ -304,7 +304,8 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
                     writeln!(text, "    {words}")?;
                 }
             }
-            if let Some([x, y]) = told.about.filter(|&about| about != [0.0; 2]) {
+            let about = told.about.filter(|&about| about != [0.0; 2]);
+            if let Some([x, y]) = about.filter(|_| turns(&told.path)) {
                 let (x, y) = (length(x), length(y));
                 writeln!(
                     text,
@@ -364,12 +365,16 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     if let Some(enclosed) = &told.enclosed {
         /// Maximum number of pairs of features that are listed.
         const MOST: usize = 12;
-        writeln!(
-            text,
-            "start and goal are in different regions; {} is enclosed by {}:",
-            pair.region(enclosed.region),
-            count(enclosed.patches, "contact patch", "contact patches")
-        )?;
+        let region = pair.region(enclosed.region);
+        let patches = count(enclosed.patches, "contact patch", "contact patches");
+        if told.is_out {
+            writeln!(text, "the start is in {region}, enclosed by {patches}:")?;
+        } else {
+            writeln!(
+                text,
+                "start and goal are in different regions; {region} is enclosed by {patches}:"
+            )?;
+        }
         for &features in enclosed.features.iter().take(MOST) {
             writeln!(text, "  {}", pair.touches(features))?;
         }
@@ -404,6 +409,15 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         writeln!(text, "  doubtful {} to {}", angle(lo), angle(hi))?;
     }
     hint::write(text, pair, told)
+}
+
+/// Whether a planar part turns on a path.
+fn turns(path: &[Coordinates]) -> bool {
+    let angle = |at: &Coordinates| match at {
+        Coordinates::Planar(c) => c.theta,
+        Coordinates::Axes { .. } => 0.0,
+    };
+    path.windows(2).any(|leg| angle(&leg[0]) != angle(&leg[1]))
 }
 
 /// A given path that meets a contact.

@@ -86,13 +86,7 @@ fn asked(
             Verdict::Path(path) if opens => {
                 seen.paths += 1;
                 let oracle = Oracle::new(fixed, moving);
-                is_free(
-                    planner.scene(),
-                    &oracle,
-                    &path.configurations,
-                    PLACES,
-                    &name,
-                );
+                is_free(planner.scene(), &oracle, &path, PLACES, &name);
                 let ends = [fit.from, fit.to].map(|c| oracle.judge(c).clearance);
                 let most = fit.most.min(ends[0]).min(ends[1]);
                 let found = path.narrowest.clearance;
