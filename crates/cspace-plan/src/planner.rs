@@ -12,7 +12,7 @@ use crate::centers::fitting_centers;
 use crate::ends::{End, FARTHEST, Tip, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
 use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
-use crate::route::{Gaps, Piece, Planar, join};
+use crate::route::{Effort, Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
 
 /// Why a question has no answer.
@@ -125,6 +125,7 @@ pub struct Planner<'a> {
     ways: Ways<'a>,
     /// Other points for legs to be about, where the usual one takes many.
     centers: Vec<Vector>,
+    effort: Effort,
 }
 
 #[derive(Debug)]
@@ -171,6 +172,7 @@ impl<'a> Planner<'a> {
             scene,
             ways,
             centers: Vec::new(),
+            effort: Effort::Full,
         })
     }
 
@@ -355,10 +357,11 @@ impl<'a> Planner<'a> {
     ) -> Result<Option<Wider>, PlanError> {
         /// Where rounding hides the way, a part this much larger, as a share of the size, may show it.
         const GROWN: [f64; 3] = [1e-9, 1e-8, 1e-7];
-        let in_grown = |space: &PairSpace| {
-            let Ok(planner) = Planner::with_about(space, self.scene.about()) else {
+        let in_grown = |space: &PairSpace, effort: Effort| {
+            let Ok(mut planner) = Planner::with_about(space, self.scene.about()) else {
                 return Between::Hidden;
             };
+            planner.effort = effort;
             let region = |at: Coords| match space.locate(planner.scene.coordinates(at)) {
                 Ok(Location::Free(region)) => Some(region),
                 _ => None,
@@ -371,7 +374,13 @@ impl<'a> Planner<'a> {
             }
         };
         let until = |until: Until, known: Wider| {
-            widen(self.space, &self.scene, known, until, progress, in_grown)
+            // A requested clearance is had by any path, also one that is hard to find.
+            let effort = match until {
+                Until::AtLeast(_) => Effort::Full,
+                Until::Half | Until::Widest => Effort::Less,
+            };
+            let between = |space: &PairSpace| in_grown(space, effort);
+            widen(self.space, &self.scene, known, until, progress, between)
         };
         let mut known = Wider::unknown(&self.scene, [first, last]);
         if let Some(ways) = self.raised(first, last) {
@@ -461,7 +470,7 @@ impl<'a> Planner<'a> {
 
     /// Legs along a way, which end at the goal itself, up to whole turns.
     fn joined(&self, way: &[Box<dyn Piece + '_>], to: Coords) -> Option<Vec<Coords>> {
-        let mut path = join(&self.scene, way)?;
+        let mut path = join(&self.scene, way, self.effort)?;
         if let Some(last) = path.last_mut() {
             *last = core::array::from_fn(|k| to[k] + TAU * ((last[k] - to[k]) / TAU).round());
         }

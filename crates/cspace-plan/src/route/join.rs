@@ -10,18 +10,37 @@ use super::piece::Piece;
 const HEIGHTS: [f64; 4] = [1.0, 0.25, 0.0625, 0.015_625];
 /// Pieces are halved so often at most.
 const HALVINGS: u32 = 40;
-/// A way is given up after so many bridges, and so many for each piece: it keeps to surfaces with next to no clearance.
+/// A path is given up after so many bridges, and so many for each piece: it keeps to surfaces with next to no clearance.
 const MOST: usize = 1024;
 const EACH: usize = 32;
+/// Divisor of these where a path is known, and one with more clearance is sought.
+const LESS: usize = 4;
+
+/// How much is tried before a path is given up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Effort {
+    /// There is a path by the contact space: its legs are sought.
+    Full,
+    /// Another path is known.
+    Less,
+}
 /// A leg keeps at least this share of the clearance at its ends.
 const KEPT: f64 = 0.1;
 
 /// The configurations between which all legs are free, from the start of the first piece to the end of the last. `None` if
 /// there is no such path to rounding.
-pub(crate) fn join(scene: &Scene, pieces: &[Box<dyn Piece + '_>]) -> Option<Vec<Coords>> {
+pub(crate) fn join(
+    scene: &Scene,
+    pieces: &[Box<dyn Piece + '_>],
+    effort: Effort,
+) -> Option<Vec<Coords>> {
+    let all = MOST + EACH * pieces.len();
     let joiner = Joiner {
         scene,
-        left: Cell::new(MOST + EACH * pieces.len()),
+        left: Cell::new(match effort {
+            Effort::Full => all,
+            Effort::Less => all / LESS,
+        }),
     };
     let (first, last) = (pieces.first()?, pieces.last()?);
     let mut path = vec![first.at(0.0).at(1.0)];

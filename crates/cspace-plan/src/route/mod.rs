@@ -19,6 +19,6 @@ mod surface;
 mod surfaces;
 
 pub(crate) use gaps::Gaps;
-pub(crate) use join::join;
+pub(crate) use join::{Effort, join};
 pub(crate) use piece::{Piece, along};
 pub(crate) use planar::Planar;

@@ -17,7 +17,7 @@ const APART: f64 = 0.1;
 /// The part is grown so often at most.
 const MOST: usize = 128;
 /// And no more after so many ways that are there, but that rounding hides.
-const MOST_HIDDEN: usize = 4;
+const MOST_HIDDEN: usize = 3;
 
 /// When a way is wide enough.
 #[derive(Debug, Clone, Copy, PartialEq)]
