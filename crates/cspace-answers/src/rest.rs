@@ -2,17 +2,17 @@
 
 use cspace::Coordinates;
 use cspace_plan::legs::Scene;
-use cspace_plan::touches;
+use cspace_plan::{off_contacts, touches};
 use serde::Serialize;
 
-/// A path without the leg that leaves a contact and the leg that comes to one.
+/// A path without the part of its first leg on which the clearance rises off a contact, and of its last on which it falls to one.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Rest {
     /// Whether the path starts in contact.
     pub from_contact: bool,
     /// Whether it ends in contact.
     pub to_contact: bool,
-    /// The clearance of the other legs, or of the one configuration between two such legs; none if nothing is left.
+    /// The clearance of the rest; none of a path that is one configuration in contact.
     pub clearance: Option<f64>,
 }
 
@@ -25,11 +25,11 @@ impl Rest {
         if !from_contact && !to_contact {
             return None;
         }
-        let end = places.len().saturating_sub(usize::from(to_contact));
-        let clearance = match places.get(usize::from(from_contact)..end) {
-            None | Some([]) => None,
-            Some(&[at]) => Some(scene.clearance(at)),
-            Some(rest) => {
+        let clearance = match off_contacts(scene, &places, (from_contact, to_contact))[..] {
+            _ if places.len() < 2 => None,
+            [] => None,
+            [at] => Some(scene.clearance(at)),
+            ref rest => {
                 let legs = rest.windows(2);
                 Some(legs.fold(f64::INFINITY, |least, leg| {
                     least.min(scene.least(leg[0], leg[1]).distance)

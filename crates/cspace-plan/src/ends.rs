@@ -19,6 +19,9 @@ pub(crate) fn is_far(scene: &Scene, at: Coords) -> bool {
     (0..3).any(|k| scene.is_length(k) && at[k].abs() > FARTHEST * scene.size())
 }
 
+/// Off a contact, clearance of this share of the parts' size is enough to begin with.
+pub(crate) const ENOUGH: f64 = 0.1;
+
 /// Where a path begins or ends.
 pub(crate) enum End<'a> {
     /// In a region; a configuration in contact, or far away, is left by a leg.
@@ -34,17 +37,23 @@ pub(crate) enum End<'a> {
 pub(crate) struct Tip<'a> {
     pub(crate) at: Coords,
     pub(crate) near: Coords,
+    region: Option<RegionId>,
     has_leg: bool,
     pub(crate) contacts: Option<Contacts<'a>>,
 }
 
 impl<'a> Tip<'a> {
     pub(crate) fn of(end: End<'a>, at: Coords) -> Self {
-        let (leg, contacts) = match end {
-            End::Free { leg, contacts, .. } => (leg, contacts),
-            End::Blocked => (None, None),
+        let (leg, contacts, region) = match end {
+            End::Free {
+                leg,
+                contacts,
+                region,
+            } => (leg, contacts, Some(region)),
+            End::Blocked => (None, None, None),
         };
         Self {
+            region,
             at,
             near: leg.unwrap_or(at),
             has_leg: leg.is_some(),
@@ -52,11 +61,48 @@ impl<'a> Tip<'a> {
         }
     }
 
-    /// What is far away and stays there needs no leg.
-    pub(crate) fn stay(&mut self) {
-        if self.contacts.is_none() {
-            (self.near, self.has_leg) = (self.at, false);
+    /// The end of another leg off the contacts, in the same region, with enough clearance or as much as is found.
+    fn off(&self, space: &PairSpace, enough: f64) -> Option<Coords> {
+        let contacts = self.contacts.as_ref()?;
+        let near = contacts.off(enough)?;
+        match space.locate(contacts.scene().coordinates(near)) {
+            Ok(Location::Free(region)) if Some(region) == self.region => Some(near),
+            _ => None,
         }
+    }
+
+    /// Goes off the contacts as far as there is enough clearance; whether there is more than before.
+    pub(crate) fn go_on(&mut self, space: &PairSpace, enough: f64) -> bool {
+        /// By less it is no more.
+        const MORE: f64 = 1.01;
+        let Some((near, contacts)) = self.off(space, enough).zip(self.contacts.as_ref()) else {
+            return false;
+        };
+        let clearance = |at: Coords| contacts.scene().clearance(at);
+        let is_more = clearance(near) > MORE * clearance(self.near);
+        if is_more {
+            self.near = near;
+        }
+        is_more
+    }
+
+    /// Comes back to where the clearance is just a given one: the place from which the path to the former end of the leg goes on.
+    pub(crate) fn come_back(&mut self, space: &PairSpace, clearance: f64) -> bool {
+        /// More clearance than asked for, for the path to begin in.
+        const MORE: f64 = 1.05;
+        let Some((near, contacts)) =
+            (self.off(space, MORE * clearance)).zip(self.contacts.as_ref())
+        else {
+            return false;
+        };
+        let scene = contacts.scene();
+        let is_nearer = near != self.near
+            && scene.clearance(near) > clearance
+            && scene.is_clearly_apart(near, self.near, clearance);
+        if is_nearer {
+            self.near = near;
+        }
+        is_nearer
     }
 
     /// Puts the leg from here before the places of a path from the end of that leg. The leg goes to the farthest of them to which it

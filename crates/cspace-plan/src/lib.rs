@@ -27,6 +27,7 @@ mod widest;
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 pub use check::{Checked, Meeting, check, touches};
 pub use farthest::farthest;
+pub use off_contact::off_contacts;
 pub use path::Prefer;
 pub use planner::{Clearance, PlanError, Planner, Wishes};
 pub use widest::{grown, shrunk};

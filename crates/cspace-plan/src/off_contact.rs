@@ -1,27 +1,44 @@
 //! Off a contact, into free space.
+//!
+//! A path that starts in contact has no clearance there. On its first leg the clearance rises to what the path has from then on:
+//!
+//! ```text
+//!   clearance                      at a share s of the leg it is at least s/2 of that at the end
+//!      ^      ____ the rest of the path
+//!      |    /
+//!      |  /    the leg off the contact
+//!      +/-------> along the path
+//! ```
+//!
+//! So a leg that rises a little, passes a narrow place and rises again is none that leaves a contact.
 
 use cspace::{Coordinates, PairSpace, QueryError};
 
 use crate::legs::{Coords, Near, Scene};
 use crate::push::{Climb, norm, rise};
+use crate::route::along;
 
-/// Steps are at most this share of the parts' size.
+/// Legs are at most this share of the parts' size.
 const LONGEST: f64 = 0.25;
-/// And are halved at most so often: below lies what rounding does to contacts.
-const HALVINGS: u32 = 44;
-/// The best step is found to (2/3)⁶⁴ of its length.
+/// And down to this share of it: below lies what rounding does to contacts.
+const SHORTEST: f64 = 1e-13;
+/// The length of the best leg is found to (2/3)⁶⁴ of it.
 const REFINED: u32 = 64;
 /// Contacts within so many resolutions are left together.
 const TOUCHING: f64 = 8.0;
 /// The leg is tested from this share of it on; before, it goes where all contact functions grow.
 const FIRST: f64 = 1e-3;
+/// There the clearance is at least this share of what an even rise would give; up to the end half of that.
+const BEGINS: f64 = 0.1;
+const RISES: f64 = 0.5;
+/// Contacts are off by this share of the parts' size where only the parts are known, and a clearance is the same within this share.
+const TOUCHED: f64 = 1e-9;
+const SAME: f64 = 0.02;
 /// A leg that leaves a contact for good, and does not go along it, has at least this sine with it.
 const STEEP: f64 = 0.5;
 /// The end of a leg is moved to more clearance at most so often, each time by this share or more.
 const MOVES: usize = 64;
 const GAIN: f64 = 1e-4;
-/// Clearance of more than this share of the parts' size is enough to begin with.
-const ENOUGH: f64 = 0.1;
 
 /// The contacts of a configuration, and the legs that leave them.
 #[derive(Debug, Clone)]
@@ -58,21 +75,26 @@ impl<'a> Contacts<'a> {
         })
     }
 
-    /// A free configuration, with the leg to it free but for its start: the one of those tried with the most clearance, or with enough.
-    /// `None` if there is none nearby: the contacts leave no room, to the resolution.
+    /// A free configuration, with the leg to it free but for its start: of those tried the nearest with enough clearance, or the one with
+    /// the most. `None` if there is none nearby: the contacts leave no room, to the resolution.
     pub(crate) fn off(&self, enough: f64) -> Option<Coords> {
         let [x, y, turn] = self.scene.levers();
-        let enough = enough.max(ENOUGH * self.scene.size());
         let off = |levers: Coords| {
             let direction = rise(&self.touching, levers, None, 1.0)?;
-            let first = LONGEST * self.scene.size();
-            let ahead = |step: f64| self.ahead(direction, step);
+            // Lengths are those by which the part moves, if it does.
+            let moved = direction[0].hypot(direction[1]);
+            let long = match self.scene.motions().is_none() && moved > 0.0 {
+                true => moved,
+                false => norm(direction, self.scene.levers()),
+            };
+            let ahead = |length: f64| self.ahead(direction, length / long);
             let passes = |to: Coords, clearance: f64| self.is_left(to, clearance, 0.0);
-            let (clearance, at) = widest(self.scene, first, ahead, passes)?;
+            let longest = LONGEST * self.scene.size();
+            let (clearance, at) = widest(self.scene, longest, enough, ahead, passes)?;
             let mut climb = Climb {
                 at,
                 clearance,
-                reach: first,
+                reach: longest,
             };
             let steeper = |to: Coords, clearance: f64| {
                 self.is_left(to, clearance, STEEP) && !self.scene.overlaps(to)
@@ -82,7 +104,7 @@ impl<'a> Contacts<'a> {
                 {
                     break;
                 }
-                climb.reach = climb.reach.min(first);
+                climb.reach = climb.reach.min(longest);
             }
             Some(climb.at)
         };
@@ -90,29 +112,44 @@ impl<'a> Contacts<'a> {
         off([x, y, 0.0]).or_else(|| off([x, y, turn]))
     }
 
-    /// Whether a leg goes away from the contacts, and has a clearance as soon as they alone let it.
+    /// Whether a leg goes away from the contacts, its clearance rises to a given one as fast as they let it, and is no less from then on.
     pub(crate) fn leaves_with(&self, to: Coords, clearance: f64) -> bool {
         let there = self.scene.clearance(to);
         let by = core::array::from_fn(|k| to[k] - self.at[k]);
         let share = clearance / (STEEP * norm(by, self.scene.levers()));
         there > clearance
             && share < 1.0
-            && self.is_left(to, there, STEEP)
+            && self.grows(by, STEEP)
             && self.scene.is_apart(self.ahead(by, share), to, clearance)
+            && self.rises(by, share, clearance)
             && !self.scene.overlaps(to)
     }
 
-    /// Whether a leg to a configuration with a clearance is free but for its start, and goes away from all contacts with at least a sine.
+    /// Whether a leg to a configuration with a clearance goes away from all contacts with at least a sine, and its clearance rises.
     fn is_left(&self, to: Coords, clearance: f64, sine: f64) -> bool {
         let by: Coords = core::array::from_fn(|k| to[k] - self.at[k]);
+        clearance > 2.0 * TOUCHING * self.resolution
+            && self.grows(by, sine)
+            && self.rises(by, 1.0, clearance)
+    }
+
+    /// Whether all contact functions grow in a direction, by more than a share of its length.
+    fn grows(&self, by: Coords, sine: f64) -> bool {
         let long = norm(by, self.scene.levers());
-        let grows = |near: &Near| {
+        self.touching.iter().all(|near| {
             let rate: f64 = (0..3).map(|k| near.gradient[k] * by[k]).sum();
             rate > sine * long
-        };
-        clearance > 2.0 * TOUCHING * self.resolution
-            && self.touching.iter().all(grows)
-            && (self.scene).is_apart(self.ahead(by, FIRST), to, 0.1 * FIRST * clearance)
+        })
+    }
+
+    /// Whether the clearance rises to a given one up to a share of a leg.
+    fn rises(&self, by: Coords, share: f64, clearance: f64) -> bool {
+        let ahead = |part: f64| self.ahead(by, share * part);
+        rises(self.scene, ahead, clearance, TOUCHING * self.resolution)
+    }
+
+    pub(crate) fn scene(&self) -> &'a Scene {
+        self.scene
     }
 
     fn ahead(&self, direction: Coords, step: f64) -> Coords {
@@ -121,31 +158,83 @@ impl<'a> Contacts<'a> {
     }
 }
 
-/// Among the ends of legs with a first step, and that halved again and again, and of those about as long as the best of these, the one
-/// with the most clearance, with that; only free ones that pass.
+/// Whether the clearance rises from nothing to a given one along a leg, but for what contacts are off.
+fn rises(scene: &Scene, ahead: impl Fn(f64) -> Coords, clearance: f64, off: f64) -> bool {
+    let mut hi = 1.0;
+    while hi > FIRST {
+        let lo = 0.5 * hi;
+        let evenly = RISES * lo * clearance - off;
+        let least = evenly.max(BEGINS * FIRST * clearance);
+        if !scene.is_apart(ahead(lo), ahead(hi), least) {
+            return false;
+        }
+        hi = lo;
+    }
+    true
+}
+
+/// A path without the part of its first leg on which the clearance rises off a contact, and of its last on which it falls to one: the
+/// places between which its clearance counts.
+pub fn off_contacts(scene: &Scene, path: &[Coords], (from, to): (bool, bool)) -> Vec<Coords> {
+    let mut places = path.to_vec();
+    if let (&[a, b], true, true) = (path, from, to) {
+        places.insert(1, along(a, b, 0.5));
+    }
+    if let (true, &[a, b, ..]) = (from, &places[..]) {
+        places[0] = rise_ends(scene, a, b);
+    }
+    if let (true, &[.., b, a]) = (to, &places[..]) {
+        let last = places.len() - 1;
+        places[last] = rise_ends(scene, a, b);
+    }
+    places.dedup();
+    places
+}
+
+/// Where on a leg from a contact the clearance has risen to what it has from there on.
+fn rise_ends(scene: &Scene, from: Coords, to: Coords) -> Coords {
+    const HALVINGS: u32 = 44;
+    let off = TOUCHED * scene.size() + scene.rounding(from, to);
+    let mut share = 1.0;
+    for _ in 0..HALVINGS {
+        let ahead = |part: f64| along(from, to, share * part);
+        let clearance = scene.least_roughly(ahead(1.0), to).distance;
+        if clearance > 0.0 && rises(scene, ahead, clearance * (1.0 - SAME), off) {
+            return ahead(1.0);
+        }
+        share *= 0.5;
+    }
+    from
+}
+
+/// Of legs of round lengths, the shortest first, the end of the first with enough clearance, with that. If none has enough, the one with
+/// the most clearance of these and of others about as long; only free ones that pass.
 fn widest(
     scene: &Scene,
-    first: f64,
+    longest: f64,
+    enough: f64,
     ahead: impl Fn(f64) -> Coords,
     passes: impl Fn(Coords, f64) -> bool,
 ) -> Option<(f64, Coords)> {
     type Best = Option<(f64, Coords, f64)>;
-    let look = |best: &mut Best, step: f64| {
-        let to = ahead(step);
+    let look = |best: &mut Best, length: f64| {
+        let to = ahead(length);
         let clearance = scene.clearance(to);
         if best.is_none_or(|b| clearance > b.0) && passes(to, clearance) && !scene.overlaps(to) {
-            *best = Some((clearance, to, step));
+            *best = Some((clearance, to, length));
         }
         clearance
     };
-    let (mut best, mut step) = (None, first);
-    for _ in 0..HALVINGS {
-        look(&mut best, step);
-        step *= 0.5;
+    let mut best = None;
+    for length in round_lengths(SHORTEST * longest, longest) {
+        look(&mut best, length);
+        if best.is_some_and(|b| b.0 >= enough) {
+            return best.map(|b| (b.0, b.1));
+        }
     }
     // Between the best and its neighbours, by trisection.
-    let (_, _, step) = best?;
-    let (mut lo, mut hi) = (0.5 * step, (2.0 * step).min(first));
+    let (_, _, length) = best?;
+    let (mut lo, mut hi) = (0.5 * length, (2.0 * length).min(longest));
     for _ in 0..REFINED {
         let third = (hi - lo) / 3.0;
         if look(&mut best, lo + third) < look(&mut best, hi - third) {
@@ -155,6 +244,19 @@ fn widest(
         }
     }
     best.map(|b| (b.0, b.1))
+}
+
+/// Lengths of one digit, 1, 2 and 5, between two.
+fn round_lengths(shortest: f64, longest: f64) -> impl Iterator<Item = f64> {
+    let decades = [shortest, longest].map(|l| l.log10().floor());
+    let decades = if decades.iter().all(|d| d.is_finite()) {
+        decades.map(|d| d as i32)
+    } else {
+        [0, -1]
+    };
+    (decades[0]..=decades[1])
+        .flat_map(|k| [1.0, 2.0, 5.0].map(|digit| digit * 10f64.powi(k)))
+        .filter(move |l| (shortest..=longest).contains(l))
 }
 
 /// Clearance of less than this share of the parts' size is little.
@@ -173,10 +275,12 @@ pub(crate) fn off_near(scene: &Scene, at: Coords) -> Coords {
     };
     let length = norm(direction, scene.levers());
     let ahead = |step: f64| -> Coords {
-        scene.within_limits(core::array::from_fn(|k| at[k] + direction[k] * step))
+        scene.within_limits(core::array::from_fn(|k| {
+            at[k] + direction[k] * step / length
+        }))
     };
-    let first = LONGEST * scene.size() / length;
-    let best = widest(scene, first, ahead, |to, there| {
+    let longest = LONGEST * scene.size();
+    let best = widest(scene, longest, f64::INFINITY, ahead, |to, there| {
         there > clearance && scene.is_apart(at, to, 0.5 * clearance)
     });
     best.map_or(at, |b| b.1)

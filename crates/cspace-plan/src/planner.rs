@@ -8,10 +8,12 @@ use cspace::{
 
 use crate::answer::{Answer, Bottleneck, Path, Verdict};
 use crate::apart::{blocked, enclosed};
-use crate::centers::fitting_centers;
-use crate::ends::{End, FARTHEST, Tip, end, home, is_far, turned};
+use crate::centers::{fitting_centers, still_point};
+use crate::ends::{ENOUGH, End, FARTHEST, Tip, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
+use crate::off_contact::off_contacts;
 use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
+use crate::push::norm;
 use crate::route::{Effort, Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
 
@@ -125,6 +127,8 @@ pub struct Planner<'a> {
     ways: Ways<'a>,
     /// Other points for legs to be about, where the usual one takes many.
     centers: Vec<Vector>,
+    /// Whether legs may be about any point.
+    takes_any: bool,
     effort: Effort,
 }
 
@@ -138,6 +142,8 @@ enum Ways<'a> {
 const ROUNDED: f64 = 1.0 - 1e-6;
 /// and a widest way this share of it: where it passes the last thousandth would take legs of a thousandth.
 const WIDEST: f64 = 0.999;
+/// A leg is taken for one that rounding hid if it has clearance of this share of the parts' size.
+const HIDDEN: f64 = 1e-9;
 
 impl<'a> Planner<'a> {
     /// Prepares a pair. Legs move a point of the moving part straight and turn the part about it: the origin of its frame if the part is
@@ -151,6 +157,7 @@ impl<'a> Planner<'a> {
         let mut planner = Self::with_about(space, middle_if_far(space.moving()))?;
         if matches!(space, PairSpace::Planar(_)) {
             planner.centers = fitting_centers(space.fixed(), space.moving());
+            planner.takes_any = true;
         }
         Ok(planner)
     }
@@ -172,6 +179,7 @@ impl<'a> Planner<'a> {
             scene,
             ways,
             centers: Vec::new(),
+            takes_any: false,
             effort: Effort::Full,
         })
     }
@@ -212,7 +220,75 @@ impl<'a> Planner<'a> {
         progress: &dyn Progress,
     ) -> Result<Answer, PlanError> {
         let plan = |planner: &Self| planner.plan_to((from, to), None, wishes, progress);
-        self.about_any(plan, |answer| answer, wishes)
+        let mut answer = self.about_any(plan, |answer| answer, wishes)?;
+        let clearance = match (&answer.verdict, wishes.clearance) {
+            (Verdict::Path(path), _) if path.configurations.len() > 2 => {
+                path.narrowest.clearance * WIDEST
+            }
+            (Verdict::Unknown(_), Clearance::AtLeast(least)) => least,
+            (Verdict::Unknown(_), _) => HIDDEN * self.scene.size(),
+            _ => return Ok(answer),
+        };
+        if wishes.prefer == Prefer::Legs
+            && let Some(path) = self.direct(from, to, clearance, wishes)?
+        {
+            for bottleneck in answer.bottleneck.iter_mut() {
+                if bottleneck.narrow.clearance < path.narrowest.clearance {
+                    bottleneck.narrow = path.narrowest;
+                }
+            }
+            answer.verdict = Verdict::Path(path);
+        }
+        Ok(answer)
+    }
+
+    /// The path of one leg with a clearance, if there is one: by a turn to either side, about the usual point or about the one that is at
+    /// the same place at both ends.
+    fn direct(
+        &self,
+        from: Coordinates,
+        to: Coordinates,
+        clearance: f64,
+        wishes: &Wishes,
+    ) -> Result<Option<Path>, PlanError> {
+        let (Coordinates::Planar(a), Coordinates::Planar(b)) = (from, to) else {
+            return Ok(None);
+        };
+        if clearance <= 0.0 {
+            return Ok(None);
+        }
+        // Unless a point is asked for.
+        let still = match self.takes_any {
+            true => still_point(self.space.moving(), a, b),
+            false => None,
+        };
+        let about_it = (still.map(|about| Self::with_about(self.space, about))).transpose()?;
+        let ahead = ((a.theta - b.theta) / TAU).round();
+        let (lo, hi) = self.scene.limits()[2];
+        for planner in core::iter::once(self).chain(&about_it) {
+            let from = planner.scene.numbers(from).map_err(PlanError::From)?;
+            let goal = planner.scene.numbers(to).map_err(PlanError::To)?;
+            let nearer = if a.theta > b.theta + TAU * ahead {
+                -1.0
+            } else {
+                1.0
+            };
+            for turns in [ahead, ahead - nearer, ahead + nearer] {
+                let to = [goal[0], goal[1], goal[2] + TAU * turns];
+                let is_turn = to[2] != from[2] || turns == ahead;
+                if !is_turn || !(lo..=hi).contains(&to[2]) {
+                    continue;
+                }
+                if planner.scene.is_clearly_apart(from, to, clearance) {
+                    let legs = Legs::new(&planner.scene, vec![from, to]);
+                    let mut path = planner.told(&legs, wishes)?;
+                    let ends = (Coordinates::Planar(a), Some(Coordinates::Planar(b)));
+                    exact_ends(&mut path.configurations, ends);
+                    return Ok(Some(path));
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// An answer by legs about the usual point, or about the centre of an arc if that takes fewer legs where there are many.
@@ -224,8 +300,15 @@ impl<'a> Planner<'a> {
     ) -> Result<T, PlanError> {
         /// So many legs are few.
         const FEW: usize = 6;
-        let path = |answer: &Answer| match &answer.verdict {
-            Verdict::Path(path) => Some((path.configurations.len() - 1, path.narrowest.clearance)),
+        // Off contacts, of paths that begin or end there.
+        let path = |answer: &Answer| match (&answer.verdict, &answer.bottleneck) {
+            (Verdict::Unknown(_), _) => Some((usize::MAX, 0.0)),
+            (Verdict::Path(path), Some(widest)) => {
+                Some((path.configurations.len() - 1, widest.narrow.clearance))
+            }
+            (Verdict::Path(path), None) => {
+                Some((path.configurations.len() - 1, path.narrowest.clearance))
+            }
             _ => None,
         };
         let mut best = plan(self)?;
@@ -259,11 +342,10 @@ impl<'a> Planner<'a> {
                 return Err(PlanError::TooFar { place });
             }
         }
-        // Off a contact there is to be more clearance than the path has elsewhere.
+        // Off a contact there is at least the clearance that is requested.
         let enough = match wishes.clearance {
-            Clearance::Quick | Clearance::Half => 0.0,
-            Clearance::AtLeast(least) => least,
-            Clearance::Widest => self.scene.size(),
+            Clearance::AtLeast(least) => least.max(ENOUGH * self.scene.size()),
+            Clearance::Quick | Clearance::Half | Clearance::Widest => ENOUGH * self.scene.size(),
         };
         let end = |at| end(self.space, &self.scene, at, enough);
         let start = end(from).map_err(PlanError::From)?;
@@ -290,51 +372,16 @@ impl<'a> Planner<'a> {
             (start @ End::Free { .. }, goal @ End::Free { .. }) => {
                 let [a, b] = [from, to].map(|at| self.scene.numbers(at));
                 let (a, b) = (a.map_err(PlanError::From)?, b.map_err(PlanError::To)?);
-                let mut ends = [Tip::of(start, a), Tip::of(goal, b)];
-                if a == b {
-                    ends.iter_mut().for_each(Tip::stay);
-                }
-                let [from, to] = ends;
-                let (first, last) = (from.near, to.near);
-                let is_bounded = from.contacts.is_none() && to.contacts.is_none();
-                let Some(wider) = self.wider(first, last, wishes.clearance, progress)? else {
-                    answer.verdict = Verdict::Unknown(self.doubtful());
-                    return Ok(answer);
-                };
-                let bottleneck = |wider: &Wider| Bottleneck {
-                    narrow: Legs::new(&self.scene, wider.places.clone()).narrow(),
-                    most: is_bounded.then_some(wider.most),
-                };
-                if let Clearance::AtLeast(least) = wishes.clearance
-                    && wider.clearance < least
-                {
-                    answer.bottleneck = Some(bottleneck(&wider));
-                    if !is_bounded || wider.most >= least {
-                        answer.verdict = Verdict::Unknown(self.doubtful());
+                let tips = [Tip::of(start, a), Tip::of(goal, b)];
+                let found = match a == b {
+                    true => Some(Legs::new(&self.scene, vec![a])),
+                    false => {
+                        self.found(tips, (enough, outside), wishes, (&mut answer, progress))?
                     }
+                };
+                let Some(legs) = found else {
                     return Ok(answer);
-                }
-                let kept = match wishes.clearance {
-                    Clearance::AtLeast(least) => least,
-                    Clearance::Widest => wider.clearance * WIDEST,
-                    Clearance::Half => wider.clearance.min(0.5 * wider.most) * ROUNDED,
-                    Clearance::Quick => 0.0,
                 };
-                let legs = Legs::new(&self.scene, wider.places.clone());
-                let simple = legs.simple(kept, wider.most, outside);
-                let legs = match wishes.prefer {
-                    Prefer::Legs => simple.tidy(kept, outside),
-                    Prefer::Clearance => legs.clear(kept).or_wider(simple),
-                    // Out is where the simple way ends.
-                    Prefer::Length if outside.is_some() => simple.short(kept),
-                    Prefer::Length => legs.short(kept).or_shorter(simple.short(kept)),
-                };
-                if wishes.clearance == Clearance::Widest {
-                    // Fewer legs may have more clearance.
-                    let shorter = wider.with(&self.scene, legs.places().to_vec());
-                    answer.bottleneck = Some(bottleneck(&shorter));
-                }
-                let legs = self.with_ends(&legs, (&from, &to), (kept, wishes.prefer));
                 let mut path = self.told(&legs, wishes)?;
                 for at in &mut path.configurations {
                     *at = turned(*at, -turns);
@@ -345,6 +392,87 @@ impl<'a> Planner<'a> {
             }
         };
         Ok(answer)
+    }
+
+    /// The legs of a path between two configurations in the same region; none if that is the answer, which has why.
+    fn found(
+        &self,
+        [mut from, mut to]: [Tip<'_>; 2],
+        (mut enough, outside): (f64, Option<&Outside<'_>>),
+        wishes: &Wishes,
+        (answer, progress): (&mut Answer, &dyn Progress),
+    ) -> Result<Option<Legs<'_>>, PlanError> {
+        /// What has this share of the clearance at an end is limited by that.
+        const LIMITED: f64 = 0.99;
+        let is_bounded = from.contacts.is_none() && to.contacts.is_none();
+        let wider = |from: &Tip<'_>, to: &Tip<'_>| {
+            self.wider(from.near, to.near, wishes.clearance, progress)
+        };
+        let Some(mut widest) = wider(&from, &to)? else {
+            answer.verdict = Verdict::Unknown(self.doubtful());
+            return Ok(None);
+        };
+        while !is_bounded && wishes.clearance == Clearance::Widest && enough < self.scene.size() {
+            let clearance = |tip: &Tip<'_>| self.scene.clearance(tip.near);
+            let ends = clearance(&from).min(clearance(&to));
+            enough *= 2.0;
+            if widest.clearance < LIMITED * ends
+                || !(from.go_on(self.space, enough) | to.go_on(self.space, enough))
+            {
+                break;
+            }
+            if let Some(found) = wider(&from, &to)? {
+                widest = found;
+            }
+        }
+        let wider = widest;
+        let bottleneck = |wider: &Wider| Bottleneck {
+            narrow: Legs::new(&self.scene, wider.places.clone()).narrow(),
+            most: is_bounded.then_some(wider.most),
+        };
+        if let Clearance::AtLeast(least) = wishes.clearance
+            && wider.clearance < least
+        {
+            answer.bottleneck = Some(bottleneck(&wider));
+            if !is_bounded || wider.most >= least {
+                answer.verdict = Verdict::Unknown(self.doubtful());
+            }
+            return Ok(None);
+        }
+        let kept = match wishes.clearance {
+            Clearance::AtLeast(least) => least,
+            Clearance::Widest => wider.clearance * WIDEST,
+            Clearance::Half => wider.clearance.min(0.5 * wider.most) * ROUNDED,
+            Clearance::Quick => 0.0,
+        };
+        // No farther off the contacts than takes that clearance.
+        let mut places = wider.places.clone();
+        let last = to.near;
+        if from.come_back(self.space, kept) {
+            places.insert(0, from.near);
+        }
+        if to.come_back(self.space, kept) {
+            let end = places.last().copied().unwrap_or(last);
+            places.push(core::array::from_fn(|k| to.near[k] + (end[k] - last[k])));
+        }
+        let legs = Legs::new(&self.scene, places);
+        let simple = legs.simple(kept, wider.most, outside);
+        let legs = match wishes.prefer {
+            Prefer::Legs => simple.tidy(kept, outside),
+            Prefer::Clearance => legs.clear(kept).or_wider(simple),
+            // Out is where the simple path ends.
+            Prefer::Length if outside.is_some() => simple.short(kept),
+            Prefer::Length => legs.short(kept).or_shorter(simple.short(kept)),
+        };
+        let legs = self.with_ends(&legs, (&from, &to), (kept, wishes.prefer));
+        if wishes.clearance == Clearance::Widest {
+            // Fewer legs may have more clearance.
+            let touches = (from.contacts.is_some(), to.contacts.is_some());
+            let rest = off_contacts(&self.scene, legs.places(), touches);
+            let shorter = wider.with(&self.scene, rest);
+            answer.bottleneck = Some(bottleneck(&shorter));
+        }
+        Ok(Some(legs))
     }
 
     /// A way between two free configurations in the same region, as wide as is asked for or can be; `None` if none is found.
@@ -414,6 +542,8 @@ impl<'a> Planner<'a> {
         (from, to): (&Tip<'_>, &Tip<'_>),
         (clearance, prefer): (f64, Prefer),
     ) -> Legs<'_> {
+        /// Shorter legs, in shares of the parts' size, are rounding.
+        const STILL: f64 = 1e-12;
         let mut places = legs.places().to_vec();
         let end = places.last().copied().unwrap_or(to.near);
         let clearance = (prefer != Prefer::Clearance).then_some(clearance);
@@ -423,6 +553,11 @@ impl<'a> Planner<'a> {
         places.reverse();
         to.join(&mut places, goal, clearance);
         places.reverse();
+        let moves = |a: &Coords, b: &Coords| {
+            let by = core::array::from_fn(|k| b[k] - a[k]);
+            norm(by, self.scene.levers()) > STILL * self.scene.size()
+        };
+        places.dedup_by(|b, a| !moves(a, b));
         Legs::new(&self.scene, places)
     }
 

@@ -24,7 +24,7 @@ use cspace::{Coordinates, PairSpace, Progress, QueryError, RegionId, Silent, Vec
 
 use crate::answer::Verdict;
 use crate::apart::{blocked, enclosed};
-use crate::ends::{End, end, home};
+use crate::ends::{ENOUGH, End, end, home};
 use crate::legs::{Coords, Scene};
 use crate::off_contact::off_near;
 use crate::planner::{Clearance, PlanError, Planner, Wishes};
@@ -125,7 +125,8 @@ impl<'a> Escape<'a> {
         }
         let (_, from) = home(self.space, &self.scene, from);
         let to = to.map(|to| home(self.space, &self.scene, to).1);
-        let start = match end(self.space, &self.scene, from, 0.0).map_err(PlanError::From)? {
+        let enough = ENOUGH * self.scene.size();
+        let start = match end(self.space, &self.scene, from, enough).map_err(PlanError::From)? {
             End::Blocked => {
                 let how = blocked(self.space, &self.scene, from).map_err(PlanError::From)?;
                 return Ok(Escaped::FromBlocked(how));
@@ -137,7 +138,7 @@ impl<'a> Escape<'a> {
         let goal = match to {
             None if self.scene.motions().is_some() => return Err(PlanError::NoGoal),
             None => None,
-            Some(to) => match end(self.space, &self.scene, to, 0.0).map_err(PlanError::To)? {
+            Some(to) => match end(self.space, &self.scene, to, enough).map_err(PlanError::To)? {
                 End::Blocked => {
                     let how = blocked(self.space, &self.scene, to).map_err(PlanError::To)?;
                     return Ok(Escaped::ToBlocked(how));

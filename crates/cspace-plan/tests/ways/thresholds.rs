@@ -297,6 +297,84 @@ fn a_curved_key_turns_about_the_center_of_its_groove() {
     is_free(planner.scene(), &oracle, &path, PLACES, "curved key");
 }
 
+/// A peg seated in a deep hole: off the bottom its clearance rises to the play and no farther, so the leg up to the mouth does not count
+/// as one that leaves the contact.
+#[test]
+fn a_leg_off_a_contact_does_not_hide_a_narrow_place() {
+    const PLAY: f64 = 0.05;
+    let hole = [
+        (-10.0, -5.0),
+        (10.0, -5.0),
+        (10.0, 20.0),
+        (3.0 + PLAY, 20.0),
+        (3.0 + PLAY, 0.0),
+        (-3.0 - PLAY, 0.0),
+        (-3.0 - PLAY, 20.0),
+        (-10.0, 20.0),
+    ];
+    let hole = Part::polygon("hole", &hole).unwrap();
+    let peg = Part::rectangle("peg", (0.0, 15.0), 6.0, 30.0).unwrap();
+    let space = space(&hole, &peg, None);
+    let planner = Planner::new(&space).unwrap();
+    let asked = |clearance: Clearance| {
+        let wishes = Wishes {
+            clearance,
+            ..Wishes::default()
+        };
+        let from = at(0.0, 0.0, 0.0);
+        planner.plan_out(from, &wishes, &cspace::Silent).unwrap().1
+    };
+    let refused = asked(Clearance::AtLeast(2.0 * PLAY));
+    assert!(
+        matches!(refused.verdict, Verdict::Unknown(_)),
+        "{refused:?}"
+    );
+    let answer = asked(Clearance::Widest);
+    let Verdict::Path(path) = answer.verdict else {
+        panic!("{:?}", answer.verdict);
+    };
+    assert_eq!(path.configurations.len(), 2, "{path:?}");
+    let found = answer.bottleneck.unwrap().narrow.clearance;
+    assert!((found - PLAY).abs() < 1e-3 * PLAY, "{found}");
+    let scene = planner.scene().clone().with_about(path.about);
+    let places: Vec<_> = (path.configurations.iter())
+        .map(|&c| scene.numbers(c).unwrap())
+        .collect();
+    let rest = cspace_plan::off_contacts(&scene, &places, (true, false));
+    let least = scene.least(rest[0], rest[1]).distance;
+    assert!((least - PLAY).abs() < 1e-3 * PLAY, "{least} {rest:?}");
+}
+
+/// A block in a ring turns past half a turn in one leg, about the centre of the ring, though that is not its own middle.
+#[test]
+fn a_single_turn_is_found_about_the_point_that_stays() {
+    let ring = |name: &str, r: f64| {
+        let half = |x: f64| Vertex::new(x, 0.0, 1.0);
+        (name.to_owned(), vec![half(-r), half(r)])
+    };
+    let (name, outer) = ring("ring", 20.0);
+    let inner = ring("", 15.0).1;
+    let island = ring("", 9.0).1;
+    let fixed = Part::new(&name, vec![outer, inner, island]).unwrap();
+    let block = Part::rectangle("block", (12.0, 0.0), 4.0, 3.0).unwrap();
+    let space = space(&fixed, &block, None);
+    for degrees in [20.0_f64, 160.0, 180.0, 200.0, 330.0] {
+        let answer = asked(
+            &space,
+            at(0.0, 0.0, 0.0),
+            at(0.0, 0.0, degrees.to_radians()),
+            Clearance::Half,
+        );
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("{degrees}: {:?}", answer.verdict);
+        };
+        assert_eq!(path.configurations.len(), 2, "{degrees}: {path:?}");
+        let oracle = Oracle::new(&fixed, &block);
+        let scene = Scene::of(&space).unwrap();
+        is_free(&scene, &oracle, &path, PLACES, "block in a ring");
+    }
+}
+
 /// A block in the corner of a tray: off the contacts it has as much clearance as half the play, and no bound is claimed, since other
 /// legs off the contacts might leave more.
 #[test]

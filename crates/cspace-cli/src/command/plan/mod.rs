@@ -297,7 +297,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     match told.verdict {
         Name::Path => {
             let legs = told.path.len().saturating_sub(1);
-            writeln!(text, "path: {}", count(legs, "leg", "legs"))?;
+            let is_out = if told.is_out && legs == 0 {
+                ", it is out"
+            } else {
+                ""
+            };
+            writeln!(text, "path: {}{is_out}", count(legs, "leg", "legs"))?;
             for (i, &at) in told.path.iter().enumerate() {
                 writeln!(text, "  {}", pair.place(at))?;
                 if let Some(words) = told.words.get(i) {
@@ -334,9 +339,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         )?,
     }
     if let (Some(clearance), Some(place)) = (told.clearance, &told.narrowest) {
-        let rest = (told.rest).map_or(String::new(), |rest| {
-            off_contact(&rest, told.path.len(), &unit)
-        });
+        let rest = (told.rest).map_or(String::new(), |rest| off_contact(&rest, &unit));
         writeln!(text, "clearance {}{unit}{rest}", length(clearance))?;
         writeln!(text, "  at       {}", pair.place(place.at))?;
         if let Some(features) = place.features {
@@ -436,14 +439,10 @@ fn met(text: &mut String, pair: &Chosen<'_>, hit: &Contact) -> fmt::Result {
 }
 
 /// The clearance of a path off the contacts that it starts or ends in, as it follows the clearance of all of it.
-fn off_contact(rest: &Rest, configurations: usize, unit: &str) -> String {
-    let ends = usize::from(rest.from_contact) + usize::from(rest.to_contact);
-    let is_one = configurations == ends + 1;
+fn off_contact(rest: &Rest, unit: &str) -> String {
     let (begins, place) = match (rest.from_contact, rest.to_contact) {
         (true, true) => ("starts and ends", "between"),
-        (true, false) if is_one => ("starts", "at its end"),
         (true, false) => ("starts", "after leaving it"),
-        (false, _) if is_one => ("ends", "at its start"),
         (false, _) => ("ends", "before coming to it"),
     };
     let clearance =
