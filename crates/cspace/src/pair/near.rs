@@ -95,7 +95,7 @@ fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
 }
 
 /// A line, an arc or a convex vertex of a placed part, relative to the fixed part's centre.
-struct Feature {
+struct PlacedFeature {
     name: FeatureName,
     shape: FeatureShape<f64>,
     /// The edge; `None` for a vertex.
@@ -106,7 +106,7 @@ struct Feature {
 }
 
 /// The features of a part, placed about its centre.
-fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
+fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature> {
     let turn = Rotation::by(at.theta);
     let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
@@ -125,13 +125,13 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
                 loop_index,
                 index: index as u32,
             };
-            features.push(Feature::of_edge(edge, |kind| named(kind, edge.index)));
+            features.push(PlacedFeature::of_edge(edge, |kind| named(kind, edge.index)));
             let turns_by = turn_between(edge, next);
             if turns_by > smooth(edge, next) {
                 // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
                 let index = if outline.is_reversed() { edge } else { next }.index;
                 let name = named(FeatureKind::Vertex, index);
-                features.push(Feature::of_vertex(edge, turns_by, name));
+                features.push(PlacedFeature::of_vertex(edge, turns_by, name));
             }
         }
     }
@@ -153,7 +153,7 @@ fn smooth(before: &Edge, after: &Edge) -> f64 {
     }
 }
 
-impl Feature {
+impl PlacedFeature {
     fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
         let kind = match edge.bulge {
             b if b > 0.0 => FeatureKind::ConvexArc,
@@ -245,7 +245,7 @@ struct Sought {
 }
 
 impl Sought {
-    fn among(&self, fixed: &[Feature], moving: &[Feature]) -> Vec<NearFeatures> {
+    fn among(&self, fixed: &[PlacedFeature], moving: &[PlacedFeature]) -> Vec<NearFeatures> {
         let boxes = Boxes::new(fixed.iter().map(|f| f.bounds));
         let mut found = Vec::new();
         for g in moving {
@@ -259,7 +259,7 @@ impl Sought {
     }
 
     /// Two features, if they face each other and are near enough.
-    fn pair(&self, f: &Feature, g: &Feature) -> Option<NearFeatures> {
+    fn pair(&self, f: &PlacedFeature, g: &PlacedFeature) -> Option<NearFeatures> {
         // Parallel lines are represented by their ends, and a concave arc is touched only by features of smaller radius.
         let sum = f.radius() + g.radius();
         let rolls = match (f.name.kind, g.name.kind) {
@@ -307,7 +307,7 @@ impl Sought {
 }
 
 /// An outward normal of one feature whose opposite is one of the other.
-fn common_normal(f: &Feature, g: &Feature) -> Option<Vector> {
+fn common_normal(f: &PlacedFeature, g: &PlacedFeature) -> Option<Vector> {
     let ends = |(first, turn): (f64, f64)| [first, first + 0.5 * turn, first + turn];
     let of_f = ends(f.normals).map(Vector::from_angle);
     let of_g = ends(g.normals).map(|angle| -Vector::from_angle(angle));

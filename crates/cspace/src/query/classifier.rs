@@ -7,11 +7,11 @@ use crate::parallel;
 use crate::space::ContactSpace;
 
 use super::cells::CellStore;
+use super::centers::Centers;
 use super::classify::Classification;
-use super::drawn::Drawn;
 use super::grid::{Grid, MARGIN};
 use super::nearby::Nearby;
-use super::ray::{Direction, off_cycle};
+use super::ray::{AxisDirection, off_cycle};
 use super::slab::{Home, Slab};
 use super::slot;
 use super::walk::{self, Content};
@@ -50,7 +50,7 @@ pub struct Classifier<S> {
     /// Rounding error of positions (length of the pair's frame). For parts drawn far from their origins it may exceed the resolution.
     rounding: f64,
     nearby: Nearby,
-    drawn: Drawn,
+    centers: Centers,
     cells: CellStore,
 }
 
@@ -100,7 +100,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         cells.finish(grid.side);
         Self {
             nearby: Nearby::new(space, &grid, &slab),
-            drawn: Drawn::new(space, &grid, &slab),
+            centers: Centers::new(space, &grid, &slab),
             slab,
             grid,
             far: far * far,
@@ -126,7 +126,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             return self.space.classify(c);
         }
         let center = self
-            .drawn
+            .centers
             .center(&self.space, &self.grid, (c.theta, home, slot));
         let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
         let p = self.slab.position(p, home);
@@ -145,7 +145,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         size_of::<Self>()
             + self.slab.bytes()
             + self.nearby.bytes()
-            + self.drawn.bytes()
+            + self.centers.bytes()
             + self.cells.bytes()
     }
 
@@ -205,7 +205,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             return self.space.classify(c);
         }
         let place = (p, settled, turn);
-        for direction in Direction::ALL {
+        for direction in AxisDirection::ALL {
             let content = |column, row| self.content(slot, column, row);
             if let Some(free) = walk::is_free(&self.space, &self.grid, place, direction, content) {
                 return Some(if free {

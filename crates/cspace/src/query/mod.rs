@@ -2,11 +2,11 @@
 
 mod board;
 mod cells;
+mod centers;
 mod classifier;
 mod classify;
 mod contacts;
 mod crossings;
-mod drawn;
 mod first_contact;
 mod grid;
 mod index;

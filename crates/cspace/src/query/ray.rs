@@ -23,14 +23,14 @@ pub(super) enum Meeting {
 
 /// The four directions of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Direction {
+pub(super) enum AxisDirection {
     Right,
     Up,
     Left,
     Down,
 }
 
-impl Direction {
+impl AxisDirection {
     pub(super) const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
 
     /// Turns the plane so that the direction becomes the direction of the first axis.
@@ -86,7 +86,7 @@ impl Local {
 
     /// First intersection of the ray from the point with the curve.
     #[inline]
-    pub(super) fn meet(&self, direction: Direction) -> Meeting {
+    pub(super) fn meet(&self, direction: AxisDirection) -> Meeting {
         if !self.known {
             return Meeting::Unclear;
         }
@@ -201,7 +201,7 @@ pub(super) fn may_meet(
     patch: &Patch,
     turn: Rotation,
     p: Point,
-    direction: Direction,
+    direction: AxisDirection,
     stretch: f64,
 ) -> bool {
     let (from, to) = (-END_ERROR, stretch + END_ERROR);
