@@ -1,20 +1,30 @@
 //! Fast classification of many configurations.
 
+mod board;
+mod cells;
+mod centers;
+mod grid;
+mod nearby;
+mod raster;
+mod ray;
+mod slab;
+mod slot;
+mod walk;
+
 use core::ops::Deref;
 
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::parallel;
+use crate::query::Classification;
 use crate::space::ContactSpace;
 
-use super::cells::CellStore;
-use super::centers::Centers;
-use super::classify::Classification;
-use super::grid::{Grid, MARGIN};
-use super::nearby::Nearby;
-use super::ray::{AxisDirection, off_cycle};
-use super::slab::{Home, Slab};
-use super::slot;
-use super::walk::{self, Content};
+use cells::CellStore;
+use centers::Centers;
+use grid::{Grid, MARGIN};
+use nearby::Nearby;
+use ray::{AxisDirection, off_cycle};
+use slab::{Home, Slab};
+use walk::Content;
 
 /// Absolute orientation (radians, some hundred turns) above which the slow path is used: reduced by whole turns, the rounding of larger
 /// ones is no longer small compared with the margin of cells.

@@ -2,13 +2,8 @@
 
 use crate::contact::{ContactFunction, Cycle};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::query::classify::END_ERROR;
 use crate::space::{PASSED_ENDS, Patch};
-
-/// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
-/// of rounding, and critical orientations are known to 1e-6 at worst.
-///
-/// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
-pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// Result of following a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::geometry::{Point, Rotation};
+use crate::query::swept::Orientations;
 use crate::space::ContactSpace;
 
 use super::board::Board;
@@ -10,7 +11,6 @@ use super::cells::CellStore;
 use super::grid::{Grid, MARGIN};
 use super::raster::cells_of;
 use super::ray::AxisDirection;
-use super::swept::Orientations;
 use super::walk;
 
 /// A patch and the orientations, by its own count of turns, at which it may exist in an interval.

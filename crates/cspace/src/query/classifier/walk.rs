@@ -1,10 +1,11 @@
 //! Classification of a position by following a ray from cell to cell.
 
 use crate::geometry::{Point, Rotation};
+use crate::query::classify::END_ERROR;
 use crate::space::ContactSpace;
 
 use super::grid::Grid;
-use super::ray::{AxisDirection, END_ERROR, Local, Meeting, may_meet};
+use super::ray::{AxisDirection, Local, Meeting, may_meet};
 
 /// Content of a cell over the orientations of its interval.
 #[derive(Debug, Clone, Copy)]
