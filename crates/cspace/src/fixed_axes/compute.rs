@@ -73,7 +73,7 @@ fn displaced(
     along: Option<Role>,
 ) -> Result<FixedAxesSpace, AxesError> {
     let (setting, scene) = set_up((fixed, moving), axes, displacement, along)?;
-    let Some(window) = Window::new(&scene, &setting.bodies) else {
+    let Some(window) = ComputedWindow::new(&scene, &setting.bodies) else {
         return Err(AxesError::TooManyCrossings {
             fixed: fixed.edges().count(),
             moving: moving.edges().count(),
@@ -150,14 +150,14 @@ fn displaced(
 }
 
 /// The computed window: the partition of free space in it.
-struct Window {
+struct ComputedWindow {
     partition: Partition,
     statistics: AxesStatistics,
     /// Configurations beside cells, away from all curves, at which the parts overlap.
     overlaps: Vec<(f64, f64)>,
 }
 
-impl Window {
+impl ComputedWindow {
     /// Computes the window; `None` if more curves may cross than the limit.
     fn new(scene: &Scene, bodies: &Bodies) -> Option<Self> {
         let x = scene.repeats.window(&scene.x);

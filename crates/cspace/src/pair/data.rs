@@ -5,7 +5,6 @@ use crate::part::Part;
 use crate::space::{DataError, SAVED_VERSION, SpaceData, check_head};
 
 use super::lower::{Joint, LowerPair, PermanentContact};
-use super::space::PairSpace;
 
 const FORMAT: &str = "lower-pair";
 
@@ -42,17 +41,6 @@ pub enum PairData<'a> {
     FixedAxes(&'a AxesData),
     /// Data of a lower pair; the format is `lower-pair`.
     Lower(Box<LowerData>),
-}
-
-impl PairSpace {
-    /// The space as plain data.
-    pub fn data(&self) -> PairData<'_> {
-        match self {
-            Self::Planar(space) => PairData::Planar(space.data()),
-            Self::FixedAxes(space) => PairData::FixedAxes(space.data()),
-            Self::Lower(pair) => PairData::Lower(Box::new(pair.data())),
-        }
-    }
 }
 
 impl LowerPair {

@@ -1,12 +1,9 @@
 //! Elements of a pair's space: patches, the links between them, bands and free regions.
 
-use crate::space::Band;
+use crate::fixed_axes::{AxesPatch, AxesRegion};
+use crate::space::{SideLink, VerticalLink};
 
-use super::answers::QueryError;
-use super::ids::{LinkId, PatchId, RegionId};
-use super::patch::PairPatch;
-use super::relation::Coordinates;
-use super::space::PairSpace;
+use super::{Coordinates, LinkId, Neighbours, PairSpace, PatchId, RegionId};
 
 /// Two patches that are neighbours on the boundary of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,83 +48,88 @@ pub struct PairRegion {
     pub unbounded: bool,
 }
 
-impl PairSpace {
-    /// The contact patches, in the order of their numbers; for a lower pair, its permanent contacts.
-    pub fn patches(&self) -> impl Iterator<Item = PairPatch<'_>> {
-        (0..self.patch_count() as u32).map(|i| PairPatch::new(self, PatchId(i)))
-    }
-
-    /// The links between patches, in the order of their numbers. Permanent contacts have none.
-    pub fn links(&self) -> Vec<PairLink> {
-        let mut links: Vec<(u32, u32, LinkKind)> = Vec::new();
-        match self {
-            Self::Lower(_) => {}
-            Self::FixedAxes(space) => {
-                let next = |(i, p): (u32, &crate::fixed_axes::AxesPatch)| {
-                    Some((i, p.next?, LinkKind::Side))
-                };
-                links.extend((0..).zip(space.patches()).filter_map(next));
-            }
-            Self::Planar(space) => {
-                let side = |l: &crate::SideLink| {
-                    let (lo, hi) = (l.lo, l.hi);
-                    (l.before, l.after, LinkKind::SideOver { lo, hi })
-                };
-                let vertical = |l: &crate::VerticalLink| {
-                    let theta = l.theta;
-                    (l.lower, l.upper, LinkKind::Vertical { theta })
-                };
-                links.extend(space.side_links().iter().map(side));
-                links.extend(space.vertical_links().iter().map(vertical));
-            }
+pub(super) fn links(space: &PairSpace) -> Vec<PairLink> {
+    let mut links: Vec<(u32, u32, LinkKind)> = Vec::new();
+    match space {
+        PairSpace::Lower(_) => {}
+        PairSpace::FixedAxes(space) => {
+            let next = |(i, p): (u32, &AxesPatch)| Some((i, p.next?, LinkKind::Side));
+            links.extend((0..).zip(space.patches()).filter_map(next));
         }
-        (0..)
-            .zip(links)
-            .map(|(i, (first, second, kind))| PairLink {
-                id: LinkId(i),
-                first: PatchId(first),
-                second: PatchId(second),
-                kind,
-            })
-            .collect()
-    }
-
-    /// The bands: intervals between critical orientations, in which only lengths change.
-    ///
-    /// # Errors
-    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
-    pub fn bands(&self) -> Result<Vec<Band>, QueryError> {
-        match self {
-            Self::Planar(space) => Ok(space.bands()),
-            _ => Err(QueryError::NoOrientation {
-                class: self.class(),
-            }),
+        PairSpace::Planar(space) => {
+            let side = |l: &SideLink| {
+                let (lo, hi) = (l.lo, l.hi);
+                (l.before, l.after, LinkKind::SideOver { lo, hi })
+            };
+            let vertical = |l: &VerticalLink| {
+                let theta = l.theta;
+                (l.lower, l.upper, LinkKind::Vertical { theta })
+            };
+            links.extend(space.side_links().iter().map(side));
+            links.extend(space.vertical_links().iter().map(vertical));
         }
     }
+    (0..)
+        .zip(links)
+        .map(|(i, (first, second, kind))| PairLink {
+            id: LinkId(i),
+            first: PatchId(first),
+            second: PatchId(second),
+            kind,
+        })
+        .collect()
+}
 
-    /// The connected components of free space, in the order of their numbers. A lower pair has none.
-    pub fn regions(&self) -> Vec<PairRegion> {
-        let regions: Vec<(Coordinates, bool)> = match self {
-            Self::Lower(_) => Vec::new(),
-            Self::FixedAxes(space) => {
-                let region = |r: crate::fixed_axes::AxesRegion| {
-                    let (u, v) = r.sample;
-                    let open = [r.open_u, r.open_v].iter().any(|o| o.0 || o.1);
-                    (Coordinates::Axes { u, v }, open || r.around_u || r.around_v)
-                };
-                space.regions().into_iter().map(region).collect()
+pub(super) fn neighbours(space: &PairSpace, patch: PatchId) -> Neighbours {
+    let sorted = |list: &mut dyn Iterator<Item = u32>| {
+        let mut list: Vec<PatchId> = list.map(PatchId).collect();
+        list.sort_unstable();
+        list.dedup();
+        list
+    };
+    match space {
+        PairSpace::Lower(_) => Neighbours::default(),
+        PairSpace::FixedAxes(space) => {
+            let p = &space.patches()[patch.index()];
+            Neighbours {
+                before: p.previous.into_iter().map(PatchId).collect(),
+                after: p.next.into_iter().map(PatchId).collect(),
+                ..Neighbours::default()
             }
-            Self::Planar(space) => (space.free_regions().iter())
-                .map(|r| (Coordinates::Planar(r.sample), r.unbounded))
-                .collect(),
-        };
-        (0..)
-            .zip(regions)
-            .map(|(i, (sample, unbounded))| PairRegion {
-                id: RegionId(i),
-                sample,
-                unbounded,
-            })
-            .collect()
+        }
+        PairSpace::Planar(space) => {
+            let patch = patch.0;
+            Neighbours {
+                before: sorted(&mut space.links_before(patch).map(|l| l.before)),
+                after: sorted(&mut space.links_after(patch).map(|l| l.after)),
+                below: sorted(&mut space.links_below(patch).map(|l| l.lower)),
+                above: sorted(&mut space.links_above(patch).map(|l| l.upper)),
+            }
+        }
     }
+}
+
+pub(super) fn regions(space: &PairSpace) -> Vec<PairRegion> {
+    let regions: Vec<(Coordinates, bool)> = match space {
+        PairSpace::Lower(_) => Vec::new(),
+        PairSpace::FixedAxes(space) => {
+            let region = |r: AxesRegion| {
+                let (u, v) = r.sample;
+                let open = [r.open_u, r.open_v].iter().any(|o| o.0 || o.1);
+                (Coordinates::Axes { u, v }, open || r.around_u || r.around_v)
+            };
+            space.regions().into_iter().map(region).collect()
+        }
+        PairSpace::Planar(space) => (space.free_regions().iter())
+            .map(|r| (Coordinates::Planar(r.sample), r.unbounded))
+            .collect(),
+    };
+    (0..)
+        .zip(regions)
+        .map(|(i, (sample, unbounded))| PairRegion {
+            id: RegionId(i),
+            sample,
+            unbounded,
+        })
+        .collect()
 }

@@ -1,13 +1,12 @@
-//! Location of a configuration: its free region, blocked, or outside the computed range; and the clearance of the parts.
+//! Location of a configuration: its free region, blocked, or outside the computed range; the clearance of the parts, and their contacts.
 
+use crate::contact::ContactFunction;
 use crate::geometry::Configuration;
 use crate::part::distance_of;
-
-use super::answers::QueryError;
-use super::ids::RegionId;
-use super::relation::Coordinates;
-use super::space::PairSpace;
 use crate::query::Classification;
+
+use super::space::ByClass;
+use super::{Coordinates, PairNearest, PairSpace, PatchId, QueryError, RegionId};
 
 /// Location of a configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -23,73 +22,85 @@ pub enum Location {
     Outside,
 }
 
-impl PairSpace {
-    /// Location of a configuration.
-    ///
-    /// # Errors
-    /// If the configuration is in the coordinates of another class.
-    ///
-    /// ```
-    /// use cspace::{Configuration, Coordinates, Location, Options, PairSpace, Part, Relation, Vertex};
-    /// let square = |r: f64| -> Vec<Vertex> {
-    ///     [(-r, -r), (r, -r), (r, r), (-r, r)].iter().map(|&(x, y)| Vertex::line(x, y)).collect()
-    /// };
-    /// let ring = Part::new("ring", vec![square(3.0), square(2.0)])?;
-    /// let block = Part::new("block", vec![square(1.0)])?;
-    /// let space = PairSpace::compute(&ring, &block, Relation::Planar, &Options::default())?;
-    /// let at = |x| Coordinates::Planar(Configuration::new(x, 0.0, 0.0));
-    /// assert!(matches!(space.locate(at(0.0))?, Location::Free(_)));
-    /// assert_ne!(space.locate(at(0.0))?, space.locate(at(9.0))?);
-    /// assert_eq!(space.locate(at(2.5))?, Location::Blocked);
-    /// assert!(!space.connected(at(0.0), at(9.0))?);
-    /// assert!((space.clearance(at(0.3))? - 0.7).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn locate(&self, at: Coordinates) -> Result<Location, QueryError> {
-        let class = match self.classify(at) {
-            Err(QueryError::Outside) => return Ok(Location::Outside),
-            class => class?,
-        };
-        let region = match (self, at) {
-            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => space.region_at(u, v),
-            (Self::Planar(space), Coordinates::Planar(c)) => space.region_at(c),
-            _ => None,
-        };
-        Ok(match (class, region) {
-            (Classification::Contact, _) => Location::Contact,
-            (Classification::Free, Some(region)) => Location::Free(RegionId(region)),
-            _ => Location::Blocked,
-        })
-    }
+pub(super) fn locate(space: &PairSpace, at: Coordinates) -> Result<Location, QueryError> {
+    let class = match space.classify(at) {
+        Err(QueryError::Outside) => return Ok(Location::Outside),
+        class => class?,
+    };
+    let region = match space.by_class(at)? {
+        ByClass::Lower(..) => None,
+        ByClass::Axes(space, u, v) => space.region_at(u, v),
+        ByClass::Planar(space, c) => space.region_at(c),
+    };
+    Ok(match (class, region) {
+        (Classification::Contact, _) => Location::Contact,
+        (Classification::Free, Some(region)) => Location::Free(RegionId(region)),
+        _ => Location::Blocked,
+    })
+}
 
-    /// Whether two configurations are free and in one region, so that a motion without overlap leads from one to the other.
-    ///
-    /// # Errors
-    /// If one is in the coordinates of another class.
-    pub fn connected(&self, a: Coordinates, b: Coordinates) -> Result<bool, QueryError> {
-        let (a, b) = (self.locate(a)?, self.locate(b)?);
-        Ok(matches!(a, Location::Free(_)) && a == b)
-    }
-
-    /// Clearance of the parts at a configuration: the minimum distance of their boundaries, in the model's unit of length; 0 where they
-    /// touch.
-    ///
-    /// # Errors
-    /// If the configuration is in the coordinates of another class or outside, or the parts overlap there.
-    pub fn clearance(&self, at: Coordinates) -> Result<f64, QueryError> {
-        match self.classify(at)? {
-            Classification::Contact => Ok(0.0),
-            Classification::Blocked => Err(QueryError::Blocked),
-            Classification::Free => Ok(distance_of(self.fixed(), self.moving(), self.placed(at)?)),
+pub(super) fn clearance(space: &PairSpace, at: Coordinates) -> Result<f64, QueryError> {
+    match space.classify(at)? {
+        Classification::Contact => Ok(0.0),
+        Classification::Blocked => Err(QueryError::Blocked),
+        Classification::Free => {
+            let at = placed(space, at)?;
+            Ok(distance_of(space.fixed(), space.moving(), at))
         }
     }
+}
 
-    /// Placement of the moving part in the fixed part's frame.
-    pub(super) fn placed(&self, at: Coordinates) -> Result<Configuration, QueryError> {
-        match (self, at) {
-            (Self::FixedAxes(space), Coordinates::Axes { u, v }) => Ok(space.configuration(u, v)),
-            (Self::Planar(_) | Self::Lower(_), Coordinates::Planar(c)) => Ok(c),
-            _ => Err(self.wrong(at)),
-        }
+/// Placement of the moving part in the fixed part's frame.
+pub(super) fn placed(space: &PairSpace, at: Coordinates) -> Result<Configuration, QueryError> {
+    Ok(match space.by_class(at)? {
+        ByClass::Axes(space, u, v) => space.configuration(u, v),
+        ByClass::Planar(_, c) | ByClass::Lower(_, c) => c,
+    })
+}
+
+/// Returns an error for a configuration for which nothing was computed.
+fn check(space: &PairSpace, at: Coordinates) -> Result<(), QueryError> {
+    match space.by_class(at)? {
+        ByClass::Planar(space, c) if space.covers(c) => Ok(()),
+        _ => space.classify(at).map(|_| ()),
     }
+}
+
+pub(super) fn contacts(
+    space: &PairSpace,
+    at: Coordinates,
+    tolerance: f64,
+) -> Result<Vec<(PatchId, f64)>, QueryError> {
+    check(space, at)?;
+    let found: Vec<(u32, f64)> = match space.by_class(at)? {
+        ByClass::Lower(pair, c) => {
+            let off = |f: &ContactFunction| f.value(c.position(), c.theta).abs();
+            let all = (0..).zip(pair.contacts());
+            let all = all.map(|(i, contact)| (i, off(&contact.function)));
+            all.filter(|&(_, off)| off <= tolerance).collect()
+        }
+        ByClass::Axes(space, u, v) => space.contacts(u, v, tolerance),
+        ByClass::Planar(space, c) => space.contacts(c, tolerance),
+    };
+    let named = |(patch, distance)| (PatchId(patch), distance);
+    Ok(found.into_iter().map(named).collect())
+}
+
+pub(super) fn nearest_contact(
+    space: &PairSpace,
+    at: Coordinates,
+) -> Result<Option<PairNearest>, QueryError> {
+    check(space, at)?;
+    let nearest = |patch, at, distance| PairNearest {
+        patch: PatchId(patch),
+        at,
+        distance,
+    };
+    Ok(match space.by_class(at)? {
+        ByClass::Lower(..) => return Err(QueryError::Permanent),
+        ByClass::Axes(space, u, v) => (space.nearest_contact(u, v))
+            .map(|n| nearest(n.patch, Coordinates::of_axes(n.at), n.distance)),
+        ByClass::Planar(space, c) => (space.nearest_contact(c))
+            .map(|n| nearest(n.patch, Coordinates::Planar(n.configuration), n.distance)),
+    })
 }

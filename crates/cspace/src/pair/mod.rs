@@ -7,23 +7,21 @@
 //! | symmetric | one period and copies ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 //! | general | the general method ([`ContactSpace`](crate::ContactSpace)) | (x, y, θ) |
 
-mod along;
 mod answers;
-mod batch;
 mod data;
 mod drawn;
 mod graph;
 mod ids;
 mod locate;
 mod lower;
+mod motion;
 mod near;
 mod patch;
 mod project;
-mod query;
+mod questions;
 mod relation;
 mod space;
 
-pub use along::{SmoothMotion, SmoothOutcome};
 pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 pub use data::{LowerData, PairData};
 pub use drawn::{
@@ -34,6 +32,7 @@ pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;
 pub use lower::{Joint, LowerPair, PermanentContact, PermanentKind};
+pub use motion::{SmoothMotion, SmoothOutcome};
 pub use near::NearFeatures;
 pub use patch::{ByDrawing, ByVertex, FeatureContact, PairPatch};
 pub use project::{Metric, Projection};

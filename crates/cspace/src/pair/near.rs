@@ -14,10 +14,8 @@ use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::{Bounds, Edge, Part};
 use crate::query::Classification;
 
-use super::answers::QueryError;
-use super::ids::FeatureId;
-use super::relation::Coordinates;
-use super::space::PairSpace;
+use super::locate::placed;
+use super::{Coordinates, FeatureId, PairSpace, QueryError};
 
 /// Angle below which directions are equal (radians): edges that are drawn flush differ by the rounding of their coordinates and
 /// orientation, some 1e-15, and more if they are short.
@@ -37,75 +35,49 @@ pub struct NearFeatures {
     pub touching: Touching,
 }
 
-impl PairSpace {
-    /// The pairs of features that face each other at a configuration with a distance, or a depth of overlap, of at most `within` (model
-    /// length); the nearest first.
-    ///
-    /// While the parts do not overlap, the distance of the first pair is that of the parts ([`clearance`](Self::clearance)). Both points of
-    /// a pair lie on its features: on line segments, arcs and convex vertices, not on their extensions. Patches are not used, so critical
-    /// and doubtful orientations make no difference.
-    ///
-    /// # Errors
-    /// If the configuration is in the coordinates of another class, or outside; and for lower pairs, which are in permanent contact.
-    ///
-    /// ```
-    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
-    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
-    /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
-    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
-    /// // Beside the table's corner (2, 2): 5 − 1 from it, and beyond the ends of both sides.
-    /// let near = space.near_features(Coordinates::Planar(Configuration::new(5.0, 6.0, 0.0)), 10.0)?;
-    /// assert_eq!(near[0].fixed.name.to_string(), "vertex 2 of loop 0");
-    /// assert!((near[0].distance - 4.0).abs() < 1e-12);
-    /// assert!((near[0].touching.normal.x - 0.6).abs() < 1e-12);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn near_features(
-        &self,
-        at: Coordinates,
-        within: f64,
-    ) -> Result<Vec<NearFeatures>, QueryError> {
-        let class = self.classify(at)?;
-        if matches!(self, Self::Lower(_)) {
-            return Err(QueryError::Permanent);
-        }
-        // Accuracy to which parts in contact are placed.
-        let known = match class {
-            Classification::Contact => self.resolution(),
-            Classification::Free | Classification::Blocked => 0.0,
-        };
-        let (fixed, moving) = (self.fixed(), self.moving());
-        let placed = self.placed(at)?;
-        let frame = PairFrame::new(fixed, moving);
-        let slack = rounding(&frame, placed);
-        let beyond = known + slack;
-        let deepest = match class {
-            Classification::Blocked => within + slack,
-            Classification::Contact | Classification::Free => beyond,
-        };
-        let sought = Sought {
-            within,
-            deepest,
-            beyond,
-            slack,
-        };
-        // Parts may be drawn far away: all is computed relative to the fixed part's centre.
-        let center = frame.fixed_center.to_vector();
-        let mut found = sought.among(
-            &features(fixed, frame.fixed_center, Configuration::default()),
-            &features(moving, frame.moving_center, about_centers(&frame, placed)),
-        );
-        for near in &mut found {
-            near.touching.on_fixed += center;
-            near.touching.on_moving += center;
-        }
-        found.sort_by(|a, b| {
-            let nearer = a.distance.abs().total_cmp(&b.distance.abs());
-            let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
-            nearer.then(names(a).cmp(&names(b)))
-        });
-        Ok(found)
+pub(super) fn near_features(
+    space: &PairSpace,
+    at: Coordinates,
+    within: f64,
+) -> Result<Vec<NearFeatures>, QueryError> {
+    let class = space.classify(at)?;
+    space.refuse_lower()?;
+    // Accuracy to which parts in contact are placed.
+    let known = match class {
+        Classification::Contact => space.resolution(),
+        Classification::Free | Classification::Blocked => 0.0,
+    };
+    let (fixed, moving) = (space.fixed(), space.moving());
+    let placed = placed(space, at)?;
+    let frame = PairFrame::new(fixed, moving);
+    let slack = rounding(&frame, placed);
+    let beyond = known + slack;
+    let deepest = match class {
+        Classification::Blocked => within + slack,
+        Classification::Contact | Classification::Free => beyond,
+    };
+    let sought = Sought {
+        within,
+        deepest,
+        beyond,
+        slack,
+    };
+    // Parts may be drawn far away: all is computed relative to the fixed part's centre.
+    let center = frame.fixed_center.to_vector();
+    let mut found = sought.among(
+        &features(fixed, frame.fixed_center, Configuration::default()),
+        &features(moving, frame.moving_center, about_centers(&frame, placed)),
+    );
+    for near in &mut found {
+        near.touching.on_fixed += center;
+        near.touching.on_moving += center;
     }
+    found.sort_by(|a, b| {
+        let nearer = a.distance.abs().total_cmp(&b.distance.abs());
+        let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
+        nearer.then(names(a).cmp(&names(b)))
+    });
+    Ok(found)
 }
 
 /// Bound of the rounding error of points of the two parts, in the model's unit of length.
@@ -123,7 +95,7 @@ fn about_centers(frame: &PairFrame, at: Configuration) -> Configuration {
 }
 
 /// A line, an arc or a convex vertex of a placed part, relative to the fixed part's centre.
-struct Feature {
+struct PlacedFeature {
     name: FeatureName,
     shape: FeatureShape<f64>,
     /// The edge; `None` for a vertex.
@@ -134,7 +106,7 @@ struct Feature {
 }
 
 /// The features of a part, placed about its centre.
-fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
+fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature> {
     let turn = Rotation::by(at.theta);
     let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
@@ -153,13 +125,13 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<Feature> {
                 loop_index,
                 index: index as u32,
             };
-            features.push(Feature::of_edge(edge, |kind| named(kind, edge.index)));
+            features.push(PlacedFeature::of_edge(edge, |kind| named(kind, edge.index)));
             let turns_by = turn_between(edge, next);
             if turns_by > smooth(edge, next) {
                 // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
                 let index = if outline.is_reversed() { edge } else { next }.index;
                 let name = named(FeatureKind::Vertex, index);
-                features.push(Feature::of_vertex(edge, turns_by, name));
+                features.push(PlacedFeature::of_vertex(edge, turns_by, name));
             }
         }
     }
@@ -181,7 +153,7 @@ fn smooth(before: &Edge, after: &Edge) -> f64 {
     }
 }
 
-impl Feature {
+impl PlacedFeature {
     fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
         let kind = match edge.bulge {
             b if b > 0.0 => FeatureKind::ConvexArc,
@@ -273,7 +245,7 @@ struct Sought {
 }
 
 impl Sought {
-    fn among(&self, fixed: &[Feature], moving: &[Feature]) -> Vec<NearFeatures> {
+    fn among(&self, fixed: &[PlacedFeature], moving: &[PlacedFeature]) -> Vec<NearFeatures> {
         let boxes = Boxes::new(fixed.iter().map(|f| f.bounds));
         let mut found = Vec::new();
         for g in moving {
@@ -287,7 +259,7 @@ impl Sought {
     }
 
     /// Two features, if they face each other and are near enough.
-    fn pair(&self, f: &Feature, g: &Feature) -> Option<NearFeatures> {
+    fn pair(&self, f: &PlacedFeature, g: &PlacedFeature) -> Option<NearFeatures> {
         // Parallel lines are represented by their ends, and a concave arc is touched only by features of smaller radius.
         let sum = f.radius() + g.radius();
         let rolls = match (f.name.kind, g.name.kind) {
@@ -335,7 +307,7 @@ impl Sought {
 }
 
 /// An outward normal of one feature whose opposite is one of the other.
-fn common_normal(f: &Feature, g: &Feature) -> Option<Vector> {
+fn common_normal(f: &PlacedFeature, g: &PlacedFeature) -> Option<Vector> {
     let ends = |(first, turn): (f64, f64)| [first, first + 0.5 * turn, first + turn];
     let of_f = ends(f.normals).map(Vector::from_angle);
     let of_g = ends(g.normals).map(|angle| -Vector::from_angle(angle));

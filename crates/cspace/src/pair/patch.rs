@@ -2,14 +2,13 @@
 
 use crate::contact::{ContactValue, FeatureShape, Placement, Touching, contact_function, touching};
 use crate::feature::{FeatureKind, FeatureName};
-use crate::fixed_axes::{Axis, AxisMotion};
+use crate::fixed_axes::AxisMotion;
 use crate::number::{Dual, Real, SecondOrder};
 use crate::part::{Part, PartFeature};
 
-use super::answers::{Neighbours, QueryError};
-use super::ids::{FeatureId, PatchId, RegionId};
-use super::relation::Coordinates;
-use super::space::PairSpace;
+use super::{
+    Coordinates, FeatureId, Neighbours, PairClass, PairSpace, PatchId, QueryError, RegionId, graph,
+};
 
 /// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]
@@ -128,15 +127,8 @@ impl<'a> PairPatch<'a> {
     /// # Errors
     /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
     pub fn orientations(&self) -> Result<(f64, f64), QueryError> {
-        match self.space {
-            PairSpace::Planar(space) => {
-                let p = &space.patches()[self.id.index()];
-                Ok((p.lo, p.hi))
-            }
-            _ => Err(QueryError::NoOrientation {
-                class: self.space.class(),
-            }),
-        }
+        let p = &self.space.oriented()?.patches()[self.id.index()];
+        Ok((p.lo, p.hi))
     }
 
     /// The configurations at which the patch begins and ends in the direction of travel, with free space on its right, at an orientation;
@@ -147,11 +139,7 @@ impl<'a> PairPatch<'a> {
     /// # Errors
     /// If the pair has no orientation as a coordinate, or `theta` is outside the patch's [orientations](Self::orientations).
     pub fn ends_at(&self, theta: f64) -> Result<[(Coordinates, [f64; 2]); 2], QueryError> {
-        self.orientations()?;
-        let PairSpace::Planar(space) = self.space else {
-            return Err(QueryError::Permanent);
-        };
-        let patch = space.patch(self.id.0).ok_or(QueryError::Outside)?;
+        let patch = (self.space.oriented()?.patch(self.id.0)).ok_or(QueryError::Outside)?;
         if !patch.contains_orientation(theta) {
             return Err(QueryError::Outside);
         }
@@ -163,7 +151,7 @@ impl<'a> PairPatch<'a> {
 
     /// The neighbours along the boundary of free space, found in time proportional to their number.
     pub fn neighbours(&self) -> Neighbours {
-        self.space.neighbours_of(self.id)
+        graph::neighbours(self.space, self.id)
     }
 
     /// The contact of its features, by which contact functions are evaluated.
@@ -172,44 +160,38 @@ impl<'a> PairPatch<'a> {
     /// If the pair is a lower pair.
     pub fn contact(&self) -> Result<FeatureContact, QueryError> {
         let (fixed, moving) = self.names()?;
-        self.space.contact_of(fixed, moving)
+        contact_of(self.space, fixed, moving)
     }
 }
 
-impl PairSpace {
-    /// The contact of a feature of the fixed part with one of the moving part, whether or not they ever touch.
-    ///
-    /// # Errors
-    /// If the pair is a lower pair, or a part has no such feature.
-    pub fn contact_of(
-        &self,
-        fixed: FeatureName,
-        moving: FeatureName,
-    ) -> Result<FeatureContact, QueryError> {
-        let shape = |part: &Part, name| part.feature_shape(name).ok_or(QueryError::Outside);
-        let drawn = |part: &Part, name: FeatureName| {
-            let outline = &part.loops()[name.loop_index as usize];
-            Drawn {
-                name,
-                next: (name.index + 1) % outline.vertices().len() as u32,
-                reversed: outline.is_reversed(),
-            }
-        };
-        let motion = match self {
-            Self::FixedAxes(space) => {
-                let (a, b): (Axis, Axis) = space.axes();
-                Motion::Axes(a.motion, b.motion)
-            }
-            Self::Planar(_) => Motion::Planar,
-            Self::Lower(_) => return Err(QueryError::Permanent),
-        };
-        Ok(FeatureContact {
-            fixed: shape(self.fixed(), fixed)?,
-            moving: shape(self.moving(), moving)?,
-            drawn: (drawn(self.fixed(), fixed), drawn(self.moving(), moving)),
-            motion,
-        })
-    }
+pub(super) fn contact_of(
+    space: &PairSpace,
+    fixed: FeatureName,
+    moving: FeatureName,
+) -> Result<FeatureContact, QueryError> {
+    let shape = |part: &Part, name| part.feature_shape(name).ok_or(QueryError::Outside);
+    let drawn = |part: &Part, name: FeatureName| {
+        let outline = &part.loops()[name.loop_index as usize];
+        Drawn {
+            name,
+            next: (name.index + 1) % outline.vertices().len() as u32,
+            reversed: outline.is_reversed(),
+        }
+    };
+    let motion = match space {
+        PairSpace::FixedAxes(space) => {
+            let (a, b) = space.axes();
+            Motion::Axes(a.motion, b.motion)
+        }
+        PairSpace::Planar(_) => Motion::Planar,
+        PairSpace::Lower(_) => return Err(QueryError::Permanent),
+    };
+    Ok(FeatureContact {
+        fixed: shape(space.fixed(), fixed)?,
+        moving: shape(space.moving(), moving)?,
+        drawn: (drawn(space.fixed(), fixed), drawn(space.moving(), moving)),
+        motion,
+    })
 }
 
 impl FeatureContact {
@@ -240,10 +222,10 @@ impl FeatureContact {
                 Ok(ground_from_fixed.inverse().compose(&ground_from_moving))
             }
             (Motion::Planar, Coordinates::Axes { .. }) => {
-                Err(QueryError::coordinates(super::PairClass::General, at))
+                Err(QueryError::coordinates(PairClass::General, at))
             }
             (Motion::Axes(..), Coordinates::Planar(_)) => {
-                Err(QueryError::coordinates(super::PairClass::FixedAxes, at))
+                Err(QueryError::coordinates(PairClass::FixedAxes, at))
             }
         }
     }

@@ -73,6 +73,11 @@ pub enum Coordinates {
 }
 
 impl Coordinates {
+    /// The motions of the fixed and of the moving part.
+    pub(super) const fn of_axes((u, v): (f64, f64)) -> Self {
+        Self::Axes { u, v }
+    }
+
     /// Names of the coordinates.
     pub const fn names(self) -> &'static str {
         match self {

@@ -2,7 +2,7 @@
 
 use crate::geometry::Point;
 
-use super::builder::OutlineError;
+use super::drawing::OutlineError;
 use super::part_feature::PartFeature;
 use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
 

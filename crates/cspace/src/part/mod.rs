@@ -4,16 +4,14 @@
 //! [`Part::polygon`], [`Part::circle`], [`Part::rectangle`] and [`Part::slot`] draw plain shapes, an [`OutlineBuilder`] draws a loop edge
 //! by edge.
 
-mod arc;
 mod bounds;
-mod builder;
 mod check;
 mod corner;
 mod curve;
 mod distance;
+mod drawing;
 mod edge;
 mod error;
-mod fillet;
 mod frame;
 mod loops;
 mod measure;
@@ -23,7 +21,6 @@ mod names;
 mod nearness;
 mod outline;
 mod part_feature;
-mod shapes;
 mod status;
 mod sweep;
 mod symmetry;
@@ -32,21 +29,19 @@ mod vertex;
 #[cfg(feature = "serde")]
 mod written;
 
-pub use arc::{
-    ArcError, ArcSize, CENTER_TOLERANCE, CHORD_TOLERANCE, Direction, bulge_about, bulge_through,
-    bulge_with_radius,
-};
 pub use bounds::Bounds;
-pub use builder::{OutlineBuilder, OutlineError};
 pub(crate) use distance::distance_of;
+pub use drawing::{
+    ArcError, ArcSize, CENTER_TOLERANCE, CHORD_TOLERANCE, Direction, Fillet, FilletError,
+    OutlineBuilder, OutlineError, WHOLE_EDGE, bulge_about, bulge_through, bulge_with_radius,
+    circle_loop, fillet, polygon_loop, rectangle_loop, slot_loop,
+};
 pub use edge::Edge;
 pub use error::PartError;
-pub use fillet::{Fillet, FilletError, WHOLE_EDGE, fillet};
 pub use loops::{Loop, Part};
 pub(crate) use measure::Inside;
 pub use moments::AreaMoments;
 pub use part_feature::PartFeature;
-pub use shapes::{circle_loop, polygon_loop, rectangle_loop, slot_loop};
 pub(crate) use symmetry::{Corresponding, LoopImage, Symmetrized};
 pub use symmetry::{PartSymmetry, SYMMETRIC};
 pub use vertex::Vertex;

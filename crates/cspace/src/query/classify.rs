@@ -6,7 +6,11 @@ use crate::geometry::{Configuration, Point, Vector};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
-use super::ray::END_ERROR;
+/// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
+/// of rounding, and critical orientations are known to 1e-6 at worst.
+///
+/// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
+pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// Class of a configuration: free, blocked or in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -15,7 +15,7 @@ use crate::parallel::prelude::*;
 use crate::part::Bounds;
 use crate::space::{ContactSpace, Patch};
 
-use super::ray::END_ERROR;
+use super::classify::END_ERROR;
 use super::swept::{Orientations, Swept};
 
 /// Maximum displacement of curves from the middle of an interval, and maximum excess length (length of the pair's frame).

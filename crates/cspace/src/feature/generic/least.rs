@@ -70,7 +70,7 @@ fn columns(slopes: &[Slopes], knots: &[Knot]) -> impl Iterator<Item = ([Column<3
 }
 
 impl<const N: usize> Column<N> {
-    fn add_to(&self, band: &mut Band) {
+    fn add_to(&self, band: &mut BandMatrix) {
         for (p, &j) in self.joints.iter().enumerate() {
             let weighted = Dd::from(self.slopes[p]) * self.weight;
             for (q, &k) in self.joints.iter().enumerate() {
@@ -92,7 +92,7 @@ impl<const N: usize> Column<N> {
 /// The displacements W Jᵀ λ with (J W Jᵀ) λ = −ρ.
 pub(super) fn least_moves(sides: &[Side], knots: &[Knot], residuals: &[Dd]) -> Vec<[f64; 3]> {
     let slopes: Vec<Slopes> = sides.iter().map(Slopes::new).collect();
-    let mut band = Band::new(sides.len());
+    let mut band = BandMatrix::new(sides.len());
     for ([x, y], sagitta) in columns(&slopes, knots) {
         x.add_to(&mut band);
         y.add_to(&mut band);
@@ -114,7 +114,7 @@ pub(super) fn least_moves(sides: &[Side], knots: &[Knot], residuals: &[Dd]) -> V
 /// A symmetric matrix that couples each of a cyclic chain of n unknowns with two on either side.
 ///
 /// It is in double-double, because a line of many pieces makes it as ill-conditioned as the fourth power of their number.
-struct Band {
+struct BandMatrix {
     /// Row p, column p − HALF + k is at `[p][k]`.
     rows: Vec<[Dd; HALF + 1]>,
 }
@@ -122,7 +122,7 @@ struct Band {
 /// The half width of the folded band.
 const HALF: usize = 4;
 
-impl Band {
+impl BandMatrix {
     fn new(n: usize) -> Self {
         Self {
             rows: vec![[Dd::ZERO; HALF + 1]; n],

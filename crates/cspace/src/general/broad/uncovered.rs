@@ -87,16 +87,16 @@ impl<'a> BlockedDiscs<'a> {
             to = half_angle.sin();
             from = -to;
         }
-        let path = Path::new(sheet, self.turn, half_angle);
+        let curve = MiddleCurve::new(sheet, self.turn, half_angle);
         let mut take = |disc: &Disc| {
-            let range = path.within(disc, self.half);
+            let range = curve.within(disc, self.half);
             covered.extend(range);
             range.is_some_and(|(lo, hi)| lo <= from && hi >= to)
         };
         if self.largest.as_ref().is_some_and(&mut take) {
             return;
         }
-        let mut near = self.layout.near(path.middle, path.reach);
+        let mut near = self.layout.near(curve.middle, curve.reach);
         if near.any(|i| take(&self.others[i])) {
             return;
         }
@@ -105,9 +105,9 @@ impl<'a> BlockedDiscs<'a> {
             for _ in 0..ROUNDS {
                 let before = covered.len();
                 for &(lo, hi) in open.iter() {
-                    let middle = path.at(0.5 * (lo + hi));
+                    let middle = curve.at(0.5 * (lo + hi));
                     let discs = anchors.at(middle, self.turn);
-                    covered.extend(discs.filter_map(|d| path.within(&d, self.half)));
+                    covered.extend(discs.filter_map(|d| curve.within(&d, self.half)));
                 }
                 if covered.len() == before {
                     break;
@@ -133,7 +133,7 @@ impl<'a> BlockedDiscs<'a> {
 }
 
 /// A sheet's curve at the middle orientation.
-struct Path {
+struct MiddleCurve {
     shape: Shape,
     /// The spiral's w at both ends.
     ends: (Vector, Vector),
@@ -157,7 +157,7 @@ enum Shape {
     },
 }
 
-impl Path {
+impl MiddleCurve {
     fn new(sheet: &Sheet, turn: Rotation, half_angle: f64) -> Self {
         let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
         if sheet.is_circle() {

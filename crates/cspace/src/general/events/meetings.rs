@@ -3,23 +3,23 @@
 use crate::contact::Geometry;
 use crate::grouped::starts;
 
-use crate::general::events::trace::Encounter;
+use crate::general::events::trace::SheetMeeting;
 
-/// Encounters of sheets: which pairs cross or touch, and when.
+/// Meetings of sheets: which pairs cross or touch, and when.
 pub(crate) struct Meetings<'a> {
     geometry: &'a Geometry,
-    encounters: &'a [Encounter],
-    /// Encounters in which sheet i is the first of the two: `encounters[start[i]..start[i + 1]]`.
+    meetings: &'a [SheetMeeting],
+    /// Meetings in which sheet i is the first of the two: `meetings[start[i]..start[i + 1]]`.
     start: Vec<u32>,
 }
 
 impl<'a> Meetings<'a> {
-    pub(crate) fn new(geometry: &'a Geometry, encounters: &'a [Encounter]) -> Self {
+    pub(crate) fn new(geometry: &'a Geometry, meetings: &'a [SheetMeeting]) -> Self {
         let sheets = geometry.contacts.sheets.len();
-        let start = starts(sheets, encounters.iter().map(|e| e.first));
+        let start = starts(sheets, meetings.iter().map(|e| e.first));
         Self {
             geometry,
-            encounters,
+            meetings,
             start,
         }
     }
@@ -33,13 +33,13 @@ impl<'a> Meetings<'a> {
         }
         let (first, second) = (f.min(g), f.max(g));
         let range = self.start[first as usize] as usize..self.start[first as usize + 1] as usize;
-        let mine = &self.encounters[range];
+        let mine = &self.meetings[range];
         let at = mine.partition_point(|e| e.second < second);
-        let encountered = mine[at..]
+        let met = mine[at..]
             .iter()
             .take_while(|e| e.second == second)
             .any(|e| e.from <= to && from <= e.to);
-        if encountered {
+        if met {
             return true;
         }
         let contacts = &self.geometry.contacts;

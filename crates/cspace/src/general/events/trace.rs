@@ -20,7 +20,7 @@ pub(crate) struct Coincidence {
 
 /// Clusters between which two sheets may cross or touch: from their first common event to the last.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Encounter {
+pub(crate) struct SheetMeeting {
     pub(crate) first: u32,
     pub(crate) second: u32,
     pub(crate) from: u32,
@@ -38,10 +38,10 @@ pub(crate) struct Traced {
     /// Sheets of which a piece passes behind another sheet within one cluster.
     pub(crate) pinches: Vec<Pinch>,
     /// Encounters, sorted like the branches.
-    pub(crate) encounters: Vec<Encounter>,
+    pub(crate) meetings: Vec<SheetMeeting>,
 }
 
-/// Finds all branches, coincidences and encounters.
+/// Finds all branches, coincidences and meetings.
 pub(crate) fn branches(
     geometry: &Geometry,
     pairs: &[PairRun],
@@ -66,7 +66,7 @@ pub(crate) fn branches(
         all.coincidences.extend(f.coincidences);
         all.swallowed.extend(f.swallowed);
         all.pinches.extend(f.pinches);
-        all.encounters.extend(f.encounters);
+        all.meetings.extend(f.meetings);
     }
     all
 }
@@ -174,7 +174,7 @@ impl Tracer<'_> {
             .map(|b| (b.from, b.to));
         let all = lives.chain(events);
         if let Some((from, to)) = all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) {
-            self.found.encounters.push(Encounter {
+            self.found.meetings.push(SheetMeeting {
                 first: run.first,
                 second: run.second,
                 from,

@@ -33,7 +33,7 @@ pub(crate) fn triple_events(
     clusters: &Clusters,
 ) -> Triples {
     let branches = &traced.branches;
-    let meetings = Meetings::new(geometry, &traced.encounters);
+    let meetings = Meetings::new(geometry, &traced.meetings);
     let found = parallel::chunks(&geometry.contacts.sheets, CHUNK, |first, sheets| {
         let mut all = Triples::default();
         for sheet in (first as u32..).take(sheets.len()) {
@@ -67,7 +67,7 @@ pub(crate) fn triple_events(
 
 /// An orientation at which branches pass each other on a sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Meeting {
+pub(crate) struct TripleEvent {
     pub(crate) sheet: u32,
     /// The sheets of both branches and this one, in ascending order.
     three: [u32; 3],
@@ -77,7 +77,7 @@ pub(crate) struct Meeting {
 /// Events found, and counts of how they were decided.
 #[derive(Debug, Default)]
 pub(crate) struct Triples {
-    pub(crate) events: Vec<Meeting>,
+    pub(crate) events: Vec<TripleEvent>,
     /// Intervals in which two branches may pass each other.
     pub(crate) isolated: u64,
     /// Parts of these intervals in which the sign of the polynomial cannot be determined.
@@ -96,13 +96,13 @@ impl Triples {
     fn agree(&mut self) {
         /// Distance (radians) below which meetings of the same three sheets are one.
         const SAME_MEETING: f64 = 1e-20;
-        let order = |a: &Meeting, b: &Meeting| {
+        let order = |a: &TripleEvent, b: &TripleEvent| {
             (a.three.cmp(&b.three))
                 .then(a.event.theta.total_cmp(&b.event.theta))
                 .then(a.sheet.cmp(&b.sheet))
         };
         parallel::sort_unstable_by(&mut self.events, order);
-        let same = |a: &Meeting, b: &Meeting| {
+        let same = |a: &TripleEvent, b: &TripleEvent| {
             a.three == b.three && (b.event.theta - a.event.theta).to_f64() <= SAME_MEETING
         };
         for one in self.events.chunk_by_mut(same) {
@@ -267,7 +267,7 @@ impl<'a> Search<'a> {
             three.sort_unstable();
             let mut take = |event: Moment| {
                 if lo <= event.theta && event.theta <= hi {
-                    events.push(Meeting {
+                    events.push(TripleEvent {
                         sheet,
                         three,
                         event,

@@ -23,7 +23,7 @@ enum BoundKey {
 
 /// A cluster, and the number of periods by which it lies above the reference period.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct ClusterInPeriod {
     pub(crate) cluster: u32,
     pub(crate) slabs: i32,
 }
@@ -34,8 +34,8 @@ pub(crate) struct Chain {
     pub(crate) first: u32,
     pub(crate) last: u32,
     /// Beginning, in the period of its first cell, and end.
-    pub(crate) from: Place,
-    pub(crate) to: Place,
+    pub(crate) from: ClusterInPeriod,
+    pub(crate) to: ClusterInPeriod,
     /// Orientations of both ends, in radians.
     pub(crate) lo: f64,
     pub(crate) hi: f64,
@@ -208,7 +208,7 @@ impl<'a> Linker<'a> {
     /// Follows cells upwards as long as they are in no chain, and for at most a turn.
     fn follow(&self, first: u32, chain: u32, up: &[u32], members: &mut [Member]) -> (u32, Chain) {
         let steps = &self.geometry.contacts.period.steps;
-        let from = Place {
+        let from = ClusterInPeriod {
             cluster: self.cells[first as usize].from,
             slabs: 0,
         };
@@ -241,7 +241,7 @@ impl<'a> Linker<'a> {
             smallest = smallest.min(next);
             members[last as usize] = member(slabs);
         }
-        let to = Place {
+        let to = ClusterInPeriod {
             cluster: self.cells[last as usize].to,
             slabs: slabs as i32,
         };

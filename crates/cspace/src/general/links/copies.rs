@@ -8,7 +8,7 @@ use crate::feature::tolerance::NARROWEST_BAND;
 use crate::parallel;
 
 use crate::general::events::clusters::Clusters;
-use crate::general::links::chains::{Chain, Place};
+use crate::general::links::chains::{Chain, ClusterInPeriod};
 use crate::space::Window;
 
 /// The copies of one chain: patches with consecutive numbers from `base`, the first of them moved up by `first` periods.
@@ -135,7 +135,7 @@ impl<'a> Lifts<'a> {
 
     /// The orientation of a place shifted by some periods: in [−π, π) for a full turn. One orientation always gives the same number,
     /// whichever period it is counted from.
-    pub(crate) fn orientation(&self, place: Place, slabs: i64) -> f64 {
+    pub(crate) fn orientation(&self, place: ClusterInPeriod, slabs: i64) -> f64 {
         if !self.repeats {
             return self.clusters.at(place.cluster);
         }
@@ -236,7 +236,7 @@ impl<'a> Lifts<'a> {
         };
         let mut all: Vec<f64> = (places.into_iter())
             .flat_map(|(cluster, slabs)| {
-                let place = Place { cluster, slabs: 0 };
+                let place = ClusterInPeriod { cluster, slabs: 0 };
                 (0..i64::from(shifts)).map(move |s| self.orientation(place, slabs + s))
             })
             .collect();

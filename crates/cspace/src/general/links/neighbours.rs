@@ -5,7 +5,7 @@ use crate::parallel;
 use crate::slice::CurveGeometry;
 
 use crate::general::cells::cell::VerticalContact;
-use crate::general::links::chains::{Chains, Linker, Member, Place};
+use crate::general::links::chains::{Chains, ClusterInPeriod, Linker, Member};
 use crate::general::links::copies::Lifts;
 use crate::general::verdict::shells::Shells;
 use crate::space::{SideLink, VerticalLink};
@@ -26,8 +26,8 @@ struct Following {
     before: u32,
     after: u32,
     shift: i32,
-    from: Place,
-    to: Place,
+    from: ClusterInPeriod,
+    to: ClusterInPeriod,
 }
 
 /// Tolerance for equal orientations, radians: clusters are at least the narrowest band apart; reduced by turns they differ by rounding.
@@ -69,7 +69,7 @@ impl Links<'_> {
             };
             // The orientation in the interval of the patch before.
             let (start, _) = self.lifts.interval(chain, slabs);
-            let bring = |place: Place, theta: f64| {
+            let bring = |place: ClusterInPeriod, theta: f64| {
                 let at = self.lifts.orientation(place, slabs);
                 self.lifts.near(at, start + (theta - chain.lo))
             };
@@ -84,7 +84,7 @@ impl Links<'_> {
     }
 
     /// A place in radians.
-    fn radians(&self, place: Place) -> f64 {
+    fn radians(&self, place: ClusterInPeriod) -> f64 {
         self.linker.clusters.at(place.cluster) + self.lifts.steps.period(i64::from(place.slabs))
     }
 
@@ -93,7 +93,7 @@ impl Links<'_> {
         let mut pieces: Vec<Following> = (self.shells.side.iter())
             .filter_map(|s| {
                 let (before, after) = (self.member(s.before)?, self.member(s.after)?);
-                let place = |cluster| Place {
+                let place = |cluster| ClusterInPeriod {
                     cluster,
                     slabs: before.slabs,
                 };
@@ -151,7 +151,7 @@ impl Links<'_> {
         };
         // Place of the contact in the lower cell's period.
         let shift = i64::from(self.linker.is_wrap(v.lower));
-        let place = Place {
+        let place = ClusterInPeriod {
             cluster: v.at,
             slabs: 0,
         };

@@ -32,19 +32,19 @@ fn steps() -> Steps {
     Steps::new(1, SLABS).unwrap()
 }
 
-const fn place(cluster: u32, slabs: i64) -> Place {
-    Place {
+const fn place(cluster: u32, slabs: i64) -> ClusterInPeriod {
+    ClusterInPeriod {
         cluster,
         slabs: slabs as i32,
     }
 }
 
-fn at(p: Place) -> f64 {
+fn at(p: ClusterInPeriod) -> f64 {
     PHASES[p.cluster as usize] + f64::from(p.slabs) * PERIOD
 }
 
 /// A chain from one place to another.
-fn chain(from: Place, to: Place, closed: bool) -> Chain {
+fn chain(from: ClusterInPeriod, to: ClusterInPeriod, closed: bool) -> Chain {
     Chain {
         first: 0,
         last: 0,

@@ -5,8 +5,7 @@
 
 use crate::geometry::{Point, Vector};
 use crate::number::Real;
-
-use super::tolerance::{FULL_BULGE, RESOLUTION};
+use crate::part::tolerance::{FULL_BULGE, RESOLUTION};
 
 /// Largest difference of the distances of a centre from the two ends of its arc, as a fraction of the longer distance.
 ///

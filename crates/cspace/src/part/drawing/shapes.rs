@@ -3,10 +3,9 @@
 //! Each comes as a loop, for a part that has other loops, and as a part of one loop.
 
 use crate::geometry::Point;
-
-use super::tolerance::RESOLUTION;
-use super::{Part, PartError, Vertex};
 use crate::number::Real;
+use crate::part::tolerance::RESOLUTION;
+use crate::part::{Part, PartError, Vertex};
 
 /// The loop of lines from corner to corner, and from the last to the first.
 ///

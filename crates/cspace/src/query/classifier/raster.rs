@@ -1,11 +1,11 @@
 //! Cells that a patch may reach over an interval of orientations.
 
 use crate::geometry::{Point, Rotation, Vector};
+use crate::query::swept::{Orientations, Swept};
 use crate::slice::CurveGeometry;
 use crate::space::Patch;
 
 use super::grid::Grid;
-use super::swept::{Orientations, Swept};
 
 /// Displacement up to which moving curves are represented by one, in cells, and admissible excess length.
 const LOOSE: f64 = 0.5;

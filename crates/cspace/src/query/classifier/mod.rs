@@ -1,20 +1,30 @@
 //! Fast classification of many configurations.
 
+mod board;
+mod cells;
+mod centers;
+mod grid;
+mod nearby;
+mod raster;
+mod ray;
+mod slab;
+mod slot;
+mod walk;
+
 use core::ops::Deref;
 
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::parallel;
+use crate::query::Classification;
 use crate::space::ContactSpace;
 
-use super::cells::CellStore;
-use super::classify::Classification;
-use super::drawn::Drawn;
-use super::grid::{Grid, MARGIN};
-use super::nearby::Nearby;
-use super::ray::{Direction, off_cycle};
-use super::slab::{Home, Slab};
-use super::slot;
-use super::walk::{self, Content};
+use cells::CellStore;
+use centers::Centers;
+use grid::{Grid, MARGIN};
+use nearby::Nearby;
+use ray::{AxisDirection, off_cycle};
+use slab::{Home, Slab};
+use walk::Content;
 
 /// Absolute orientation (radians, some hundred turns) above which the slow path is used: reduced by whole turns, the rounding of larger
 /// ones is no longer small compared with the margin of cells.
@@ -50,7 +60,7 @@ pub struct Classifier<S> {
     /// Rounding error of positions (length of the pair's frame). For parts drawn far from their origins it may exceed the resolution.
     rounding: f64,
     nearby: Nearby,
-    drawn: Drawn,
+    centers: Centers,
     cells: CellStore,
 }
 
@@ -100,7 +110,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         cells.finish(grid.side);
         Self {
             nearby: Nearby::new(space, &grid, &slab),
-            drawn: Drawn::new(space, &grid, &slab),
+            centers: Centers::new(space, &grid, &slab),
             slab,
             grid,
             far: far * far,
@@ -126,7 +136,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             return self.space.classify(c);
         }
         let center = self
-            .drawn
+            .centers
             .center(&self.space, &self.grid, (c.theta, home, slot));
         let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
         let p = self.slab.position(p, home);
@@ -145,7 +155,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         size_of::<Self>()
             + self.slab.bytes()
             + self.nearby.bytes()
-            + self.drawn.bytes()
+            + self.centers.bytes()
             + self.cells.bytes()
     }
 
@@ -205,7 +215,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             return self.space.classify(c);
         }
         let place = (p, settled, turn);
-        for direction in Direction::ALL {
+        for direction in AxisDirection::ALL {
             let content = |column, row| self.content(slot, column, row);
             if let Some(free) = walk::is_free(&self.space, &self.grid, place, direction, content) {
                 return Some(if free {

@@ -2,13 +2,8 @@
 
 use crate::contact::{ContactFunction, Cycle};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::query::classify::END_ERROR;
 use crate::space::{PASSED_ENDS, Patch};
-
-/// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
-/// of rounding, and critical orientations are known to 1e-6 at worst.
-///
-/// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
-pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// Result of following a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,14 +18,14 @@ pub(super) enum Meeting {
 
 /// The four directions of the axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Direction {
+pub(super) enum AxisDirection {
     Right,
     Up,
     Left,
     Down,
 }
 
-impl Direction {
+impl AxisDirection {
     pub(super) const ALL: [Self; 4] = [Self::Right, Self::Up, Self::Left, Self::Down];
 
     /// Turns the plane so that the direction becomes the direction of the first axis.
@@ -86,7 +81,7 @@ impl Local {
 
     /// First intersection of the ray from the point with the curve.
     #[inline]
-    pub(super) fn meet(&self, direction: Direction) -> Meeting {
+    pub(super) fn meet(&self, direction: AxisDirection) -> Meeting {
         if !self.known {
             return Meeting::Unclear;
         }
@@ -201,7 +196,7 @@ pub(super) fn may_meet(
     patch: &Patch,
     turn: Rotation,
     p: Point,
-    direction: Direction,
+    direction: AxisDirection,
     stretch: f64,
 ) -> bool {
     let (from, to) = (-END_ERROR, stretch + END_ERROR);

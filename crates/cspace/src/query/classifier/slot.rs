@@ -3,14 +3,14 @@
 use core::f64::consts::TAU;
 
 use crate::geometry::{Point, Rotation};
+use crate::query::swept::Orientations;
 use crate::space::ContactSpace;
 
 use super::board::Board;
 use super::cells::CellStore;
 use super::grid::{Grid, MARGIN};
 use super::raster::cells_of;
-use super::ray::Direction;
-use super::swept::Orientations;
+use super::ray::AxisDirection;
 use super::walk;
 
 /// A patch and the orientations, by its own count of turns, at which it may exist in an interval.
@@ -101,7 +101,7 @@ fn is_free(
         let turn = Rotation::by(theta);
         let start = (column + 1, row);
         let place = (p, theta, turn);
-        let found = walk::from_cell(space, grid, start, place, Direction::Right, content);
+        let found = walk::from_cell(space, grid, start, place, AxisDirection::Right, content);
         if let Some(free) = found {
             return free;
         }

@@ -2,11 +2,11 @@
 
 use crate::geometry::Point;
 use crate::number::Real;
+use crate::part::tolerance::RESOLUTION;
+use crate::part::{Bounds, Edge, Vertex};
 
 use super::arc::{ArcError, ArcSize, Direction, bulge_about, bulge_through, bulge_with_radius};
 use super::fillet::{FilletError, fillet};
-use super::tolerance::RESOLUTION;
-use super::{Bounds, Edge, Vertex};
 
 /// Draws a loop edge by edge: lines, arcs from various data, and rounded corners.
 ///
@@ -171,7 +171,7 @@ impl<T: Real> OutlineBuilder<T> {
     /// The loop. It returns to the start by a line, unless the last edge ends there already, within [`RESOLUTION`] of the
     /// size of the box of all vertices.
     ///
-    /// [`Part::new`](super::Part::new) checks that the loop's edges do not meet each other, nor those of other loops.
+    /// [`Part::new`](crate::Part::new) checks that the loop's edges do not meet each other, nor those of other loops.
     ///
     /// # Errors
     /// The first vertex or edge that cannot be drawn, why, and what to do.

@@ -12,7 +12,7 @@ const OFF: f64 = 0.25 * MARGIN;
 
 /// Centre of the moving part relative to its origin as drawn, at every orientation.
 #[derive(Debug, Clone)]
-pub(super) enum Drawn {
+pub(super) enum Centers {
     /// The part is drawn about its centre.
     Centred,
     /// The centre in the middle of each interval; the rest of the turn is computed by a series.
@@ -21,7 +21,7 @@ pub(super) enum Drawn {
     Turned,
 }
 
-impl Drawn {
+impl Centers {
     pub(super) fn new(space: &ContactSpace, grid: &Grid, slab: &Slab) -> Self {
         let center = space.data.frame.moving_center.to_vector();
         let far = center.length() * space.data.frame.scale;

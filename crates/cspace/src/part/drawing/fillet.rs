@@ -11,9 +11,8 @@
 
 use crate::geometry::Vector;
 use crate::number::Real;
-
-use super::Edge;
-use super::tolerance::RESOLUTION;
+use crate::part::Edge;
+use crate::part::tolerance::RESOLUTION;
 
 /// Tolerance, as a fraction of an edge's length, within which a fillet that ends near the end of the edge, or beyond it, takes the whole
 /// edge.

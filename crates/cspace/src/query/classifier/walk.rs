@@ -1,10 +1,11 @@
 //! Classification of a position by following a ray from cell to cell.
 
 use crate::geometry::{Point, Rotation};
+use crate::query::classify::END_ERROR;
 use crate::space::ContactSpace;
 
 use super::grid::Grid;
-use super::ray::{Direction, END_ERROR, Local, Meeting, may_meet};
+use super::ray::{AxisDirection, Local, Meeting, may_meet};
 
 /// Content of a cell over the orientations of its interval.
 #[derive(Debug, Clone, Copy)]
@@ -23,7 +24,7 @@ pub(super) fn is_free<'a>(
     space: &ContactSpace,
     grid: &Grid,
     (p, theta, turn): (Point, f64, Rotation),
-    direction: Direction,
+    direction: AxisDirection,
     content: impl Fn(usize, usize) -> Content<'a>,
 ) -> Option<bool> {
     let start = (grid.index(p.x)?, grid.index(p.y)?);
@@ -36,7 +37,7 @@ pub(super) fn from_cell<'a>(
     grid: &Grid,
     (mut column, mut row): (usize, usize),
     (p, theta, turn): (Point, f64, Rotation),
-    direction: Direction,
+    direction: AxisDirection,
     content: impl Fn(usize, usize) -> Content<'a>,
 ) -> Option<bool> {
     loop {
@@ -45,10 +46,10 @@ pub(super) fn from_cell<'a>(
             Content::Mixed(patches) => patches,
         };
         let wall = match direction {
-            Direction::Right => grid.line(column + 1) - p.x,
-            Direction::Up => grid.line(row + 1) - p.y,
-            Direction::Left => p.x - grid.line(column),
-            Direction::Down => p.y - grid.line(row),
+            AxisDirection::Right => grid.line(column + 1) - p.x,
+            AxisDirection::Up => grid.line(row + 1) - p.y,
+            AxisDirection::Left => p.x - grid.line(column),
+            AxisDirection::Down => p.y - grid.line(row),
         };
         let mut first: Option<(f64, bool)> = None;
         // Distance of the nearest contact met from the other side than the first contact.
@@ -87,20 +88,20 @@ pub(super) fn from_cell<'a>(
             return (other - distance >= END_ERROR).then_some(from_free);
         }
         let at_edge = match direction {
-            Direction::Right => column + 1 == grid.side,
-            Direction::Up => row + 1 == grid.side,
-            Direction::Left => column == 0,
-            Direction::Down => row == 0,
+            AxisDirection::Right => column + 1 == grid.side,
+            AxisDirection::Up => row + 1 == grid.side,
+            AxisDirection::Left => column == 0,
+            AxisDirection::Down => row == 0,
         };
         if at_edge {
             // All is free beyond the square.
             return Some(true);
         }
         match direction {
-            Direction::Right => column += 1,
-            Direction::Up => row += 1,
-            Direction::Left => column -= 1,
-            Direction::Down => row -= 1,
+            AxisDirection::Right => column += 1,
+            AxisDirection::Up => row += 1,
+            AxisDirection::Left => column -= 1,
+            AxisDirection::Down => row -= 1,
         }
     }
 }
