@@ -10,7 +10,8 @@
 //!      +/-------> along the path
 //! ```
 //!
-//! So a leg that rises a little, passes a narrow place and rises again is none that leaves a contact.
+//! So a leg that rises a little, passes a narrow place and rises again is none that leaves a contact. Off features that touch from opposite
+//! sides, as pegs beside a disc, the clearance grows with the square of the distance: s²/2 will do where that gives far more.
 
 use cspace::{Coordinates, PairSpace, QueryError};
 
@@ -34,6 +35,17 @@ const RISES: f64 = 0.5;
 /// Contacts are off by this share of the parts' size where only the parts are known, and a clearance is the same within this share.
 const TOUCHED: f64 = 1e-9;
 const SAME: f64 = 0.02;
+/// How a clearance grows off a contact.
+#[derive(Debug, Clone, Copy)]
+enum Rise {
+    /// With the distance.
+    Even,
+    /// With its square.
+    Square,
+}
+
+/// Clearance of so many times another is far more: a narrow place on a leg that rises as the square has an eighth.
+const FAR_MORE: f64 = 16.0;
 /// A leg that leaves a contact for good, and does not go along it, has at least this sine with it.
 const STEEP: f64 = 0.5;
 /// The end of a leg is moved to more clearance at most so often, each time by this share or more.
@@ -78,6 +90,19 @@ impl<'a> Contacts<'a> {
     /// A free configuration, with the leg to it free but for its start: of those tried the nearest with enough clearance, or the one with
     /// the most. `None` if there is none nearby: the contacts leave no room, to the resolution.
     pub(crate) fn off(&self, enough: f64) -> Option<Coords> {
+        let even = self.off_as(enough, Rise::Even);
+        let found = |at: Option<Coords>| at.map_or(0.0, |at| self.scene.clearance(at));
+        if found(even) >= enough {
+            return even;
+        }
+        let square = self.off_as(enough, Rise::Square);
+        match found(square) > FAR_MORE * found(even) {
+            true => square,
+            false => even,
+        }
+    }
+
+    fn off_as(&self, enough: f64, kind: Rise) -> Option<Coords> {
         let [x, y, turn] = self.scene.levers();
         let off = |levers: Coords| {
             let direction = rise(&self.touching, levers, None, 1.0)?;
@@ -88,7 +113,7 @@ impl<'a> Contacts<'a> {
                 false => norm(direction, self.scene.levers()),
             };
             let ahead = |length: f64| self.ahead(direction, length / long);
-            let passes = |to: Coords, clearance: f64| self.is_left(to, clearance, 0.0);
+            let passes = |to: Coords, clearance: f64| self.is_left(to, clearance, 0.0, kind);
             let longest = LONGEST * self.scene.size();
             let (clearance, at) = widest(self.scene, longest, enough, ahead, passes)?;
             let mut climb = Climb {
@@ -97,7 +122,7 @@ impl<'a> Contacts<'a> {
                 reach: longest,
             };
             let steeper = |to: Coords, clearance: f64| {
-                self.is_left(to, clearance, STEEP) && !self.scene.overlaps(to)
+                self.is_left(to, clearance, STEEP, kind) && !self.scene.overlaps(to)
             };
             for _ in 0..MOVES {
                 if climb.clearance >= enough || !climb.step(self.scene, levers, None, GAIN, steeper)
@@ -121,16 +146,16 @@ impl<'a> Contacts<'a> {
             && share < 1.0
             && self.grows(by, STEEP)
             && self.scene.is_apart(self.ahead(by, share), to, clearance)
-            && self.rises(by, share, clearance)
+            && self.rises(by, share, clearance, Rise::Even)
             && !self.scene.overlaps(to)
     }
 
     /// Whether a leg to a configuration with a clearance goes away from all contacts with at least a sine, and its clearance rises.
-    fn is_left(&self, to: Coords, clearance: f64, sine: f64) -> bool {
+    fn is_left(&self, to: Coords, clearance: f64, sine: f64, kind: Rise) -> bool {
         let by: Coords = core::array::from_fn(|k| to[k] - self.at[k]);
         clearance > 2.0 * TOUCHING * self.resolution
             && self.grows(by, sine)
-            && self.rises(by, 1.0, clearance)
+            && self.rises(by, 1.0, clearance, kind)
     }
 
     /// Whether all contact functions grow in a direction, by more than a share of its length.
@@ -143,9 +168,14 @@ impl<'a> Contacts<'a> {
     }
 
     /// Whether the clearance rises to a given one up to a share of a leg.
-    fn rises(&self, by: Coords, share: f64, clearance: f64) -> bool {
+    fn rises(&self, by: Coords, share: f64, clearance: f64, kind: Rise) -> bool {
         let ahead = |part: f64| self.ahead(by, share * part);
-        rises(self.scene, ahead, clearance, TOUCHING * self.resolution)
+        rises(
+            self.scene,
+            ahead,
+            (clearance, kind),
+            TOUCHING * self.resolution,
+        )
     }
 
     pub(crate) fn scene(&self) -> &'a Scene {
@@ -159,12 +189,21 @@ impl<'a> Contacts<'a> {
 }
 
 /// Whether the clearance rises from nothing to a given one along a leg, but for what contacts are off.
-fn rises(scene: &Scene, ahead: impl Fn(f64) -> Coords, clearance: f64, off: f64) -> bool {
+fn rises(
+    scene: &Scene,
+    ahead: impl Fn(f64) -> Coords,
+    (clearance, kind): (f64, Rise),
+    off: f64,
+) -> bool {
     let mut hi = 1.0;
     while hi > FIRST {
         let lo = 0.5 * hi;
-        let evenly = RISES * lo * clearance - off;
-        let least = evenly.max(BEGINS * FIRST * clearance);
+        let share = match kind {
+            Rise::Even => lo,
+            Rise::Square => lo * lo,
+        };
+        let risen = RISES * share * clearance - off;
+        let least = risen.max(BEGINS * FIRST * clearance);
         if !scene.is_apart(ahead(lo), ahead(hi), least) {
             return false;
         }
@@ -175,6 +214,22 @@ fn rises(scene: &Scene, ahead: impl Fn(f64) -> Coords, clearance: f64, off: f64)
 
 /// A path without the part of its first leg on which the clearance rises off a contact, and of its last on which it falls to one: the
 /// places between which its clearance counts.
+///
+/// On a rise the clearance at a share s of it is at least s/2 of that at its end, and no place after it has less than that end.
+///
+/// ```
+/// use cspace::Part;
+/// use cspace_plan::{legs::Scene, off_contacts};
+/// // A peg that stands at the bottom of a hole 10 deep, with a play of 0.1 at both sides, is lifted by 20.
+/// let hole = Part::polygon("hole", &[
+///     (-5.0, -1.0), (5.0, -1.0), (5.0, 10.0), (1.1, 10.0), (1.1, 0.0), (-1.1, 0.0), (-1.1, 10.0), (-5.0, 10.0),
+/// ])?;
+/// let peg = Part::rectangle("peg", (0.0, 8.0), 2.0, 16.0)?;
+/// let scene = Scene::new(&hole, &peg, None);
+/// let rest = off_contacts(&scene, &[[0.0, 0.0, 0.0], [0.0, 20.0, 0.0]], (true, false));
+/// assert!((scene.least(rest[0], rest[1]).distance - 0.1).abs() < 1e-9);
+/// # Ok::<(), cspace::PartError>(())
+/// ```
 pub fn off_contacts(scene: &Scene, path: &[Coords], (from, to): (bool, bool)) -> Vec<Coords> {
     let mut places = path.to_vec();
     if let (&[a, b], true, true) = (path, from, to) {
@@ -193,22 +248,28 @@ pub fn off_contacts(scene: &Scene, path: &[Coords], (from, to): (bool, bool)) ->
 
 /// Where on a leg from a contact the clearance has risen to what it has from there on.
 fn rise_ends(scene: &Scene, from: Coords, to: Coords) -> Coords {
-    const HALVINGS: u32 = 44;
+    const HALVINGS: i32 = 44;
     let off = TOUCHED * scene.size() + scene.rounding(from, to);
-    let mut share = 1.0;
-    for _ in 0..HALVINGS {
-        let ahead = |part: f64| along(from, to, share * part);
-        let clearance = scene.least_roughly(ahead(1.0), to).distance;
-        if clearance > 0.0 && rises(scene, ahead, clearance * (1.0 - SAME), off) {
-            return ahead(1.0);
-        }
-        share *= 0.5;
-    }
-    from
+    let ends = |kind: Rise| {
+        (0..HALVINGS).find_map(|k| {
+            let share = 0.5f64.powi(k);
+            let ahead = |part: f64| along(from, to, share * part);
+            let clearance = scene.least_roughly(ahead(1.0), to).distance;
+            let rises = rises(scene, ahead, (clearance * (1.0 - SAME), kind), off);
+            (clearance > 0.0 && rises).then(|| (clearance, ahead(1.0)))
+        })
+    };
+    let (even, square) = (ends(Rise::Even), ends(Rise::Square));
+    let clearance = |end: Option<(f64, Coords)>| end.map_or(0.0, |e| e.0);
+    let chosen = match clearance(square) > FAR_MORE * clearance(even) {
+        true => square,
+        false => even,
+    };
+    chosen.map_or(from, |e| e.1)
 }
 
-/// Of legs of round lengths, the shortest first, the end of the first with enough clearance, with that. If none has enough, the one with
-/// the most clearance of these and of others about as long; only free ones that pass.
+/// The end of a leg of a round length, with its clearance: of the shortest that passes with enough of it. If none has enough, the end with
+/// the most clearance of these and of others about as long.
 fn widest(
     scene: &Scene,
     longest: f64,
@@ -281,7 +342,9 @@ pub(crate) fn off_near(scene: &Scene, at: Coords) -> Coords {
     };
     let longest = LONGEST * scene.size();
     let best = widest(scene, longest, f64::INFINITY, ahead, |to, there| {
-        there > clearance && scene.is_apart(at, to, 0.5 * clearance)
+        // Rounding leaves nothing of the clearance at the start.
+        let ahead = |part: f64| along(at, to, part);
+        there > clearance && rises(scene, ahead, (there, Rise::Even), 0.0)
     });
     best.map_or(at, |b| b.1)
 }

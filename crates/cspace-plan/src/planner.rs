@@ -402,7 +402,7 @@ impl<'a> Planner<'a> {
         wishes: &Wishes,
         (answer, progress): (&mut Answer, &dyn Progress),
     ) -> Result<Option<Legs<'_>>, PlanError> {
-        /// What has this share of the clearance at an end is limited by that.
+        /// A path with this share of the clearance at an end is limited by that end.
         const LIMITED: f64 = 0.99;
         let is_bounded = from.contacts.is_none() && to.contacts.is_none();
         let wider = |from: &Tip<'_>, to: &Tip<'_>| {

@@ -15,7 +15,7 @@ use super::wider::wider;
 const ALL: u32 = 12;
 /// So many places of units that make room are tried for each step by straight ways,
 const STRAIGHT: usize = 2000;
-/// and so many by contact spaces, of one unit alone.
+/// and so many by contact spaces, of one unit alone or of several on axes.
 const EXACT: usize = 100;
 
 /// Which set makes room for which.
@@ -25,7 +25,7 @@ enum Room {
     OnAxes,
     /// Others, for a straight way.
     Straight,
-    /// One part, for a way of any kind.
+    /// One part, or several on axes, for a way of any kind.
     Any,
 }
 
@@ -235,7 +235,7 @@ impl<'a> Search<'a> {
             let is_asked = match room {
                 Room::OnAxes => on_axes,
                 Room::Straight => !on_axes,
-                Room::Any => order.len() == 1,
+                Room::Any => order.len() == 1 || on_axes,
             };
             if left == 0 || !is_asked {
                 continue;

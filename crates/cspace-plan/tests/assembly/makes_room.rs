@@ -133,6 +133,35 @@ fn a_bar_then_two_doors_then_the_block() {
     }
 }
 
+/// A block between 1 and 39 under two slides that meet at 20: the left one goes 20, the right one 18.5, so that the opening reaches from 0
+/// to 38.5 and the block has to go left by more than 0.5 before it goes up.
+#[test]
+fn two_slides_go_to_their_stops_for_a_block_that_moves_aside() {
+    let tray = [
+        (-10.0, -10.0),
+        (50.0, -10.0),
+        (50.0, 40.0),
+        (40.0, 40.0),
+        (40.0, 0.0),
+        (0.0, 0.0),
+        (0.0, 40.0),
+        (-10.0, 40.0),
+    ];
+    let block = Part::rectangle("block", (20.0, 19.5), 38.0, 39.0).unwrap();
+    let mut model = mechanism(&[polygon("tray", &tray)], &[block]);
+    for (name, x, range) in [("left", 10.0, [-20.0, 0.0]), ("right", 30.0, [0.0, 18.5])] {
+        let slide = Part::rectangle(name, (x, 41.5), 20.0, 3.0).unwrap();
+        let axis = Axis::prismatic(Vector::new(1.0, 0.0)).within(range[0], range[1]);
+        model.parts.push(PartEntry::on(slide, axis));
+    }
+    let apart = asked(&model);
+    assert_eq!(apart.outcome, Outcome::Apart);
+    let order = [(Kind::Moves, 2), (Kind::Moves, 3), (Kind::Leaves, 1)];
+    assert_eq!(kinds(&apart), order);
+    assert!((comes_to(&apart, 0) + 20.0).abs() < 0.01);
+    assert!((comes_to(&apart, 1) - 18.5).abs() < 0.01);
+}
+
 #[test]
 fn a_bolt_then_the_door_then_the_block() {
     let mut model = behind_a_door(100.0);
