@@ -154,4 +154,28 @@ fn the_first_model() {
     let shown = block("```console\n$ cspace compute latch.toml\n");
     let computed = printed(&["compute", model.to_str().unwrap()]);
     assert_eq!(without_seconds(&shown), without_seconds(&computed));
+    let document = |name: &str| {
+        let file = format!("{}/../../{name}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(file).unwrap()
+    };
+    // The documents know one latch.
+    let first = document("docs/first-models.md");
+    assert!(first.contains(&block("```toml\n")), "docs/first-models.md");
+    let json = printed(&["compute", model.to_str().unwrap(), "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let json = json.get(0).unwrap_or(&json);
+    let counted = &json["statistics"];
+    let architecture = document("ARCHITECTURE.md").replace(',', "");
+    for (row, key) in [
+        ("sheets", "sheets"),
+        ("pairs", "pairs"),
+        ("pair events", "pair_events"),
+        ("branches", "branches"),
+        ("triple events", "triple_events"),
+        ("clusters", "clusters"),
+        ("cells", "cells"),
+    ] {
+        let line = format!("| {row} | {} |", counted[key]);
+        assert!(architecture.contains(&line), "ARCHITECTURE.md: {line}");
+    }
 }
