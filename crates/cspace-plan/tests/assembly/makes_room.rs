@@ -23,6 +23,23 @@ fn tray() -> Part {
     )
 }
 
+/// A box of 40 inside with walls of 10, open above.
+fn wide_tray() -> Part {
+    polygon(
+        "tray",
+        &[
+            (-10.0, -10.0),
+            (50.0, -10.0),
+            (50.0, 40.0),
+            (40.0, 40.0),
+            (40.0, 0.0),
+            (0.0, 0.0),
+            (0.0, 40.0),
+            (-10.0, 40.0),
+        ],
+    )
+}
+
 /// A block in the middle of the tray, and a door on it that is hinged at the left and opens up to a limit.
 fn behind_a_door(limit: f64) -> Mechanism {
     let mut model = mechanism(
@@ -89,16 +106,6 @@ fn a_door_that_hardly_opens_proves_nothing() {
 /// A block behind two doors, each of which opens up to the walls, and a bar that slides from before both.
 #[test]
 fn a_bar_then_two_doors_then_the_block() {
-    let tray = [
-        (-10.0, -10.0),
-        (50.0, -10.0),
-        (50.0, 40.0),
-        (40.0, 40.0),
-        (40.0, 0.0),
-        (0.0, 0.0),
-        (0.0, 40.0),
-        (-10.0, 40.0),
-    ];
     let part = |name: &str, (x, y): (f64, f64), (w, h): (f64, f64)| {
         Part::rectangle(name, (x + 0.5 * w, y + 0.5 * h), w, h).unwrap()
     };
@@ -119,7 +126,7 @@ fn a_bar_then_two_doors_then_the_block() {
         (part("bar", (-10.0, 44.0), (60.0, 3.0)), bar),
     ];
     let block = part("block", (0.5, 0.0), (39.0, 30.0));
-    let mut model = mechanism(&[polygon("tray", &tray)], &[block]);
+    let mut model = mechanism(&[wide_tray()], &[block]);
     (model.parts).extend(doors.map(|(part, axis)| PartEntry::on(part, axis)));
     let apart = asked(&model);
     assert_eq!(apart.outcome, Outcome::Apart, "{apart:?}");
@@ -137,18 +144,8 @@ fn a_bar_then_two_doors_then_the_block() {
 /// to 38.5 and the block has to go left by more than 0.5 before it goes up.
 #[test]
 fn two_slides_go_to_their_stops_for_a_block_that_moves_aside() {
-    let tray = [
-        (-10.0, -10.0),
-        (50.0, -10.0),
-        (50.0, 40.0),
-        (40.0, 40.0),
-        (40.0, 0.0),
-        (0.0, 0.0),
-        (0.0, 40.0),
-        (-10.0, 40.0),
-    ];
     let block = Part::rectangle("block", (20.0, 19.5), 38.0, 39.0).unwrap();
-    let mut model = mechanism(&[polygon("tray", &tray)], &[block]);
+    let mut model = mechanism(&[wide_tray()], &[block]);
     for (name, x, range) in [("left", 10.0, [-20.0, 0.0]), ("right", 30.0, [0.0, 18.5])] {
         let slide = Part::rectangle(name, (x, 41.5), 20.0, 3.0).unwrap();
         let axis = Axis::prismatic(Vector::new(1.0, 0.0)).within(range[0], range[1]);
