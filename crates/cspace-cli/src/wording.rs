@@ -1,5 +1,6 @@
 //! Words for angles, lengths and counts.
 
+use cspace::Coordinates;
 use cspace_io::shown;
 
 /// `1 patch`, `2 patches`.
@@ -43,4 +44,19 @@ pub(crate) fn symmetry(fold: u32, is_round: bool) -> String {
         0 | 1 => "none".to_owned(),
         fold => format!("{fold}-fold"),
     }
+}
+
+/// The point that the legs of a path of a planar part are about, if the part turns and it is not the origin.
+pub(crate) fn about_point(
+    path: &[Coordinates],
+    about: Option<[f64; 2]>,
+    unit: &str,
+) -> Option<String> {
+    let angle = |at: &Coordinates| match at {
+        Coordinates::Planar(c) => c.theta,
+        Coordinates::Axes { .. } => 0.0,
+    };
+    let turns = path.windows(2).any(|leg| angle(&leg[0]) != angle(&leg[1]));
+    let [x, y] = about.filter(|&about| turns && about != [0.0; 2])?;
+    Some(format!("x {}, y {}{unit}", length(x), length(y)))
 }

@@ -6,7 +6,7 @@ use cspace::Coordinates;
 use cspace_io::shown;
 use cspace_plan::assembly::{Kind, Outcome, Tried};
 
-use crate::wording::{count, degrees, length};
+use crate::wording::{about_point, count, degrees, length};
 
 use super::{Locked, Step, Told, Tree};
 
@@ -82,6 +82,9 @@ fn describe_step(text: &mut String, unit: &str, number: usize, step: &Step) -> f
             let (x, y, theta) = (length(c.x), length(c.y), degrees(c.theta));
             writeln!(text, "    x {x}, y {y}{unit}, theta {theta}")?;
         }
+    }
+    if let Some(point) = about_point(&step.path, step.about, unit) {
+        writeln!(text, "  legs are about the point {point}")?;
     }
     Ok(())
 }

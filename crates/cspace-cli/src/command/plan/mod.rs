@@ -22,7 +22,7 @@ use crate::output;
 use crate::picture::format;
 use crate::progress::Bar;
 use crate::subject::{Chosen, Subject};
-use crate::wording::{angle, count, length};
+use crate::wording::{about_point, angle, count, length};
 
 use cspace_answers::Rest;
 use cspace_answers::plan::{Contact, Name, Parts, Told};
@@ -309,14 +309,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
                     writeln!(text, "    {words}")?;
                 }
             }
-            let about = told.about.filter(|&about| about != [0.0; 2]);
-            if let Some([x, y]) = about.filter(|_| turns(&told.path)) {
-                let (x, y) = (length(x), length(y));
-                writeln!(
-                    text,
-                    "legs are about the point x {x}, y {y}{unit} of {}",
-                    shown::text(pair.moving().name())
-                )?;
+            if let Some(point) = about_point(&told.path, told.about, &unit) {
+                let name = shown::text(pair.moving().name());
+                writeln!(text, "legs are about the point {point} of {name}")?;
             }
         }
         Name::NoPath if told.bottleneck.is_some() => {
@@ -412,15 +407,6 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         writeln!(text, "  doubtful {} to {}", angle(lo), angle(hi))?;
     }
     hint::write(text, pair, told)
-}
-
-/// Whether a planar part turns on a path.
-fn turns(path: &[Coordinates]) -> bool {
-    let angle = |at: &Coordinates| match at {
-        Coordinates::Planar(c) => c.theta,
-        Coordinates::Axes { .. } => 0.0,
-    };
-    path.windows(2).any(|leg| angle(&leg[0]) != angle(&leg[1]))
 }
 
 /// A given path that meets a contact.
