@@ -2,29 +2,14 @@
 
 use super::world::{Acting, State};
 
-/// Kind of an event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EventKind {
-    /// Velocities change at once.
-    Impact,
-    /// A contact closes without an impact.
-    Touch,
-    /// A contact opens.
-    Release,
-    /// A contact that slid sticks.
-    Stick,
-    /// A sticking contact begins to slide.
-    Slip,
-    /// Impacts have accumulated, and the contact stays closed.
-    Rest,
-}
+pub use crate::record::EventKind;
 
 /// Something that happens to a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
     /// Time, s.
     pub t: f64,
-    /// Kind of the event.
+    /// Kind of the event: none of a limit, a balance or a drive, of which contacts know nothing.
     pub kind: EventKind,
     /// The number of the contact.
     pub contact: usize,

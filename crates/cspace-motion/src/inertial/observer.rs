@@ -85,18 +85,11 @@ impl Observer for Gathering<'_> {
     }
 
     fn event(&mut self, event: &dynamic::Event, state: &State) {
-        use dynamic::EventKind as Kind;
         let all = self.world.bodies.all(state);
         let bound = self.world.bound(event.contact);
         let kind = match (event.kind, bound) {
-            (Kind::Impact, Bound::Limit { .. }) => EventKind::Limit,
-            (Kind::Touch, Bound::Limit { .. }) => EventKind::Limit,
-            (Kind::Impact, _) => EventKind::Impact,
-            (Kind::Touch, _) => EventKind::Touch,
-            (Kind::Release, _) => EventKind::Release,
-            (Kind::Stick, _) => EventKind::Stick,
-            (Kind::Slip, _) => EventKind::Slip,
-            (Kind::Rest, _) => EventKind::Rest,
+            (EventKind::Impact | EventKind::Touch, Bound::Limit { .. }) => EventKind::Limit,
+            (kind, _) => kind,
         };
         let event = Event {
             t: event.t,
