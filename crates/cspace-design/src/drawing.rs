@@ -3,10 +3,10 @@
 //! A play is the time of two motions at rate 1 up to their first contacts; a position, or the angle at a contact, comes from one motion. The
 //! time t of a contact follows from f(q(t), p) = 0, and dt/dp = −(∂f/∂p) / (∂f/∂t).
 
-use cspace::{
-    Affine, AxisMotion, Ball, Coordinates, DrawingNumber, DrawnContact, DrawnPair, Dual, Enclosure,
-    Encounter, Encounters, Leg, PairEntry, Real, Relation,
+use crate::drawn::{
+    Affine, DrawingNumber, DrawnContact, DrawnPair, Enclosure, Encounter, Encounters, Leg,
 };
+use cspace::{AxisMotion, Ball, Coordinates, Dual, PairEntry, Real, Relation};
 use cspace_io::Model;
 use cspace_io::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject,

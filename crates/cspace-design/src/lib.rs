@@ -39,6 +39,7 @@ mod changes;
 mod check;
 mod displace;
 mod drawing;
+pub mod drawn;
 mod in_motion;
 mod measure;
 mod motion;

@@ -116,7 +116,7 @@ mod union_find;
 
 pub use contact::{
     ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching, TouchingPlace,
-    contact_function, touching, touching_place,
+    contact_function, overlap_as_drawn, touching, touching_place,
 };
 
 pub use feature::{FeatureKind, FeatureName, PairFrame};
@@ -124,13 +124,11 @@ pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
-pub use number::{Affine, Ball, Dual, Enclosure, Real, SecondOrder};
+pub use number::{Ball, Dual, Real, SecondOrder};
 pub use pair::{
-    ByDrawing, ByVertex, ConfigurationBox, Coordinates, DrawingNumber, DrawnContact, DrawnPair,
-    Encounter, Encounters, FeatureContact, FeatureId, Leg, LinkId, LinkKind, Location, LowerPair,
-    Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace,
-    PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome, Witness,
-    overlap_as_drawn,
+    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
+    LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,
+    PairSpace, PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,

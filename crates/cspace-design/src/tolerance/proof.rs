@@ -6,7 +6,8 @@
 
 use std::rc::Rc;
 
-use cspace::{DrawnContact, Enclosure, Encounter, Encounters, Real};
+use crate::drawn::{DrawnContact, Enclosure, Encounter, Encounters};
+use cspace::Real;
 
 use super::extremes::{ONE, Summit};
 use super::study::Study;

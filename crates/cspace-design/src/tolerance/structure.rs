@@ -1,6 +1,7 @@
 //! Structural changes within tolerances: contacts that take over, jams, regions; and how far tolerances may be scaled until a failure.
 
-use cspace::{Ball, DrawnContact, Encounter, Real};
+use crate::drawn::{DrawnContact, Encounter};
+use cspace::{Ball, Real};
 use cspace_io::model::{Subject, Target};
 
 use super::extremes::Summit;

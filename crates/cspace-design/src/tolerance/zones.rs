@@ -8,9 +8,10 @@
 
 use std::sync::Arc;
 
+use crate::drawn::{ConfigurationBox, DrawnContact, DrawnPair, Witness};
 use cspace::{
-    Configuration, ConfigurationBox, DrawnContact, DrawnPair, Edge, PairEntry, Part, Point,
-    Progress, Real, Relation, Vector, Witness, overlap_as_drawn, parallel,
+    Configuration, Edge, PairEntry, Part, Point, Progress, Real, Relation, Vector,
+    overlap_as_drawn, parallel,
 };
 use cspace_io::Model;
 use cspace_io::model::{Setting, Subject, Template};

@@ -345,3 +345,8 @@ impl Outlines {
         }
     }
 }
+
+/// Whether two parts, as drawn, overlap at a configuration. For parts that touch the result is undefined.
+pub fn overlap_as_drawn(fixed: &Part, moving: &Part, fixed_from_moving: Configuration) -> bool {
+    Bodies::new(fixed, moving, Fit::HasPlay).overlap(fixed_from_moving)
+}

@@ -1,6 +1,5 @@
 //! Numbers: one trait, and the kinds of arithmetic in which formulas are evaluated.
 
-mod affine;
 mod ball;
 mod dd;
 mod dual;
@@ -10,7 +9,6 @@ mod polynomial;
 mod real;
 mod trig;
 
-pub use affine::{Affine, Enclosure};
 pub use ball::Ball;
 pub(crate) use dd::Dd;
 pub use dual::{Dual, SecondOrder};

@@ -9,7 +9,6 @@
 
 mod answers;
 mod data;
-mod drawn;
 mod graph;
 mod ids;
 mod locate;
@@ -24,10 +23,6 @@ mod space;
 
 pub use answers::{Neighbours, PairContact, PairCrossing, PairMotion, PairNearest, QueryError};
 pub use data::{LowerData, PairData};
-pub use drawn::{
-    ConfigurationBox, DrawingNumber, DrawnContact, DrawnPair, Encounter, Encounters, Leg, Witness,
-    overlap_as_drawn,
-};
 pub use graph::{LinkKind, PairLink, PairRegion};
 pub use ids::{FeatureId, LinkId, PatchId, RegionId};
 pub use locate::Location;

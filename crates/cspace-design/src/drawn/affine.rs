@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::{Ball, Real};
+use cspace::{Ball, Real};
 
 /// An enclosure: arithmetic in which every result contains all possible results.
 pub trait Enclosure: Real {
@@ -30,7 +30,8 @@ impl Enclosure for Ball {
 /// All reals mid + Σ cᵢ εᵢ + δ, with |εᵢ| ≤ 1 for N quantities shared by all numbers, and |δ| ≤ radius for rounding and nonlinear terms.
 ///
 /// ```
-/// use cspace::{Affine, Enclosure, Real};
+/// use cspace::Real;
+/// use cspace_design::drawn::{Affine, Enclosure};
 /// let x = Affine::<2>::variable(3.0, 0.1, 0);
 /// let y = Affine::<2>::variable(1.0, 0.2, 1);
 /// // (x + y) − x is y, though x is not known.

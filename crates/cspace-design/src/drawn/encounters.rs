@@ -1,9 +1,9 @@
 //! Times at which features may touch along a motion, for all drawings that the numbers enclose.
 
-use crate::number::{Dual, Enclosure, Real};
+use cspace::{Dual, Real};
 
 use super::disc::Disc;
-use super::{DrawnContact, DrawnPair};
+use super::{DrawnContact, DrawnPair, Enclosure};
 
 /// Maximum number of evaluations of contact functions for a motion: above it, parts slide along each other all the time.
 const MOST: usize = 200_000;

@@ -1,9 +1,8 @@
 //! Discs about edges, by which pairs of edges that cannot touch are excluded.
 
-use crate::contact::{FeatureShape, Placement};
-use crate::number::Enclosure;
+use cspace::{FeatureShape, Placement};
 
-use super::{DrawnEdge, DrawnPair};
+use super::{DrawnEdge, DrawnPair, Enclosure};
 
 /// A disc that contains an edge in all drawings: its centre is the middle of the chord, its radius half the chord or the height of the arc.
 pub(super) struct Disc<T> {

@@ -1,9 +1,8 @@
 //! Contacts that are possible in a box of configurations, for all drawings that the numbers enclose.
 
-use crate::contact::{FeatureShape, Placement, contact_function, touching_place};
-use crate::number::{Dual, Enclosure};
+use cspace::{Dual, FeatureShape, Placement, contact_function, touching_place};
 
-use super::{DrawnContact, DrawnEdge, DrawnPair, OfCircle, within_ends};
+use super::{DrawnContact, DrawnEdge, DrawnPair, Enclosure, OfCircle, within_ends};
 
 /// A box of configurations, (x, y, θ) or (u, v, 0).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,19 +5,18 @@
 //! functions is 0 and the place of contact lies on both features. Vertices of two parts meet only where one of them meets an edge of the
 //! other part.
 
+mod affine;
 mod disc;
 mod encounters;
 mod region;
 
-use crate::contact::{Bodies, FeatureShape, Fit, Placement, contact_function, touching_place};
-use crate::feature::{FeatureKind, FeatureName};
-use crate::fixed_axes::AxisMotion;
-use crate::geometry::Configuration;
-use crate::number::Real;
-use crate::part::{Loop, Part};
+use cspace::part::Loop;
+use cspace::{
+    AxisMotion, FeatureKind, FeatureName, FeatureShape, Part, Placement, Real, Relation,
+    contact_function, touching_place,
+};
 
-use super::relation::Relation;
-
+pub use affine::{Affine, Enclosure};
 pub use encounters::{Encounter, Encounters, Leg};
 pub use region::{ConfigurationBox, Witness};
 
@@ -47,7 +46,8 @@ pub enum DrawingNumber {
 /// Two parts as drawn, and their relative motion.
 ///
 /// ```
-/// use cspace::{Ball, DrawingNumber, DrawnPair, Leg, Part, Relation};
+/// use cspace::{Ball, Part, Relation};
+/// use cspace_design::drawn::{DrawingNumber, DrawnPair, Leg};
 /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
 /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
 /// // The coin's size within ±0.01: it is drawn by two vertices at ±r.
@@ -151,7 +151,7 @@ enum OfCircle {
 }
 
 /// Depth of overlap, relative to the sizes of the parts, below which parts may be taken to touch: ten times the amount by which a part is
-/// shrunk in [`overlap_as_drawn`].
+/// shrunk in [`overlap_as_drawn`](cspace::overlap_as_drawn).
 const UNSEEN: f64 = 1e-8;
 
 /// A contact of two features, by their numbers in a [`DrawnPair`].
@@ -159,11 +159,6 @@ const UNSEEN: f64 = 1e-8;
 pub struct DrawnContact {
     /// Edge of the fixed and of the moving part; the flag is true if the vertex at the start of the edge is meant.
     features: [(u32, bool); 2],
-}
-
-/// Whether two parts, as drawn, overlap at a configuration. For parts that touch the result is undefined.
-pub fn overlap_as_drawn(fixed: &Part, moving: &Part, fixed_from_moving: Configuration) -> bool {
-    Bodies::new(fixed, moving, Fit::HasPlay).overlap(fixed_from_moving)
 }
 
 impl<T: Real> DrawnPair<T> {
