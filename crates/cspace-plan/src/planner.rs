@@ -232,10 +232,10 @@ impl<'a> Planner<'a> {
         if wishes.prefer == Prefer::Legs
             && let Some(path) = self.direct(from, to, clearance, wishes)?
         {
-            for bottleneck in answer.bottleneck.iter_mut() {
-                if bottleneck.narrow.clearance < path.narrowest.clearance {
-                    bottleneck.narrow = path.narrowest;
-                }
+            if let Some(bottleneck) = &mut answer.bottleneck
+                && bottleneck.narrow.clearance < path.narrowest.clearance
+            {
+                bottleneck.narrow = path.narrowest;
             }
             answer.verdict = Verdict::Path(path);
         }
