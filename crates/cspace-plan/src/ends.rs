@@ -38,7 +38,6 @@ pub(crate) struct Tip<'a> {
     pub(crate) at: Coords,
     pub(crate) near: Coords,
     region: Option<RegionId>,
-    has_leg: bool,
     pub(crate) contacts: Option<Contacts<'a>>,
 }
 
@@ -56,7 +55,6 @@ impl<'a> Tip<'a> {
             region,
             at,
             near: leg.unwrap_or(at),
-            has_leg: leg.is_some(),
             contacts,
         }
     }
@@ -108,7 +106,7 @@ impl<'a> Tip<'a> {
     /// Puts the leg from here before the places of a path from the end of that leg. The leg goes to the farthest of them to which it
     /// leaves the contacts with a clearance, if one is given.
     pub(crate) fn join(&self, places: &mut Vec<Coords>, at: Coords, clearance: Option<f64>) {
-        if !self.has_leg {
+        if self.near == self.at {
             return;
         }
         // Numbers of places are by the turn that they are in.

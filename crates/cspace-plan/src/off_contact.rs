@@ -16,7 +16,7 @@
 use cspace::{Coordinates, PairSpace, QueryError};
 
 use crate::legs::{Coords, Near, Scene};
-use crate::push::{Climb, norm, rise};
+use crate::push::{Climb, rise};
 use crate::route::along;
 
 /// Legs are at most this share of the parts' size.
@@ -110,7 +110,7 @@ impl<'a> Contacts<'a> {
             let moved = direction[0].hypot(direction[1]);
             let long = match self.scene.motions().is_none() && moved > 0.0 {
                 true => moved,
-                false => norm(direction, self.scene.levers()),
+                false => self.scene.long([0.0; 3], direction),
             };
             let ahead = |length: f64| self.ahead(direction, length / long);
             let passes = |to: Coords, clearance: f64| self.is_left(to, clearance, 0.0, kind);
@@ -141,7 +141,7 @@ impl<'a> Contacts<'a> {
     pub(crate) fn leaves_with(&self, to: Coords, clearance: f64) -> bool {
         let there = self.scene.clearance(to);
         let by = core::array::from_fn(|k| to[k] - self.at[k]);
-        let share = clearance / (STEEP * norm(by, self.scene.levers()));
+        let share = clearance / (STEEP * self.scene.long(self.at, to));
         there > clearance
             && share < 1.0
             && self.grows(by, STEEP)
@@ -160,7 +160,7 @@ impl<'a> Contacts<'a> {
 
     /// Whether all contact functions grow in a direction, by more than a share of its length.
     fn grows(&self, by: Coords, sine: f64) -> bool {
-        let long = norm(by, self.scene.levers());
+        let long = self.scene.long([0.0; 3], by);
         self.touching.iter().all(|near| {
             let rate: f64 = (0..3).map(|k| near.gradient[k] * by[k]).sum();
             rate > sine * long
@@ -334,7 +334,7 @@ pub(crate) fn off_near(scene: &Scene, at: Coords) -> Coords {
     let Some(direction) = rise(&near, scene.levers(), None, 1.0) else {
         return at;
     };
-    let length = norm(direction, scene.levers());
+    let length = scene.long([0.0; 3], direction);
     let ahead = |step: f64| -> Coords {
         scene.within_limits(core::array::from_fn(|k| {
             at[k] + direction[k] * step / length

@@ -13,7 +13,6 @@ use crate::ends::{ENOUGH, End, FARTHEST, Tip, end, home, is_far, turned};
 use crate::legs::{Coords, Scene};
 use crate::off_contact::off_contacts;
 use crate::path::{Legs, MOST_LEGS, Outside, Prefer, divided};
-use crate::push::norm;
 use crate::route::{Effort, Gaps, Piece, Planar, join};
 use crate::widest::{Between, Until, Wider, widen};
 
@@ -125,8 +124,6 @@ pub struct Planner<'a> {
     space: &'a PairSpace,
     scene: Scene,
     ways: Ways<'a>,
-    /// Other points for legs to be about, where the usual one takes many.
-    centers: Vec<Vector>,
     /// Whether legs may be about any point.
     takes_any: bool,
     effort: Effort,
@@ -156,7 +153,6 @@ impl<'a> Planner<'a> {
     pub fn new(space: &'a PairSpace) -> Result<Self, PlanError> {
         let mut planner = Self::with_about(space, middle_if_far(space.moving()))?;
         if matches!(space, PairSpace::Planar(_)) {
-            planner.centers = fitting_centers(space.fixed(), space.moving());
             planner.takes_any = true;
         }
         Ok(planner)
@@ -178,7 +174,6 @@ impl<'a> Planner<'a> {
             space,
             scene,
             ways,
-            centers: Vec::new(),
             takes_any: false,
             effort: Effort::Full,
         })
@@ -312,8 +307,12 @@ impl<'a> Planner<'a> {
             _ => None,
         };
         let mut best = plan(self)?;
-        for &about in &self.centers {
-            let Some((legs, clearance)) = path(answer(&best)).filter(|p| p.0 > FEW) else {
+        let many = |answer: &Answer| path(answer).filter(|p| p.0 > FEW);
+        if !self.takes_any || many(answer(&best)).is_none() {
+            return Ok(best);
+        }
+        for about in fitting_centers(self.space.fixed(), self.space.moving()) {
+            let Some((legs, clearance)) = many(answer(&best)) else {
                 break;
             };
             let other = plan(&Self::with_about(self.space, about)?)?;
@@ -416,14 +415,18 @@ impl<'a> Planner<'a> {
             let clearance = |tip: &Tip<'_>| self.scene.clearance(tip.near);
             let ends = clearance(&from).min(clearance(&to));
             enough *= 2.0;
+            let before = (from.near, to.near);
             if widest.clearance < LIMITED * ends
                 || !(from.go_on(self.space, enough) | to.go_on(self.space, enough))
             {
                 break;
             }
-            if let Some(found) = wider(&from, &to)? {
-                widest = found;
-            }
+            let Some(found) = wider(&from, &to)? else {
+                // The path that is known begins and ends at the places before.
+                (from.near, to.near) = before;
+                break;
+            };
+            widest = found;
         }
         let wider = widest;
         let bottleneck = |wider: &Wider| Bottleneck {
@@ -553,11 +556,7 @@ impl<'a> Planner<'a> {
         places.reverse();
         to.join(&mut places, goal, clearance);
         places.reverse();
-        let moves = |a: &Coords, b: &Coords| {
-            let by = core::array::from_fn(|k| b[k] - a[k]);
-            norm(by, self.scene.levers()) > STILL * self.scene.size()
-        };
-        places.dedup_by(|b, a| !moves(a, b));
+        places.dedup_by(|b, a| self.scene.long(*a, *b) <= STILL * self.scene.size());
         Legs::new(&self.scene, places)
     }
 

@@ -128,14 +128,6 @@ impl Climb {
     }
 }
 
-/// How long a displacement is, where turning counts by its lever.
-pub(crate) fn norm(by: Coords, levers: Coords) -> f64 {
-    (0..3)
-        .map(|k| (by[k] * levers[k]).powi(2))
-        .sum::<f64>()
-        .sqrt()
-}
-
 fn dot(a: &Coords, b: &Coords) -> f64 {
     (0..3).map(|k| a[k] * b[k]).sum()
 }

@@ -1,8 +1,8 @@
 //! Room that is made for others: parts on axes are moved along these, others straight, so that something leaves.
 //!
 //! Only what would leave if some units were not there can leave once these have moved. So this is asked first, of one unit, then of two,
-//! and of three on axes (a bar before two doors), and then places of these units are tried: those just past where they are clear of the straight ways of what leaves, and
-//! those at shares of where they get to.
+//! and of three on axes (a bar before two doors), and then places of these units are tried: those just past where they are clear of the
+//! straight ways of what leaves, and those at shares of where they get to.
 
 use crate::legs::Scene;
 use crate::out::Exit;

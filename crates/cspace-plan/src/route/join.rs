@@ -15,6 +15,8 @@ const MOST: usize = 1024;
 const EACH: usize = 32;
 /// Divisor of these where a path is known, and one with more clearance is sought.
 const LESS: usize = 4;
+/// A leg keeps at least this share of the clearance at its ends.
+const KEPT: f64 = 0.1;
 
 /// How much is tried before a path is given up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,8 +26,6 @@ pub(crate) enum Effort {
     /// Another path is known.
     Less,
 }
-/// A leg keeps at least this share of the clearance at its ends.
-const KEPT: f64 = 0.1;
 
 /// The configurations between which all legs are free, from the start of the first piece to the end of the last. `None` if
 /// there is no such path to rounding.

@@ -427,7 +427,9 @@ fn a_path_from_a_corner_has_the_clearance_of_the_middle() {
                 "{clearance:?} {leg:?}"
             );
         }
-        assert!(answer.bottleneck.is_none_or(|b| b.most.is_none()));
+        let claimed = answer.bottleneck.map(|b| b.most);
+        let is_widest = clearance == Clearance::Widest;
+        assert_eq!(claimed, is_widest.then_some(None), "{clearance:?}");
     }
     // Upwards there is no more than 5, but nothing proves it of other legs off the contacts.
     let answer = asked(Clearance::AtLeast(6.0));
