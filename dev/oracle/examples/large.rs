@@ -1,17 +1,38 @@
 //! Pairs of thousands of features: their cost, and which are refused.
 //!
 //! `cargo run --release -p cspace-oracle --example large` runs them all; with a name only that pair, so that
-//! `/usr/bin/time -v` reports its peak memory.
+//! `/usr/bin/time -v` reports its peak memory. `gears N`, `gears-slab N` and `wavy N` run gears of N and N − 1 teeth with
+//! symmetry unused, the same gears with symmetry used, and two wavy outlines of N lines.
 
 use core::f64::consts::TAU;
 use std::time::Instant;
 
-use cspace::{ContactSpace, Options, Part, PartError, Vertex};
+use cspace::{
+    ComputeError, ContactSpace, Options, Part, PartError, Progress, Stage, Symmetry, Vertex,
+};
+use cspace_oracle::shapes::gear;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 fn main() -> Result<(), PartError> {
     let asked = std::env::args().nth(1);
+    let count = std::env::args().nth(2).and_then(|n| n.parse().ok());
+    let ignored = Options {
+        symmetry: Symmetry::Ignore,
+        ..Options::default()
+    };
+    match (asked.as_deref(), count) {
+        (Some(name @ "gears"), Some(n)) => run(name, &gear(n, 1.0), &gear(n - 1, 1.0), &ignored),
+        (Some(name @ "gears-slab"), Some(n)) => {
+            run(name, &gear(n, 1.0), &gear(n - 1, 1.0), &Options::default());
+        }
+        (Some(name @ "wavy"), Some(n)) => run(name, &wavy(n, 0.0)?, &wavy(n, 1.0)?, &ignored),
+        _ => return all(asked.as_deref()),
+    }
+    Ok(())
+}
+
+fn all(asked: Option<&str>) -> Result<(), PartError> {
     for (name, fixed, moving) in [
         ("saw-3000", saw(3_000, 0.5)?, wedge(1.0)?),
         ("saw-10000", saw(10_000, 0.1)?, wedge(1.0)?),
@@ -23,23 +44,48 @@ fn main() -> Result<(), PartError> {
         ("plate-round", plate(45, true)?, wedge(0.4)?),
         ("saws-300", saw(300, 1.0)?, saw(300, 2.0)?),
     ] {
-        if asked.as_ref().is_some_and(|a| a != name) {
+        if asked.is_some_and(|a| a != name) {
             continue;
         }
-        let begin = Instant::now();
-        let space = ContactSpace::compute(&fixed, &moving, &Options::default());
-        let seconds = begin.elapsed().as_secs_f64();
-        match space {
-            Ok(space) => println!(
-                "{name}: {seconds:.1} s, {} patches, {} pairs of sheets, {} cells",
-                space.patches().len(),
-                space.statistics().pairs,
-                space.statistics().cells
-            ),
-            Err(error) => println!("{name}: {seconds:.1} s, {error}"),
-        }
+        run(name, &fixed, &moving, &Options::default());
     }
     Ok(())
+}
+
+/// Computes a pair and prints the time of the whole, and of each stage.
+fn run(name: &str, fixed: &Part, moving: &Part, options: &Options) {
+    let begin = Instant::now();
+    let space = ContactSpace::compute_with(fixed, moving, options, &Timed(begin));
+    let seconds = begin.elapsed().as_secs_f64();
+    match space {
+        Ok(space) => {
+            let s = space.statistics();
+            println!(
+                "{name}: {seconds:.3} s, {} patches, {:.1} µs each; {} sheets, {} pairs of sheets, {} cells, {} conflicts",
+                space.patches().len(),
+                1e6 * seconds / space.patches().len() as f64,
+                s.sheets,
+                s.pairs,
+                s.cells,
+                s.conflicts,
+            );
+            println!("{:.3?}", s.seconds);
+        }
+        Err(error) => println!("{name}: {seconds:.1} s, {error}"),
+    }
+}
+
+/// Progress that only reads the clock.
+struct Timed(Instant);
+
+impl Progress for Timed {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        Ok(())
+    }
+
+    fn seconds(&self) -> f64 {
+        self.0.elapsed().as_secs_f64()
+    }
 }
 
 fn corners(points: impl Iterator<Item = (f64, f64)>) -> Vec<Vertex> {
@@ -55,6 +101,19 @@ fn saw(vertices: usize, depth: f64) -> Result<Part, PartError> {
         (r * cos, r * sin)
     }));
     Part::new("saw", vec![outline])
+}
+
+/// An irregular closed curve with three, five and seven waves, drawn in lines.
+fn wavy(vertices: usize, phase: f64) -> Result<Part, PartError> {
+    let outline = corners((0..vertices).map(|i| {
+        let t = TAU * i as f64 / vertices as f64;
+        let r = 1.0
+            + 0.2 * (3.0 * t + phase).sin()
+            + 0.1 * (5.0 * t + 2.0 * phase).sin()
+            + 0.05 * (7.0 * t + 3.0 * phase).sin();
+        (r * t.cos(), r * t.sin())
+    }));
+    Part::new("wavy", vec![outline])
 }
 
 fn wedge(size: f64) -> Result<Part, PartError> {
