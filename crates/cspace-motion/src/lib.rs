@@ -19,7 +19,7 @@
 //! seconds.
 //!
 //! ```
-//! use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+//! use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
 //! use cspace::Part;
 //! use cspace_motion::{EventKind, Settings, Simulation, Status};
 //! // A block slides towards another and pushes it.

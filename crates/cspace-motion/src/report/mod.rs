@@ -34,7 +34,7 @@ impl Report {
     /// Reports on a recorded motion of a system.
     ///
     /// ```
-    /// use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+    /// use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
     /// use cspace::{Part, Vertex};
     /// use cspace_motion::{Report, Settings, Simulation};
     /// let disc = |name: &str, x: f64| {

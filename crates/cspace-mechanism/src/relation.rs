@@ -1,9 +1,9 @@
 //! Relation of the parts of a pair.
 
-use crate::fixed_axes::Axis;
-use crate::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
-use crate::part::Part;
-use crate::space::{Options, Progress, Silent};
+use cspace::fixed_axes::Axis;
+use cspace::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
+use cspace::part::Part;
+use cspace::space::{Options, Progress, Silent};
 
 use super::check::MechanismError;
 use super::entries::{Mechanism, PairEntry};
@@ -29,7 +29,7 @@ impl Mechanism {
     /// a joint follow from the parts' own ranges of motion.
     ///
     /// ```
-    /// use cspace::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
+    /// use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
     /// use cspace::pair::Joint;
     /// use cspace::{Part, Point, Relation};
     /// let mut mechanism = Mechanism::new("wheel in a frame");
