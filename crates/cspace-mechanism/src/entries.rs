@@ -13,8 +13,8 @@ use super::dynamics::Dynamics;
 /// Lengths are in one unit, angles in radians. All parts are drawn in the assembly's frame, as they are at zero motion.
 ///
 /// ```
-/// use cspace_mechanism::{Mechanism, PartEntry};
 /// use cspace::{Options, PairClass, Part};
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// let mut mechanism = Mechanism::new("pin in a slot");
 /// mechanism.parts.push(PartEntry::fixed(Part::rectangle("plate", (0.0, 0.0), 8.0, 8.0)?));
 /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (7.0, 0.0), 2.0)?, (7.5, 0.0)));

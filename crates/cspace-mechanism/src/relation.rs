@@ -29,9 +29,9 @@ impl Mechanism {
     /// a joint follow from the parts' own ranges of motion.
     ///
     /// ```
-    /// use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
     /// use cspace::pair::Joint;
     /// use cspace::{Part, Point, Relation};
+    /// use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
     /// let mut mechanism = Mechanism::new("wheel in a frame");
     /// mechanism.parts.push(PartEntry::fixed(Part::rectangle("frame", (0.0, 0.0), 4.0, 4.0)?));
     /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (7.0, 0.0), 1.0)?, (7.0, 0.0)));

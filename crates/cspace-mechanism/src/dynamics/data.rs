@@ -12,8 +12,8 @@ use super::motion::{Drive, PartPosition, PartVelocity};
 /// Parts are referred to by index. Configuration spaces do not depend on any of these data.
 ///
 /// ```
-/// use cspace_mechanism::{Drive, DriveMotion, Mass, Mechanism, PartDynamics, PartEntry};
 /// use cspace::{Part, Vector};
+/// use cspace_mechanism::{Drive, DriveMotion, Mass, Mechanism, PartEntry};
 /// let mut mechanism = Mechanism::new("wheel and ball");
 /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (0.0, 0.0), 2.0)?, (0.5, 0.0)));
 /// mechanism.parts.push(PartEntry::planar(Part::circle("ball", (0.0, 3.0), 1.0)?));
