@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{
     ContactInterval, Cycle, Energy, Event, Forces, Obstacle, PartCoordinates, Record, Report,
     Sample, Status, System, Trajectory,

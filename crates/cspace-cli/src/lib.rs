@@ -41,7 +41,7 @@ pub fn tolerances_answer(
 /// # Errors
 /// If it cannot be written as JSON.
 pub fn modes_answer(
-    mechanism: &cspace::Mechanism,
+    mechanism: &cspace_mechanism::Mechanism,
     modes: &cspace_modes::Modes,
     requested: ([f64; 3], cspace_modes::ModePlace),
     seconds: f64,

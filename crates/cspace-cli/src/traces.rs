@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use cspace::Mechanism;
 use cspace_drawing::Traced;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 
 use crate::failure::{is_quiet, warning};
 

@@ -1,9 +1,10 @@
 //! All requirements of a model.
 
-use cspace::mechanism::{Compute, compute_anew};
-use cspace::{ComputeError, Options, PairEntry, PairError, PairSpace, Progress, Silent};
+use cspace::{ComputeError, Options, PairError, PairSpace, Progress, Silent};
 use cspace_io::model::{Requirement, Subject, Target};
 use cspace_io::{Model, ModelError};
+use cspace_mechanism::PairEntry;
+use cspace_mechanism::{Compute, compute_anew};
 
 use crate::in_motion::{Found, Motion};
 use crate::measure::{Measured, Unmeasured, Value, measure};

@@ -6,11 +6,12 @@
 use crate::drawn::{
     Affine, DrawingNumber, DrawnContact, DrawnPair, Enclosure, Encounter, Encounters, Leg,
 };
-use cspace::{AxisMotion, Ball, Coordinates, Dual, PairEntry, Real, Relation};
+use cspace::{AxisMotion, Ball, Coordinates, Dual, Real, Relation};
 use cspace_io::Model;
 use cspace_io::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject,
 };
+use cspace_mechanism::PairEntry;
 
 use crate::measure::{numbers, unit};
 

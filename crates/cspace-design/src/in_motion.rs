@@ -1,8 +1,9 @@
 //! Measures of the motion of the whole mechanism.
 
-use cspace::mechanism::Compute;
-use cspace::{ComputeError, Mechanism, Progress};
+use cspace::{ComputeError, Progress};
 use cspace_io::model::{Happening, MotionQuantity};
+use cspace_mechanism::Compute;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{
     Event, EventKind, Record, Report, Settings, Simulation, Status, Trajectory, What,
 };

@@ -4,7 +4,6 @@
 //! at which f(e, p) = 0 moves by de/dp = −(∂f/∂p) / (∂f/∂e). ∂f/∂p is that by the vertices and axes of the drawing
 //! ([`FeatureContact::by_drawing`]) times what the model makes of p ([`Template::slopes`]), both in dual numbers.
 
-use cspace::mechanism::Compute;
 use cspace::{
     Axis, Ball, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName,
     PairSpace, Part, Point, Progress, QueryError,
@@ -13,6 +12,7 @@ use cspace_io::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject, Template,
 };
 use cspace_io::{Host, Model};
+use cspace_mechanism::Compute;
 
 use crate::check::{Checked, Interrupted, Spaces};
 use crate::drawing::{Drawing, enclosed};

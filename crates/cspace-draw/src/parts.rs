@@ -1,7 +1,8 @@
 //! Parts as drawn or at a configuration: outlines, names, axes of motion, joints, what touches.
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion, JointEntry, Point, Rotation, Vector};
+use cspace::{Axis, AxisMotion, Point, Rotation, Vector};
+use cspace_mechanism::JointEntry;
 
 use crate::colour::{INK, MARK, part as colours};
 use crate::feature_labels::{self, Fitting};

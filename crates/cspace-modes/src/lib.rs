@@ -9,7 +9,8 @@
 //! computes the intersection from the curves, and which of its configurations a motion joins.
 //!
 //! ```
-//! use cspace::{Mechanism, Part, mechanism::PartEntry};
+//! use cspace::Part;
+//! use cspace_mechanism::{Mechanism, PartEntry};
 //! use cspace_modes::{ModePlace, Modes, moving_parts};
 //! // Two bolts and a slide across them, which has a slot that takes the end of one bolt at a time.
 //! let mut lock = Mechanism::new("lock");

@@ -30,7 +30,8 @@ impl Modes {
     /// If it is not finite.
     ///
     /// ```
-    /// use cspace::{Mechanism, Part, mechanism::PartEntry};
+    /// use cspace::Part;
+    /// use cspace_mechanism::{Mechanism, PartEntry};
     /// use cspace_modes::{ModePlace, Modes};
     /// let mut blocks = Mechanism::new("blocks");
     /// for (name, x) in [("a", -4.0), ("b", 0.0), ("c", 4.0)] {

@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 use std::collections::HashMap;
 
 use cspace::fixed_axes::{Role, SweptPlane};
-use cspace::{Axis, AxisMotion, Mechanism};
+use cspace::{Axis, AxisMotion};
+use cspace_mechanism::Mechanism;
 use rayon::prelude::*;
 
 use crate::error::ModesError;
@@ -42,7 +43,8 @@ impl Modes {
     /// computed; if their free intervals combine in too many ways.
     ///
     /// ```
-    /// use cspace::{Mechanism, Part, mechanism::PartEntry};
+    /// use cspace::Part;
+    /// use cspace_mechanism::{Mechanism, PartEntry};
     /// use cspace_modes::Modes;
     /// // Three blocks on one rail: they cannot pass each other, so each order is a mode.
     /// let mut blocks = Mechanism::new("blocks");

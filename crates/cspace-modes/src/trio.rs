@@ -1,10 +1,8 @@
 //! Three parts with one coordinate each, and their pairs.
 
 use cspace::fixed_axes::Role;
-use cspace::{
-    Axis, AxisMotion, FixedAxesSpace, Mechanism, MechanismError, Options, PairEntry, PairError,
-    PairSpace,
-};
+use cspace::{Axis, AxisMotion, FixedAxesSpace, Options, PairError, PairSpace};
+use cspace_mechanism::{Mechanism, MechanismError, PairEntry};
 
 use crate::error::ModesError;
 
@@ -36,7 +34,8 @@ pub(crate) struct Trio {
 /// If there are fewer or more.
 ///
 /// ```
-/// use cspace::{Mechanism, Part, mechanism::PartEntry};
+/// use cspace::Part;
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// let mut lock = Mechanism::new("lock");
 /// for (name, x) in [("bolt", 0.0), ("plunger", 4.0), ("slide", 8.0)] {
 ///     let part = Part::rectangle(name, (x, 0.0), 2.0, 2.0)?;

@@ -1,8 +1,8 @@
 //! Modes whose number is known by arithmetic.
 #![allow(clippy::unwrap_used)]
 
-use cspace::mechanism::{Mechanism, PartEntry};
 use cspace::{Axis, Part, Vector};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_modes::Modes;
 
 fn slide(x: f64, y: f64, reach: f64) -> Axis {

@@ -6,8 +6,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::mechanism::{Mechanism, PartEntry};
 use cspace::{Part, Point, Vector, Vertex};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_modes::{ModePlace, Modes};
 
 /// The gear (12 teeth, about the origin) and the pinion (10 teeth, about (44, 0)) of a model that is drawn with its shafts.

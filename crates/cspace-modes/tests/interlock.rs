@@ -1,8 +1,8 @@
 //! Interlocks: rails that a plunger between them lets move one at a time, and the lengths of the plunger at which that changes.
 #![allow(clippy::unwrap_used)]
 
-use cspace::mechanism::{Mechanism, PartEntry};
 use cspace::{Axis, Part, Vector, Vertex};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_modes::{ModePlace, Modes};
 
 const GAP: f64 = 10.0;

@@ -1,6 +1,7 @@
 //! Why a mechanism cannot be set in motion.
 
-use cspace::{ComputeError, MechanismError, PairError, QueryError};
+use cspace::{ComputeError, PairError, QueryError};
+use cspace_mechanism::MechanismError;
 
 /// Error of a simulation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -19,8 +19,8 @@
 //! seconds.
 //!
 //! ```
-//! use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
 //! use cspace::Part;
+//! use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
 //! use cspace_motion::{EventKind, Settings, Simulation, Status};
 //! // A block slides towards another and pushes it.
 //! let mut mechanism = Mechanism::new("two blocks");

@@ -1,11 +1,12 @@
 //! The pairs of a mechanism that can meet, with their configuration spaces.
 
-use cspace::mechanism::{Compute, MechanismError, compute_anew};
 use cspace::{
-    Classification, Configuration, Coordinates, FeatureContact, FeatureId, Mechanism, Options,
-    PairEntry, PairSpace, PatchId, Placement, Point, Progress, QueryError, Real, Relation,
-    Rotation, contact_function, parallel, touching_place,
+    Classification, Configuration, Coordinates, FeatureContact, FeatureId, Options, PairSpace,
+    PatchId, Placement, Point, Progress, QueryError, Real, Relation, Rotation, contact_function,
+    parallel, touching_place,
 };
+use cspace_mechanism::{Compute, MechanismError, compute_anew};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use crate::system::{Placed, Row, System};
 

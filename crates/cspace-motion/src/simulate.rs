@@ -2,8 +2,9 @@
 
 use core::cell::Cell;
 
-use cspace::mechanism::{Compute, compute_anew};
-use cspace::{Mechanism, Progress, Silent, Stage};
+use cspace::{Progress, Silent, Stage};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{Compute, compute_anew};
 
 use crate::assemble::assemble;
 use crate::contact::check_start;

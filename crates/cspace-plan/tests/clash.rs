@@ -3,9 +3,10 @@
 
 use core::f64::consts::TAU;
 
-use cspace::mechanism::{JointEntry, PartEntry};
 use cspace::pair::Joint;
-use cspace::{Configuration, Mechanism, Part, Point};
+use cspace::{Configuration, Part, Point};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{JointEntry, PartEntry};
 use cspace_oracle::Oracle;
 use cspace_plan::clash::{Assembly, Clash, Question, Sample, State};
 use rand::{Rng, SeedableRng};

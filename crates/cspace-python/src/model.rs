@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use cspace::{Mechanism, PairEntry};
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Template};
+use cspace_mechanism::{Mechanism, PairEntry};
 use cspace_modes::Modes;
 use cspace_motion::{Report, Settings, Simulation};
 use numpy::{IntoPyArray, PyArray2};

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use cspace::{PairEntry, Vector};
+use cspace::Vector;
 use cspace_design::texts;
+use cspace_mechanism::PairEntry;
 use cspace_plan::assembly::{Assembly, Enclosure, PartFeature};
 use cspace_plan::escape::{Escape, Escaped, Field};
 use pyo3::prelude::*;

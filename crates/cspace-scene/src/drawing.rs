@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use cspace::{Mechanism, MechanismError, Part, PartEntry, Point, Vertex};
+use cspace::{Part, Point, Vertex};
 use cspace_drawing::{Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
 use cspace_io::{ModelError, shown};
+use cspace_mechanism::{Mechanism, MechanismError, PartEntry};
 use serde::{Deserialize, Serialize};
 
 use crate::base_64;

@@ -2,8 +2,9 @@
 
 use cspace::pair::Joint;
 use cspace::part::PartFeature;
-use cspace::{AxisMotion, Mechanism, MechanismError, Part, PartEntry, PartError, Vertex};
+use cspace::{AxisMotion, Part, PartError, Vertex};
 use cspace_io::shown;
+use cspace_mechanism::{Mechanism, MechanismError, PartEntry};
 use serde::Deserialize;
 
 use crate::design::SceneSetting;

@@ -1,12 +1,10 @@
 //! Content of a page: a model, or a saved space.
 
 use cspace::pair::Joint;
-use cspace::{
-    Axis, Mechanism, Options, PairClass, PairEntry, PairError, PairSpace, PartEntry, Progress,
-    Relation, Symmetry,
-};
+use cspace::{Axis, Options, PairClass, PairError, PairSpace, Progress, Relation, Symmetry};
 use cspace_io::model::{Setting, Template};
 use cspace_io::{Model, ModelError, SavedFile, shown};
+use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
 use serde::Serialize;
 
 use crate::design::{Design, SceneDesign};
@@ -110,7 +108,7 @@ impl Opened {
             })
             .collect();
         if let PairSpace::Lower(pair) = &space {
-            model.joints.push(cspace::JointEntry {
+            model.joints.push(cspace_mechanism::JointEntry {
                 joint: pair.joint(),
                 parts: (0, 1),
             });

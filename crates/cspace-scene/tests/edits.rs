@@ -3,13 +3,11 @@
 
 use core::fmt::{Debug, Display};
 
-use cspace::mechanism::{Drive, DriveMotion};
 use cspace::pair::Joint;
-use cspace::{
-    Classification, Configuration, Coordinates, JointEntry, Mechanism, Part, PartEntry, Point,
-    Silent, Vector,
-};
+use cspace::{Classification, Configuration, Coordinates, Part, Point, Silent, Vector};
 use cspace_io::SavedFile;
+use cspace_mechanism::{Drive, DriveMotion};
+use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
 use cspace_scene::{Edits, Opened};
 use serde_json::{Value, json};
 

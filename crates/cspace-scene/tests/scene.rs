@@ -4,10 +4,9 @@
 use std::collections::BTreeSet;
 
 use cspace::part::PartFeature;
-use cspace::{
-    Configuration, Coordinates, Mechanism, Options, PairClass, PairSpace, Part, PartEntry, Vertex,
-};
+use cspace::{Configuration, Coordinates, Options, PairClass, PairSpace, Part, Vertex};
 use cspace_io::{Document, SavedFile};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_scene::{Opened, Scene, ScenePair, SceneRecord};
 use serde_json::{Value, json};
 

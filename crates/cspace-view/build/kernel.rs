@@ -15,13 +15,14 @@ use wasm_bindgen_cli_support::Bindgen;
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Crates that this one and its dependencies consist of, beside this crate's folder.
-const CRATES: [&str; 10] = [
+const CRATES: [&str; 11] = [
     "cspace",
     "cspace-answers",
     "cspace-check",
     "cspace-design",
     "cspace-drawing",
     "cspace-io",
+    "cspace-mechanism",
     "cspace-motion",
     "cspace-plan",
     "cspace-scene",

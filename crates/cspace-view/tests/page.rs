@@ -1,8 +1,9 @@
 //! A page works whatever the content of its scene, and sends no requests.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use cspace::Part;
 use cspace::part::PartFeature;
-use cspace::{Mechanism, Part, PartEntry};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_scene::{Scene, SceneRecord};
 use cspace_view::{Page, PageError};
 use serde_json::{Value, json};

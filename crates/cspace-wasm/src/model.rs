@@ -2,12 +2,13 @@
 
 use core::f64::consts::TAU;
 
-use cspace::mechanism::DriveMotion;
-use cspace::{AxisMotion, Coordinates, Mechanism, Silent};
+use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_answers::check::Row;
 use cspace_answers::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_io::model::{Coordinate, Template};
+use cspace_mechanism::DriveMotion;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
 use cspace_scene::{Edits, Opened, SceneSetting};

@@ -74,7 +74,7 @@
 //! | `Axes` | fixed axes: each part turns, slides or stands still | (u, v), the two motions |
 //! | `Joint` | lower: a joint connects the parts | (x, y, θ), on the joint |
 //!
-//! A [`Mechanism`] has parts, axes, joints and pairs, and determines the relation of every pair.
+//! A mechanism of the crate `cspace-mechanism` has parts, axes, joints and pairs, and determines the relation of every pair.
 //!
 //! # How far it can be trusted
 //!
@@ -86,8 +86,8 @@
 //!
 //! Both are on unless `default-features = false` is given.
 //!
-//! - `serde`: public plain data, such as a [`Part`], a [`Mechanism`] or the [`SpaceData`](space::SpaceData) of a computed space, can be
-//!   written and read by `serde`.
+//! - `serde`: public plain data, such as a [`Part`] or the [`SpaceData`](space::SpaceData) of a computed space, can be written and read
+//!   by `serde`.
 //! - `rayon`: work is divided among the threads of the `rayon` pool from which it is called. Without it the caller's thread does all of it.
 //!   Results do not depend on the number of threads.
 
@@ -104,7 +104,6 @@ pub mod fuzzing;
 pub(crate) mod general;
 pub mod geometry;
 mod grouped;
-pub mod mechanism;
 pub(crate) mod number;
 pub mod pair;
 pub mod parallel;
@@ -123,7 +122,6 @@ pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
-pub use mechanism::{Dynamics, JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
 pub use number::{Ball, Dual, Real, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,

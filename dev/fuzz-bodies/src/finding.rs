@@ -4,8 +4,8 @@ use core::fmt;
 use std::error::Error;
 
 use cspace::Part;
-use cspace::{Mechanism, PairEntry, PartEntry};
 use cspace_io::model;
+use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
 
 /// An answer that is wrong.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cspace::{Mechanism, PairEntry, PartEntry};
 use cspace_io::model;
+use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
 use cspace_oracle::Case;
 
 /// Configurations in the comment of one file.

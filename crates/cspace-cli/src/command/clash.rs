@@ -3,8 +3,9 @@
 use std::fmt::{self, Write};
 use std::time::Instant;
 
-use cspace::{Mechanism, Part, Point};
+use cspace::{Part, Point};
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question, State};
 use serde::Serialize;
 

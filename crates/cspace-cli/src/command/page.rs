@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use cspace::PairEntry;
 use cspace_io::Host;
 use cspace_io::model::Template;
+use cspace_mechanism::PairEntry;
 use cspace_scene::{Opened, ScenePair, SceneRecord};
 use cspace_view::{Page, PageError};
 

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use cspace::{AxisMotion, Mechanism};
+use cspace::AxisMotion;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_plan::clash::Sample;
 use serde_json::Value;
 

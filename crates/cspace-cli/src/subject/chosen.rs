@@ -1,7 +1,8 @@
 //! Properties of a pair that are known before its space is computed.
 
+use cspace::Vector;
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
-use cspace::{Mechanism, PairEntry, Vector};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use super::{Chosen, Subject};
 use crate::args::AboutArg;

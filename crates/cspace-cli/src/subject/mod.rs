@@ -8,9 +8,10 @@ mod space;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use cspace::{Mechanism, PairClass, PairEntry};
+use cspace::PairClass;
 use cspace_io::model::Parameter;
 use cspace_io::{Document, Model, SavedFile};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use crate::args::{Common, SetArgs};
 use crate::failure::{Failure, note, warning};

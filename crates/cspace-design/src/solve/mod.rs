@@ -11,8 +11,9 @@ mod line;
 mod problem;
 mod several;
 
-use cspace::{Coordinates, PairEntry, Progress, parallel};
+use cspace::{Coordinates, Progress, parallel};
 use cspace_io::model::{Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template};
+use cspace_mechanism::PairEntry;
 
 use crate::measure::Value;
 

@@ -10,11 +10,11 @@ use std::sync::Arc;
 
 use crate::drawn::{ConfigurationBox, DrawnContact, DrawnPair, Witness};
 use cspace::{
-    Configuration, Edge, PairEntry, Part, Point, Progress, Real, Relation, Vector,
-    overlap_as_drawn, parallel,
+    Configuration, Edge, Part, Point, Progress, Real, Relation, Vector, overlap_as_drawn, parallel,
 };
 use cspace_io::Model;
 use cspace_io::model::{Setting, Subject, Template};
+use cspace_mechanism::PairEntry;
 
 use super::Variations;
 use super::study::Study;

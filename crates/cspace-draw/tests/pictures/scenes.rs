@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use cspace::{Configuration, ContactSpace, FixedAxesSpace, Mechanism, Options, PairSpace, Point};
+use cspace::{Configuration, ContactSpace, FixedAxesSpace, Options, PairSpace, Point};
 use cspace_draw::{
     ContactBar, ContactRow, MotionFrame, MotionPicture, PartsPicture, PictureOptions, PlacedPart,
     PlanePath, Scene, SlicesPicture, Track, TrackCurve, motion, parts, plane, slices,
 };
 use cspace_io::Document;
+use cspace_mechanism::Mechanism;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")

@@ -1,7 +1,8 @@
 //! Reads masses, drives, loads, springs and friction from a file's tree of values.
 
-use cspace::mechanism::{Dynamics, DynamicsError, DynamicsItem, PairSurface, PartDynamics};
-use cspace::{Mechanism, Vector};
+use cspace::Vector;
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{Dynamics, DynamicsError, DynamicsItem, PairSurface, PartDynamics};
 
 use super::error::ModelError;
 use super::forces::{read_drives, read_loads, read_springs};
@@ -63,7 +64,7 @@ fn in_the_file(table: &Table<'_>, mechanism: &Mechanism, error: &DynamicsError) 
             item("part", i).called(words)
         }
         DynamicsItem::Pair(a, b) => {
-            let is = |p: &cspace::PairEntry| (p.fixed, p.moving) == (a, b);
+            let is = |p: &cspace_mechanism::PairEntry| (p.fixed, p.moving) == (a, b);
             let pair = mechanism.pairs.iter().position(is);
             pair.map_or_else(|| root.clone(), |i| item("pair", i))
         }

@@ -1,7 +1,8 @@
 //! Drives, loads and springs from a file's tree of values.
 
-use cspace::mechanism::{Drive, DriveMotion, DynamicsFault, Load, LoadKind, Spring, SpringKind};
-use cspace::{Axis, AxisMotion, PartEntry, Point, Vector};
+use cspace::{Axis, AxisMotion, Point, Vector};
+use cspace_mechanism::PartEntry;
+use cspace_mechanism::{Drive, DriveMotion, DynamicsFault, Load, LoadKind, Spring, SpringKind};
 
 use super::error::ModelError;
 use super::measure::{Measure, read_list};

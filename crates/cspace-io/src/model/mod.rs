@@ -1,7 +1,7 @@
 //! File format of mechanisms: parts, motions, joints, pairs, and dynamics, in TOML or JSON.
 //!
 //! A file is read in three steps, each of which reports errors as a [`ModelError`]: bytes become text, text becomes a
-//! tree of values, the tree becomes a [`Mechanism`](cspace::Mechanism). `docs/model.md` in the project's repository
+//! tree of values, the tree becomes a [`Mechanism`](cspace_mechanism::Mechanism). `docs/model.md` in the project's repository
 //! describes the format, `docs/model.schema.json` is its schema.
 
 mod drawings;

@@ -6,7 +6,8 @@
 
 use std::collections::HashMap;
 
-use cspace::{Ball, Dual, Mechanism, Real};
+use cspace::{Ball, Dual, Real};
+use cspace_mechanism::Mechanism;
 
 use super::error::ModelError;
 use super::expression::{Expression, Wrong, is_name, is_taken};

@@ -1,7 +1,7 @@
 //! Mass, start and rate of a part.
 
-use cspace::mechanism::{DynamicsFault, Mass, PartDynamics, PartPosition, PartVelocity};
 use cspace::{Axis, AxisMotion, Configuration, Point, Vector};
+use cspace_mechanism::{DynamicsFault, Mass, PartDynamics, PartPosition, PartVelocity};
 
 use super::measure::{Measure, read_list};
 use super::node::Node;

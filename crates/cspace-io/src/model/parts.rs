@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use cspace::mechanism::PartDynamics;
-use cspace::{Axis, MechanismError, Part, PartEntry, Point, Vector};
+use cspace::{Axis, Part, Point, Vector};
+use cspace_mechanism::PartDynamics;
+use cspace_mechanism::{MechanismError, PartEntry};
 
 use super::drawings::{Setting, read_drawing, source};
 use super::error::ModelError;

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use cspace::{Ball, Dual, Mechanism};
+use cspace::{Ball, Dual};
+use cspace_mechanism::Mechanism;
 
 use super::drawings::{DRAWINGS, Files, Setting};
 use super::dynamics::read_dynamics;

@@ -2,9 +2,10 @@
 
 use std::collections::HashMap;
 
-use cspace::mechanism::PairSurface;
+use cspace::Point;
 use cspace::pair::Joint;
-use cspace::{JointEntry, MechanismError, PairEntry, PartEntry, Point};
+use cspace_mechanism::PairSurface;
+use cspace_mechanism::{JointEntry, MechanismError, PairEntry, PartEntry};
 
 use super::error::ModelError;
 use super::node::Node;

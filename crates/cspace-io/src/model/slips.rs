@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Axis, AxisMotion, Edge, Mechanism, Part, PartEntry, Relation, Vector};
+use cspace::{Axis, AxisMotion, Edge, Part, Relation, Vector};
+use cspace_mechanism::{Mechanism, PartEntry};
 
 use crate::shown;
 

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{Ball, Dual, Mechanism, Part, Real, Vertex};
+use cspace::{Ball, Dual, Part, Real, Vertex};
+use cspace_mechanism::Mechanism;
 
 use super::error::ModelError;
 use super::loops::read_loops;

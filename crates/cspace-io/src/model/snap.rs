@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Mechanism, Part, Point, Vector, Vertex};
+use cspace::{Part, Point, Vector, Vertex};
+use cspace_mechanism::Mechanism;
 
 use super::slips::is_nearly_tangent;
 

@@ -1,6 +1,6 @@
 //! Writing a model as JSON.
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 use serde_json::Value;
 
 use super::to_toml;
@@ -8,7 +8,8 @@ use super::to_toml;
 /// The model as the text of a JSON file, of the same structure as [`to_toml`] writes. Reading it gives the same model.
 ///
 /// ```
-/// use cspace::{Mechanism, Part, PartEntry};
+/// use cspace::Part;
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// use cspace_io::model;
 /// let mut mechanism = Mechanism::new("disc");
 /// mechanism.parts.push(PartEntry::planar(Part::circle("disc", (0.0, 0.0), 0.5)?));

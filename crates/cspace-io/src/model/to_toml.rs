@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion, JointEntry, Mechanism, PairEntry, PartEntry, Vertex};
+use cspace::{Axis, AxisMotion, Vertex};
+use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
 
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
 use super::toml_values::{point, text, two, vector};
@@ -16,7 +17,8 @@ use super::toml_values::{point, text, two, vector};
 /// number that is not finite or a control character in a name, is written without an error, and refused when read.
 ///
 /// ```
-/// use cspace::{Mechanism, Part, PartEntry};
+/// use cspace::Part;
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// use cspace_io::model;
 /// let mut mechanism = Mechanism::new("disc");
 /// mechanism.parts.push(PartEntry::planar(Part::circle("disc", (0.0, 0.0), 0.5)?));

@@ -1,7 +1,7 @@
 //! Writing what makes a mechanism move.
 
-use cspace::PairEntry;
-use cspace::mechanism::{
+use cspace_mechanism::PairEntry;
+use cspace_mechanism::{
     DriveMotion, Dynamics, LoadKind, Mass, PartDynamics, PartPosition, PartVelocity, SpringKind,
 };
 

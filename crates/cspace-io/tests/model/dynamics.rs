@@ -2,12 +2,13 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::mechanism::{
+use cspace::{Configuration, Point, Vector};
+use cspace_io::{ModelError, model};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{
     Drive, DriveMotion, Dynamics, Load, LoadKind, Mass, PairSurface, PartDynamics, PartPosition,
     PartVelocity, Spring, SpringKind,
 };
-use cspace::{Configuration, Mechanism, Point, Vector};
-use cspace_io::{ModelError, model};
 
 /// A frame that stands still, a driver that turns, a slider with limits, and a pawl that moves freely.
 const PARTS: [&str; 4] = [

@@ -1,8 +1,9 @@
 //! Models written as TOML are read back unchanged.
 
 use cspace::pair::Joint;
-use cspace::{Axis, JointEntry, Mechanism, PairEntry, Part, PartEntry, Point, Vector, Vertex};
+use cspace::{Axis, Part, Point, Vector, Vertex};
 use cspace_io::model;
+use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
 
 fn round_trip(model: &Mechanism) {
     let text = model::to_toml(model);

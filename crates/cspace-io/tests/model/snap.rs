@@ -2,8 +2,9 @@
 
 use core::f64::consts::PI;
 
-use cspace::{Edge, Part, PartEntry, Vertex};
+use cspace::{Edge, Part, Vertex};
 use cspace_io::model::{slips, snap};
+use cspace_mechanism::PartEntry;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -23,8 +24,8 @@ fn missed(part: &Part) -> f64 {
     most
 }
 
-fn mechanism(part: Part) -> cspace::Mechanism {
-    let mut mechanism = cspace::Mechanism::new("m");
+fn mechanism(part: Part) -> cspace_mechanism::Mechanism {
+    let mut mechanism = cspace_mechanism::Mechanism::new("m");
     mechanism.parts.push(PartEntry::planar(part));
     mechanism
 }

@@ -1,9 +1,9 @@
 //! Expectations of spaces on fixed axes.
 
-use cspace::Mechanism;
 use cspace::{
     Axis, AxisMotion, Classification, Configuration, FixedAxesSpace, Relation, Rotation, Vector,
 };
+use cspace_mechanism::Mechanism;
 use cspace_oracle::Oracle;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::Mechanism;
 use cspace::{Classification, Configuration, ContactSpace, Options, Slice, Slicer};
+use cspace_mechanism::Mechanism;
 use cspace_oracle::{Oracle, Verdict, near_contact};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

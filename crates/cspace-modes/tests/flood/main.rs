@@ -6,8 +6,8 @@ mod walk;
 
 use core::f64::consts::TAU;
 
-use cspace::mechanism::{Mechanism, PartEntry};
 use cspace::{Axis, Classification, Part, Point, Vector, Vertex};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_modes::{ModePlace, Modes};
 use grid::Grid;
 use walk::Walker;

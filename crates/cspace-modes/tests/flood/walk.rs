@@ -2,7 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Axis, AxisMotion, Configuration, Mechanism, Part, Rotation};
+use cspace::{Axis, AxisMotion, Configuration, Part, Rotation};
+use cspace_mechanism::Mechanism;
 use cspace_modes::{ModePlace, Modes};
 use cspace_oracle::Oracle;
 

@@ -1,7 +1,8 @@
 #![allow(clippy::unwrap_used)]
 
-use cspace::mechanism::{PartDynamics, PartPosition};
-use cspace::{Classification, Configuration, Mechanism, Part, PartEntry, Vertex};
+use cspace::{Classification, Configuration, Part, Vertex};
+use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_mechanism::{PartDynamics, PartPosition};
 
 use super::path::Path;
 use super::watch::{Met, Watch};

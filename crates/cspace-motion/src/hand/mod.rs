@@ -4,7 +4,8 @@ mod answer;
 mod drag;
 mod target;
 
-use cspace::{Mechanism, Placement, Progress, Silent};
+use cspace::{Placement, Progress, Silent};
+use cspace_mechanism::Mechanism;
 
 use crate::assemble::assemble;
 use crate::contact::depth;
@@ -33,8 +34,8 @@ const MOST_ASSEMBLING: f64 = 10.0;
 /// for one call is reached by asking again.
 ///
 /// ```
-/// use cspace::mechanism::{Mechanism, PartEntry};
 /// use cspace::Part;
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// use cspace_motion::{Ending, Hand, Target};
 /// // A slider, a block that it pushes, and a wall.
 /// let mut mechanism = Mechanism::new("pushed to a wall");

@@ -1,7 +1,7 @@
 //! Forces on all coordinates, energies, and what drives have to do.
 
-use cspace::mechanism::{LoadKind, SpringKind};
 use cspace::{AxisMotion, Placement, Point, Vector};
+use cspace_mechanism::{LoadKind, SpringKind};
 
 use crate::dynamic::Acting;
 

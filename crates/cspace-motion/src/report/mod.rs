@@ -34,8 +34,8 @@ impl Report {
     /// Reports on a recorded motion of a system.
     ///
     /// ```
-    /// use cspace::mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
     /// use cspace::{Part, Vertex};
+    /// use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
     /// use cspace_motion::{Report, Settings, Simulation};
     /// let disc = |name: &str, x: f64| {
     ///     Part::new(name, vec![vec![Vertex::new(x - 10.0, 0.0, 1.0), Vertex::new(x + 10.0, 0.0, 1.0)]])

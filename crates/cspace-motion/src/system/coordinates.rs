@@ -1,9 +1,8 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
-use cspace::{
-    AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
-};
+use cspace::{AreaMoments, AxisMotion, Configuration, Placement, Point, Rotation};
+use cspace_mechanism::{JointEntry, Mechanism};
+use cspace_mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
 
 use super::joint;
 use super::layout::{PartCoordinates, Placed, reach, rows_of};

@@ -1,7 +1,7 @@
 //! Forces on the coordinates: loads, weights and springs; and springs, whose dampers resist rates.
 
-use cspace::mechanism::{Load, LoadKind, Spring, SpringKind};
 use cspace::{Placement, Point, Real, Vector};
+use cspace_mechanism::{Load, LoadKind, Spring, SpringKind};
 
 use super::coordinates::System;
 use super::layout::{PartCoordinates, Placed, rows_of};

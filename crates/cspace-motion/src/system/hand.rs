@@ -1,7 +1,8 @@
 //! Mechanisms in a hand: drives released, and one part led or pulled.
 
-use cspace::mechanism::{Spring, SpringKind};
-use cspace::{Mechanism, Point, Vector};
+use cspace::{Point, Vector};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{Spring, SpringKind};
 
 use super::coordinates::System;
 use super::layout::PartCoordinates;

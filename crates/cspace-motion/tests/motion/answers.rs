@@ -2,8 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2, TAU};
 
-use cspace::mechanism::{Drive, DriveMotion, PartPosition};
-use cspace::{Mechanism, Part, PartEntry, Vertex};
+use cspace::{Part, Vertex};
+use cspace_mechanism::{Drive, DriveMotion, PartPosition};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_motion::{EventKind, Record, Status};
 
 use crate::helpers::{at, mechanism, model, run};

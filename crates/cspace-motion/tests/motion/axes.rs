@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use cspace::mechanism::{Drive, DriveMotion, Load, LoadKind, PartPosition, Spring, SpringKind};
-use cspace::{Axis, Mechanism, Part, PartEntry, Point, Vector};
+use cspace::{Axis, Part, Point, Vector};
+use cspace_mechanism::{Drive, DriveMotion, Load, LoadKind, PartPosition, Spring, SpringKind};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_motion::{EventKind, Status, What};
 
 use crate::helpers::{at, driven, mechanism, polygon, run};

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cspace::mechanism::SpringKind;
+use cspace_mechanism::SpringKind;
 use cspace_motion::{EventKind, Record, Sample, Status, What};
 
 use crate::helpers::{model, near, read, run};

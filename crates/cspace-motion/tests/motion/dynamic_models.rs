@@ -1,7 +1,7 @@
 //! Models that ship, with their masses or with some: energy, free space, and how they are written down.
 
-use cspace::Mechanism;
-use cspace::mechanism::{Mass, PartDynamics};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{Mass, PartDynamics};
 use cspace_motion::{Event, EventKind, Record, Settings, Simulation, Status, What};
 
 use crate::helpers::{judge, model, near, thrown_model};

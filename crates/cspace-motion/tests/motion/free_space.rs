@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use cspace::{Mechanism, Silent};
+use cspace::Silent;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Settings, Simulation, Status};
 use rayon::prelude::*;
 

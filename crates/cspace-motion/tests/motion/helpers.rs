@@ -1,7 +1,8 @@
 //! Helpers shared by the tests.
 
-use cspace::mechanism::{Drive, DriveMotion};
-use cspace::{Mechanism, Part, PartEntry, Vertex};
+use cspace::{Part, Vertex};
+use cspace_mechanism::{Drive, DriveMotion};
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_motion::{Record, Sample, Settings, Simulation};
 use cspace_oracle::Oracle;
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Settings, Simulation, Status};
 
 /// A message comes within this, whatever else the machine does.

@@ -1,7 +1,8 @@
 //! A disc larger than its hole does not pass, whatever pushes it.
 
-use cspace::mechanism::{Load, LoadKind};
-use cspace::{Part, PartEntry, Vector};
+use cspace::{Part, Vector};
+use cspace_mechanism::PartEntry;
+use cspace_mechanism::{Load, LoadKind};
 use cspace_motion::{Record, Status};
 
 use crate::helpers::{mechanism, polygon, run};

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use cspace::mechanism::{Load, LoadKind, PartPosition};
 use cspace::pair::Joint;
-use cspace::{JointEntry, Mechanism, Part, PartEntry, Point, Vector};
+use cspace::{Part, Point, Vector};
+use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
+use cspace_mechanism::{Load, LoadKind, PartPosition};
 use cspace_motion::{EventKind, SimulateError, Simulation, Status};
 
 use crate::helpers::{at, driven, mechanism, polygon, run};
@@ -239,10 +240,10 @@ fn rigid_and_prismatic_joints_hold() {
     };
     mechanism.dynamics.loads.push(Load { part: 2, kind });
     // A spring holds the slide against the load.
-    mechanism.dynamics.springs.push(cspace::mechanism::Spring {
+    mechanism.dynamics.springs.push(cspace_mechanism::Spring {
         part: 1,
         other: None,
-        kind: cspace::mechanism::SpringKind::Linear {
+        kind: cspace_mechanism::SpringKind::Linear {
             at: (Point::new(3.0, 0.0), Point::ORIGIN),
             stiffness: 4.0,
             length: 3.0,

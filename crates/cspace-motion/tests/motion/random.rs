@@ -1,6 +1,7 @@
 //! Random parts pushed about by a paddle: brute force judges every sample.
 
-use cspace::{Part, PartEntry, Vertex};
+use cspace::{Part, Vertex};
+use cspace_mechanism::PartEntry;
 use cspace_motion::Status;
 
 use crate::helpers::{driven, mechanism, run};

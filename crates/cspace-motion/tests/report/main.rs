@@ -6,7 +6,7 @@ mod known;
 
 use std::path::Path;
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Record, Report, Settings, Simulation};
 
 /// A shipped model.

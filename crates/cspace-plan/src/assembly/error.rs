@@ -1,6 +1,7 @@
 //! Why an assembly cannot be asked.
 
-use cspace::{MechanismError, PairError, PartError, QueryError};
+use cspace::{PairError, PartError, QueryError};
+use cspace_mechanism::MechanismError;
 
 use crate::planner::PlanError;
 

@@ -23,7 +23,8 @@ mod units;
 mod way_out;
 mod wider;
 
-use cspace::{Mechanism, Part, Progress, Silent};
+use cspace::{Part, Progress, Silent};
+use cspace_mechanism::Mechanism;
 
 pub use answer::{
     Branch, Enclosure, Kind, Locked, Outcome, PartFeature, Step, TakenApart, Tree, Tried,
@@ -40,7 +41,8 @@ use units::Units;
 /// plane: every two are in each other's way, whichever pairs the mechanism lists.
 ///
 /// ```
-/// use cspace::{Mechanism, Part, mechanism::PartEntry};
+/// use cspace::Part;
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// use cspace_plan::assembly::{Assembly, Outcome};
 /// // A block in a slot that it fills, and a lid on both.
 /// let slot = [(-3.0, -2.0), (3.0, -2.0), (3.0, 0.0), (1.0, 0.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 0.0), (-3.0, 0.0)];

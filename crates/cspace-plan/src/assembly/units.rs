@@ -1,6 +1,7 @@
 //! Units: parts that move as one.
 
-use cspace::{Axis, AxisMotion, Configuration, Mechanism, Part, Vertex, pair::Joint};
+use cspace::{Axis, AxisMotion, Configuration, Part, Vertex, pair::Joint};
+use cspace_mechanism::Mechanism;
 
 use crate::clash::depth;
 use crate::legs::Scene;
@@ -92,7 +93,7 @@ impl Units {
             return Err(AssemblyError::Nothing);
         }
         let rigid = set(&|parts| {
-            let could_move = |j: &cspace::JointEntry| {
+            let could_move = |j: &cspace_mechanism::JointEntry| {
                 parts.contains(&j.parts.0) && !matches!(j.joint, Joint::Rigid)
             };
             let is_held = |&i: &usize| {

@@ -6,7 +6,8 @@
 //! the pair at that orientation, so no contact space is computed.
 //!
 //! ```
-//! use cspace::{Mechanism, Part, mechanism::PartEntry};
+//! use cspace::Part;
+//! use cspace_mechanism::{Mechanism, PartEntry};
 //! use cspace_plan::clash::{Assembly, Question, State};
 //! let mut mechanism = Mechanism::new("three discs");
 //! for (name, x) in [("a", 0.0), ("b", 1.5), ("c", 4.0)] {
@@ -26,8 +27,8 @@ mod broad;
 mod depth;
 mod pair;
 
-use cspace::Mechanism;
 use cspace::part::Bounds;
+use cspace_mechanism::Mechanism;
 
 use crate::legs::Body;
 pub use answer::{Clash, Clashes, Question, Sample, State};

@@ -1,7 +1,8 @@
 //! The field of force of a pair, from what its mechanism says.
 
-use cspace::mechanism::{LoadKind, SpringKind};
-use cspace::{AxisMotion, Mechanism, PairEntry, Vector};
+use cspace::{AxisMotion, Vector};
+use cspace_mechanism::{LoadKind, SpringKind};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use super::energy::{Body, Field, Spring, Weight};
 

@@ -1,7 +1,8 @@
 //! One of many parts of an assembly, each of which moves on its own.
 
 use cspace::part::Bounds;
-use cspace::{Axis, AxisMotion, Configuration, Part, PartEntry, Point, Vector};
+use cspace::{Axis, AxisMotion, Configuration, Part, Point, Vector};
+use cspace_mechanism::PartEntry;
 
 use super::at::At;
 use super::depth::{NORMALS, is_deep};

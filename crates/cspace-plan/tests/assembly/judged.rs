@@ -1,7 +1,8 @@
 //! Steps judged without contact spaces.
 
-use cspace::mechanism::PartEntry;
-use cspace::{Axis, Configuration, Coordinates, Mechanism, Part, Point, Rotation, Vector};
+use cspace::{Axis, Configuration, Coordinates, Part, Point, Rotation, Vector};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::PartEntry;
 use cspace_oracle::Oracle;
 use cspace_plan::assembly::{Assembly, Kind, Step, TakenApart};
 

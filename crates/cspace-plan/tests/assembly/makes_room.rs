@@ -1,7 +1,8 @@
 //! Parts that leave after others have made room.
 
-use cspace::mechanism::PartEntry;
-use cspace::{Axis, Coordinates, Mechanism, Part, Vector};
+use cspace::{Axis, Coordinates, Part, Vector};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::PartEntry;
 use cspace_plan::assembly::{Kind, Outcome, TakenApart};
 
 use crate::judged::{asked, mechanism, polygon};

@@ -1,6 +1,7 @@
 //! Assemblies that do not come apart.
 
-use cspace::{Part, Vertex, mechanism::JointEntry, pair::Joint};
+use cspace::{Part, Vertex, pair::Joint};
+use cspace_mechanism::JointEntry;
 use cspace_plan::assembly::{Assembly, AssemblyError, Outcome};
 
 use crate::judged::{asked, mechanism, polygon};

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use cspace::mechanism::PartEntry;
 use cspace::{Axis, Part, Vector, Vertex};
+use cspace_mechanism::PartEntry;
 use cspace_plan::assembly::{Kind, Outcome};
 
 use crate::judged::{asked, mechanism};

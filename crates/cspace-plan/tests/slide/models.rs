@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cspace::{Mechanism, Options, PairSpace};
+use cspace::{Options, PairSpace};
+use cspace_mechanism::Mechanism;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")

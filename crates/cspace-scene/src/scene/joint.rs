@@ -1,7 +1,8 @@
 //! Joints of a scene.
 
 use cspace::pair::Joint;
-use cspace::{JointEntry, Point, Vector};
+use cspace::{Point, Vector};
+use cspace_mechanism::JointEntry;
 use serde::Serialize;
 
 /// A permanent connection of two parts.

@@ -1,6 +1,7 @@
 //! Pairs of a scene.
 
-use cspace::{Coordinates, FeatureCounts, PairClass, PairEntry, PairSpace, Part};
+use cspace::{Coordinates, FeatureCounts, PairClass, PairSpace, Part};
+use cspace_mechanism::PairEntry;
 use serde::Serialize;
 
 /// A pair, with its configuration space if that is known.

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use cspace::part::PartFeature;
-use cspace::{Axis, AxisMotion, FeatureKind, FeatureName, Part, PartEntry, Point, Vector, Vertex};
+use cspace::{Axis, AxisMotion, FeatureKind, FeatureName, Part, Point, Vector, Vertex};
+use cspace_mechanism::PartEntry;
 use serde::{Deserialize, Serialize};
 
 /// A part and how it moves.

@@ -4,8 +4,9 @@ use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::time::Duration;
 
-use cspace::{Classification, Configuration, Coordinates, Mechanism, Part, PartEntry};
+use cspace::{Classification, Configuration, Coordinates, Part};
 use cspace_io::SavedFile;
+use cspace_mechanism::{Mechanism, PartEntry};
 use cspace_scene::Opened;
 use cspace_view::{Page, Server};
 use serde_json::Value;

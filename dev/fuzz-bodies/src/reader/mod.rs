@@ -3,9 +3,9 @@
 mod bases;
 pub(crate) mod edit;
 
-use cspace::Mechanism;
 use cspace::{Coordinates, PairSpace};
 use cspace_io::{ModelError, SavedFile, model};
+use cspace_mechanism::Mechanism;
 
 use crate::Finding;
 use crate::draw::Bytes;

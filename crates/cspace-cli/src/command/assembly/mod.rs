@@ -6,9 +6,10 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
-use cspace::{Axis, ComputeError, Coordinates, Mechanism, PairError};
+use cspace::{Axis, ComputeError, Coordinates, PairError};
 use cspace_answers::{legs_in_words, motion_in_words};
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_plan::PlanError;
 use cspace_plan::assembly::{
     self, Assembly, AssemblyError, Enclosure, Kind, Outcome, PartFeature, TakenApart, Tried,

@@ -1,7 +1,8 @@
 //! A picture of an assembly that comes apart: as drawn, then each step with the sweep of what moves.
 
-use cspace::{Configuration, Coordinates, Mechanism};
+use cspace::{Configuration, Coordinates};
 use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames};
+use cspace_mechanism::Mechanism;
 use cspace_plan::assembly::{Kind, Step, TakenApart};
 
 use crate::args::AssemblyArgs;

@@ -85,7 +85,7 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
 }
 
 /// All parts as they are drawn.
-pub(super) fn assembly(model: &cspace::Mechanism) -> PartsPicture<'_> {
+pub(super) fn assembly(model: &cspace_mechanism::Mechanism) -> PartsPicture<'_> {
     PartsPicture {
         parts: (model.parts.iter().enumerate())
             .map(|(number, entry)| PlacedPart {

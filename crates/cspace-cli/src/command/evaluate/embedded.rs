@@ -1,7 +1,7 @@
 //! Models that are part of the program.
 
-use cspace::Mechanism;
 use cspace_io::model;
+use cspace_mechanism::Mechanism;
 
 use crate::failure::Failure;
 

@@ -8,9 +8,10 @@ use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
-use cspace::{Mechanism, Part, PartEntry};
+use cspace::Part;
 use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
 use cspace_io::model;
+use cspace_mechanism::{Mechanism, PartEntry};
 
 use crate::args::{DrawingArgs, Format, ImportArgs, Side};
 use crate::drawing;

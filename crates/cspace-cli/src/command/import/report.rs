@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use cspace::{Mechanism, Part};
+use cspace::Part;
 use cspace_drawing::Outlines;
+use cspace_mechanism::Mechanism;
 use serde::Serialize;
 
 use crate::wording::{count, length};

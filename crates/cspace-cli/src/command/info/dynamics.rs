@@ -1,10 +1,10 @@
 //! Masses, forces and drives of a mechanism, as `cspace info` prints them.
 
-use cspace::Mechanism;
-use cspace::mechanism::{
+use cspace::{AxisMotion, Point, Vector};
+use cspace_mechanism::Mechanism;
+use cspace_mechanism::{
     Drive, DriveMotion, Load, LoadKind, PartPosition, PartVelocity, Spring, SpringKind,
 };
-use cspace::{AxisMotion, Point, Vector};
 use serde::Serialize;
 
 /// Mass properties and initial state of a part, as far as the model determines them.

@@ -2,8 +2,9 @@
 
 use std::fmt::{self, Write};
 
-use cspace::{AxisMotion, Mechanism};
+use cspace::AxisMotion;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_modes::{Mode, ModePlace, Modes, PAIRS};
 use serde::Serialize;
 

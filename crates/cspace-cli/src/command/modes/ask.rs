@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use cspace::{AxisMotion, Mechanism};
+use cspace::AxisMotion;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_modes::{ModesError, moving_parts};
 
 use crate::angle;

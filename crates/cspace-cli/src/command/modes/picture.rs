@@ -1,7 +1,7 @@
 //! The region diagram of `cspace modes`.
 
-use cspace::Mechanism;
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
+use cspace_mechanism::Mechanism;
 use cspace_modes::{ModePlace, Modes};
 
 use super::ask::LETTERS;

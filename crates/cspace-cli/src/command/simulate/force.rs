@@ -1,6 +1,6 @@
 //! Forces as columns of a table.
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{ContactForce, DriveForce, Forces, What};
 
 /// A column: its name, and its number.
@@ -93,8 +93,9 @@ impl Column {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cspace::mechanism::{Drive, DriveMotion};
-    use cspace::{Part, PartEntry};
+    use cspace::Part;
+    use cspace_mechanism::PartEntry;
+    use cspace_mechanism::{Drive, DriveMotion};
 
     /// The forces of a pair are added up, a part's range and its drive have columns of their own.
     #[test]

@@ -1,8 +1,9 @@
 //! The mechanism at some times of a motion.
 
 use cspace::pair::Joint;
-use cspace::{Configuration, JointEntry, Point, Rotation, Vector};
+use cspace::{Configuration, Point, Rotation, Vector};
 use cspace_draw::{ContactMark, MotionFrame, PartsPicture, PlacedPart};
+use cspace_mechanism::JointEntry;
 use cspace_motion::{PartCoordinates, Record, Report, Sample, Simulation, Trajectory};
 
 use crate::failure::Failure;

@@ -11,8 +11,8 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
-use cspace::Mechanism;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
 
 use crate::args::{Format, Mode, SimulateArgs};

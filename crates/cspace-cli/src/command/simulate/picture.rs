@@ -1,10 +1,11 @@
 //! A page of a motion.
 
-use cspace::{AxisMotion, Mechanism, PairSpace};
+use cspace::{AxisMotion, PairSpace};
 use cspace_draw::{
     ContactBar, ContactRow, MotionPicture, PictureOptions, PlanePath, Scene, Track, TrackCurve,
     motion,
 };
+use cspace_mechanism::Mechanism;
 use cspace_motion::{
     EventKind, PartCoordinates, Record, Report, Simulation, System, Trajectory, What,
 };

@@ -2,8 +2,8 @@
 
 use std::fmt::{self, Write};
 
-use cspace::Mechanism;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 use cspace_motion::{Energy, Event, EventKind, Status, What};
 
 use crate::wording::{count, degrees, length};

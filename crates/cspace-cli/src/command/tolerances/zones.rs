@@ -2,11 +2,12 @@
 
 use std::fmt::Write;
 
-use cspace::{ContactSpace, Options, PairEntry, PairSpace, Slice};
+use cspace::{ContactSpace, Options, PairSpace, Slice};
 use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_io::Model;
 use cspace_io::model::{Coordinate, Requirement, Subject, Template};
+use cspace_mechanism::PairEntry;
 use serde::Serialize;
 
 use crate::args::{Format, TolerancesArgs};

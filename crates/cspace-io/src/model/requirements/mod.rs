@@ -7,7 +7,7 @@ mod space;
 
 use std::collections::HashMap;
 
-use cspace::Mechanism;
+use cspace_mechanism::Mechanism;
 
 pub use quantity::{
     Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,

@@ -1,6 +1,7 @@
 //! Requirements on the motion of a mechanism.
 
-use cspace::{AxisMotion, Mechanism};
+use cspace::AxisMotion;
+use cspace_mechanism::Mechanism;
 
 use super::pair::two_parts;
 use super::quantity::{Coordinate, Dimension, Happening, MotionQuantity, Subject};

@@ -1,6 +1,6 @@
 //! Requirements on the configuration space of a pair.
 
-use cspace::{Mechanism, PairEntry};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use super::quantity::{Coordinate, Dimension, Quantity, Subject};
 use super::space::Space;

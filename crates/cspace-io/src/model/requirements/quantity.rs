@@ -1,6 +1,7 @@
 //! Measured quantity of a requirement, and its target.
 
-use cspace::{Coordinates, PairEntry};
+use cspace::Coordinates;
+use cspace_mechanism::PairEntry;
 
 /// Requirement of a design: a measured quantity, and its target.
 #[derive(Debug, Clone, PartialEq)]

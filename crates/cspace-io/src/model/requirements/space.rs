@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use cspace::{Axis, AxisMotion, Configuration, Coordinates, Mechanism, PairEntry, Relation};
+use cspace::{Axis, AxisMotion, Configuration, Coordinates, Relation};
+use cspace_mechanism::{Mechanism, PairEntry};
 
 use super::quantity::Coordinate;
 use crate::model::measure::{Measure, read_list};

@@ -1,8 +1,8 @@
 //! Reading the models, and asking what becomes of their parts.
 
-use cspace::Mechanism;
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Rotation, Vector};
 use cspace_io::model;
+use cspace_mechanism::Mechanism;
 
 pub(crate) use Classification::{Blocked, Contact, Free};
 

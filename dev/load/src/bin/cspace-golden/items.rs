@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use cspace::{Axis, Part, Point, Relation, Vector};
-use cspace::{Dynamics, Mechanism};
 use cspace_io::Document;
 use cspace_load::Source;
+use cspace_mechanism::{Dynamics, Mechanism};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -113,7 +113,7 @@ fn general(relation: Relation) -> Option<Relation> {
     (relation != Relation::Planar).then_some(Relation::Planar)
 }
 
-fn question(model: &Mechanism, pair: &cspace::PairEntry, relation: Relation) -> Question {
+fn question(model: &Mechanism, pair: &cspace_mechanism::PairEntry, relation: Relation) -> Question {
     let part = |i: usize| model.parts[i].part.clone();
     Question {
         fixed: part(pair.fixed),

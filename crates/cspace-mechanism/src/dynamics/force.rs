@@ -1,10 +1,10 @@
 //! Forces and torques that act on parts, and springs between them.
 
-use crate::geometry::{Point, Vector};
+use cspace::geometry::{Point, Vector};
+use serde::{Deserialize, Serialize};
 
 /// A constant force or torque on a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Load {
     /// The index of the part.
     pub part: usize,
@@ -13,9 +13,8 @@ pub struct Load {
 }
 
 /// Force or torque that acts on a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LoadKind {
     /// A force that keeps its direction while the part turns.
     Force {
@@ -29,8 +28,7 @@ pub enum LoadKind {
 }
 
 /// A spring with a parallel damper between two parts, or between a part and the ground.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Spring {
     /// The index of the first part.
     pub part: usize,
@@ -41,9 +39,8 @@ pub struct Spring {
 }
 
 /// Kinds of springs.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum SpringKind {
     /// A spring that pulls two points towards each other by k (d − l) + c ḋ, where d is their distance.
     Linear {

@@ -2,13 +2,13 @@
 
 use std::collections::HashSet;
 
-use super::super::entries::{Mechanism, PartEntry};
 use super::at::{At, Checked, stands_still};
 use super::data::{Dynamics, PairSurface, PartDynamics};
 use super::fault::{DynamicsError, DynamicsFault, DynamicsItem};
 use super::force::{Load, LoadKind, Spring, SpringKind};
 use super::mass::Mass;
 use super::motion::{Drive, DriveMotion, PartPosition, PartVelocity};
+use crate::entries::{Mechanism, PartEntry};
 
 impl Dynamics {
     /// Checks the data for a mechanism of these parts and pairs.

@@ -1,9 +1,10 @@
 //! Elements of a mechanism: parts, joints and pairs.
 
-use crate::fixed_axes::Axis;
-use crate::geometry::{Point, Vector};
-use crate::pair::Joint;
-use crate::part::Part;
+use cspace::fixed_axes::Axis;
+use cspace::geometry::{Point, Vector};
+use cspace::pair::Joint;
+use cspace::part::Part;
+use serde::{Deserialize, Serialize};
 
 use super::dynamics::Dynamics;
 
@@ -12,8 +13,8 @@ use super::dynamics::Dynamics;
 /// Lengths are in one unit, angles in radians. All parts are drawn in the assembly's frame, as they are at zero motion.
 ///
 /// ```
-/// use cspace::mechanism::{Mechanism, PartEntry};
 /// use cspace::{Options, PairClass, Part};
+/// use cspace_mechanism::{Mechanism, PartEntry};
 /// let mut mechanism = Mechanism::new("pin in a slot");
 /// mechanism.parts.push(PartEntry::fixed(Part::rectangle("plate", (0.0, 0.0), 8.0, 8.0)?));
 /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (7.0, 0.0), 2.0)?, (7.5, 0.0)));
@@ -25,8 +26,7 @@ use super::dynamics::Dynamics;
 /// assert_eq!(space.moving().name(), "wheel");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Mechanism {
     /// Name of the mechanism.
     pub name: String,
@@ -39,16 +39,12 @@ pub struct Mechanism {
     /// The pairs to study.
     pub pairs: Vec<PairEntry>,
     /// Masses, gravity, drives and other dynamic data. Configuration spaces do not depend on them.
-    #[cfg_attr(
-        feature = "serde",
-        serde(default, skip_serializing_if = "Dynamics::is_none")
-    )]
+    #[serde(default, skip_serializing_if = "Dynamics::is_none")]
     pub dynamics: Dynamics,
 }
 
 /// A part and its motion.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PartEntry {
     /// The outline, in the part's own frame, which is the assembly's frame at zero motion.
     pub part: Part,
@@ -59,8 +55,7 @@ pub struct PartEntry {
 }
 
 /// A permanent connection of two different parts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct JointEntry {
     /// Type of joint.
     pub joint: Joint,
@@ -69,8 +64,7 @@ pub struct JointEntry {
 }
 
 /// Two different parts whose configuration space is requested.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PairEntry {
     /// Index of the part in whose frame configurations are expressed.
     pub fixed: usize,

@@ -1,10 +1,10 @@
 #![allow(clippy::unwrap_used)]
 
 use super::{JointEntry, Mechanism, MechanismError, PairEntry, PartEntry};
-use crate::geometry::Point;
-use crate::pair::{Joint, PairClass, PairError};
-use crate::part::Part;
-use crate::space::Options;
+use cspace::geometry::Point;
+use cspace::pair::{Joint, PairClass, PairError};
+use cspace::part::Part;
+use cspace::space::Options;
 
 fn disc(name: &str, x: f64) -> Part {
     Part::circle(name, (x, 0.0), 1.0).unwrap()
@@ -117,7 +117,7 @@ fn a_pair_has_its_own_window_where_it_has_orientations() {
     mechanism.pairs[1].window = Some((0.0, 1.0));
     let compute = |i: usize, options: &Options| mechanism.compute(&mechanism.pairs[i], options);
     let window = |options: &Options| match compute(1, options).unwrap() {
-        crate::PairSpace::Planar(space) => (space.window().lo, space.window().hi),
+        cspace::PairSpace::Planar(space) => (space.window().lo, space.window().hi),
         _ => (0.0, 0.0),
     };
     let other = Options {

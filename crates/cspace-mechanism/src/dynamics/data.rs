@@ -1,6 +1,7 @@
 //! Dynamic data of a mechanism, in addition to its parts.
 
-use crate::geometry::{Point, Vector};
+use cspace::geometry::{Point, Vector};
+use serde::{Deserialize, Serialize};
 
 use super::force::{Load, Spring};
 use super::mass::Mass;
@@ -11,8 +12,8 @@ use super::motion::{Drive, PartPosition, PartVelocity};
 /// Parts are referred to by index. Configuration spaces do not depend on any of these data.
 ///
 /// ```
-/// use cspace::mechanism::{Drive, DriveMotion, Mass, Mechanism, PartDynamics, PartEntry};
 /// use cspace::{Part, Vector};
+/// use cspace_mechanism::{Drive, DriveMotion, Mass, Mechanism, PartEntry};
 /// let mut mechanism = Mechanism::new("wheel and ball");
 /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (0.0, 0.0), 2.0)?, (0.5, 0.0)));
 /// mechanism.parts.push(PartEntry::planar(Part::circle("ball", (0.0, 3.0), 1.0)?));
@@ -25,9 +26,8 @@ use super::motion::{Drive, PartPosition, PartVelocity};
 /// assert_eq!(mechanism.mass_properties(0), None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default))]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Dynamics {
     /// The acceleration of gravity, in the assembly's frame, unit/s².
     pub gravity: Vector,
@@ -48,9 +48,8 @@ pub struct Dynamics {
 }
 
 /// The mass of a part, and its motion at the start.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default))]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct PartDynamics {
     /// The mass, or the mass per area.
     pub mass: Option<Mass>,
@@ -65,8 +64,7 @@ pub struct PartDynamics {
 }
 
 /// Friction and restitution of a pair's contacts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct PairSurface {
     /// The indices of the two parts, in either order.
     pub parts: (usize, usize),
@@ -98,7 +96,7 @@ impl Dynamics {
     /// The coefficient of friction where two parts touch, given by their indices in either order.
     ///
     /// ```
-    /// use cspace::mechanism::{Dynamics, PairSurface};
+    /// use cspace_mechanism::{Dynamics, PairSurface};
     /// let own = PairSurface { parts: (0, 2), friction: Some(0.3), restitution: None };
     /// let dynamics = Dynamics { friction: 0.1, pairs: vec![own], ..Dynamics::default() };
     /// assert_eq!(dynamics.friction_between(2, 0), 0.3);

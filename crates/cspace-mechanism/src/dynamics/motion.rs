@@ -1,11 +1,11 @@
 //! Initial positions and velocities of parts, and prescribed motions.
 
-use crate::geometry::{Configuration, Vector};
+use cspace::geometry::{Configuration, Vector};
+use serde::{Deserialize, Serialize};
 
 /// Position of a part at the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum PartPosition {
     /// Position of a part without an axis of its own: its frame as seen from the assembly's.
     Planar(Configuration),
@@ -14,9 +14,8 @@ pub enum PartPosition {
 }
 
 /// Velocity of a part at the start: the derivative of its [`PartPosition`] by time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum PartVelocity {
     /// Velocity of a part without an axis of its own.
     Planar {
@@ -30,8 +29,7 @@ pub enum PartVelocity {
 }
 
 /// A part whose motion is prescribed.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Drive {
     /// The index of the part, which turns or slides.
     pub part: usize,
@@ -40,9 +38,8 @@ pub struct Drive {
 }
 
 /// Motion of a driven part along its axis; its coordinate u is in radians or the model's unit of length.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum DriveMotion {
     /// Motion at a constant rate from the part's start: rad/s or unit/s.
     Rate(f64),

@@ -1,6 +1,6 @@
 //! Checks of single values of an item.
 
-use crate::fixed_axes::{Axis, AxisMotion};
+use cspace::fixed_axes::{Axis, AxisMotion};
 
 use super::fault::{DynamicsError, DynamicsFault, DynamicsItem};
 

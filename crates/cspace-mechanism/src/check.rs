@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use crate::fixed_axes::AxisMotion;
-use crate::pair::{Joint, PairError};
-use crate::space::LONGEST_WINDOW;
+use cspace::fixed_axes::AxisMotion;
+use cspace::pair::{Joint, PairError};
+use cspace::space::LONGEST_WINDOW;
 
 use super::dynamics::DynamicsError;
 use super::entries::{JointEntry, Mechanism, PairEntry, PartEntry};

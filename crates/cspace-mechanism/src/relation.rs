@@ -1,9 +1,9 @@
 //! Relation of the parts of a pair.
 
-use crate::fixed_axes::Axis;
-use crate::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
-use crate::part::Part;
-use crate::space::{Options, Progress, Silent};
+use cspace::fixed_axes::Axis;
+use cspace::pair::{LowerPair, PairClass, PairError, PairSpace, Relation};
+use cspace::part::Part;
+use cspace::space::{Options, Progress, Silent};
 
 use super::check::MechanismError;
 use super::entries::{Mechanism, PairEntry};
@@ -29,9 +29,9 @@ impl Mechanism {
     /// a joint follow from the parts' own ranges of motion.
     ///
     /// ```
-    /// use cspace::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
     /// use cspace::pair::Joint;
     /// use cspace::{Part, Point, Relation};
+    /// use cspace_mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
     /// let mut mechanism = Mechanism::new("wheel in a frame");
     /// mechanism.parts.push(PartEntry::fixed(Part::rectangle("frame", (0.0, 0.0), 4.0, 4.0)?));
     /// mechanism.parts.push(PartEntry::revolute(Part::circle("wheel", (7.0, 0.0), 1.0)?, (7.0, 0.0)));

@@ -1,13 +1,13 @@
 #![allow(clippy::unwrap_used)]
 
-use super::super::{Mechanism, MechanismError, PartEntry};
 use super::{
     Drive, DriveMotion, DynamicsFault as Fault, DynamicsItem as Item, Load, LoadKind, Mass,
     PairSurface, PartPosition, PartVelocity, Spring, SpringKind,
 };
-use crate::fixed_axes::Axis;
-use crate::geometry::{Configuration, Point, Vector};
-use crate::part::Part;
+use crate::{Mechanism, MechanismError, PartEntry};
+use cspace::fixed_axes::Axis;
+use cspace::geometry::{Configuration, Point, Vector};
+use cspace::part::Part;
 
 /// A frame, a wheel at x = 4, a slider with limits, and a block that moves freely.
 fn four() -> Mechanism {

@@ -1,11 +1,11 @@
 //! Mass, centre of mass and moment of inertia.
 
-use crate::geometry::Point;
+use cspace::geometry::Point;
+use serde::{Deserialize, Serialize};
 
 /// The mass of a part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Mass {
     /// Total mass, in kg.
     Total(f64),
@@ -14,8 +14,7 @@ pub enum Mass {
 }
 
 /// The mass of a part and its distribution.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MassProperties {
     /// The mass in kg.
     pub mass: f64,

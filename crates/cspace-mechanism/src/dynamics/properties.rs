@@ -1,11 +1,11 @@
 //! Mass properties of parts: as given, or computed from the outline.
 
-use crate::geometry::Point;
-use crate::part::Part;
+use cspace::geometry::Point;
+use cspace::part::Part;
 
-use super::super::entries::Mechanism;
 use super::data::PartDynamics;
 use super::mass::{Mass, MassProperties};
+use crate::entries::Mechanism;
 
 impl PartDynamics {
     /// Mass, centre of mass and inertia of a part; `None` for a part without mass.
@@ -18,8 +18,8 @@ impl PartDynamics {
     /// - the inertia about c is m (I / A + |c − g|²), also where another c is given.
     ///
     /// ```
-    /// use cspace::mechanism::{Mass, PartDynamics};
     /// use cspace::Part;
+    /// use cspace_mechanism::{Mass, PartDynamics};
     /// let disc = Part::circle("disc", (3.0, 0.0), 2.0)?;
     /// let heavy = PartDynamics { mass: Some(Mass::Total(0.5)), ..PartDynamics::default() };
     /// let properties = heavy.mass_properties(&disc).ok_or("it has a mass")?;
