@@ -4,9 +4,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use cspace::{
-    Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
-    QueryError, Relation, Vector,
+    Classification, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace, QueryError,
+    Relation, Vector,
 };
+use cspace_classifier::Classifier;
 use cspace_design::{Motion, displace, free_range, pair_of, texts};
 use cspace_io::model::Coordinate;
 use cspace_io::write::mesh::{Mesh, MeshOptions};

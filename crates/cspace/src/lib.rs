@@ -62,7 +62,7 @@
 //! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
 //! | all contacts at one orientation | [`Slice`] |
 //! | where a part can be placed beside others or in a frame, including exact fits | [`NoFit`] |
-//! | millions of configurations | [`Classifier`] |
+//! | millions of configurations | `Classifier` of the crate `cspace-classifier` |
 //!
 //! # Pairs of all classes
 //!
@@ -98,6 +98,8 @@ mod boxes;
 pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod fixed_axes;
+#[doc(hidden)]
+pub mod for_classifier;
 #[cfg(feature = "fuzzing")]
 #[doc(hidden)]
 pub mod fuzzing;
@@ -132,9 +134,7 @@ pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
     PartSymmetry, Vertex,
 };
-pub use query::{
-    Classification, Classifier, FirstContact, MotionError, MotionOutcome, NearestContact,
-};
+pub use query::{Classification, FirstContact, MotionError, MotionOutcome, NearestContact};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use cspace::{ComputeError, Configuration, ContactSpace, Options, Progress, Slicer, StageSeconds};
+use cspace_classifier::Classifier;
 use cspace_oracle::{Case, Oracle, Verdict};
 use rand_chacha::ChaCha8Rng;
 
@@ -102,7 +103,7 @@ fn inverse(
 
 /// Configurations at which the classifier disagrees with the space it was made from.
 fn classifier(space: &ContactSpace, kept: &[(Configuration, Verdict)]) -> Vec<Fault> {
-    let classifier = space.classifier();
+    let classifier = Classifier::new(space);
     kept.iter()
         .filter(|(c, _)| classifier.classify(*c) != space.classify(*c))
         .map(|&(at, _)| Fault::Classifier { at })

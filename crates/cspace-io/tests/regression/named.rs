@@ -7,6 +7,7 @@ use cspace::{
     Axis, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part, Point,
     Slicer, Vector, Vertex,
 };
+use cspace_classifier::Classifier;
 use cspace_oracle::Oracle;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -19,7 +20,7 @@ use crate::parts;
 fn disc_in_loose_hole_at_critical_orientations() {
     let [fixed, moving] = parts("tests/regression/disc_in_loose_hole.json");
     let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
-    let classifier = space.classifier();
+    let classifier = Classifier::new(&space);
     let quarter = core::f64::consts::FRAC_PI_2;
     let orientations = (-2..=2).flat_map(|k| {
         let theta = quarter * f64::from(k);

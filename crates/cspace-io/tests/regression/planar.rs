@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Slice, Slicer};
+use cspace_classifier::Classifier;
 use cspace_mechanism::Mechanism;
 use cspace_oracle::{Oracle, Verdict, near_contact};
 use rand::{Rng, SeedableRng};
@@ -170,7 +171,7 @@ impl Pair {
     fn told(&self, by: By, c: Configuration) -> Option<Classification> {
         match by {
             By::Space => self.space.classify(c),
-            By::Classifier => self.space.classifier().classify(c),
+            By::Classifier => Classifier::new(&self.space).classify(c),
             By::Slice | By::SliceUnlessDoubtful => {
                 class(self.space.slice(c.theta).is_free(c.position()))
             }

@@ -97,6 +97,7 @@ impl PairFrame {
     }
 
     /// Converts a length of this frame to the model's unit.
+    #[inline]
     pub(crate) fn outer_length(&self, length: f64) -> f64 {
         length / self.scale
     }

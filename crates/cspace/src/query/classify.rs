@@ -10,7 +10,7 @@ use crate::space::ContactSpace;
 /// of rounding, and critical orientations are known to 1e-6 at worst.
 ///
 /// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
-pub(super) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
+pub(crate) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// Class of a configuration: free, blocked or in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,7 +29,7 @@ impl ContactSpace {
     /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise by the side
     /// from which a ray meets the first contact curve. At [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are
     /// tested for overlap instead, and a contact must also be confirmed by tests just beside it. `None` outside the window, or if the
-    /// configuration is not finite. For millions of configurations prepare a [`classifier`](Self::classifier).
+    /// configuration is not finite. For millions of configurations there is the crate `cspace-classifier`.
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};

@@ -1,17 +1,15 @@
 //! Queries of configurations and motions, answered from the patches; and by tests of the parts themselves where the patches are in doubt.
 
-mod classifier;
-mod classify;
+pub(crate) mod classify;
 mod contacts;
 mod crossings;
 mod first_contact;
 mod index;
 mod path;
 mod project;
-mod swept;
+pub(crate) mod swept;
 mod touch;
 
-pub use classifier::Classifier;
 pub use classify::Classification;
 pub use contacts::NearestContact;
 pub use first_contact::{FirstContact, MotionError, MotionOutcome};

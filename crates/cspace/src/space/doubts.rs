@@ -60,13 +60,6 @@ impl Doubts<'_> {
         let next = near.partition_point(|i| i.1 < t);
         near.get(next).is_some_and(|i| i.0 <= t)
     }
-
-    /// Indices of the intervals that overlap `lo` to `hi`, which are not reduced by turns.
-    pub(crate) fn between(&self, lo: f64, hi: f64) -> core::ops::Range<usize> {
-        let first = self.intervals.partition_point(|i| i.1 < lo);
-        let end = self.intervals.partition_point(|i| i.0 <= hi);
-        first..end.max(first)
-    }
 }
 
 /// Union of intervals of orientation as disjoint intervals, in ascending order.
@@ -110,9 +103,6 @@ mod tests {
             assert!(at(0.75) && at(3.2) && at(-3.0) && at(PI), "{turns}");
             assert!(!at(0.9) && !at(0.4) && !at(-2.9), "{turns}");
         }
-        assert_eq!(doubts.between(0.0, 1.0), 1..2);
-        assert_eq!(doubts.between(0.9, 2.0), 2..2);
-        assert_eq!(doubts.between(-4.0, 4.0), 0..3);
     }
 
     #[test]

@@ -63,6 +63,7 @@ impl ContactSpace {
     }
 
     /// All computed results, as plain data.
+    #[inline]
     pub fn data(&self) -> &SpaceData {
         &self.data
     }
@@ -85,6 +86,7 @@ impl ContactSpace {
     }
 
     /// View of the data from which slices are computed.
+    #[inline]
     pub(crate) fn surface(&self) -> Surface<'_> {
         Surface {
             window: self.data.window,
@@ -119,6 +121,7 @@ impl ContactSpace {
     }
 
     /// Doubtful orientations.
+    #[inline]
     pub(crate) fn doubts(&self) -> Doubts<'_> {
         self.surface().doubts()
     }
@@ -134,6 +137,7 @@ impl ContactSpace {
     }
 
     /// The orientations covered.
+    #[inline]
     pub fn window(&self) -> Window {
         self.data.window
     }
@@ -144,6 +148,7 @@ impl ContactSpace {
     }
 
     /// The symmetry of the parts, and the number of periods in a turn.
+    #[inline]
     pub fn symmetry(&self) -> PairSymmetry {
         self.data.symmetry
     }
@@ -154,6 +159,7 @@ impl ContactSpace {
     }
 
     /// Orientations at which the structure of the slice changes: sorted, in [−π, π) for a full turn.
+    #[inline]
     pub fn critical_orientations(&self) -> &[f64] {
         &self.data.critical_orientations
     }
@@ -163,6 +169,7 @@ impl ContactSpace {
     /// They contain bands of less than 2.4·10⁻¹⁰ rad, critical orientations with an error above 1.2·10⁻¹⁰ rad, and contacts next to a
     /// conflict: cells that are linked, but classified differently by their bounds and by an overlap test. There,
     /// [`classify`](Self::classify) tests the parts themselves; a slice, a link or a motion may be wrong.
+    #[inline]
     pub fn doubtful_orientations(&self) -> &[(f64, f64)] {
         &self.data.doubtful_orientations
     }
@@ -176,6 +183,7 @@ impl ContactSpace {
     }
 
     /// The patches.
+    #[inline]
     pub fn patches(&self) -> &[Patch] {
         &self.data.patches
     }
@@ -271,6 +279,7 @@ impl ContactSpace {
 
     /// Distance from a contact curve below which a position is in contact (model length): the resolution without the errors of the curve
     /// itself, which come from growing and symmetry.
+    #[inline]
     pub fn contact_distance(&self) -> f64 {
         self.data.frame.outer_length(CONTACT)
     }

@@ -28,6 +28,7 @@ pub(crate) struct Surface<'a> {
 
 impl<'a> Surface<'a> {
     /// Doubtful orientations, for queries.
+    #[inline]
     pub(crate) fn doubts(&self) -> Doubts<'a> {
         Doubts {
             intervals: self.doubtful,

@@ -4,7 +4,6 @@
 mod about;
 #[cfg(feature = "serde")]
 mod answers_saved;
-mod classifier;
 mod contact;
 mod lower;
 mod motion;

@@ -6,7 +6,7 @@ use cspace::{
     Classification, Configuration, ContactSpace, FirstContact, MotionError, MotionOutcome, Options,
     Part,
 };
-use cspace_oracle::shapes::{circle, gear, rectangle, square};
+use cspace_oracle::shapes::{circle, rectangle, square};
 use cspace_oracle::{Oracle, Pair, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -318,36 +318,6 @@ fn agrees_with_brute_force() {
         "{} grazes",
         tally.grazes
     );
-}
-
-#[test]
-fn agrees_with_the_classifier() {
-    let space = space(&gear(10, 1.0), &gear(9, 1.0));
-    let classifier = space.classifier();
-    let mut rng = ChaCha8Rng::seed_from_u64(23);
-    let mut contacts = 0;
-    for _ in 0..1000 {
-        let mut share = |s: f64| rng.random_range(-s..s);
-        let from = at(share(14.0), share(14.0), share(PI));
-        let rates = [share(10.0), share(10.0), share(3.0)];
-        if classifier.classify(from) != Some(Classification::Free) {
-            continue;
-        }
-        let outcome = space.first_contact(from, rates, 2.0).unwrap();
-        let until = outcome.contact().map_or(2.0, |c| c.time);
-        contacts += usize::from(outcome.contact().is_some());
-        for k in 0..1000 {
-            let t = until * f64::from(k) / 1000.0;
-            let [dx, dy, turning] = rates;
-            let c = at(from.x + t * dx, from.y + t * dy, from.theta + t * turning);
-            assert_eq!(classifier.classify(c), Some(Classification::Free), "{c:?}");
-        }
-        if let Some(c) = outcome.contact() {
-            let there = classifier.classify(c.configuration);
-            assert_eq!(there, Some(Classification::Contact));
-        }
-    }
-    assert!(contacts > 100, "{contacts}");
 }
 
 /// Motions that begin far away find the same contacts: the rounding at far beginnings hides no contact.

@@ -6,6 +6,7 @@ use cspace::{
     BoundaryKind, Classification, Configuration, ContactSpace, FeatureName, Options, Part, Patch,
     Symmetry, Vertex,
 };
+use cspace_classifier::Classifier;
 use cspace_oracle::shapes::*;
 use cspace_oracle::{Oracle, near_contact, pairs};
 use rand::{Rng, SeedableRng};
@@ -187,7 +188,7 @@ fn same_regions(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
 fn same_answers(a: &ContactSpace, b: &ContactSpace, n: usize, name: &str) {
     let oracle = Oracle::new(a.fixed(), a.moving());
     let mut rng = ChaCha8Rng::seed_from_u64(7);
-    let (one, other) = (a.classifier(), b.classifier());
+    let (one, other) = (Classifier::new(a), Classifier::new(b));
     let window = a.window();
     let inside = |theta: f64| window.full_turn || (window.lo..=window.hi).contains(&theta);
     for _ in 0..n / 2 {
@@ -447,7 +448,7 @@ fn rounded_drawings() {
     assert_eq!(a.statistics().conflicts, 0);
     let oracle = Oracle::new(&wheel, &pawl());
     let mut rng = ChaCha8Rng::seed_from_u64(9);
-    let classifier = a.classifier();
+    let classifier = Classifier::new(&a);
     for near in near_contact(&oracle, &mut rng, 2000) {
         let expected = if near.verdict.overlap {
             Classification::Blocked

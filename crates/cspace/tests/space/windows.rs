@@ -1,6 +1,7 @@
 //! Windows that end at critical orientations, or just beside them: all properties must hold also at the very end.
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Point, Slicer, Vector};
+use cspace_classifier::Classifier;
 use cspace_oracle::{Oracle, Pair, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -39,7 +40,7 @@ fn wrong_at_the_end(
         ..Options::default()
     };
     let space = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
-    let classifier = space.classifier();
+    let classifier = Classifier::new(&space);
     let oracle = Oracle::new(&pair.fixed, &pair.moving);
     let size = oracle.size();
     let slice = Slicer::new(&pair.fixed, &pair.moving).slice(end);

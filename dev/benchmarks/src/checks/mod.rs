@@ -8,6 +8,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use cspace::{Classification, Configuration, ContactSpace, Options};
+use cspace_classifier::Classifier;
 use cspace_oracle::Oracle;
 use serde::Serialize;
 
@@ -57,7 +58,7 @@ pub(crate) fn measure(pair: &Pair) -> Result<Vec<Row>, Failure> {
     let begin = Instant::now();
     let space = ContactSpace::compute(&pair.fixed, &pair.moving, &Options::default())?;
     let of_space = begin.elapsed().as_secs_f64();
-    let classifier = space.classifier();
+    let classifier = Classifier::new(&space);
     let of_classifier = begin.elapsed().as_secs_f64();
     let blocked = |class: Option<Classification>| match class? {
         Classification::Blocked => Some(true),

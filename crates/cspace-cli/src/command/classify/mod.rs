@@ -6,6 +6,7 @@ use core::f64::consts::TAU;
 use std::path::Path;
 
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
+use cspace_classifier::Classifier;
 use cspace_io::shown;
 use rayon::prelude::*;
 
@@ -80,7 +81,9 @@ fn answers(
     touch: f64,
 ) -> Result<Vec<Vec<Answer>>, Failure> {
     let classifier = match space {
-        PairSpace::Planar(space) if rows.configurations.len() >= MANY => Some(space.classifier()),
+        PairSpace::Planar(space) if rows.configurations.len() >= MANY => {
+            Some(Classifier::new(&**space))
+        }
         _ => None,
     };
     let window = match space {

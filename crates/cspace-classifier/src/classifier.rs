@@ -1,30 +1,19 @@
-//! Fast classification of many configurations.
-
-mod board;
-mod cells;
-mod centers;
-mod grid;
-mod nearby;
-mod raster;
-mod ray;
-mod slab;
-mod slot;
-mod walk;
+//! The prepared space.
 
 use core::ops::Deref;
 
-use crate::geometry::{Configuration, Point, Rotation};
-use crate::parallel;
-use crate::query::Classification;
-use crate::space::ContactSpace;
+use cspace::{
+    Classification, Configuration, ContactSpace, Point, Rotation, for_classifier, parallel,
+};
 
-use cells::CellStore;
-use centers::Centers;
-use grid::{Grid, MARGIN};
-use nearby::Nearby;
-use ray::{AxisDirection, off_cycle};
-use slab::{Home, Slab};
-use walk::Content;
+use super::cells::CellStore;
+use super::centers::Centers;
+use super::grid::{Grid, MARGIN};
+use super::nearby::Nearby;
+use super::ray::{AxisDirection, off_cycle};
+use super::slab::{Home, Slab};
+use super::walk::Content;
+use super::{slot, walk};
 
 /// Absolute orientation (radians, some hundred turns) above which the slow path is used: reduced by whole turns, the rounding of larger
 /// ones is no longer small compared with the margin of cells.
@@ -64,44 +53,21 @@ pub struct Classifier<S> {
     cells: CellStore,
 }
 
-impl ContactSpace {
-    /// Prepares the classification of many configurations; see [`Classifier`].
-    ///
-    /// ```
-    /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};
-    /// let square = |name: &str, r: f64| {
-    ///     let corners = [(-r, -r), (r, -r), (r, r), (-r, r)];
-    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
-    /// };
-    /// let space = ContactSpace::compute(&square("table", 2.0)?, &square("block", 1.0)?, &Options::default())?;
-    /// let classifier = space.classifier();
-    /// let at = |x| classifier.classify(Configuration::new(x, 0.0, 1e-3));
-    /// assert_eq!(at(4.0), Some(Classification::Free));
-    /// assert_eq!(at(2.0), Some(Classification::Blocked));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn classifier(&self) -> Classifier<&Self> {
-        Classifier::new(self)
-    }
-}
-
 impl<S: Deref<Target = ContactSpace>> Classifier<S> {
-    /// As [`ContactSpace::classifier`], for a space that is owned or shared, as by an [`Arc`](std::sync::Arc).
+    /// Prepares a space: a borrowed one, or one that is owned or shared, as by an [`Arc`](std::sync::Arc).
     pub fn new(owned: S) -> Self {
         let space = &*owned;
-        let reach = space
-            .data
-            .frame
-            .reach(&space.data.fixed, &space.data.moving)
-            + MARGIN
-            + 2.0 * space.data.frame.rounding();
+        let frame = &space.data().frame;
+        let rounding = for_classifier::rounding(space);
+        let reach = for_classifier::reach(space) + MARGIN + 2.0 * rounding;
         let slab = Slab::new(space);
         let grid = Grid::new(space, &slab, reach);
-        let drawn = space.data.frame.moving_center.to_vector().length();
-        let far = space.data.frame.outer_length(2.0 * reach) + drawn * (1.0 + 1e-12);
+        let drawn = frame.moving_center.to_vector().length();
+        let far = 2.0 * reach / frame.scale + drawn * (1.0 + 1e-12);
         let presences = slot::presences(space, &grid);
-        let stores = parallel::chunks(&presences, SLOTS_TOGETHER, |first, some| {
-            slot::cells(space, &grid, first, some)
+        let together: Vec<_> = presences.chunks(SLOTS_TOGETHER).enumerate().collect();
+        let stores = parallel::map(&together, 1, |&(i, some)| {
+            slot::cells(space, &grid, i * SLOTS_TOGETHER, some)
         });
         let mut cells = CellStore::default();
         for store in &stores {
@@ -114,7 +80,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             slab,
             grid,
             far: far * far,
-            rounding: space.data.frame.rounding(),
+            rounding,
             cells,
             space: owned,
         }
@@ -126,7 +92,8 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
         let home = self.slab.home(c.theta)?;
         let slot = self.grid.slot(home.from_lo);
-        let from = c.position() - self.space.data.frame.fixed_center;
+        let frame = &self.space.data().frame;
+        let from = c.position() - frame.fixed_center;
         let square = from.length_squared();
         // Written as a negation, so that NaN also comes here.
         if !(square < self.far && c.theta.abs() < FARTHEST_ORIENTATION) {
@@ -138,7 +105,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         let center = self
             .centers
             .center(&self.space, &self.grid, (c.theta, home, slot));
-        let p = Point::ORIGIN + (from + center) * self.space.data.frame.scale;
+        let p = Point::ORIGIN + (from + center) * frame.scale;
         let p = self.slab.position(p, home);
         let (Some(column), Some(row)) = (self.grid.index(p.x), self.grid.index(p.y)) else {
             return Some(Classification::Free);
@@ -195,13 +162,13 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             (Rotation::by(home.theta), self.slab.position(p, home))
         };
         let settled = if critical {
-            self.space.settled(home.theta)
+            for_classifier::settled(&self.space, home.theta)
         } else {
             home.theta
         };
         let mut unclear = false;
         for &i in patches {
-            let off = off_cycle(&self.space.data.patches[i as usize], turn, p);
+            let off = off_cycle(&self.space.patches()[i as usize], turn, p);
             if off <= self.grid.margin
                 && let Some(distance) = self.distance(c, self.slab.image(i, home))
             {
@@ -231,7 +198,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
     /// The position of a configuration in the pair's frame, given the rotation by its orientation.
     #[inline]
     fn inner(&self, c: Configuration, turn: Rotation) -> Point {
-        let frame = &self.space.data.frame;
+        let frame = &self.space.data().frame;
         let drawn = turn * frame.moving_center.to_vector();
         Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
     }
@@ -239,9 +206,8 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
     /// Distance of a configuration from the curve of a patch (model length); `None` if the patch does not exist at its orientation.
     #[cold]
     fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
-        let patch = &self.space.data.patches[patch as usize];
-        let alive = self.space.alive(patch, self.space.settled(c.theta))?;
-        let curve = self.space.curve_as_at(patch, alive, c.theta);
+        let patch = &self.space.patches()[patch as usize];
+        let curve = for_classifier::curve(&self.space, patch, c.theta)?;
         Some(curve.nearest(c.position()).distance(c.position()))
     }
 }

@@ -1,11 +1,12 @@
 //! The classifier gives the answers of the space itself, and of brute force.
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    Classification, Classifier, Configuration, ContactSpace, Options, Part, Symmetry, Vector,
-    Vertex,
+    Classification, Configuration, ContactSpace, Options, Part, Symmetry, Vector, Vertex,
 };
+use cspace_classifier::Classifier;
 use cspace_oracle::shapes::{gear, pawl, ratchet};
 use cspace_oracle::{Oracle, Pair, near_contact_about, pair, pairs};
 use rand::{Rng, SeedableRng};
@@ -72,7 +73,7 @@ fn agrees_with_the_space_and_with_brute_force() {
     for pair in tried() {
         let name = &pair.name;
         let space = space_of(&pair);
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let oracle = Oracle::new(&pair.fixed, &pair.moving);
         let inexact = INEXACT.contains(&name.as_str());
         let certain = if inexact {
@@ -136,7 +137,7 @@ fn windows_and_turns() {
                 ..Options::default()
             };
             let space = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
-            let classifier = space.classifier();
+            let classifier = Classifier::new(&space);
             let mut rng = ChaCha8Rng::seed_from_u64(5);
             let mut asked = 0;
             for _ in 0..2000 {
@@ -153,7 +154,7 @@ fn windows_and_turns() {
             assert!(asked > 4000);
         }
         let space = space_of(&pair);
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
         for _ in 0..2000 {
             let c = anywhere(&oracle, &mut rng);
@@ -188,7 +189,7 @@ fn critical_orientations() {
     ] {
         let pair = pair(name);
         let space = space_of(&pair);
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let size = pair.fixed.size().max(pair.moving.size());
         let mut rng = ChaCha8Rng::seed_from_u64(8);
         for &critical in space.critical_orientations().iter().take(60) {
@@ -215,7 +216,7 @@ fn critical_orientations() {
 fn positions_in_line_with_features() {
     let pair = pair("square in a larger hole");
     let space = space_of(&pair);
-    let classifier = space.classifier();
+    let classifier = Classifier::new(&space);
     for i in -40..=40 {
         for j in -40..=40 {
             for theta in [0.0, 1e-12, 0.5 * PI, 0.25 * PI] {
@@ -242,7 +243,7 @@ fn rays_through_joints() {
     ] {
         let pair = pair(name);
         let space = space_of(&pair);
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let oracle = Oracle::new(&pair.fixed, &pair.moving);
         for _ in 0..12 {
             let slice = space.slice(rng.random_range(-PI..PI));
@@ -288,7 +289,7 @@ fn circles_that_are_nearly_one() {
         let family = all.iter().find(|f| f.name == family).unwrap();
         let case = family.build(value).unwrap();
         let space = ContactSpace::compute(&case.fixed, &case.moving, &Options::default()).unwrap();
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let oracle = Oracle::new(&case.fixed, &case.moving);
         let mut rng = ChaCha8Rng::seed_from_u64(12);
         for theta in orientations {
@@ -318,7 +319,7 @@ fn saved_spaces_and_what_is_no_configuration() {
     let pair = pair("random 2");
     let space = space_of(&pair);
     let saved = ContactSpace::from_data(space.data().clone()).unwrap();
-    let (classifier, again) = (space.classifier(), saved.classifier());
+    let (classifier, again) = (Classifier::new(&space), Classifier::new(&saved));
     assert_eq!(classifier.bytes(), again.bytes());
     let far = Classification::Free;
     for (c, expected) in [
@@ -336,6 +337,39 @@ fn saved_spaces_and_what_is_no_configuration() {
             assert_eq!(classifier.classify(c), expected, "{c:?}");
         }
     }
+}
+
+/// A motion is free until its first contact.
+#[test]
+fn agrees_with_first_contacts() {
+    let (fixed, moving) = (gear(10, 1.0), gear(9, 1.0));
+    let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
+    let classifier = Classifier::new(&space);
+    let at = Configuration::new;
+    let mut rng = ChaCha8Rng::seed_from_u64(23);
+    let mut contacts = 0;
+    for _ in 0..1000 {
+        let mut share = |s: f64| rng.random_range(-s..s);
+        let from = at(share(14.0), share(14.0), share(PI));
+        let rates = [share(10.0), share(10.0), share(3.0)];
+        if classifier.classify(from) != Some(Classification::Free) {
+            continue;
+        }
+        let outcome = space.first_contact(from, rates, 2.0).unwrap();
+        let until = outcome.contact().map_or(2.0, |c| c.time);
+        contacts += usize::from(outcome.contact().is_some());
+        for k in 0..1000 {
+            let t = until * f64::from(k) / 1000.0;
+            let [dx, dy, turning] = rates;
+            let c = at(from.x + t * dx, from.y + t * dy, from.theta + t * turning);
+            assert_eq!(classifier.classify(c), Some(Classification::Free), "{c:?}");
+        }
+        if let Some(c) = outcome.contact() {
+            let there = classifier.classify(c.configuration);
+            assert_eq!(there, Some(Classification::Contact));
+        }
+    }
+    assert!(contacts > 100, "{contacts}");
 }
 
 /// A part drawn elsewhere: its motion, and its centre of symmetry, change.
@@ -367,14 +401,14 @@ fn slabs_of_symmetric_pairs() {
         let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
         let slabs = space.symmetry().slabs;
         assert!(slabs > 8, "{slabs}");
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let general = Options {
             symmetry: Symmetry::Ignore,
             ..Options::default()
         };
         let general = ContactSpace::compute(&fixed, &moving, &general).unwrap();
         // Only one period is prepared.
-        let bytes = general.classifier().bytes();
+        let bytes = Classifier::new(&general).bytes();
         assert!(
             10 * classifier.bytes() < 9 * bytes,
             "{} of {bytes}",
@@ -456,7 +490,7 @@ fn slabs_that_are_none() {
     let oracle = Oracle::new(&fixed, &moving);
     for data in [claimed, shuffled] {
         let space = ContactSpace::from_data(data).unwrap();
-        let classifier = space.classifier();
+        let classifier = Classifier::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(22);
         for _ in 0..4000 {
             let c = anywhere(&oracle, &mut rng);

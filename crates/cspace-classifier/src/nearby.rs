@@ -1,6 +1,8 @@
 //! Doubtful and critical orientations near each interval of orientation.
 
-use crate::space::ContactSpace;
+use core::ops::Range;
+
+use cspace::{ContactSpace, for_classifier};
 
 use super::grid::{Grid, MARGIN};
 use super::slab::{ASIDE, Home, Slab};
@@ -22,7 +24,7 @@ struct Near {
 impl Nearby {
     pub(super) fn new(space: &ContactSpace, grid: &Grid, slab: &Slab) -> Self {
         let critical = space.critical_orientations();
-        let count = |within: core::ops::Range<usize>| (within.start as u32, within.end as u32);
+        let count = |within: Range<usize>| (within.start as u32, within.end as u32);
         let mut slots: Vec<Near> = (0..grid.slots)
             .map(|slot| {
                 let (lo, hi) = grid.wider(slot);
@@ -30,7 +32,7 @@ impl Nearby {
                 Near {
                     // The intervals of a whole turn begin where the doubtful intervals do.
                     doubts: if slab.count == 1 {
-                        count(space.doubts().between(lo, hi))
+                        count(between(space.doubtful_orientations(), lo, hi))
                     } else {
                         (0, 0)
                     },
@@ -56,10 +58,7 @@ impl Nearby {
     #[inline]
     pub(super) fn is_doubtful(&self, space: &ContactSpace, slot: usize, theta: f64) -> bool {
         let (first, end) = self.slots[slot].doubts;
-        first < end
-            && space
-                .doubts()
-                .hold_among(theta, first as usize..end as usize)
+        first < end && for_classifier::is_doubtful(space, theta, first as usize..end as usize)
     }
 
     /// Whether an orientation may be critical, up to rounding.
@@ -83,6 +82,13 @@ impl Nearby {
     }
 }
 
+/// Numbers of the doubtful intervals that overlap `lo` to `hi`, which are not reduced by turns.
+fn between(doubts: &[(f64, f64)], lo: f64, hi: f64) -> Range<usize> {
+    let first = doubts.partition_point(|d| d.1 < lo);
+    let end = doubts.partition_point(|d| d.0 <= hi);
+    first..end.max(first)
+}
+
 /// The intervals that overlap the orientations from `lo` to `hi`, in any period.
 fn slots_between(grid: &Grid, slab: &Slab, lo: f64, hi: f64) -> impl Iterator<Item = usize> {
     let period = slab.hi - slab.lo;
@@ -96,4 +102,17 @@ fn slots_between(grid: &Grid, slab: &Slab, lo: f64, hi: f64) -> impl Iterator<It
     let by = period * first;
     let first = grid.slots_between(lo - by, hi - by);
     first.chain(second.into_iter().flatten())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubts_are_found_by_number() {
+        let doubts = [(-3.2, -2.98), (0.5, 0.8), (3.0, 3.2)];
+        assert_eq!(between(&doubts, 0.0, 1.0), 1..2);
+        assert_eq!(between(&doubts, 0.9, 2.0), 2..2);
+        assert_eq!(between(&doubts, -4.0, 4.0), 0..3);
+    }
 }

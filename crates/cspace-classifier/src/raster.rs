@@ -1,9 +1,7 @@
 //! Cells that a patch may reach over an interval of orientations.
 
-use crate::geometry::{Point, Rotation, Vector};
-use crate::query::swept::{Orientations, Swept};
-use crate::slice::CurveGeometry;
-use crate::space::Patch;
+use cspace::for_classifier::{Orientations, Swept};
+use cspace::{CurveGeometry, Patch, Point, Rotation, Vector};
 
 use super::grid::Grid;
 

@@ -1,8 +1,7 @@
 //! Classification of a position by following a ray from cell to cell.
 
-use crate::geometry::{Point, Rotation};
-use crate::query::classify::END_ERROR;
-use crate::space::ContactSpace;
+use cspace::for_classifier::{END_ERROR, alive};
+use cspace::{ContactSpace, Point, Rotation};
 
 use super::grid::Grid;
 use super::ray::{AxisDirection, Local, Meeting, may_meet};
@@ -55,8 +54,8 @@ pub(super) fn from_cell<'a>(
         // Distance of the nearest contact met from the other side than the first contact.
         let mut other = f64::INFINITY;
         for &i in patches {
-            let patch = &space.data.patches[i as usize];
-            if space.alive(patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
+            let patch = &space.patches()[i as usize];
+            if alive(space, patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
                 continue;
             }
             match Local::new(patch, turn, p).meet(direction) {

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use crate::space::ContactSpace;
+use cspace::{ContactSpace, for_classifier};
 
 use super::slab::Slab;
 
@@ -49,13 +49,14 @@ impl Grid {
     /// orientation are h radians long. So there are M mixed cells if h = √(2 ∫ A dθ / M). Each orbit of patches passes the period once.
     pub(super) fn new(space: &ContactSpace, slab: &Slab, reach: f64) -> Self {
         let (lo, span) = (slab.lo, slab.hi - slab.lo);
+        let scale = space.data().frame.scale;
         let area: f64 = (slab.representatives(space))
-            .map(|p| {
-                let curve = space.curve(p, 0.5 * (p.lo + p.hi));
-                curve.length() * space.data.frame.scale * (p.hi - p.lo)
+            .filter_map(|(i, p)| {
+                let curve = space.curve_at(i, 0.5 * (p.lo + p.hi))?;
+                Some(curve.length() * scale * (p.hi - p.lo))
             })
             .sum();
-        let patches = space.data.patches.len() as f64 / f64::from(slab.count);
+        let patches = space.patches().len() as f64 / f64::from(slab.count);
         let wanted = (CELLS_PER_PATCH * patches).max(LEAST_CELLS);
         let by_contact = (2.0 * area / wanted).sqrt();
         let by_volume = (span * 4.0 * reach * reach / (ALL_CELLS * wanted)).cbrt();
@@ -73,7 +74,7 @@ impl Grid {
             reach,
             cell,
             cell_density: 1.0 / cell,
-            margin: MARGIN.max(2.0 * space.data.frame.rounding()),
+            margin: MARGIN.max(2.0 * for_classifier::rounding(space)),
         }
     }
 

@@ -2,9 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::geometry::{Point, Rotation};
-use crate::query::swept::Orientations;
-use crate::space::ContactSpace;
+use cspace::for_classifier::Orientations;
+use cspace::{ContactSpace, Point, Rotation};
 
 use super::board::Board;
 use super::cells::CellStore;
@@ -26,12 +25,12 @@ pub(super) struct Presence {
 /// For every interval, the patches that exist in it, extended by the margin.
 pub(super) fn presences(space: &ContactSpace, grid: &Grid) -> Vec<Vec<Presence>> {
     let mut all = vec![Vec::new(); grid.slots];
-    let turns: &[f64] = if space.data.window.full_turn {
+    let turns: &[f64] = if space.window().full_turn {
         &[-TAU, 0.0, TAU]
     } else {
         &[0.0]
     };
-    for (i, patch) in (0u32..).zip(&space.data.patches) {
+    for (i, patch) in (0u32..).zip(space.patches()) {
         for &turn in turns {
             for slot in grid.slots_between(patch.lo + turn - MARGIN, patch.hi + turn + MARGIN) {
                 let (lo, hi) = grid.wider(slot);
@@ -64,7 +63,7 @@ pub(super) fn cells(
         let (lo, hi) = grid.wider(slot);
         let whole = Orientations::between(lo, hi);
         for p in presences {
-            let patch = &space.data.patches[p.patch as usize];
+            let patch = &space.patches()[p.patch as usize];
             let part = if p.all {
                 whole
             } else {
@@ -93,12 +92,12 @@ fn is_free(
     let content = |column, row| board.content(store, column, row);
     // The cell's own content is not known yet: the ray begins at its right edge. Any height and orientation can be used.
     const SHARES: [(f64, f64); 4] = [(0.53, 0.51), (0.27, 0.73), (0.81, 0.34), (0.13, 0.17)];
-    let mut place = (Point::ORIGIN, lo);
+    let mut place = (Point::ORIGIN, Rotation::by(lo), lo);
     for (height, share) in SHARES {
         let theta = lo + (hi - lo) * share;
         let p = Point::new(grid.line(column + 1), grid.line(row) + height * grid.cell);
-        place = (p, theta);
         let turn = Rotation::by(theta);
+        place = (p, turn, theta);
         let start = (column + 1, row);
         let place = (p, theta, turn);
         let found = walk::from_cell(space, grid, start, place, AxisDirection::Right, content);
@@ -106,10 +105,9 @@ fn is_free(
             return free;
         }
     }
-    let at = space
-        .data
-        .frame
-        .outer_from_inner(place.0, place.1)
-        .position();
-    space.slice(place.1).is_free(at)
+    let (p, turn, theta) = place;
+    let frame = &space.data().frame;
+    let turned = turn * frame.moving_center.to_vector();
+    let at = frame.fixed_center + (p.to_vector() * (1.0 / frame.scale) - turned);
+    space.slice(theta).is_free(at)
 }

@@ -1,7 +1,6 @@
 //! Position of the centre of the moving part without evaluating sine and cosine, accurate enough to find a cell.
 
-use crate::geometry::{Rotation, Vector};
-use crate::space::ContactSpace;
+use cspace::{ContactSpace, Rotation, Vector};
 
 use super::grid::{Grid, MARGIN};
 use super::slab::{Home, Slab};
@@ -23,8 +22,8 @@ pub(super) enum Centers {
 
 impl Centers {
     pub(super) fn new(space: &ContactSpace, grid: &Grid, slab: &Slab) -> Self {
-        let center = space.data.frame.moving_center.to_vector();
-        let far = center.length() * space.data.frame.scale;
+        let center = space.data().frame.moving_center.to_vector();
+        let far = center.length() * space.data().frame.scale;
         if far <= OFF {
             return Self::Centred;
         }
@@ -54,7 +53,7 @@ impl Centers {
                 let sin = d * (1.0 - s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0)));
                 Rotation { cos, sin } * middles[slot]
             }
-            Self::Turned => Rotation::by(theta) * space.data.frame.moving_center.to_vector(),
+            Self::Turned => Rotation::by(theta) * space.data().frame.moving_center.to_vector(),
         }
     }
 

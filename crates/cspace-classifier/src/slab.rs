@@ -1,16 +1,16 @@
 //! The period of a symmetric pair's space in which all configurations are looked up.
 //!
-//! The space of a symmetric pair consists of images of one period of orientations (see `contact/symmetry.rs`). Results for the first period
-//! hold for all: the motion that takes a configuration's period back to the first takes the configuration with it. This is not assumed but
-//! checked, patch by patch: patches come in orbits, with as many consecutive patches as there are periods, each of which is the image of
-//! the one before.
+//! The space of a symmetric pair consists of images of one period of orientations (see `contact/symmetry.rs` of the kernel). Results for
+//! the first period hold for all: the motion that takes a configuration's period back to the first takes the configuration with it. This
+//! is not assumed but checked, patch by patch: patches come in orbits, with as many consecutive patches as there are periods, each of which
+//! is the image of the one before.
 
 use core::f64::consts::{PI, TAU};
 
-use crate::contact::{ContactFunction, SlabMotion, Spiral, Steps};
-use crate::feature::tolerance::NARROWEST_BAND;
-use crate::geometry::{Point, Rotation, Vector};
-use crate::space::{Boundary, ContactSpace, Patch, Window};
+use cspace::for_classifier::{NARROWEST_BAND, SlabMotion, Steps};
+use cspace::{
+    Boundary, ContactFunction, ContactSpace, Patch, Point, Rotation, Spiral, Vector, Window,
+};
 
 /// Tolerance, absolute or relative, of the numbers of a patch and of its image (radians, or length of the pair's frame): copies are made by
 /// one motion each, and differ by some roundings.
@@ -62,14 +62,14 @@ impl Slab {
         let symmetry = space.symmetry();
         let folds = 1..=symmetry.slabs;
         // Data read from a file may be inconsistent.
-        let is_sound = symmetry.slabs as usize <= space.data.patches.len()
+        let is_sound = symmetry.slabs as usize <= space.patches().len()
             && folds.contains(&symmetry.fixed)
             && folds.contains(&symmetry.moving);
         if !full_turn || symmetry.slabs <= 1 || !is_sound {
             return whole;
         }
         let steps = Steps::new(symmetry.fixed, symmetry.moving);
-        match steps.filter(|s| s.slabs == symmetry.slabs && repeats(&space.data.patches, s)) {
+        match steps.filter(|s| s.slabs == symmetry.slabs && repeats(space.patches(), s)) {
             Some(steps) => Self {
                 hi: lo + steps.period(1),
                 count: steps.slabs,
@@ -138,12 +138,12 @@ impl Slab {
         size_of_val(self.homewards.as_slice())
     }
 
-    /// One patch of every orbit.
+    /// One patch of every orbit, with its number.
     pub(super) fn representatives<'a>(
         &self,
         space: &'a ContactSpace,
-    ) -> impl Iterator<Item = &'a Patch> + use<'a> {
-        space.data.patches.iter().step_by(self.count as usize)
+    ) -> impl Iterator<Item = (u32, &'a Patch)> + use<'a> {
+        (0..).zip(space.patches()).step_by(self.count as usize)
     }
 }
 

@@ -7,6 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Symmetry};
+use cspace_classifier::Classifier;
 use cspace_oracle::shapes::{gear, pawl, random_part, ratchet};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -50,11 +51,11 @@ fn small() -> Vec<(String, Part, Part)> {
 fn report(space: &ContactSpace, reach: f64) {
     let build = || {
         let begin = Instant::now();
-        black_box(space.classifier());
+        black_box(Classifier::new(space));
         begin.elapsed().as_secs_f64()
     };
     let seconds = (0..5).map(|_| build()).fold(f64::INFINITY, f64::min);
-    let classifier = space.classifier();
+    let classifier = Classifier::new(space);
     let computed = space.statistics().seconds.total;
     let patches = space.patches().len();
     println!(
