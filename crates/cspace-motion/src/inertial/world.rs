@@ -98,7 +98,7 @@ impl<'a> Mechanical<'a> {
             numbers: contacts.clone().collect(),
             contacts: contacts.map(|i| self.opening(i, &posed)).collect(),
             joints: constraints(&self.bodies.system, &posed),
-            forces: forces(self.bodies, &posed),
+            forces: forces(&self.bodies.system, &posed.all),
             posed,
         });
         *self.last.borrow_mut() = Some(Rc::clone(&known));

@@ -407,11 +407,4 @@ impl System {
         each.map(|((a, b), l)| ((a - b) * l).abs())
             .fold(0.0, f64::max)
     }
-
-    /// The forces of loads, weights and springs on the coordinates.
-    pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
-        let mut forces = vec![0.0; self.count];
-        self.add_forces(q, &mut forces, |_, _, _| {});
-        forces
-    }
 }

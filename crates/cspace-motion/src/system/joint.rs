@@ -10,12 +10,12 @@ fn real<T: Real>(p: Point) -> [T; 2] {
     [T::constant(p.x), T::constant(p.y)]
 }
 
-/// Difference of the positions of a point by the two parts, along x and along y.
-struct Together(Point);
+/// Position of a point of the first part minus that of a point of the second, along x and along y.
+pub(super) struct Apart(pub(super) [Point; 2]);
 
-impl Placed<2> for Together {
+impl Placed<2> for Apart {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 2] {
-        let (p, r) = (a.point(real(self.0)), b.point(real(self.0)));
+        let (p, r) = (a.point(real(self.0[0])), b.point(real(self.0[1])));
         [p[0] - r[0], p[1] - r[1]]
     }
 }
@@ -51,7 +51,7 @@ pub(crate) fn equations(
     q: &[f64],
     size: f64,
 ) -> Vec<Row> {
-    let together = |at: Point| rows_of(parts, q, &Together(at));
+    let together = |at: Point| rows_of(parts, q, &Apart([at, at]));
     let parallel = || {
         let [row] = rows_of(parts, q, &Parallel(size));
         row

@@ -38,6 +38,13 @@ impl Row {
         self.entries().iter().map(|&(i, d)| d * rates[i]).sum()
     }
 
+    /// Adds what a force along the function does to the coordinates.
+    pub(crate) fn push_on(&self, forces: &mut [f64], force: f64) {
+        for &(i, d) in self.entries() {
+            forces[i] += force * d;
+        }
+    }
+
     /// The sum with s times another, which depends on the same coordinates or on others; both together at most six.
     pub(crate) fn plus(&self, s: f64, other: &Self) -> Self {
         let mut sum = *self;
