@@ -1,11 +1,11 @@
 //! Forces on all coordinates, energies, and what drives have to do.
 
 use crate::dynamic::Acting;
-use crate::system::{Pull, System};
+use crate::system::{Pull, Row, System};
 
 use super::bodies::{All, Bodies};
 use super::contacts::Opening;
-use super::joints::Constraint;
+use super::rates::InTime;
 
 /// The forces of loads, weights, springs and dampers on all coordinates; and what dampers take, per second.
 pub(super) fn forces(system: &System, all: &All) -> (Vec<f64>, f64) {
@@ -37,13 +37,13 @@ pub(super) fn drives(
     acting: &Acting<'_>,
     pushes: Option<&[f64]>,
     contacts: &[Opening],
-    joints: &[Constraint],
+    joints: &[Row<InTime>],
 ) -> Vec<(usize, f64)> {
     let system = &bodies.system;
     if system.drives().is_empty() {
         return Vec::new();
     }
-    let of = |rates: &super::rates::Rates, i: usize| -> f64 {
+    let of = |rates: &Row<InTime>, i: usize| -> f64 {
         (rates.entries().iter())
             .filter(|e| e.0 == i)
             .map(|e| e.1.value)
@@ -56,7 +56,7 @@ pub(super) fn drives(
                 .map(|((_, n, t), c)| n * of(&c.normal, i) + t * of(&c.tangent, i))
                 .sum();
             let held: f64 = (acting.joints.iter().zip(joints))
-                .map(|(mu, c)| mu * of(&c.rates, i))
+                .map(|(mu, c)| mu * of(c, i))
                 .sum();
             (i, own - pressed - held)
         })

@@ -2,7 +2,7 @@
 
 use cspace::mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
 use cspace::{
-    AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Rotation,
+    AreaMoments, AxisMotion, Configuration, JointEntry, Mechanism, Placement, Point, Real, Rotation,
 };
 
 use super::joint;
@@ -366,7 +366,7 @@ impl System {
     }
 
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
-    pub fn joints(&self, q: &[f64]) -> Vec<Row> {
+    pub fn joints<T: Real>(&self, q: &[T]) -> Vec<Row<T>> {
         (self.joints.iter())
             .flat_map(|entry| {
                 let (a, b) = entry.parts;

@@ -20,16 +20,16 @@ impl Placed<2> for Apart {
     }
 }
 
-/// Difference of the orientations of two parts, as the displacement at the end of a length.
+/// Orientation of the second part minus that of the first, as the displacement at the end of a length.
 struct Parallel(f64);
 
 impl Placed<1> for Parallel {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
-        [T::constant(self.0) * (a.sin * b.cos - a.cos * b.sin)]
+        [T::constant(self.0) * (a.cos * b.sin - a.sin * b.cos)]
     }
 }
 
-/// Distance of a point of the second part from a line of the first.
+/// Distance of a line of the first part from a point of the second.
 struct Beside {
     at: Point,
     normal: Vector,
@@ -39,18 +39,19 @@ impl Placed<1> for Beside {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
         let n = a.vector([T::constant(self.normal.x), T::constant(self.normal.y)]);
         let (p, r) = (a.point(real(self.at)), b.point(real(self.at)));
-        [n[0] * (r[0] - p[0]) + n[1] * (r[1] - p[1])]
+        [n[0] * (p[0] - r[0]) + n[1] * (p[1] - r[1])]
     }
 }
 
-/// The equations of a joint between two parts: 0 where it holds, in the model's unit of length. `size` is the length that
-/// an angle of one radian counts.
-pub(crate) fn equations(
+/// The equations of a joint between two parts, 0 where it holds, in the model's unit of length: the distances of a point of
+/// the first part from that of the second, across the directions in which they are free, and last the difference of the
+/// parts' orientations. `size` is the length that an angle of one radian counts.
+pub(crate) fn equations<T: Real>(
     joint: &Joint,
     parts: [&PartCoordinates; 2],
-    q: &[f64],
+    q: &[T],
     size: f64,
-) -> Vec<Row> {
+) -> Vec<Row<T>> {
     let together = |at: Point| rows_of(parts, q, &Apart([at, at]));
     let parallel = || {
         let [row] = rows_of(parts, q, &Parallel(size));
@@ -65,7 +66,7 @@ pub(crate) fn equations(
         Joint::Prismatic { direction, at } => {
             let normal = direction.unit().left();
             let [beside] = rows_of(parts, q, &Beside { at, normal });
-            vec![parallel(), beside]
+            vec![beside, parallel()]
         }
     }
 }
