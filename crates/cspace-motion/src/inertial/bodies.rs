@@ -18,20 +18,12 @@ pub(super) struct All {
     pub(super) a: Vec<f64>,
 }
 
-impl All {
-    /// A coordinate as it changes.
-    pub(super) fn at(&self, i: usize) -> InTime {
-        InTime {
-            value: self.q[i],
-            slope: [self.v[i]],
-        }
-    }
-}
-
 /// All coordinates at a time with the placements of all parts.
 #[derive(Debug, Clone)]
 pub(super) struct Posed {
     pub(super) all: All,
+    /// The coordinates as they change.
+    pub(super) at: Vec<InTime>,
     pub(super) parts: Vec<Placement<InTime>>,
 }
 
@@ -118,9 +110,13 @@ impl Bodies {
     /// Coordinates and placements of all parts in a state.
     pub(super) fn posed(&self, state: &State) -> Posed {
         let all = self.all(state);
+        let changing = all.q.iter().zip(&all.v);
+        let changing = changing.map(|(&value, &v)| InTime { value, slope: [v] });
+        let at: Vec<InTime> = changing.collect();
         let parts = self.system.parts().iter();
         Posed {
-            parts: parts.map(|p| p.placement(|i| all.at(i))).collect(),
+            parts: parts.map(|p| p.placement(|i| at[i])).collect(),
+            at,
             all,
         }
     }

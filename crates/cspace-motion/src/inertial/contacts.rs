@@ -7,10 +7,10 @@ use cspace::{FeatureId, Real, TouchingPlace, touching_place};
 
 use crate::contact::{Bound, limits};
 use crate::pairs::Pairs;
-use crate::system::System;
+use crate::system::{Row, System};
 
 use super::bodies::Posed;
-use super::rates::{InTime, Rates, still};
+use super::rates::{InTime, still};
 
 /// The features of a pair that touch.
 type Key = (usize, (FeatureId, FeatureId));
@@ -27,8 +27,8 @@ pub(super) struct Numbers {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Opening {
     pub(super) gap: f64,
-    pub(super) normal: Rates,
-    pub(super) tangent: Rates,
+    pub(super) normal: Row<InTime>,
+    pub(super) tangent: Row<InTime>,
 }
 
 impl Numbers {
@@ -77,14 +77,14 @@ pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, posed: &Pos
     match bound {
         Bound::Limit { .. } | Bound::Brake { .. } => {
             let row = bound.function(system, pairs, &all.q);
-            let mut normal = Rates::none();
+            let mut normal = Row::new(still(0.0));
             for &(i, d) in row.entries() {
-                normal.add(i, still(d));
+                normal.push(i, still(d));
             }
             Opening {
                 gap: row.value,
                 normal,
-                tangent: Rates::none(),
+                tangent: Row::new(still(0.0)),
             }
         }
         Bound::Contact(touch) => {
@@ -105,10 +105,10 @@ pub(super) fn opening(system: &System, pairs: &Pairs, bound: &Bound, posed: &Pos
             );
             let (p, r, n) = (a.point(on_fixed), a.point(on_moving), a.vector(n));
             let t = [-n[1], n[0]];
-            let (mut normal, mut tangent) = (Rates::none(), Rates::none());
+            let (mut normal, mut tangent) = (Row::new(still(0.0)), Row::new(still(0.0)));
             for (rates, d) in [(&mut normal, n), (&mut tangent, t)] {
-                rates.add_point(&parts[1], &all.q, &all.v, r, d);
-                rates.add_point(&parts[0], &all.q, &all.v, p, [-d[0], -d[1]]);
+                rates.add_point(&parts[1], &posed.at, r, d);
+                rates.add_point(&parts[0], &posed.at, p, [-d[0], -d[1]]);
             }
             Opening {
                 gap: gap.value,

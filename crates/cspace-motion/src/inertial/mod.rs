@@ -6,7 +6,6 @@
 mod bodies;
 mod contacts;
 mod forces;
-mod joints;
 mod observer;
 mod rates;
 mod run;

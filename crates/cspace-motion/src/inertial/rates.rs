@@ -12,7 +12,7 @@
 
 use cspace::{AxisMotion, Dual, Real};
 
-use crate::system::PartCoordinates;
+use crate::system::{PartCoordinates, Row};
 
 /// A number with its derivative by time.
 pub(super) type InTime = Dual<1>;
@@ -22,41 +22,12 @@ pub(super) fn still(value: f64) -> InTime {
     InTime::constant(value)
 }
 
-/// Coefficients of the rates of the coordinates of two parts.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Rates {
-    entries: [(usize, InTime); 6],
-    count: usize,
-}
-
-impl Rates {
-    pub(super) fn none() -> Self {
-        Self {
-            entries: [(0, still(0.0)); 6],
-            count: 0,
-        }
-    }
-
-    pub(super) fn entries(&self) -> &[(usize, InTime)] {
-        &self.entries[..self.count]
-    }
-
-    /// Adds a multiple of the rate of a coordinate.
-    pub(super) fn add(&mut self, coordinate: usize, by: InTime) {
-        if let Some(entry) = (self.entries[..self.count].iter_mut()).find(|e| e.0 == coordinate) {
-            entry.1 = entry.1 + by;
-        } else if let Some(entry) = self.entries.get_mut(self.count) {
-            *entry = (coordinate, by);
-            self.count += 1;
-        }
-    }
-
+impl Row<InTime> {
     /// Adds the velocity along a direction d of the point of a part that is at p, both in the assembly's frame.
     pub(super) fn add_point(
         &mut self,
         part: &PartCoordinates,
-        q: &[f64],
-        v: &[f64],
+        q: &[InTime],
         p: [InTime; 2],
         d: [InTime; 2],
     ) {
@@ -66,28 +37,19 @@ impl Rates {
             PartCoordinates::Axis { first, motion, .. } => match motion {
                 AxisMotion::Fixed => {}
                 AxisMotion::Revolute { center } => {
-                    self.add(first, about([still(center.x), still(center.y)]));
+                    self.push(first, about([still(center.x), still(center.y)]));
                 }
                 AxisMotion::Prismatic { direction } => {
                     let e = direction.unit();
-                    self.add(first, d[0] * still(e.x) + d[1] * still(e.y));
+                    self.push(first, d[0] * still(e.x) + d[1] * still(e.y));
                 }
             },
             PartCoordinates::Planar { first, .. } => {
-                let at = |i: usize| InTime {
-                    value: q[i],
-                    slope: [v[i]],
-                };
-                self.add(first, d[0]);
-                self.add(first + 1, d[1]);
-                self.add(first + 2, about([at(first), at(first + 1)]));
+                self.push(first, d[0]);
+                self.push(first + 1, d[1]);
+                self.push(first + 2, about([q[first], q[first + 1]]));
             }
         }
-    }
-
-    /// r · v.
-    pub(super) fn rate(&self, v: &[f64]) -> f64 {
-        self.entries().iter().map(|(i, r)| r.value * v[*i]).sum()
     }
 
     /// ṙ · v + r · a.

@@ -40,7 +40,7 @@ pub(crate) fn run(
     };
     let energy = |state: &State| {
         let all = bodies.all(state);
-        kinetic(&bodies, &all) + potential(&bodies, &all.q)
+        kinetic(&bodies, &all) + potential(&bodies.system, &all.q)
     };
     let mut gathering = Gathering {
         world: &world,

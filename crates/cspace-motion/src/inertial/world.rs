@@ -13,12 +13,12 @@ use crate::contact::{
 };
 use crate::dynamic::{Acting, Equations, Joints, Sought, State, Step, Surface, Touch, World};
 use crate::pairs::Pairs;
+use crate::system::Row;
 
 use super::bodies::{All, Bodies, Posed};
 use super::contacts::{Numbers, Opening, opening};
 use super::forces::{drives, forces, kinetic};
-use super::joints::{Constraint, constraints};
-use super::rates::Rates;
+use super::rates::InTime;
 
 /// Contacts are held at the gaps at which they were found, up to this share of the touching tolerance: so they stay on
 /// their patches.
@@ -97,8 +97,8 @@ impl<'a> Mechanical<'a> {
             state: state.clone(),
             numbers: contacts.clone().collect(),
             contacts: contacts.map(|i| self.opening(i, &posed)).collect(),
-            joints: constraints(&self.bodies.system, &posed),
-            forces: forces(self.bodies, &posed),
+            joints: self.bodies.system.joints(&posed.at),
+            forces: forces(&self.bodies.system, &posed.all),
             posed,
         });
         *self.last.borrow_mut() = Some(Rc::clone(&known));
@@ -106,7 +106,7 @@ impl<'a> Mechanical<'a> {
     }
 
     /// Coefficients of the free rates, and what driven ones add.
-    fn split(&self, rates: &Rates, v: &[f64]) -> (DVector<f64>, f64) {
+    fn split(&self, rates: &Row<InTime>, v: &[f64]) -> (DVector<f64>, f64) {
         let mut row = DVector::zeros(self.bodies.system.free().len());
         let mut drift = 0.0;
         for &(i, r) in rates.entries() {
@@ -129,10 +129,10 @@ impl<'a> Mechanical<'a> {
         }
     }
 
-    fn rows(&self, joints: &[Constraint], count: usize) -> DMatrix<f64> {
+    fn rows(&self, joints: &[Row<InTime>], count: usize) -> DMatrix<f64> {
         let mut rows = DMatrix::zeros(joints.len(), count);
         for (k, joint) in joints.iter().enumerate() {
-            for &(i, r) in joint.rates.entries() {
+            for &(i, r) in joint.entries() {
                 if let Some(place) = self.bodies.place[i] {
                     rows[(k, place)] += r.value;
                 }
@@ -218,10 +218,10 @@ impl World for Mechanical<'_> {
             return Joints::none(q.len());
         }
         let posed = self.at(t, q);
-        let found = constraints(&self.bodies.system, &posed);
-        let rates = found.iter().map(|c| -c.rates.rate(&posed.all.v));
+        let found = self.bodies.system.joints(&posed.at);
+        let rates = found.iter().map(|c| -c.rate(&posed.all.v));
         Joints {
-            values: DVector::from_iterator(found.len(), found.iter().map(|c| c.value)),
+            values: DVector::from_iterator(found.len(), found.iter().map(|c| c.value.value)),
             rates: DVector::from_iterator(found.len(), rates),
             rows: self.rows(&found, q.len()),
         }
@@ -496,7 +496,7 @@ struct Known {
     numbers: Vec<usize>,
     posed: Posed,
     contacts: Vec<Opening>,
-    joints: Vec<Constraint>,
+    joints: Vec<Row<InTime>>,
     /// Forces on all coordinates, and the power lost to dampers.
     forces: (Vec<f64>, f64),
 }
@@ -504,7 +504,7 @@ struct Known {
 impl Known {
     fn joint_bends(&self) -> DVector<f64> {
         let All { v, a, .. } = &self.posed.all;
-        let bends = self.joints.iter().map(|c| -c.rates.change(v, a));
+        let bends = self.joints.iter().map(|c| -c.change(v, a));
         DVector::from_iterator(self.joints.len(), bends)
     }
 }

@@ -85,9 +85,7 @@ impl Closed<'_> {
         let holding = self.holding(q);
         let joints = self.system.joints(q);
         for (row, multiplier) in joints.iter().chain(holding.pushes()).zip(multipliers) {
-            for &(i, d) in row.entries() {
-                pull[i] += multiplier * d;
-            }
+            row.push_on(&mut pull, *multiplier);
         }
         pull
     }

@@ -1,8 +1,9 @@
 //! All coordinates of a mechanism, and which of them are free.
 
-use cspace::{AreaMoments, AxisMotion, Configuration, Placement, Point, Rotation};
-use cspace_mechanism::{JointEntry, Mechanism};
-use cspace_mechanism::{MassProperties, PartPosition, PartVelocity, SpringKind};
+use cspace::{AreaMoments, AxisMotion, Configuration, Placement, Point, Real, Rotation};
+use cspace_mechanism::{
+    JointEntry, MassProperties, Mechanism, PartPosition, PartVelocity, SpringKind,
+};
 
 use super::joint;
 use super::layout::{PartCoordinates, Placed, reach, rows_of};
@@ -365,7 +366,7 @@ impl System {
     }
 
     /// The equations of all joints: 0 where they hold, in the model's unit of length.
-    pub fn joints(&self, q: &[f64]) -> Vec<Row> {
+    pub fn joints<T: Real>(&self, q: &[T]) -> Vec<Row<T>> {
         (self.joints.iter())
             .flat_map(|entry| {
                 let (a, b) = entry.parts;
@@ -405,12 +406,5 @@ impl System {
         let each = from.iter().zip(to).zip(&self.lengths);
         each.map(|((a, b), l)| ((a - b) * l).abs())
             .fold(0.0, f64::max)
-    }
-
-    /// The forces of loads, weights and springs on the coordinates.
-    pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
-        let mut forces = vec![0.0; self.count];
-        self.add_forces(q, &mut forces, |_, _, _| {});
-        forces
     }
 }

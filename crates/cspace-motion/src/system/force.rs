@@ -1,131 +1,135 @@
 //! Forces on the coordinates: loads, weights and springs; and springs, whose dampers resist rates.
 
-use cspace::{Placement, Point, Real, Vector};
-use cspace_mechanism::{Load, LoadKind, Spring, SpringKind};
+use cspace::{Point, Vector};
+use cspace_mechanism::{LoadKind, SpringKind};
 
 use super::coordinates::System;
-use super::layout::{PartCoordinates, Placed, rows_of};
+use super::joint::Apart;
+use super::layout::{PartCoordinates, rows_of};
 use super::row::Row;
 
-/// x and y of a point of the first part in the assembly's frame.
-struct At(Point);
+/// A force f − k s − c ṡ along a function s of the coordinates.
+#[derive(Debug, Default)]
+pub(crate) struct Pull {
+    /// The function s.
+    pub(crate) along: Row,
+    /// The force f.
+    constant: f64,
+    /// The stiffness k.
+    pub(crate) stiffness: f64,
+    /// The damping c.
+    pub(crate) damping: f64,
+}
 
-impl Placed<2> for At {
-    fn values<T: Real>(&self, a: &Placement<T>, _: &Placement<T>) -> [T; 2] {
-        a.point([T::constant(self.0.x), T::constant(self.0.y)])
+impl Pull {
+    /// The force without damping, f − k s.
+    pub(crate) fn force(&self) -> f64 {
+        self.constant - self.stiffness * self.along.value
+    }
+
+    /// The energy k s² / 2 − f s.
+    pub(crate) fn energy(&self) -> f64 {
+        (0.5 * self.stiffness * self.along.value - self.constant) * self.along.value
     }
 }
 
-/// x and y of a point of a part in the assembly's frame.
-fn place(part: &PartCoordinates, p: Point, q: &[f64]) -> [Row; 2] {
-    rows_of([part, &PartCoordinates::Fixed], q, &At(p))
-}
-
-/// Adds what a force along a function of the coordinates does to them.
-fn push(forces: &mut [f64], row: &Row, force: f64) {
-    for &(i, d) in row.entries() {
-        forces[i] += force * d;
+/// The orientation of the first part minus that of the second, and minus an angle.
+fn turned(parts: [&PartCoordinates; 2], angle: f64, q: &[f64]) -> Row {
+    let mut row = Row::new(-angle);
+    for (part, sign) in parts.into_iter().zip([1.0, -1.0]) {
+        if let Some(i) = part.orientation() {
+            row.value += sign * q[i];
+            row.push(i, sign);
+        }
     }
+    row
 }
 
 impl System {
-    /// Adds the forces on all coordinates. `spring` is called for each spring with its length or angle, its stiffness
-    /// and its damping; and, for the direction across its length, with the stiffness by which its pull resists there.
-    pub(crate) fn add_forces(
-        &self,
-        q: &[f64],
-        forces: &mut [f64],
-        mut spring: impl FnMut(&Row, f64, f64),
-    ) {
-        for load in &self.mechanism().dynamics.loads {
-            self.add_load(load, q, forces);
-        }
-        let gravity = self.mechanism().dynamics.gravity;
-        let weigh = gravity != Vector::ZERO;
-        for (i, part) in self.parts().iter().enumerate().filter(|_| weigh) {
-            if let Some(mass) = self.mass(i) {
-                let [x, y] = place(part, mass.center, q);
-                push(forces, &x, mass.mass * gravity.x);
-                push(forces, &y, mass.mass * gravity.y);
-            }
-        }
-        for one in &self.mechanism().dynamics.springs {
-            for (row, force, stiffness, damping) in self.pull(one, q).into_iter().flatten() {
-                push(forces, &row, force);
-                spring(&row, stiffness, damping);
-            }
-        }
-    }
-
-    fn add_load(&self, load: &Load, q: &[f64], forces: &mut [f64]) {
-        let part = &self.parts()[load.part];
-        match load.kind {
-            LoadKind::Force { force, at } => {
-                let [x, y] = place(part, at.unwrap_or(self.center(load.part)), q);
-                push(forces, &x, force.x);
-                push(forces, &y, force.y);
-            }
-            LoadKind::Torque(torque) => {
-                if let Some(i) = part.orientation() {
-                    forces[i] += torque;
-                }
-            }
-        }
-    }
-
-    /// Length or angle of a spring, the force along it, its stiffness and its damping; and the stiffness across its
-    /// length: K (1 − L/l) at length l, where that is positive, with K of the spring and L without force.
-    fn pull(&self, spring: &Spring, q: &[f64]) -> [Option<(Row, f64, f64, f64)>; 2] {
+    /// The forces of loads, weights, springs and dampers. Displacements are counted from where parts are drawn.
+    pub(crate) fn pulls(&self, q: &[f64]) -> Vec<Pull> {
+        let dynamics = &self.mechanism().dynamics;
         let ground = PartCoordinates::Fixed;
-        let first = &self.parts()[spring.part];
-        let second = spring.other.map_or(&ground, |i| &self.parts()[i]);
-        match spring.kind {
-            SpringKind::Linear {
-                at: (p, r),
-                stiffness,
-                length,
-                damping,
-            } => {
-                let ([px, py], [rx, ry]) = (place(first, p, q), place(second, r, q));
-                let (x, y) = (px.plus(-1.0, &rx), py.plus(-1.0, &ry));
-                let distance = x.value.hypot(y.value);
-                if distance == 0.0 {
-                    // It has no direction there, and pulls nowhere; without a length it resists in all directions.
-                    let to_a_point = length == 0.0 && stiffness > 0.0;
-                    let each = |row| to_a_point.then_some((row, 0.0, stiffness, damping));
-                    return [x, y].map(each);
+        let mut pulls = Vec::new();
+        let push = |part: usize, at: Point, force: Vector| {
+            let rows = rows_of([&self.parts()[part], &ground], q, &Apart([at, at]));
+            [(rows[0], force.x), (rows[1], force.y)].map(|(along, constant)| Pull {
+                along,
+                constant,
+                ..Pull::default()
+            })
+        };
+        for load in &dynamics.loads {
+            match load.kind {
+                LoadKind::Force { force, at } => {
+                    let at = at.unwrap_or(self.center(load.part));
+                    pulls.extend(push(load.part, at, force));
                 }
-                let (c, s) = (x.value / distance, y.value / distance);
-                let along = Row::new(0.0).plus(c, &x).plus(s, &y);
-                let across = Row::new(0.0).plus(-s, &x).plus(c, &y);
-                let sideways = stiffness * (1.0 - length / distance);
-                [
-                    Some((along, -stiffness * (distance - length), stiffness, damping)),
-                    (sideways > 0.0).then_some((
-                        across,
-                        0.0,
-                        sideways,
-                        if length == 0.0 { damping } else { 0.0 },
-                    )),
-                ]
-            }
-            SpringKind::Torsion {
-                stiffness,
-                angle,
-                damping,
-            } => {
-                let turned = |part: &PartCoordinates| {
-                    let mut row = Row::default();
-                    if let Some(i) = part.orientation() {
-                        row = Row::new(q[i]);
-                        row.push(i, 1.0);
-                    }
-                    row
-                };
-                let between = turned(first).plus(-1.0, &turned(second));
-                let torque = -stiffness * (between.value - angle);
-                [Some((between, torque, stiffness, damping)), None]
+                LoadKind::Torque(constant) => pulls.push(Pull {
+                    along: turned([&self.parts()[load.part], &ground], 0.0, q),
+                    constant,
+                    ..Pull::default()
+                }),
             }
         }
+        let weigh = dynamics.gravity != Vector::ZERO;
+        for i in (0..self.parts().len()).filter(|_| weigh) {
+            if let Some(mass) = self.mass(i) {
+                pulls.extend(push(i, mass.center, dynamics.gravity * mass.mass));
+            }
+        }
+        for spring in &dynamics.springs {
+            let other = spring.other.map_or(&ground, |i| &self.parts()[i]);
+            let parts = [&self.parts()[spring.part], other];
+            let pull = |along: Row, stiffness: f64, damping: f64| Pull {
+                along,
+                constant: 0.0,
+                stiffness,
+                damping,
+            };
+            match spring.kind {
+                SpringKind::Linear {
+                    at: (p, r),
+                    stiffness,
+                    length,
+                    damping,
+                } => {
+                    let [x, y] = rows_of(parts, q, &Apart([p, r]));
+                    if length == 0.0 && stiffness > 0.0 {
+                        // It pulls towards a point from all sides, and is damped in all directions.
+                        pulls.extend([x, y].map(|row| pull(row, stiffness, damping)));
+                        continue;
+                    }
+                    let distance = x.value.hypot(y.value);
+                    // Without a distance it has no direction, and pulls nowhere.
+                    let [c, s] = [x, y].map(|d| d.value / distance.max(f64::MIN_POSITIVE));
+                    let mut along = Row::default().plus(c, &x).plus(s, &y);
+                    along.value = distance - length;
+                    pulls.push(pull(along, stiffness, damping));
+                    // Across its length it resists by K (1 − L/l) at length l, where that is positive.
+                    let sideways = stiffness * (1.0 - length / distance);
+                    if sideways > 0.0 {
+                        let mut across = Row::default().plus(-s, &x).plus(c, &y);
+                        across.value = 0.0;
+                        pulls.push(pull(across, sideways, 0.0));
+                    }
+                }
+                SpringKind::Torsion {
+                    stiffness,
+                    angle,
+                    damping,
+                } => pulls.push(pull(turned(parts, angle, q), stiffness, damping)),
+            }
+        }
+        pulls
+    }
+
+    /// The forces of loads, weights and springs on the coordinates.
+    pub(crate) fn forces(&self, q: &[f64]) -> Vec<f64> {
+        let mut forces = vec![0.0; self.count()];
+        for pull in self.pulls(q) {
+            pull.along.push_on(&mut forces, pull.force());
+        }
+        forces
     }
 }

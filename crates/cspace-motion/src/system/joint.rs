@@ -10,26 +10,26 @@ fn real<T: Real>(p: Point) -> [T; 2] {
     [T::constant(p.x), T::constant(p.y)]
 }
 
-/// Difference of the positions of a point by the two parts, along x and along y.
-struct Together(Point);
+/// Position of a point of the first part minus that of a point of the second, along x and along y.
+pub(super) struct Apart(pub(super) [Point; 2]);
 
-impl Placed<2> for Together {
+impl Placed<2> for Apart {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 2] {
-        let (p, r) = (a.point(real(self.0)), b.point(real(self.0)));
+        let (p, r) = (a.point(real(self.0[0])), b.point(real(self.0[1])));
         [p[0] - r[0], p[1] - r[1]]
     }
 }
 
-/// Difference of the orientations of two parts, as the displacement at the end of a length.
+/// Orientation of the second part minus that of the first, as the displacement at the end of a length.
 struct Parallel(f64);
 
 impl Placed<1> for Parallel {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
-        [T::constant(self.0) * (a.sin * b.cos - a.cos * b.sin)]
+        [T::constant(self.0) * (a.cos * b.sin - a.sin * b.cos)]
     }
 }
 
-/// Distance of a point of the second part from a line of the first.
+/// Distance of a line of the first part from a point of the second.
 struct Beside {
     at: Point,
     normal: Vector,
@@ -39,19 +39,20 @@ impl Placed<1> for Beside {
     fn values<T: Real>(&self, a: &Placement<T>, b: &Placement<T>) -> [T; 1] {
         let n = a.vector([T::constant(self.normal.x), T::constant(self.normal.y)]);
         let (p, r) = (a.point(real(self.at)), b.point(real(self.at)));
-        [n[0] * (r[0] - p[0]) + n[1] * (r[1] - p[1])]
+        [n[0] * (p[0] - r[0]) + n[1] * (p[1] - r[1])]
     }
 }
 
-/// The equations of a joint between two parts: 0 where it holds, in the model's unit of length. `size` is the length that
-/// an angle of one radian counts.
-pub(crate) fn equations(
+/// The equations of a joint between two parts, 0 where it holds, in the model's unit of length: the distances of a point of
+/// the first part from that of the second, across the directions in which they are free, and last the difference of the
+/// parts' orientations. `size` is the length that an angle of one radian counts.
+pub(crate) fn equations<T: Real>(
     joint: &Joint,
     parts: [&PartCoordinates; 2],
-    q: &[f64],
+    q: &[T],
     size: f64,
-) -> Vec<Row> {
-    let together = |at: Point| rows_of(parts, q, &Together(at));
+) -> Vec<Row<T>> {
+    let together = |at: Point| rows_of(parts, q, &Apart([at, at]));
     let parallel = || {
         let [row] = rows_of(parts, q, &Parallel(size));
         row
@@ -65,7 +66,7 @@ pub(crate) fn equations(
         Joint::Prismatic { direction, at } => {
             let normal = direction.unit().left();
             let [beside] = rows_of(parts, q, &Beside { at, normal });
-            vec![parallel(), beside]
+            vec![beside, parallel()]
         }
     }
 }

@@ -101,28 +101,28 @@ pub(crate) trait Placed<const COUNT: usize> {
 }
 
 /// Functions of where two parts are, with their derivatives by the coordinates of these.
-pub(crate) fn rows_of<const COUNT: usize>(
+pub(crate) fn rows_of<T: Real, const COUNT: usize>(
     parts: [&PartCoordinates; 2],
-    q: &[f64],
+    q: &[T],
     functions: &impl Placed<COUNT>,
-) -> [Row; COUNT] {
+) -> [Row<T>; COUNT] {
     // Most parts turn or slide, and what is no coordinate needs no derivative.
     match parts.map(|p| p.indices().len()).iter().sum::<usize>() {
-        0..=2 => derived::<2, COUNT>(parts, q, functions),
-        3..=4 => derived::<4, COUNT>(parts, q, functions),
-        _ => derived::<MOST, COUNT>(parts, q, functions),
+        0..=2 => derived::<T, 2, COUNT>(parts, q, functions),
+        3..=4 => derived::<T, 4, COUNT>(parts, q, functions),
+        _ => derived::<T, MOST, COUNT>(parts, q, functions),
     }
 }
 
 /// As above, with derivatives by at most N coordinates.
-fn derived<const N: usize, const COUNT: usize>(
+fn derived<T: Real, const N: usize, const COUNT: usize>(
     [a, b]: [&PartCoordinates; 2],
-    q: &[f64],
+    q: &[T],
     functions: &impl Placed<COUNT>,
-) -> [Row; COUNT] {
+) -> [Row<T>; COUNT] {
     let (of_a, of_b) = (a.indices(), b.indices());
-    let at_a = a.placement(|i| Dual::<N>::variable(q[i], i - of_a.start));
-    let at_b = b.placement(|i| Dual::<N>::variable(q[i], of_a.len() + i - of_b.start));
+    let at_a = a.placement(|i| Dual::<N, T>::variable(q[i], i - of_a.start));
+    let at_b = b.placement(|i| Dual::<N, T>::variable(q[i], of_a.len() + i - of_b.start));
     functions.values(&at_a, &at_b).map(|found| {
         let mut row = Row::new(found.value);
         for (i, slope) in of_a.clone().chain(of_b.clone()).zip(found.slope) {

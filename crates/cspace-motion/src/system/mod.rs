@@ -11,6 +11,7 @@ mod row;
 
 pub(crate) use coordinates::Law;
 pub use coordinates::System;
+pub(crate) use force::Pull;
 pub use layout::PartCoordinates;
 pub(crate) use layout::Placed;
 pub use row::Row;

@@ -62,14 +62,15 @@ impl System {
             add_outline(&mut matrix, n, part, moments, q);
         }
         let drag = self.drag();
-        self.add_forces(q, &mut forces, |along, stiffness, damping| {
-            let resistance = damping + drag * stiffness;
-            for &(i, a) in along.entries() {
-                for &(j, b) in along.entries() {
+        for pull in self.pulls(q) {
+            pull.along.push_on(&mut forces, pull.force());
+            let resistance = pull.damping + drag * pull.stiffness;
+            for &(i, a) in pull.along.entries() {
+                for &(j, b) in pull.along.entries() {
                     matrix[i * n + j] += resistance * a * b;
                 }
             }
-        });
+        }
         (matrix, forces)
     }
 }

@@ -78,7 +78,7 @@ fn energy_is_kept_and_nothing_overlaps() {
 /// The first events of both, as many as are the same before what is chaotic in impacts makes rounding large.
 #[track_caller]
 fn begin_alike(what: &str, a: &Record, b: &Record) {
-    const FIRST: usize = 12;
+    const FIRST: usize = 11;
     assert_eq!(a.status, b.status, "{what}: {:?} {:?}", a.reason, b.reason);
     for (k, event) in a.events.iter().take(FIRST).enumerate() {
         let alike = |e: &&Event| {

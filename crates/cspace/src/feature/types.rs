@@ -1,7 +1,5 @@
 //! Features and joints of one part in the pair's frame.
 
-use core::f64::consts::PI;
-
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 
@@ -145,34 +143,6 @@ impl Feature {
             (self.end, self.start)
         } else {
             (self.start, self.end)
-        }
-    }
-
-    /// The point in the middle of the feature, and the outward normal there.
-    pub(crate) fn middle(&self, outline: &Outline) -> (Point, Vector) {
-        match (self.shape, self.near) {
-            (Shape::Line { normal }, _) => {
-                let (start, end) = (outline.start(self).point, outline.end(self).point);
-                (start.midpoint(end), normal)
-            }
-            (Shape::Round { .. }, Some(near)) => (near.point, near.normal),
-            (Shape::Round { center, radius }, None) => {
-                let normal = Vector::from_angle(0.5 * (self.lo + self.hi));
-                (center + normal * radius, normal)
-            }
-        }
-    }
-
-    /// A disc that contains the feature: centre and radius.
-    pub(crate) fn surrounding(&self, outline: &Outline) -> (Point, f64) {
-        match self.shape {
-            Shape::Round { center, radius } if self.hi - self.lo > PI => (center, radius.abs()),
-            // An arc of up to half a turn lies in the disc over its chord.
-            _ => {
-                let (start, end) = (outline.start(self).point, outline.end(self).point);
-                let middle = start.midpoint(end);
-                (middle, middle.distance(start).max(middle.distance(end)))
-            }
         }
     }
 
