@@ -128,7 +128,25 @@ impl Geometry {
         window: Option<(f64, f64)>,
         most: usize,
     ) -> Self {
-        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving), fit);
+        let (fixed, moving) = (Placed::as_drawn(fixed), Placed::as_drawn(moving));
+        Self::whole(Outlines::new(fixed, moving, fit, 0), window, most)
+    }
+
+    /// Prepares a pair as [`new`](Self::new), with another perturbation for each attempt.
+    pub(crate) fn again(
+        fixed: &Part,
+        moving: &Part,
+        window: Option<(f64, f64)>,
+        most: usize,
+        attempt: u64,
+    ) -> Self {
+        let (fixed, moving) = (Placed::as_drawn(fixed), Placed::as_drawn(moving));
+        let outlines = Outlines::new(fixed, moving, Fit::Overlaps, attempt);
+        Self::whole(outlines, window, most)
+    }
+
+    /// A pair that is not divided by its symmetry.
+    fn whole(outlines: Outlines, window: Option<(f64, f64)>, most: usize) -> Self {
         let period = Period::none(&outlines.fixed, &outlines.moving);
         let span = match window {
             Some((lo, hi)) => Span {
@@ -141,12 +159,13 @@ impl Geometry {
         outlines.sheets(span, period, most)
     }
 
-    /// Prepares one period of a symmetric pair. `None` if features do not correspond under the symmetry.
+    /// Prepares one period of a symmetric pair, with another perturbation for each attempt. `None` if features do not correspond under the symmetry.
     pub(crate) fn slab(
         fixed: Placed<'_>,
         moving: Placed<'_>,
         steps: Steps,
         most: usize,
+        attempt: u64,
     ) -> Option<Self> {
         let lengths = |p: Placed<'_>| -> Vec<u32> {
             (p.part.loops().iter())
@@ -154,7 +173,7 @@ impl Geometry {
                 .collect()
         };
         let (of_fixed, of_moving) = (lengths(fixed), lengths(moving));
-        let outlines = Outlines::new(fixed, moving, Fit::Overlaps);
+        let outlines = Outlines::new(fixed, moving, Fit::Overlaps, attempt);
         let period = Period::new(
             steps,
             (&outlines.fixed, fixed.images.map(|i| (i, &of_fixed[..]))),
@@ -237,7 +256,7 @@ pub(crate) struct Bodies {
 impl Bodies {
     /// Prepares a pair as drawn.
     pub(crate) fn new(fixed: &Part, moving: &Part, fit: Fit) -> Self {
-        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving), fit);
+        let outlines = Outlines::new(Placed::as_drawn(fixed), Placed::as_drawn(moving), fit, 0);
         Self {
             frame: outlines.frame,
             fixed: outlines.fixed_body,
@@ -275,12 +294,14 @@ pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
         Placed::as_drawn(fixed),
         Placed::as_drawn(moving),
         Fit::Overlaps,
+        0,
     )
     .growths
 }
 
 impl Outlines {
-    fn new(fixed: Placed<'_>, moving: Placed<'_>, fit: Fit) -> Self {
+    /// Outlines with the perturbation of one of several attempts.
+    fn new(fixed: Placed<'_>, moving: Placed<'_>, fit: Fit, attempt: u64) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
         let growths = if [fixed, moving].iter().all(|p| p.part.loops().len() == 1) {
             Growths::alike()
@@ -302,8 +323,9 @@ impl Outlines {
             let growth = |l| growths.of(l);
             Outline::grown_by(p.part, p.center, scale, growth, Some(&perturbation))
         };
-        let a = outline(fixed, &growths.0, 1, PERTURBATION);
-        let b = outline(moving, &growths.1, 2, moved);
+        let seed = 2 * attempt + 1;
+        let a = outline(fixed, &growths.0, seed, PERTURBATION);
+        let b = outline(moving, &growths.1, seed + 1, moved);
         Self {
             growths: (growths.0.greatest(), growths.1.greatest()),
             room,

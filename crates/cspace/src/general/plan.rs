@@ -46,18 +46,19 @@ pub(crate) struct Names {
 pub(crate) const BEYOND_WINDOW: f64 = 1.0 / 65536.0;
 
 impl Plan {
-    /// Prepares a pair by the method that the options and the parts ask for.
+    /// Prepares a pair by the method that the options and the parts ask for, with another perturbation for each attempt.
     pub(crate) fn new(
         fixed: &Part,
         moving: &Part,
         window: Option<(f64, f64)>,
         method: Method,
+        attempt: u64,
     ) -> Self {
         // Events at the very end of the window are complete in a slightly extended window.
         let wider = (window.map(|(lo, hi)| (lo - BEYOND_WINDOW, hi + BEYOND_WINDOW)))
             .filter(|(lo, hi)| hi - lo < TAU);
         let general = |symmetry| Self {
-            geometry: Geometry::new(fixed, moving, wider, MOST_SHEETS),
+            geometry: Geometry::again(fixed, moving, wider, MOST_SHEETS, attempt),
             symmetry,
             names: Names::default(),
         };
@@ -100,6 +101,7 @@ impl Plan {
             placed(&names.moving, moving),
             steps,
             MOST_SHEETS,
+            attempt,
         ) {
             Some(geometry) => Self {
                 geometry,
