@@ -118,8 +118,8 @@ struct Computation<'a> {
 impl Computation<'_> {
     /// The contact space of the first attempt without a conflict, otherwise of the first with the fewest.
     ///
-    /// A conflict comes from the perturbation: moved vertices decide where three contacts meet that meet as drawn, and a few in a thousand
-    /// of such places are decided too narrowly for the arithmetic. Another perturbation decides them elsewhere.
+    /// Where contacts meet in one point as drawn, the perturbation moves them apart, sometimes by less than the arithmetic can tell. Another
+    /// perturbation moves the same contacts apart elsewhere.
     fn run(&self, symmetry: Symmetry) -> Result<ContactSpace, ComputeError> {
         let mut best = self.attempt(symmetry, 0)?;
         for attempt in 1..ATTEMPTS {
