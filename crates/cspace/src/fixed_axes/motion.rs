@@ -200,6 +200,7 @@ pub(super) enum ExtentKind {
 impl Extent {
     /// A full turn, cut at an angle at which an event is unlikely.
     pub(super) fn circle() -> Self {
+        /// Angle of the cut, radians: no multiple of a simple fraction of a turn.
         const CUT: f64 = -PI + 0.012_345_678_9;
         Self {
             lo: CUT,

@@ -132,7 +132,7 @@ impl Patch {
     /// The orientation reduced to the patch's interval by whole turns, if possible.
     pub(crate) fn turned_into(&self, theta: f64) -> Option<f64> {
         use core::f64::consts::TAU;
-        // The usual cases, without a division: less than a turn above the first orientation, or below.
+        /// The usual cases, without a division: less than a turn above the first orientation, or below.
         const LESS: f64 = 0.999 * TAU;
         let above = theta - self.lo;
         let t = if (0.0..LESS).contains(&above) {

@@ -91,8 +91,9 @@ impl<'a> Surface<'a> {
     /// Patches that end at a critical orientation, and patches that begin there, may be turns apart, so that their orientations differ by
     /// rounding.
     pub(crate) fn settled(&self, theta: f64) -> f64 {
-        /// A few roundings, and twice as many; radians, relative to orientations above one.
+        /// A few roundings; radians, relative to orientations above one.
         const NEAR: f64 = 4e-15;
+        /// Twice as many.
         const ASIDE: f64 = 8e-15;
         let (window, critical) = (&self.window, self.critical_orientations);
         let scale = theta.abs().max(1.0);

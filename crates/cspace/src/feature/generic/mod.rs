@@ -129,7 +129,7 @@ fn moved(
 
 /// Makes the smooth joints of a loop exactly smooth, by Newton's method; also returns the number of steps.
 fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<ExactVertex>, usize)> {
-    // Residual, in units of the admitted one, from which further steps gain nothing, because only rounding is left.
+    /// Residual, in units of the admitted one, from which further steps gain nothing, because only rounding is left.
     const LEFT: f64 = 32.0;
     let size = vertices.iter().fold(0.0_f64, |size, v| {
         size.max(v.x.to_f64().abs()).max(v.y.to_f64().abs())

@@ -20,14 +20,16 @@ use crate::general::limits::{MOST_CROSSING, MOST_IN_SLOT, MOST_MEETINGS, MOST_SH
 /// For n sheets a turn has `SLOTS_SCALE` n ^ `SLOTS_POWER` intervals: more intervals leave fewer crossings, but each costs as much as a
 /// small pair.
 const SLOTS_SCALE: f64 = 0.35;
+/// The power of that formula.
 const SLOTS_POWER: f64 = 0.75;
 
 /// Minimum and maximum number of intervals per turn by that formula.
 const SLOTS: (f64, f64) = (8.0, 300.0);
 
 /// Number of intervals per mean duration of a sheet, used where sheets are many and short: then each sheet is examined in few intervals,
-/// and the narrower these are the fewer boxes meet. The maximum is given by the bits of the keys.
+/// and the narrower these are the fewer boxes meet.
 const SLOTS_IN_A_LIFE: f64 = 2.0;
+/// Maximum number of intervals, given by the bits of the keys.
 const MOST_SLOTS: f64 = ((1 << SLOT_BITS) - 2) as f64;
 
 /// Number of intervals examined together first, for the sheets that are blocked in all of them.

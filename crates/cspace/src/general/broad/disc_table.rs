@@ -78,7 +78,7 @@ impl Anchors {
                 let (mut beside, mut inside, mut nearest) = (0.0, false, None);
                 let mut line = Vec::with_capacity(columns);
                 for p in (0..columns).map(middle) {
-                    // The boundary is within the unit disc, and so is the square: no distance exceeds this.
+                    /// The boundary is within the unit disc, and so is the square: no distance exceeds this.
                     const FARTHEST: f64 = 4.0;
                     let within = nearest.map_or(FARTHEST, |d: f64| (d + 2.0 * step) / NEARLY);
                     let closest = material.closest(p, within, NEARLY);
