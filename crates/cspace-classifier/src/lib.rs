@@ -14,7 +14,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-// It reads no files and prints nothing.
+// This crate reads no files and prints nothing.
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod board;

@@ -1,4 +1,4 @@
-//! Constants of the kernel: each number that decides something has a comment that says what it is, and there are no more of them than now.
+//! Every constant of type `f64` in the kernel has a comment of documentation, and there are at most [`MOST`] of them.
 #![allow(clippy::unwrap_used)]
 
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 use syn::{Attribute, ImplItemConst, ItemConst, ItemMod, Type};
 
-/// Largest number of constants of type f64: a new one takes the place of an old one.
+/// Largest number of constants: a new one takes the place of an old one.
 const MOST: usize = 240;
 
 /// Constants found in a file: names, and whether they have a comment.
@@ -72,7 +72,7 @@ fn constants_are_explained_and_few() {
     assert!(count > 50, "{count} constants are found");
     assert!(
         count <= MOST,
-        "{count} constants of type f64 in the kernel, {MOST} before: use one that is there"
+        "the kernel has {count} constants of type f64, and {MOST} are allowed: use an existing one"
     );
     assert!(bare.is_empty(), "without a comment:\n{}", bare.join("\n"));
 }

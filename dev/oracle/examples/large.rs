@@ -16,7 +16,7 @@ use rand_chacha::ChaCha8Rng;
 
 fn main() -> Result<(), PartError> {
     let asked = std::env::args().nth(1);
-    let count = std::env::args().nth(2).and_then(|n| n.parse().ok());
+    let count = (std::env::args().nth(2)).and_then(|n| n.parse().ok().filter(|n| *n > 4));
     let ignored = Options {
         symmetry: Symmetry::Ignore,
         ..Options::default()
@@ -27,6 +27,9 @@ fn main() -> Result<(), PartError> {
             run(name, &gear(n, 1.0), &gear(n - 1, 1.0), &Options::default());
         }
         (Some(name @ "wavy"), Some(n)) => run(name, &wavy(n, 0.0)?, &wavy(n, 1.0)?, &ignored),
+        (Some("gears" | "gears-slab" | "wavy"), None) => {
+            println!("give the number of teeth or lines")
+        }
         _ => return all(asked.as_deref()),
     }
     Ok(())

@@ -121,28 +121,33 @@ impl Computation<'_> {
     /// Where contacts meet in one point as drawn, the perturbation moves them apart, sometimes by less than the arithmetic can tell. Another
     /// perturbation moves the same contacts apart elsewhere.
     fn run(&self, symmetry: Symmetry) -> Result<ContactSpace, ComputeError> {
-        let mut best = self.attempt(symmetry, 0)?;
+        let mut method = symmetry.into();
+        let mut best = self.attempt(&mut method, 0)?;
         for attempt in 1..ATTEMPTS {
-            if best.statistics().conflicts == 0 {
+            let conflicts = best.statistics().conflicts;
+            if conflicts == 0 {
                 break;
             }
-            let space = self.attempt(symmetry, attempt)?;
-            if space.statistics().conflicts < best.statistics().conflicts {
-                best = space;
+            match self.attempt(&mut method, attempt) {
+                Ok(space) if space.statistics().conflicts < conflicts => best = space,
+                Err(ComputeError::Interrupted) => return Err(ComputeError::Interrupted),
+                // No better, or beyond a limit that the first attempt kept.
+                Ok(_) | Err(_) => {}
             }
         }
+        best.data.statistics.seconds.total = self.progress.seconds() - self.begin;
         Ok(best)
     }
 
-    /// The contact space by the first applicable method. Circles may be divided so that a part becomes symmetric; if one of them is
-    /// touched, its patches would be cut finer than the drawing, and only the symmetry of the vertices is used.
-    fn attempt(&self, symmetry: Symmetry, attempt: u64) -> Result<ContactSpace, ComputeError> {
-        let mut method = symmetry.into();
+    /// The contact space by the first applicable method from the given one on, which becomes that method. Circles may be divided so that a
+    /// part becomes symmetric; if one of them is touched, its patches would be cut finer than the drawing, and only the symmetry of the
+    /// vertices is used.
+    fn attempt(&self, method: &mut Method, attempt: u64) -> Result<ContactSpace, ComputeError> {
         loop {
-            if let Some(space) = self.by(method, attempt)? {
+            if let Some(space) = self.by(*method, attempt)? {
                 return Ok(space);
             }
-            method = Method::Slab(Corresponding::Vertices);
+            *method = Method::Slab(Corresponding::Vertices);
         }
     }
 
@@ -182,7 +187,6 @@ impl Computation<'_> {
         geometry.contacts.sheets = Vec::new();
         let graph = linked.graph(&geometry.frame);
         seconds.graph = clock.lap();
-        seconds.total = self.progress.seconds() - self.begin;
         let (more_fixed, more_moving) = names.added();
         let data = SpaceData {
             format: FORMAT.to_owned(),

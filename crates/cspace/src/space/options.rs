@@ -134,7 +134,7 @@ impl Stage {
 
 /// Receiver of a computation's progress, which may stop it.
 pub trait Progress: Sync {
-    /// Called when a stage begins; an error ends the computation.
+    /// Called when a stage begins; an error ends the computation. Stages begin again if the pair is computed again because of a conflict.
     ///
     /// # Errors
     /// [`ComputeError::Interrupted`] if the computation is to be stopped.

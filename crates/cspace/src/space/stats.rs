@@ -72,6 +72,6 @@ pub struct StageSeconds {
     pub shells: f64,
     /// Patches, links, regions.
     pub graph: f64,
-    /// All of it.
+    /// All stages, and all of attempts that were not kept.
     pub total: f64,
 }

@@ -4,7 +4,6 @@ use crate::grouped::Grouped;
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::passing::NARROWEST_EXACT;
 use crate::general::events::pinches::Pinch;
 use crate::general::events::trace::{Coincidence, Traced};
 use crate::general::events::triple::Triples;
@@ -35,7 +34,7 @@ impl Gathered {
         let more = triples.events.iter().map(|m| m.event).collect();
         let (clusters, moved) = clusters.with(more);
         let index = |old: u32| moved[old as usize];
-        let branches: Vec<Branch> = (traced.branches.into_iter())
+        let branches = (traced.branches.into_iter())
             .map(|b| Branch {
                 from: index(b.from),
                 to: index(b.to),
@@ -52,21 +51,9 @@ impl Gathered {
             .swallowed
             .iter()
             .map(|&(sheet, at)| (sheet, index(at)));
-        // A branch that begins or ends just there changes the order on a third sheet without a passing.
-        let missed = (triples.missed(&clusters)).filter_map(|(sheet, three, at)| {
-            let changes = |b: &Branch| {
-                let near = clusters
-                    .duration(b.from, at)
-                    .min(clusters.duration(at, b.to));
-                three.contains(&b.other(sheet)) && near.abs() < NARROWEST_EXACT
-            };
-            let mut all = on_sheet.of(sheet).iter().map(|&b| &branches[b as usize]);
-            all.any(changes).then_some((sheet, at))
-        });
         let splits = (coincidences.iter())
             .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
-            .chain(swallowed)
-            .chain(missed);
+            .chain(swallowed);
         let passings = (triples.events.iter()).map(|m| (m.sheet, clusters.index(m.event.theta)));
         let pinches = (traced.pinches.into_iter()).map(|p| Pinch {
             at: index(p.at),

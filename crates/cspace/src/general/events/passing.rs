@@ -24,7 +24,7 @@ const NARROWEST: f64 = 1e-8;
 const NARROW: f64 = 1e-6;
 
 /// As [`NARROWEST`] in double-double.
-pub(super) const NARROWEST_EXACT: f64 = 1e-18;
+const NARROWEST_EXACT: f64 = 1e-18;
 
 /// A function without roots or divisions that vanishes where the three sheets meet.
 ///

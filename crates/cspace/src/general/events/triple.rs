@@ -91,23 +91,6 @@ impl Triples {
         self.by_places += other.by_places;
     }
 
-    /// Sheets on which no branches pass each other at a cluster at which they do on the two others that meet it there, with the three sheets
-    /// and the cluster. Requires events in the order of [`agree`](Self::agree).
-    pub(crate) fn missed<'a>(
-        &'a self,
-        clusters: &'a Clusters,
-    ) -> impl Iterator<Item = (u32, [u32; 3], u32)> + 'a {
-        let place = |e: &TripleEvent| (e.three, clusters.index(e.event.theta));
-        (self.events.chunk_by(move |a, b| place(a) == place(b))).filter_map(move |all| {
-            let (three, at) = place(&all[0]);
-            let mut missing = three
-                .into_iter()
-                .filter(|s| all.iter().all(|e| e.sheet != *s));
-            let one = missing.next()?;
-            missing.next().is_none().then_some((one, three, at))
-        })
-    }
-
     /// Unifies events of the same three sheets: where three sheets meet, branches pass each other on each of them. Each event is extended
     /// to cover those found on the others, which differ by more than their own rounding where the sheets are almost tangent.
     fn agree(&mut self) {
