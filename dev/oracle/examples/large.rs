@@ -28,7 +28,7 @@ fn main() -> Result<(), PartError> {
         }
         (Some(name @ "wavy"), Some(n)) => run(name, &wavy(n, 0.0)?, &wavy(n, 1.0)?, &ignored),
         (Some("gears" | "gears-slab" | "wavy"), None) => {
-            println!("give the number of teeth or lines")
+            println!("give the number of teeth or lines");
         }
         _ => return all(asked.as_deref()),
     }
