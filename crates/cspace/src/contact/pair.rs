@@ -117,36 +117,19 @@ impl Geometry {
         window: Option<(f64, f64)>,
         most: usize,
     ) -> Self {
-        Self::of_fit(fixed, moving, Fit::Overlaps, window, most)
+        Self::attempt(fixed, moving, (Fit::Overlaps, 0), window, most)
     }
 
-    /// Prepares a pair as [`new`](Self::new), with a choice of how exact fits count.
-    pub(crate) fn of_fit(
+    /// Prepares a pair as [`new`](Self::new), with a choice of how exact fits count, and with another perturbation for each attempt.
+    pub(crate) fn attempt(
         fixed: &Part,
         moving: &Part,
-        fit: Fit,
+        (fit, attempt): (Fit, u64),
         window: Option<(f64, f64)>,
         most: usize,
     ) -> Self {
         let (fixed, moving) = (Placed::as_drawn(fixed), Placed::as_drawn(moving));
-        Self::whole(Outlines::new(fixed, moving, fit, 0), window, most)
-    }
-
-    /// Prepares a pair as [`new`](Self::new), with another perturbation for each attempt.
-    pub(crate) fn again(
-        fixed: &Part,
-        moving: &Part,
-        window: Option<(f64, f64)>,
-        most: usize,
-        attempt: u64,
-    ) -> Self {
-        let (fixed, moving) = (Placed::as_drawn(fixed), Placed::as_drawn(moving));
-        let outlines = Outlines::new(fixed, moving, Fit::Overlaps, attempt);
-        Self::whole(outlines, window, most)
-    }
-
-    /// A pair that is not divided by its symmetry.
-    fn whole(outlines: Outlines, window: Option<(f64, f64)>, most: usize) -> Self {
+        let outlines = Outlines::new(fixed, moving, fit, attempt);
         let period = Period::none(&outlines.fixed, &outlines.moving);
         let span = match window {
             Some((lo, hi)) => Span {

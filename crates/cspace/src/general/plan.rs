@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::contact::{Geometry, Placed, Steps};
+use crate::contact::{Fit, Geometry, Placed, Steps};
 use crate::feature::{FeatureName, as_drawn};
 use crate::part::{Corresponding, Part, Symmetrized};
 use crate::space::{PairSymmetry, Symmetry};
@@ -58,7 +58,13 @@ impl Plan {
         let wider = (window.map(|(lo, hi)| (lo - BEYOND_WINDOW, hi + BEYOND_WINDOW)))
             .filter(|(lo, hi)| hi - lo < TAU);
         let general = |symmetry| Self {
-            geometry: Geometry::again(fixed, moving, wider, MOST_SHEETS, attempt),
+            geometry: Geometry::attempt(
+                fixed,
+                moving,
+                (Fit::Overlaps, attempt),
+                wider,
+                MOST_SHEETS,
+            ),
             symmetry,
             names: Names::default(),
         };

@@ -55,7 +55,7 @@ impl Slicer {
     /// Prepares a pair, with a choice of how exact fits count.
     pub(super) fn of_fit(fixed: &Part, moving: &Part, fit: Fit) -> Self {
         let window = (FIRST - ABOUT, FIRST + TAU + ABOUT);
-        let geometry = Geometry::of_fit(fixed, moving, fit, Some(window), usize::MAX);
+        let geometry = Geometry::attempt(fixed, moving, (fit, 0), Some(window), usize::MAX);
         let mut slots = vec![Vec::new(); SLOTS];
         for (i, sheet) in (0u32..).zip(&geometry.contacts.sheets) {
             for slot in &mut slots[slot(sheet.lo - ABOUT)..=slot(sheet.hi + ABOUT)] {

@@ -1,22 +1,11 @@
 //! Comments of documentation name their subject: none of their lines begins with a word that refers to another item.
-#![allow(clippy::unwrap_used)]
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use super::files;
 
 /// Words with which no line begins: "The same of arcs" is "As above, for arcs".
 const REFUSED: [&str; 6] = ["The same", "What", "Of", "That", "Those", "None of"];
-
-/// Files in Rust below a folder, without those that builds leave.
-fn files(folder: &Path, all: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() && !path.ends_with("target") && !path.ends_with("node_modules") {
-            files(&path, all);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            all.push(path);
-        }
-    }
-}
 
 /// The text of a line of documentation; `None` if the line is another one.
 fn documentation(line: &str) -> Option<&str> {
@@ -34,14 +23,10 @@ fn is_refused(text: &str) -> bool {
 #[test]
 fn lines_of_documentation_name_their_subject() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let mut all = Vec::new();
-    for folder in ["crates", "dev"] {
-        files(&root.join(folder), &mut all);
-    }
-    all.sort();
+    let all = ["crates", "dev"].map(|folder| files(&root.join(folder)));
     let mut refused = Vec::new();
     let mut count = 0;
-    for file in all {
+    for file in all.into_iter().flatten() {
         let text = std::fs::read_to_string(&file).unwrap();
         let name = file.strip_prefix(&root).unwrap().display().to_string();
         for (number, line) in (1..).zip(text.lines()) {

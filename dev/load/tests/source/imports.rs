@@ -2,7 +2,6 @@
 //!
 //! Imports are read from the source: `use` declarations and paths that begin with `crate`, `self` or `super`. A name
 //! that a module only re-exports counts as an import of the file that defines it, and a re-export is no import.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -23,7 +22,7 @@ struct Source {
     named: Vec<Vec<String>>,
 }
 
-fn only_for_tests(attributes: &[Attribute]) -> bool {
+pub(crate) fn only_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|a| {
         let tokens = quote_of(a);
         a.path().is_ident("cfg")

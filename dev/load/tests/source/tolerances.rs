@@ -1,10 +1,12 @@
 //! Every constant of type `f64` in the kernel has a comment of documentation, and there are at most [`MOST`] of them.
-#![allow(clippy::unwrap_used)]
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use syn::visit::{self, Visit};
-use syn::{Attribute, ImplItemConst, ItemConst, ItemMod, Type};
+use syn::{Attribute, ImplItem, ItemConst, ItemImpl, ItemMod, Type};
+
+use super::files;
+use super::imports::only_for_tests;
 
 /// Largest number of constants: a new one takes the place of an old one.
 const MOST: usize = 240;
@@ -13,8 +15,8 @@ const MOST: usize = 240;
 #[derive(Default)]
 struct Constants(Vec<(String, bool)>);
 
-fn has(attributes: &[Attribute], name: &str) -> bool {
-    attributes.iter().any(|a| a.path().is_ident(name))
+fn is_explained(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|a| a.path().is_ident("doc"))
 }
 
 fn is_number(of: &Type) -> bool {
@@ -24,31 +26,26 @@ fn is_number(of: &Type) -> bool {
 impl<'ast> Visit<'ast> for Constants {
     fn visit_item_const(&mut self, item: &'ast ItemConst) {
         if is_number(&item.ty) {
-            (self.0).push((item.ident.to_string(), has(&item.attrs, "doc")));
+            (self.0).push((item.ident.to_string(), is_explained(&item.attrs)));
         }
     }
 
-    fn visit_impl_item_const(&mut self, item: &'ast ImplItemConst) {
-        // Those of a trait have their comment there.
-        if is_number(&item.ty) {
-            self.0.push((item.ident.to_string(), true));
+    fn visit_item_impl(&mut self, item: &'ast ItemImpl) {
+        for inner in &item.items {
+            if let ImplItem::Const(constant) = inner
+                && is_number(&constant.ty)
+            {
+                // Those of a trait have their comment there.
+                let explained = item.trait_.is_some() || is_explained(&constant.attrs);
+                (self.0).push((constant.ident.to_string(), explained));
+            }
         }
+        visit::visit_item_impl(self, item);
     }
 
     fn visit_item_mod(&mut self, item: &'ast ItemMod) {
-        if !has(&item.attrs, "cfg") {
+        if !only_for_tests(&item.attrs) {
             visit::visit_item_mod(self, item);
-        }
-    }
-}
-
-fn files(folder: &Path, all: &mut Vec<PathBuf>) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            files(&path, all);
-        } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("tests.rs") {
-            all.push(path);
         }
     }
 }
@@ -56,11 +53,11 @@ fn files(folder: &Path, all: &mut Vec<PathBuf>) {
 #[test]
 fn constants_are_explained_and_few() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../crates/cspace/src");
-    let mut all = Vec::new();
-    files(&root, &mut all);
-    all.sort();
     let (mut count, mut bare) = (0, Vec::new());
-    for file in all {
+    for file in files(&root)
+        .into_iter()
+        .filter(|f| !f.ends_with("tests.rs"))
+    {
         let text = std::fs::read_to_string(&file).unwrap();
         let mut found = Constants::default();
         found.visit_file(&syn::parse_file(&text).unwrap());
