@@ -1739,10 +1739,11 @@ part of the program; Figure 5's numbers are shown beside those measured.
 
 The old seconds are slices and surface alone: critical orientations are given
 to the old algorithm for nothing. Both use the same code for a slice, and one
-thread unless --threads says otherwise: slices by the thousand gain from more,
-pairs that take a millisecond do not. The search of critical orientations over
-all combinations of features is timed on its own, under a limit: with
-orientations already known skipped (section 3.3), and with all examined.
+thread unless --threads says otherwise. All times are the processor's, summed
+over threads: other programs on the machine do not add to them. The search of
+critical orientations over all combinations of features is timed on its own,
+under a limit: with orientations already known skipped (section 3.3), and with
+all examined.
 
 A critical orientation is `aligned` where the parts' normals oppose each other
 at the ends of features (sides are parallel), `end` where a feature ends at

@@ -27,7 +27,7 @@ const BESIDE: [f64; 13] = [
 const CERTAIN: f64 = 1e-9;
 
 /// Number of critical orientations tested for each pair.
-const TRIED: usize = 6;
+const TRIED: usize = 3;
 
 fn wrong_at_the_end(
     pair: &Pair,

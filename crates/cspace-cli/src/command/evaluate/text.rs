@@ -63,7 +63,7 @@ fn slices(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
 fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     writeln!(
         text,
-        "\nMilliseconds, median of {}, {} (in parentheses without symmetry)\n",
+        "\nMilliseconds of the processor, median of {}, {} (in parentheses without symmetry)\n",
         evaluation.repeat,
         count(evaluation.threads, "thread", "threads")
     )?;
@@ -97,9 +97,9 @@ fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
 fn criticalities(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     writeln!(
         text,
-        "\nCritical orientations: the general algorithm's search over all combinations of features, milliseconds and\n\
-         solutions examined one by one, and the ratio of times with that; and the product's in the slices computed, by\n\
-         what happens there (several can at once)\n"
+        "\nCritical orientations: the general algorithm's search over all combinations of features, milliseconds of the\n\
+         processor and solutions examined one by one, and the ratio of times with that; and the product's in the slices\n\
+         computed, by what happens there (several can at once)\n"
     )?;
     writeln!(
         text,

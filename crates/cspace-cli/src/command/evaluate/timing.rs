@@ -1,10 +1,12 @@
 //! Seconds that work takes.
 
-use std::time::Instant;
+use cpu_time::ProcessTime;
 
-/// The seconds that something takes, and what it makes.
+/// Seconds that the processor works on something, on all threads together, and the result.
+///
+/// Other programs on the machine take no part in them, as they do in the time of a clock.
 pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
-    let begin = Instant::now();
+    let begin = ProcessTime::now();
     let made = work();
     (begin.elapsed().as_secs_f64(), made)
 }
