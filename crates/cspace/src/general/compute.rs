@@ -13,8 +13,9 @@ use crate::space::{
 
 use crate::general::broad::candidates::Candidates;
 use crate::general::broad::discs::Cores;
+use crate::general::cells::cell::Cell;
 use crate::general::cells::sweep::Sweep;
-use crate::general::events::branch::on_sheets;
+use crate::general::events::branch::{Branch, on_sheets};
 use crate::general::events::clusters::{Clusters, Moment};
 use crate::general::events::coming::{PairEvents, pair_events};
 use crate::general::events::gathered::Gathered;
@@ -27,7 +28,7 @@ use crate::general::links::assemble::{Assembler, Linked};
 use crate::general::plan::{Method, Names, Plan};
 use crate::general::verdict::contract::contract;
 use crate::general::verdict::doubt::doubtful;
-use crate::general::verdict::shells::ShellFinder;
+use crate::general::verdict::shells::{ShellFinder, Shells};
 
 /// Error of the orientation at which two normals oppose each other (radians).
 const ALIGNMENT_ERROR: f64 = 64.0 * Exact::EPSILON;
@@ -124,75 +125,98 @@ impl Computation<'_> {
         let mut method = symmetry.into();
         let mut best = self.attempt(&mut method, 0)?;
         for attempt in 1..ATTEMPTS {
-            let conflicts = best.statistics().conflicts;
+            let conflicts = best.judged.counts.conflicts;
             if conflicts == 0 {
                 break;
             }
             match self.attempt(&mut method, attempt) {
-                Ok(space) if space.statistics().conflicts < conflicts => best = space,
+                Ok(other) if other.judged.counts.conflicts < conflicts => best = other,
                 Err(ComputeError::Interrupted) => return Err(ComputeError::Interrupted),
                 // No better, or beyond a limit that the first attempt kept.
                 Ok(_) | Err(_) => {}
             }
         }
-        best.data.statistics.seconds.total = self.progress.seconds() - self.begin;
-        Ok(best)
+        let mut space = self.assembled(best)?;
+        space.data.statistics.seconds.total = self.progress.seconds() - self.begin;
+        Ok(space)
     }
 
-    /// The contact space by the first applicable method from the given one on, which becomes that method. Circles may be divided so that a
+    /// The cells by the first applicable method from the given one on, which becomes that method. Circles may be divided so that a
     /// part becomes symmetric; if one of them is touched, its patches would be cut finer than the drawing, and only the symmetry of the
     /// vertices is used.
-    fn attempt(&self, method: &mut Method, attempt: u64) -> Result<ContactSpace, ComputeError> {
+    fn attempt(&self, method: &mut Method, attempt: u64) -> Result<Attempt, ComputeError> {
         loop {
-            if let Some(space) = self.by(*method, attempt)? {
-                return Ok(space);
+            let made = self.by(*method, attempt)?;
+            if !self.stages(&made.plan).divides_contacts(&made.judged) {
+                return Ok(made);
             }
             *method = Method::Slab(Corresponding::Vertices);
         }
     }
 
-    /// The contact space by a given method; `None` if it divides circles that are touched.
-    fn by(&self, method: Method, attempt: u64) -> Result<Option<ContactSpace>, ComputeError> {
-        let (fixed, moving) = (self.fixed, self.moving);
+    /// The cells by a given method.
+    fn by(&self, method: Method, attempt: u64) -> Result<Attempt, ComputeError> {
         let mut clock = Clock::new(self.progress);
         self.progress.stage(Stage::Sheets)?;
-        let Plan {
-            mut geometry,
-            symmetry,
-            names,
-        } = Plan::new(fixed, moving, self.window, method, attempt);
+        let plan = Plan::new(self.fixed, self.moving, self.window, method, attempt);
         let mut seconds = StageSeconds {
             sheets: clock.lap(),
             ..StageSeconds::default()
         };
-        let span = geometry.contacts.span;
-        let (lo, hi) = self.window.unwrap_or((span.lo, span.lo + TAU));
-        let window = Window {
-            lo,
-            hi,
-            full_turn: self.window.is_none(),
-        };
         self.progress.stage(Stage::Candidates)?;
-        let stages = Stages {
-            geometry: &geometry,
-            cores: &Cores::new(&geometry),
-            names: &names,
-            window,
-            edges: (fixed.edges().count(), moving.edges().count()),
+        let cores = Cores::new(&plan.geometry);
+        let judged = self.stages(&plan).run(&cores, &mut seconds, &mut clock)?;
+        Ok(Attempt {
+            plan,
+            judged,
+            seconds,
+        })
+    }
+
+    /// The stages of a plan.
+    fn stages<'a>(&'a self, plan: &'a Plan) -> Stages<'a> {
+        let span = plan.geometry.contacts.span;
+        let (lo, hi) = self.window.unwrap_or((span.lo, span.lo + TAU));
+        Stages {
+            geometry: &plan.geometry,
+            names: &plan.names,
+            window: Window {
+                lo,
+                hi,
+                full_turn: self.window.is_none(),
+            },
+            edges: (self.fixed.edges().count(), self.moving.edges().count()),
             progress: self.progress,
-        };
-        let Some((linked, counts)) = stages.run(&mut seconds, &mut clock)? else {
-            return Ok(None);
-        };
-        geometry.contacts.sheets = Vec::new();
+        }
+    }
+
+    /// The contact space of an attempt.
+    fn assembled(&self, attempt: Attempt) -> Result<ContactSpace, ComputeError> {
+        let Attempt {
+            mut plan,
+            judged,
+            mut seconds,
+        } = attempt;
+        let mut clock = Clock::new(self.progress);
+        self.progress.stage(Stage::Graph)?;
+        let counts = judged.counts;
+        let stages = self.stages(&plan);
+        let window = stages.window;
+        let linked = stages.link(judged)?;
+        plan.geometry.contacts.sheets = Vec::new();
+        let Plan {
+            geometry,
+            symmetry,
+            names,
+        } = plan;
         let graph = linked.graph(&geometry.frame);
         seconds.graph = clock.lap();
         let (more_fixed, more_moving) = names.added();
         let data = SpaceData {
             format: FORMAT.to_owned(),
             version: SAVED_VERSION,
-            fixed: fixed.clone(),
-            moving: moving.clone(),
+            fixed: self.fixed.clone(),
+            moving: self.moving.clone(),
             window,
             frame: geometry.frame,
             features: FeatureCounts {
@@ -209,8 +233,15 @@ impl Computation<'_> {
             doubtful_orientations: graph.doubtful_orientations,
             statistics: Statistics { seconds, ..counts },
         };
-        Ok(Some(ContactSpace::of(data, graph.walk, geometry.growths)))
+        Ok(ContactSpace::of(data, graph.walk, geometry.growths))
     }
+}
+
+/// Cells made with one perturbation of the parts.
+struct Attempt {
+    plan: Plan,
+    judged: Judged,
+    seconds: StageSeconds,
 }
 
 /// Stopwatch for the seconds of each stage.
@@ -238,7 +269,6 @@ impl<'a> Clock<'a> {
 /// The stages from sheets to patches and links: for a contact space, or for the small interval of orientations of a slice.
 pub(crate) struct Stages<'a> {
     pub(crate) geometry: &'a Geometry,
-    pub(crate) cores: &'a Cores,
     pub(crate) names: &'a Names,
     pub(crate) window: Window,
     /// Edges of the fixed and of the moving part.
@@ -247,12 +277,13 @@ pub(crate) struct Stages<'a> {
 }
 
 impl Stages<'_> {
-    /// Runs all stages: returns the linked chains, and counts; `None` if circles that were divided are touched.
+    /// Runs the stages up to the cells, free and blocked. `cores`: the discs of both parts.
     pub(crate) fn run(
         &self,
+        cores: &Cores,
         seconds: &mut StageSeconds,
         clock: &mut Clock<'_>,
-    ) -> Result<Option<(Linked, Statistics)>, ComputeError> {
+    ) -> Result<Judged, ComputeError> {
         let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
         let (n, m) = self.edges;
         if sheets.len() > MOST_SHEETS {
@@ -262,7 +293,7 @@ impl Stages<'_> {
                 limit: MOST_SHEETS,
             });
         }
-        let Some(mut candidates) = Candidates::find(geometry, self.cores) else {
+        let Some(mut candidates) = Candidates::find(geometry, cores) else {
             return Err(ComputeError::TooManyCrossings {
                 fixed: n,
                 moving: m,
@@ -321,11 +352,10 @@ impl Stages<'_> {
             candidates: &candidates,
             coincidences: &coincidences,
         };
-        let mut shells = finder.find(&mut cells);
+        let shells = finder.find(&mut cells);
         drop((candidates, coincidences));
         seconds.shells = clock.lap();
 
-        self.progress.stage(Stage::Graph)?;
         let counts = Statistics {
             sheets: sheets.len() as u64,
             pairs: pair_count,
@@ -347,36 +377,67 @@ impl Stages<'_> {
             },
             seconds: StageSeconds::default(),
         };
-        let doubtful = doubtful(&clusters, &cells.cells, &shells);
-        let contracted = contract(
-            geometry,
-            &branches,
-            &clusters,
-            &mut cells.cells,
-            &mut shells,
-        );
-        let assembler = Assembler {
-            geometry,
-            clusters: contracted.unwrap_or(clusters),
+        Ok(Judged {
+            doubtful: doubtful(&clusters, &cells.cells, &shells),
+            clusters,
             branches,
             cells: cells.cells,
+            shells,
+            counts,
+        })
+    }
+
+    /// Whether a patch would lie on a circle that was divided to make a part symmetric.
+    fn divides_contacts(&self, judged: &Judged) -> bool {
+        let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
+        (judged.cells.iter().zip(&judged.shells.free))
+            .filter(|(_, free)| **free)
+            .any(|(cell, _)| {
+                let sheet = &sheets[cell.sheet as usize];
+                let fixed = geometry.fixed.features[sheet.fixed as usize].name;
+                let moving = geometry.moving.features[sheet.moving as usize].name;
+                self.names.divides(fixed, moving)
+            })
+    }
+
+    /// The patches that free cells make, and their links.
+    pub(crate) fn link(&self, judged: Judged) -> Result<Linked, ComputeError> {
+        let Judged {
+            clusters,
+            branches,
+            mut cells,
+            mut shells,
+            doubtful,
+            ..
+        } = judged;
+        let contracted = contract(self.geometry, &branches, &clusters, &mut cells, &mut shells);
+        let assembler = Assembler {
+            geometry: self.geometry,
+            clusters: contracted.unwrap_or(clusters),
+            branches,
+            cells,
             shells,
             doubtful,
             window: self.window,
             names: self.names,
         };
-        if assembler.divides_contacts() {
-            return Ok(None);
-        }
-        let Some(linked) = assembler.link() else {
-            return Err(ComputeError::TooManyPatches {
-                fixed: n,
-                moving: m,
-                limit: MOST_PATCHES,
-            });
-        };
-        Ok(Some((linked, counts)))
+        assembler.link().ok_or(ComputeError::TooManyPatches {
+            fixed: self.edges.0,
+            moving: self.edges.1,
+            limit: MOST_PATCHES,
+        })
     }
+}
+
+/// Cells of one period, free and blocked, of which the graph is made.
+pub(crate) struct Judged {
+    clusters: Clusters,
+    branches: Vec<Branch>,
+    cells: Vec<Cell>,
+    shells: Shells,
+    /// Doubtful orientations.
+    doubtful: Vec<(f64, f64)>,
+    counts: Statistics,
 }
 
 /// Clusters of the events of pairs, and of the orientations known before: where sheets begin and end.

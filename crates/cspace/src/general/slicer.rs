@@ -140,14 +140,17 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
     };
     let stages = Stages {
         geometry: &geometry,
-        cores,
         names: &Names::default(),
         window,
         edges: (0, 0),
         progress: &Silent,
     };
-    let linked = stages.run(&mut StageSeconds::default(), &mut Clock::new(&Silent));
-    let Ok(Some((linked, _))) = linked else {
+    let judged = stages.run(
+        cores,
+        &mut StageSeconds::default(),
+        &mut Clock::new(&Silent),
+    );
+    let Ok(linked) = judged.and_then(|judged| stages.link(judged)) else {
         let empty = Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
         return (empty, None);
     };

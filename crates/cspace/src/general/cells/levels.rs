@@ -15,8 +15,8 @@ use crate::geometry::{Point, Vector};
 use crate::parallel;
 use crate::union_find::UnionFind;
 
-use crate::general::cells::cell::VerticalContact;
-use crate::general::cells::extent::{CellExtents, Side};
+use crate::general::cells::cell::{Cell, VerticalContact};
+use crate::general::cells::extent::{CellExtents, Extent, Side};
 use crate::general::cells::sweep::Cells;
 use crate::general::cells::track::{Piece, Place, Track};
 use crate::general::events::branch::Branch;
@@ -347,25 +347,43 @@ impl Levels<'_> {
                 groups.entry(sheet.bottom).or_default().1.push(i);
             }
         }
-        for (ends, starts) in groups.values() {
-            for &lower in ends {
-                for &upper in starts {
-                    let (l, u) = (
-                        &self.cells.cells[lower as usize],
-                        &self.cells.cells[upper as usize],
-                    );
-                    let below = self.extents(l.sheet, l.to).of(l, Side::Below);
-                    let above = self.extents(u.sheet, u.from).of(u, Side::Above);
-                    out.extend(below.shared_with(&above).map(|shared| VerticalContact {
-                        lower,
-                        upper,
-                        at: l.to,
-                        lo: shared.lo,
-                        hi: shared.hi,
-                        certain: shared.certain,
-                    }));
+        let groups: Vec<_> = groups.into_values().collect();
+        let found = parallel::chunks(&groups, CHUNK, |_, groups| {
+            let mut out = Vec::new();
+            for (ends, starts) in groups {
+                let above = self.measured(starts, Side::Above);
+                for (&lower, below) in ends.iter().zip(self.measured(ends, Side::Below)) {
+                    for (&upper, above) in starts.iter().zip(&above) {
+                        out.extend(below.shared_with(above).map(|shared| VerticalContact {
+                            lower,
+                            upper,
+                            at: self.cells.cells[lower as usize].to,
+                            lo: shared.lo,
+                            hi: shared.hi,
+                            certain: shared.certain,
+                        }));
+                    }
                 }
             }
+            out
+        });
+        out.extend(found.into_iter().flatten());
+    }
+
+    /// The extents of cells that end or begin together, where they do: all of one sheet are measured with the same curve.
+    fn measured(&self, cells: &[u32], side: Side) -> Vec<Extent> {
+        let at = |cell: &Cell| match side {
+            Side::Below => cell.to,
+            Side::Above => cell.from,
+        };
+        let mut all = Vec::with_capacity(cells.len());
+        for same in cells.chunk_by(|&a, &b| self.sheet_of(a) == self.sheet_of(b)) {
+            let same = same.iter().map(|&c| &self.cells.cells[c as usize]);
+            let mut extents = None;
+            all.extend(same.map(|c| {
+                (extents.get_or_insert_with(|| self.extents(c.sheet, at(c)))).of(c, side)
+            }));
         }
+        all
     }
 }

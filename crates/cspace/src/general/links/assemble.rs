@@ -69,20 +69,6 @@ impl Assembler<'_> {
         }
     }
 
-    /// Whether a patch would lie on a circle that was divided to make the part symmetric.
-    pub(crate) fn divides_contacts(&self) -> bool {
-        let (geometry, linker) = (self.geometry, self.linker());
-        (0u32..)
-            .zip(&self.cells)
-            .filter(|&(i, _)| self.shells.free[i as usize])
-            .any(|(i, _)| {
-                let sheet = linker.sheet(i);
-                let fixed = geometry.fixed.features[sheet.fixed as usize].name;
-                let moving = geometry.moving.features[sheet.moving as usize].name;
-                self.names.divides(fixed, moving)
-            })
-    }
-
     /// Links the cells; `None` if there are more patches than the limit.
     pub(crate) fn link(mut self) -> Option<Linked> {
         self.drop_blocked();

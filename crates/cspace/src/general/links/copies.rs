@@ -128,6 +128,15 @@ impl<'a> Lifts<'a> {
             .then(|| c.base + i as u32)
     }
 
+    /// Whether two shifts of a chain give the same patch.
+    pub(crate) fn is_one_copy(&self, chain: u32, slabs: i64, other: i64) -> bool {
+        if self.around(self.copies[chain as usize].closed) {
+            (slabs - other) % i64::from(self.steps.slabs) == 0
+        } else {
+            slabs == other
+        }
+    }
+
     /// Whether shifts by a whole turn give the same copy.
     fn around(&self, closed: bool) -> bool {
         self.repeats && (self.window.full_turn || closed)

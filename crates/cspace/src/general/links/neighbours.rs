@@ -1,6 +1,6 @@
 //! Neighbours of patches: contacts of cells in one period, copied to all.
 
-use crate::contact::Curve;
+use crate::contact::{Curve, SlabMotion};
 use crate::parallel;
 use crate::slice::CurveGeometry;
 
@@ -12,6 +12,9 @@ use crate::space::{SideLink, VerticalLink};
 
 /// Contacts copied at a time by one thread.
 const CHUNK: usize = 1024;
+
+/// Minimum number of periods per thread.
+const SLABS: usize = 16;
 
 pub(crate) struct Links<'a> {
     pub(crate) linker: Linker<'a>,
@@ -28,6 +31,16 @@ struct Following {
     shift: i32,
     from: ClusterInPeriod,
     to: ClusterInPeriod,
+}
+
+/// Contact of cells of two chains, or of a chain with itself around the turn.
+struct Crossing<'v> {
+    contact: &'v VerticalContact,
+    /// Chain of the lower and of the upper cell, and the number of periods by which each is shifted.
+    below: (u32, i64),
+    above: (u32, i64),
+    /// Contact curve of the lower cell at the orientation of the contact.
+    curve: Curve,
 }
 
 /// Tolerance for equal orientations, radians: clusters are at least the narrowest band apart; reduced by turns they differ by rounding.
@@ -127,69 +140,78 @@ impl Links<'_> {
     /// of orientation.
     pub(crate) fn vertical(&self) -> Vec<VerticalLink> {
         let contacts = &self.shells.vertical;
-        let pieces = |slabs: Option<i64>| contacts.chunks(CHUNK).map(move |c| (slabs, c));
-        let pieces: Vec<_> = match self.lifts.all_slabs() {
-            Some(slabs) => slabs.flat_map(|s| pieces(Some(s))).collect(),
-            None => pieces(None).collect(),
-        };
-        let lifted = parallel::map(&pieces, 1, |(slabs, contacts)| {
-            let mut links = Vec::new();
-            for v in *contacts {
-                self.lifted(v, *slabs, &mut links);
+        let lifted = match self.lifts.all_slabs() {
+            // Every contact is copied to every period.
+            Some(slabs) if slabs.end > 1 => {
+                let crossings = self.crossings(contacts);
+                let slabs: Vec<i64> = slabs.collect();
+                parallel::map(&slabs, SLABS, |&slabs| {
+                    let motion = self.lifts.steps.motion(slabs);
+                    let lifted = |c: &Crossing<'_>| self.lifted(c, slabs, &motion);
+                    crossings.iter().filter_map(lifted).collect()
+                })
             }
-            links
-        });
+            _ => parallel::chunks(contacts, CHUNK, |_, contacts| {
+                let mut links = Vec::new();
+                for c in self.crossings(contacts) {
+                    let theta = self.linker.clusters.at(c.contact.at);
+                    // A slightly larger range than necessary, so that rounding does not lose a link.
+                    links.extend((self.lifts.shifts(theta - 0.1, theta + 0.1)).filter_map(
+                        |slabs| self.lifted(&c, slabs, &self.lifts.steps.motion(slabs)),
+                    ));
+                }
+                links
+            }),
+        };
         let mut links = one_list(lifted);
         sort_vertical(&mut links);
         links
     }
 
-    /// The links that a contact of two cells makes, in one period or in all.
-    fn lifted(&self, v: &VerticalContact, one: Option<i64>, links: &mut Vec<VerticalLink>) {
-        let (Some(lower), Some(upper)) = (self.member(v.lower), self.member(v.upper)) else {
-            return;
-        };
-        // Place of the contact in the lower cell's period.
-        let shift = i64::from(self.linker.is_wrap(v.lower));
-        let place = ClusterInPeriod {
-            cluster: v.at,
-            slabs: 0,
-        };
-        let theta = self.linker.clusters.at(v.at);
-        // Contacts within one chain make no link, so most contacts need no curve.
-        let mut curve = None;
-        // A slightly larger range than necessary, so that rounding does not lose a link.
-        let all = || self.lifts.shifts(theta - 0.1, theta + 0.1);
-        for slabs in one.map_or_else(all, |slabs| slabs..slabs + 1) {
-            let at = self.lifts.orientation(place, slabs);
-            if !self.lifts.is_inside(at) {
-                continue;
-            }
-            let below = self.lifts.patch(lower.chain, slabs - lower.slabs());
-            let above = self.lifts.patch(upper.chain, slabs + shift - upper.slabs());
-            let (Some(below), Some(above)) = (below, above) else {
-                continue;
-            };
-            // Contacts within one chain make no link, unless a chain meets itself around the turn without being closed.
+    /// The contacts, of those given, that make links. Contacts within one chain, which most are, make none, unless a chain meets itself
+    /// around the turn without being closed.
+    fn crossings<'v>(&self, contacts: &'v [VerticalContact]) -> Vec<Crossing<'v>> {
+        let crossing = |contact: &'v VerticalContact| {
+            let (lower, upper) = (self.member(contact.lower)?, self.member(contact.upper)?);
+            let shift = i64::from(self.linker.is_wrap(contact.lower));
+            let below = (lower.chain, -lower.slabs());
+            let above = (upper.chain, shift - upper.slabs());
             let chain = &self.chains.chains[lower.chain as usize];
-            if below == above && (chain.closed || chain.last != v.lower) {
-                continue;
-            }
-            let curve = curve.get_or_insert_with(|| self.linker.curve(v.lower, v.at));
-            links.push(VerticalLink {
-                lower: below,
-                upper: above,
-                theta: at,
-                overlap: self.overlap(curve, v, slabs, at),
-            });
-        }
+            let within = below.0 == above.0
+                && self.lifts.is_one_copy(below.0, below.1, above.1)
+                && (chain.closed || chain.last != contact.lower);
+            (!within).then(|| Crossing {
+                contact,
+                below,
+                above,
+                curve: self.linker.curve(contact.lower, contact.at),
+            })
+        };
+        contacts.iter().filter_map(crossing).collect()
     }
 
-    /// Piece of curve that two cells share, moved up by a number of periods.
-    fn overlap(&self, curve: &Curve, v: &VerticalContact, slabs: i64, at: f64) -> CurveGeometry {
-        let steps = &self.lifts.steps;
-        let curve = steps.motion(slabs).curve(curve);
-        CurveGeometry::from_inner(&curve, v.lo, v.hi, &self.linker.geometry.frame, at)
+    /// The link that a contact makes in one period, of which the motion is given.
+    fn lifted(&self, c: &Crossing<'_>, slabs: i64, motion: &SlabMotion) -> Option<VerticalLink> {
+        let lower = self.lifts.patch(c.below.0, slabs + c.below.1)?;
+        let upper = self.lifts.patch(c.above.0, slabs + c.above.1)?;
+        // Place of the contact in the lower cell's period.
+        let place = ClusterInPeriod {
+            cluster: c.contact.at,
+            slabs: 0,
+        };
+        let theta = self.lifts.orientation(place, slabs);
+        self.lifts.is_inside(theta).then(|| VerticalLink {
+            lower,
+            upper,
+            theta,
+            overlap: CurveGeometry::from_inner(
+                &motion.curve(&c.curve),
+                c.contact.lo,
+                c.contact.hi,
+                &self.linker.geometry.frame,
+                theta,
+            ),
+        })
     }
 }
 
