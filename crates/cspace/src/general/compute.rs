@@ -13,9 +13,8 @@ use crate::space::{
 
 use crate::general::broad::candidates::Candidates;
 use crate::general::broad::discs::Cores;
-use crate::general::cells::cell::Cell;
 use crate::general::cells::sweep::Sweep;
-use crate::general::events::branch::{Branch, on_sheets};
+use crate::general::events::branch::on_sheets;
 use crate::general::events::clusters::{Clusters, Moment};
 use crate::general::events::coming::{PairEvents, pair_events};
 use crate::general::events::gathered::Gathered;
@@ -24,11 +23,12 @@ use crate::general::events::triple::triple_events;
 use crate::general::limits::{
     MOST_CROSSING, MOST_EDGE_PAIRS, MOST_EDGES, MOST_PATCHES, MOST_SHEETS,
 };
-use crate::general::links::assemble::{Assembler, Linked};
+use crate::general::links::assemble::{Assembler, Judged};
+use crate::general::links::chains::Chains;
 use crate::general::plan::{Method, Names, Plan};
 use crate::general::verdict::contract::contract;
 use crate::general::verdict::doubt::doubtful;
-use crate::general::verdict::shells::{ShellFinder, Shells};
+use crate::general::verdict::shells::ShellFinder;
 
 /// Error of the orientation at which two normals oppose each other (radians).
 const ALIGNMENT_ERROR: f64 = 64.0 * Exact::EPSILON;
@@ -125,18 +125,18 @@ impl Computation<'_> {
         let mut method = symmetry.into();
         let mut best = self.attempt(&mut method, 0)?;
         for attempt in 1..ATTEMPTS {
-            let conflicts = best.judged.counts.conflicts;
+            let conflicts = best.counts.conflicts;
             if conflicts == 0 {
                 break;
             }
             match self.attempt(&mut method, attempt) {
-                Ok(other) if other.judged.counts.conflicts < conflicts => best = other,
+                Ok(other) if other.counts.conflicts < conflicts => best = other,
                 Err(ComputeError::Interrupted) => return Err(ComputeError::Interrupted),
                 // No better, or beyond a limit that the first attempt kept.
                 Ok(_) | Err(_) => {}
             }
         }
-        let mut space = self.assembled(best)?;
+        let mut space = self.assembled(best);
         space.data.statistics.seconds.total = self.progress.seconds() - self.begin;
         Ok(space)
     }
@@ -146,16 +146,15 @@ impl Computation<'_> {
     /// vertices is used.
     fn attempt(&self, method: &mut Method, attempt: u64) -> Result<Attempt, ComputeError> {
         loop {
-            let made = self.by(*method, attempt)?;
-            if !self.stages(&made.plan).divides_contacts(&made.judged) {
+            if let Some(made) = self.by(*method, attempt)? {
                 return Ok(made);
             }
             *method = Method::Slab(Corresponding::Vertices);
         }
     }
 
-    /// The cells by a given method.
-    fn by(&self, method: Method, attempt: u64) -> Result<Attempt, ComputeError> {
+    /// The cells by a given method; `None` if it divides circles that are touched.
+    fn by(&self, method: Method, attempt: u64) -> Result<Option<Attempt>, ComputeError> {
         let mut clock = Clock::new(self.progress);
         self.progress.stage(Stage::Sheets)?;
         let plan = Plan::new(self.fixed, self.moving, self.window, method, attempt);
@@ -165,12 +164,13 @@ impl Computation<'_> {
         };
         self.progress.stage(Stage::Candidates)?;
         let cores = Cores::new(&plan.geometry);
-        let judged = self.stages(&plan).run(&cores, &mut seconds, &mut clock)?;
-        Ok(Attempt {
+        let made = (self.stages(&plan)).run(&cores, &mut seconds, &mut clock)?;
+        Ok(made.map(|(judged, chains, counts)| Attempt {
             plan,
             judged,
-            seconds,
-        })
+            chains,
+            counts: Statistics { seconds, ..counts },
+        }))
     }
 
     /// The stages of a plan.
@@ -191,18 +191,18 @@ impl Computation<'_> {
     }
 
     /// The contact space of an attempt.
-    fn assembled(&self, attempt: Attempt) -> Result<ContactSpace, ComputeError> {
+    fn assembled(&self, attempt: Attempt) -> ContactSpace {
         let Attempt {
             mut plan,
             judged,
-            mut seconds,
+            chains,
+            counts,
         } = attempt;
         let mut clock = Clock::new(self.progress);
-        self.progress.stage(Stage::Graph)?;
-        let counts = judged.counts;
+        let mut seconds = counts.seconds;
         let stages = self.stages(&plan);
         let window = stages.window;
-        let linked = stages.link(judged)?;
+        let linked = stages.assembler(judged).link(chains);
         plan.geometry.contacts.sheets = Vec::new();
         let Plan {
             geometry,
@@ -210,7 +210,7 @@ impl Computation<'_> {
             names,
         } = plan;
         let graph = linked.graph(&geometry.frame);
-        seconds.graph = clock.lap();
+        seconds.graph += clock.lap();
         let (more_fixed, more_moving) = names.added();
         let data = SpaceData {
             format: FORMAT.to_owned(),
@@ -233,15 +233,16 @@ impl Computation<'_> {
             doubtful_orientations: graph.doubtful_orientations,
             statistics: Statistics { seconds, ..counts },
         };
-        Ok(ContactSpace::of(data, graph.walk, geometry.growths))
+        ContactSpace::of(data, graph.walk, geometry.growths)
     }
 }
 
-/// Cells made with one perturbation of the parts.
+/// Free cells of one perturbation of the parts.
 struct Attempt {
     plan: Plan,
     judged: Judged,
-    seconds: StageSeconds,
+    chains: Chains,
+    counts: Statistics,
 }
 
 /// Stopwatch for the seconds of each stage.
@@ -277,13 +278,14 @@ pub(crate) struct Stages<'a> {
 }
 
 impl Stages<'_> {
-    /// Runs the stages up to the cells, free and blocked. `cores`: the discs of both parts.
+    /// Runs the stages up to the chains of free cells: returns both, and counts; `None` if circles that were divided are touched. `cores`:
+    /// the discs of both parts.
     pub(crate) fn run(
         &self,
         cores: &Cores,
         seconds: &mut StageSeconds,
         clock: &mut Clock<'_>,
-    ) -> Result<Judged, ComputeError> {
+    ) -> Result<Option<(Judged, Chains, Statistics)>, ComputeError> {
         let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
         let (n, m) = self.edges;
         if sheets.len() > MOST_SHEETS {
@@ -352,10 +354,11 @@ impl Stages<'_> {
             candidates: &candidates,
             coincidences: &coincidences,
         };
-        let shells = finder.find(&mut cells);
+        let mut shells = finder.find(&mut cells);
         drop((candidates, coincidences));
         seconds.shells = clock.lap();
 
+        self.progress.stage(Stage::Graph)?;
         let counts = Statistics {
             sheets: sheets.len() as u64,
             pairs: pair_count,
@@ -377,67 +380,43 @@ impl Stages<'_> {
             },
             seconds: StageSeconds::default(),
         };
-        Ok(Judged {
-            doubtful: doubtful(&clusters, &cells.cells, &shells),
-            clusters,
+        let doubtful = doubtful(&clusters, &cells.cells, &shells);
+        let contracted = contract(
+            geometry,
+            &branches,
+            &clusters,
+            &mut cells.cells,
+            &mut shells,
+        );
+        let mut assembler = self.assembler(Judged {
+            clusters: contracted.unwrap_or(clusters),
             branches,
             cells: cells.cells,
             shells,
-            counts,
-        })
-    }
-
-    /// Whether a patch would lie on a circle that was divided to make a part symmetric.
-    fn divides_contacts(&self, judged: &Judged) -> bool {
-        let (geometry, sheets) = (self.geometry, &self.geometry.contacts.sheets);
-        (judged.cells.iter().zip(&judged.shells.free))
-            .filter(|(_, free)| **free)
-            .any(|(cell, _)| {
-                let sheet = &sheets[cell.sheet as usize];
-                let fixed = geometry.fixed.features[sheet.fixed as usize].name;
-                let moving = geometry.moving.features[sheet.moving as usize].name;
-                self.names.divides(fixed, moving)
-            })
-    }
-
-    /// The patches that free cells make, and their links.
-    pub(crate) fn link(&self, judged: Judged) -> Result<Linked, ComputeError> {
-        let Judged {
-            clusters,
-            branches,
-            mut cells,
-            mut shells,
             doubtful,
-            ..
-        } = judged;
-        let contracted = contract(self.geometry, &branches, &clusters, &mut cells, &mut shells);
-        let assembler = Assembler {
+        });
+        if assembler.divides_contacts() {
+            return Ok(None);
+        }
+        let Some(chains) = assembler.chains() else {
+            return Err(ComputeError::TooManyPatches {
+                fixed: n,
+                moving: m,
+                limit: MOST_PATCHES,
+            });
+        };
+        seconds.graph = clock.lap();
+        Ok(Some((assembler.judged, chains, counts)))
+    }
+
+    pub(crate) fn assembler(&self, judged: Judged) -> Assembler<'_> {
+        Assembler {
             geometry: self.geometry,
-            clusters: contracted.unwrap_or(clusters),
-            branches,
-            cells,
-            shells,
-            doubtful,
             window: self.window,
             names: self.names,
-        };
-        assembler.link().ok_or(ComputeError::TooManyPatches {
-            fixed: self.edges.0,
-            moving: self.edges.1,
-            limit: MOST_PATCHES,
-        })
+            judged,
+        }
     }
-}
-
-/// Cells of one period, free and blocked, of which the graph is made.
-pub(crate) struct Judged {
-    clusters: Clusters,
-    branches: Vec<Branch>,
-    cells: Vec<Cell>,
-    shells: Shells,
-    /// Doubtful orientations.
-    doubtful: Vec<(f64, f64)>,
-    counts: Statistics,
 }
 
 /// Clusters of the events of pairs, and of the orientations known before: where sheets begin and end.

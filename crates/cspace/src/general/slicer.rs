@@ -145,15 +145,16 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
         edges: (0, 0),
         progress: &Silent,
     };
-    let judged = stages.run(
+    let made = stages.run(
         cores,
         &mut StageSeconds::default(),
         &mut Clock::new(&Silent),
     );
-    let Ok(linked) = judged.and_then(|judged| stages.link(judged)) else {
+    let Ok(Some((judged, chains, _))) = made else {
         let empty = Slice::from_curves(theta, Vec::new(), true, &geometry.frame);
         return (empty, None);
     };
+    let linked = stages.assembler(judged).link(chains);
     let mut slice = linked.slice(at, theta, &geometry.frame);
     let patches = linked.patches;
     slice.doubtful |= lies_on_another(&slice, &patches, &geometry, at);

@@ -134,7 +134,8 @@ impl Stage {
 
 /// Receiver of a computation's progress, which may stop it.
 pub trait Progress: Sync {
-    /// Called when a stage begins; an error ends the computation. Stages begin again if the pair is computed again because of a conflict.
+    /// Called when a stage begins; an error ends the computation. All stages begin again if the pair is computed again: because
+    /// of a conflict, or because a circle that was divided for symmetry is touched.
     ///
     /// # Errors
     /// [`ComputeError::Interrupted`] if the computation is to be stopped.

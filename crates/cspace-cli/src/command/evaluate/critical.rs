@@ -1,8 +1,9 @@
 //! Critical orientations: how long the general algorithm searches them, and what makes the product's.
 
 use core::f64::consts::{PI, TAU};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+use cpu_time::ProcessTime;
 use cspace::{ContactSpace, Part};
 use cspace_baseline::critical::{Known, search};
 use cspace_baseline::kinds;
@@ -62,10 +63,10 @@ pub(super) fn searched(
     known: Known,
     (limit, repeat): (f64, u16),
 ) -> Option<Searched> {
-    let until = Instant::now() + Duration::from_secs_f64(limit);
+    let (begin, limit) = (ProcessTime::now(), Duration::from_secs_f64(limit));
     let (mut runs, mut last) = (Vec::new(), None);
     for _ in 0..repeat {
-        let (seconds, found) = timed(|| search(fixed, moving, known, &|| Instant::now() < until));
+        let (seconds, found) = timed(|| search(fixed, moving, known, &|| begin.elapsed() < limit));
         let Some(found) = found else {
             break;
         };

@@ -22,17 +22,22 @@ use crate::space::{
     Boundary, FreeRegion, Patch, SideLink, Surface, VerticalLink, Walk, Window, bands,
 };
 
-/// Input of the graph. It is large, and each part is dropped when it is no longer needed.
-pub(crate) struct Assembler<'a> {
-    pub(crate) geometry: &'a Geometry,
+/// Cells of one period with their classes. They are large, and each part is dropped when it is no longer needed.
+pub(crate) struct Judged {
     pub(crate) clusters: Clusters,
     pub(crate) branches: Vec<Branch>,
     pub(crate) cells: Vec<Cell>,
     pub(crate) shells: Shells,
     /// Doubtful orientations of the period that was computed.
     pub(crate) doubtful: Vec<(f64, f64)>,
+}
+
+/// Makes the graph of judged cells.
+pub(crate) struct Assembler<'a> {
+    pub(crate) geometry: &'a Geometry,
     pub(crate) window: Window,
     pub(crate) names: &'a Names,
+    pub(crate) judged: Judged,
 }
 
 /// Patches and links, before regions are assigned.
@@ -63,28 +68,50 @@ impl Assembler<'_> {
     fn linker(&self) -> Linker<'_> {
         Linker {
             geometry: self.geometry,
-            clusters: &self.clusters,
-            branches: &self.branches,
-            cells: &self.cells,
+            clusters: &self.judged.clusters,
+            branches: &self.judged.branches,
+            cells: &self.judged.cells,
         }
     }
 
-    /// Links the cells; `None` if there are more patches than the limit.
-    pub(crate) fn link(mut self) -> Option<Linked> {
+    /// Whether a patch would lie on a circle that was divided to make the part symmetric.
+    pub(crate) fn divides_contacts(&self) -> bool {
+        let (geometry, linker) = (self.geometry, self.linker());
+        (0u32..)
+            .zip(&self.judged.cells)
+            .filter(|&(i, _)| self.judged.shells.free[i as usize])
+            .any(|(i, _)| {
+                let sheet = linker.sheet(i);
+                let fixed = geometry.fixed.features[sheet.fixed as usize].name;
+                let moving = geometry.moving.features[sheet.moving as usize].name;
+                self.names.divides(fixed, moving)
+            })
+    }
+
+    /// Chains of the free cells, after which there are no others; `None` if they make more patches than the limit.
+    pub(crate) fn chains(&mut self) -> Option<Chains> {
         self.drop_blocked();
-        let mut chains = self.linker().chains(&self.shells);
+        let chains = self.linker().chains(&self.judged.shells);
+        let lifts = self.lifts(&chains, &self.judged.clusters);
+        (lifts.len() <= MOST_PATCHES).then_some(chains)
+    }
+
+    fn lifts<'c>(&self, chains: &Chains, clusters: &'c Clusters) -> Lifts<'c> {
+        let contacts = &self.geometry.contacts;
+        let (steps, repeats) = (contacts.period.steps, contacts.span.full);
+        Lifts::new(&chains.chains, self.window, steps, repeats, clusters)
+    }
+
+    /// Copies and links the chains.
+    pub(crate) fn link(mut self, mut chains: Chains) -> Linked {
         // Chains are made from contacts in the order in which they were found; links come in order of orientation.
-        parallel::sort_by(&mut self.shells.vertical, |a, b| a.at.cmp(&b.at));
+        parallel::sort_by(&mut self.judged.shells.vertical, |a, b| a.at.cmp(&b.at));
         let steps = self.geometry.contacts.period.steps;
-        let repeats = self.geometry.contacts.span.full;
-        let clusters = core::mem::take(&mut self.clusters);
-        let lifts = Lifts::new(&chains.chains, self.window, steps, repeats, &clusters);
-        if lifts.len() > MOST_PATCHES {
-            return None;
-        }
+        let clusters = core::mem::take(&mut self.judged.clusters);
+        let lifts = self.lifts(&chains, &clusters);
         let copying = if steps.slabs == 1 {
             Copying::None {
-                shells: shells_of_patches(&self.shells, &chains, &lifts),
+                shells: shells_of_patches(&self.judged.shells, &chains, &lifts),
             }
         } else if self.window.full_turn {
             Copying::Slabs(steps)
@@ -97,25 +124,25 @@ impl Assembler<'_> {
         };
         let links = Links {
             linker,
-            shells: &self.shells,
+            shells: &self.judged.shells,
             chains: &chains,
             lifts: &lifts,
         };
         let (side_links, vertical_links) = parallel::join(|| links.side(), || links.vertical());
-        self.shells = Shells::default();
+        self.judged.shells = Shells::default();
         chains.members = Members::default();
         let patches = self.patches(&chains, &lifts);
-        (self.cells, self.branches) = (Vec::new(), Vec::new());
+        (self.judged.cells, self.judged.branches) = (Vec::new(), Vec::new());
         let critical_orientations = lifts.critical_orientations(&chains.chains);
         let bands = bands(self.window, &critical_orientations).len();
         let doubtful_orientations = doubts(
-            &self.doubtful,
+            &self.judged.doubtful,
             &lifts,
             (&patches, &side_links),
             &critical_orientations,
             self.window,
         );
-        Some(Linked {
+        Linked {
             window: self.window,
             computed_bands: lifts.computed_bands(&chains.chains, bands) as u32,
             critical_orientations,
@@ -124,12 +151,12 @@ impl Assembler<'_> {
             vertical_links,
             doubtful_orientations,
             copying,
-        })
+        }
     }
 
     /// Drops the cells that are blocked, which are the most, and their contacts: patches are made of free cells.
     fn drop_blocked(&mut self) {
-        let shells = &mut self.shells;
+        let shells = &mut self.judged.shells;
         let free = core::mem::take(&mut shells.free);
         let mut kept = 0;
         let moved: Vec<u32> = (free.iter())
@@ -140,11 +167,11 @@ impl Assembler<'_> {
             .collect();
         let is_free = |cell: u32| free[cell as usize];
         let mut number = 0;
-        self.cells.retain(|_| {
+        self.judged.cells.retain(|_| {
             number += 1;
             is_free(number - 1)
         });
-        self.cells.shrink_to_fit();
+        self.judged.cells.shrink_to_fit();
         let mut shell = free.iter();
         shells.shell.retain(|_| shell.next() == Some(&true));
         shells.free = vec![true; kept as usize];

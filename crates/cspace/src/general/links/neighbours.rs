@@ -13,9 +13,6 @@ use crate::space::{SideLink, VerticalLink};
 /// Contacts copied at a time by one thread.
 const CHUNK: usize = 1024;
 
-/// Minimum number of periods per thread.
-const SLABS: usize = 16;
-
 pub(crate) struct Links<'a> {
     pub(crate) linker: Linker<'a>,
     pub(crate) shells: &'a Shells,
@@ -33,7 +30,7 @@ struct Following {
     to: ClusterInPeriod,
 }
 
-/// Contact of cells of two chains, or of a chain with itself around the turn.
+/// Contact of cells that are not of one patch: of two chains, or of copies of one chain in different periods.
 struct Crossing<'v> {
     contact: &'v VerticalContact,
     /// Chain of the lower and of the upper cell, and the number of periods by which each is shifted.
@@ -143,9 +140,12 @@ impl Links<'_> {
         let lifted = match self.lifts.all_slabs() {
             // Every contact is copied to every period.
             Some(slabs) if slabs.end > 1 => {
-                let crossings = self.crossings(contacts);
-                let slabs: Vec<i64> = slabs.collect();
-                parallel::map(&slabs, SLABS, |&slabs| {
+                let chunks: Vec<&[VerticalContact]> = contacts.chunks(CHUNK).collect();
+                let crossings = one_list(parallel::map(&chunks, 1, |c| self.crossings(c)));
+                let pieces: Vec<_> = slabs
+                    .flat_map(|slabs| crossings.chunks(CHUNK).map(move |c| (slabs, c)))
+                    .collect();
+                parallel::map(&pieces, 1, |&(slabs, crossings)| {
                     let motion = self.lifts.steps.motion(slabs);
                     let lifted = |c: &Crossing<'_>| self.lifted(c, slabs, &motion);
                     crossings.iter().filter_map(lifted).collect()
