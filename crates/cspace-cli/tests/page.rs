@@ -50,7 +50,7 @@ fn installed() -> Result<(), String> {
 /// The kernel that was compiled for the page of this command, put where the page's tests look for it.
 fn kernel() -> Result<(), String> {
     let command = Path::new(env!("CARGO_BIN_EXE_cspace"));
-    let built = command.parent().unwrap_or(command);
+    let built = command.ancestors().nth(2).unwrap_or(command);
     let (from, to) = (built.join("wasm/kernel"), package().join("build/kernel"));
     let failed = |e: std::io::Error| {
         format!(

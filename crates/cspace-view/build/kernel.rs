@@ -146,14 +146,9 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
         cargo.arg("-Zbuild-std-features=optimize_for_size");
     }
     cargo.arg("build").arg("--manifest-path").arg(manifest);
-    // Optimization across crates takes most of the time, and makes the page half as large.
-    let profile = match env::var("PROFILE").as_deref() {
-        Ok("debug") => "wasm-dev",
-        _ => "wasm",
-    };
     cargo.args([
         "--profile",
-        profile,
+        "wasm",
         "--target",
         TARGET,
         "--locked",
@@ -164,7 +159,7 @@ fn compile(compiler: &Compiler, manifest: &Path, target: &Path) -> Result<PathBu
         .output()
         .map_err(|e| format!("cargo cannot be run: {e}"))?;
     if output.status.success() {
-        return Ok(target.join(TARGET).join(profile).join("cspace_wasm.wasm"));
+        return Ok(target.join(TARGET).join("wasm/cspace_wasm.wasm"));
     }
     /// Number of the last lines, which contain the error.
     const LINES: usize = 12;

@@ -100,11 +100,8 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     fs::create_dir_all(&kernel)?;
     let compiled = target(out).join("wasm");
     kernel::make(&compiled, &kernel, &work.join("build/kernel.txt"))?;
-    // The page's own tests run beside its sources, and take the kernel from beside the command of the same profile.
-    copy(
-        &kernel,
-        &out.ancestors().nth(3).unwrap_or(out).join("wasm/kernel"),
-    )?;
+    // The page's own tests run beside its sources, and take the kernel from there.
+    copy(&kernel, &compiled.join("kernel"))?;
     npm(work, &["run", "bundle"])?;
     for (from, to) in BUNDLE {
         fs::copy(work.join(from), bundle.join(to)).map_err(|e| format!("{from}: {e}"))?;

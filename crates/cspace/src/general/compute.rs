@@ -409,6 +409,7 @@ impl Stages<'_> {
         Ok(Some((assembler.judged, chains, counts)))
     }
 
+    /// Assembler of patches and links from judged cells.
     pub(crate) fn assembler(&self, judged: Judged) -> Assembler<'_> {
         Assembler {
             geometry: self.geometry,

@@ -15,7 +15,7 @@ use crate::geometry::{Point, Vector};
 use crate::parallel;
 use crate::union_find::UnionFind;
 
-use crate::general::cells::cell::{Cell, VerticalContact};
+use crate::general::cells::cell::VerticalContact;
 use crate::general::cells::extent::{CellExtents, Extent, Side};
 use crate::general::cells::sweep::Cells;
 use crate::general::cells::track::{Piece, Place, Track};
@@ -372,17 +372,16 @@ impl Levels<'_> {
 
     /// The extents of cells that end or begin together, where they do: all of one sheet are measured with the same curve.
     fn measured(&self, cells: &[u32], side: Side) -> Vec<Extent> {
-        let at = |cell: &Cell| match side {
-            Side::Below => cell.to,
-            Side::Above => cell.from,
-        };
         let mut all = Vec::with_capacity(cells.len());
         for same in cells.chunk_by(|&a, &b| self.sheet_of(a) == self.sheet_of(b)) {
-            let same = same.iter().map(|&c| &self.cells.cells[c as usize]);
-            let mut extents = None;
-            all.extend(same.map(|c| {
-                (extents.get_or_insert_with(|| self.extents(c.sheet, at(c)))).of(c, side)
-            }));
+            let cell = |c: u32| &self.cells.cells[c as usize];
+            let first = cell(same[0]);
+            let at = match side {
+                Side::Below => first.to,
+                Side::Above => first.from,
+            };
+            let mut extents = self.extents(first.sheet, at);
+            all.extend(same.iter().map(|&c| extents.of(cell(c), side)));
         }
         all
     }
