@@ -4,6 +4,7 @@ use core::f64::consts::TAU;
 
 use super::material::{Material, distance, in_frame};
 use crate::geometry::{Point, Rotation, Vector};
+use crate::parallel;
 use crate::part::{Edge, Part};
 
 /// Number of points tried along each side of the bounding box.
@@ -68,51 +69,27 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
     (radius > 0.0).then_some((best.0, radius))
 }
 
-/// Number of discs that pay off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Plenty {
-    /// A few that cover most of the material: for pairs with few contacts.
-    Few,
-    /// Also small ones in the corners of parts with few edges: for pairs with so many contacts that excluding each saves more.
-    Many,
-}
+/// Fractions along an edge at which a disc touches it. Some are near the ends of the edges, where discs reach far into corners.
+pub(crate) const SHARES: [f64; 7] = [0.5, 0.2, 0.8, 0.05, 0.95, 0.0125, 0.9875];
 
-/// Number of discs above which they cost more than they save.
-const MOST: usize = 64;
-/// Number of edges above which a part has only one disc.
-const MOST_EDGES: usize = 400;
-
-impl Plenty {
-    /// Fractions along an edge at which a disc touches it. For parts with few edges, some are near the ends of the edges, where discs reach
-    /// far into corners.
-    fn shares(self, edges: usize) -> &'static [f64] {
-        const SHARES: [f64; 7] = [0.5, 0.2, 0.8, 0.05, 0.95, 0.0125, 0.9875];
-        let each = match self {
-            Self::Few => 1,
-            Self::Many => (MOST / edges.max(1)).clamp(1, SHARES.len()),
-        };
-        &SHARES[..each]
-    }
-}
-
-/// Discs inside the material, the largest first: each touches the boundary, at least at the middle of an edge. Discs that lie mostly within
-/// another are left out.
+/// Discs inside the material that touch the edges, for each of the first [`SHARES`] along them: the largest first.
+///
+/// Of a part with very many edges, some are examined only.
 ///
 /// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are examined, and their discs turned.
 pub(crate) fn inscribed_discs(
     part: &Part,
     center: Point,
     scale: f64,
-    largest: Option<(Point, f64)>,
     fold: u32,
-    plenty: Plenty,
-) -> Vec<(Point, f64)> {
+    shares: usize,
+) -> Vec<Vec<(Point, f64)>> {
     /// Number of halvings of the interval of the radius.
     const STEPS: usize = 14;
-    let mut discs: Vec<(Point, f64)> = largest.into_iter().collect();
-    if part.edges().count() > MOST_EDGES {
-        return discs;
-    }
+    /// Number of edges that are examined at most.
+    const MOST_EDGES: usize = 400;
+    /// Edges examined at a time by one thread.
+    const EDGES: usize = 16;
     let material = Material::new(part, center, scale);
     let step = TAU / f64::from(fold);
     let in_sector = |p: Point| {
@@ -135,20 +112,22 @@ pub(crate) fn inscribed_discs(
         let radius = material.closest(c, f64::INFINITY, 1.0)?.1 - 1e-9;
         (radius > 0.0 && material.contains(c)).then_some((c, radius))
     };
-    let shares = plenty.shares(material.edges.len());
-    let mut found: Vec<(Point, f64)> = (material.edges.iter())
+    let sector: Vec<Edge> = (material.edges.iter().copied())
         .filter(|e| in_sector(e.at(0.5)))
-        .flat_map(|e| shares.iter().filter_map(|&share| touching(e, share)))
-        .flat_map(|(c, radius)| {
-            (0..fold).map(move |j| (Rotation::by(step * f64::from(j)) * c, radius))
-        })
         .collect();
-    found.sort_by(|a, b| b.1.total_cmp(&a.1));
-    for d in found {
-        let covered = discs.iter().any(|o| o.0.distance(d.0) + 0.7 * d.1 < o.1);
-        if !covered && discs.len() < MOST {
-            discs.push(d);
-        }
-    }
-    discs
+    let every = sector.len().div_ceil(MOST_EDGES).max(1);
+    let sector: Vec<Edge> = sector.into_iter().step_by(every).collect();
+    let of_share = |share: &f64| {
+        let touching = parallel::chunks(&sector, EDGES, |_, edges| -> Vec<_> {
+            edges.iter().filter_map(|e| touching(e, *share)).collect()
+        });
+        let mut found: Vec<(Point, f64)> = (touching.into_iter().flatten())
+            .flat_map(|(c, radius)| {
+                (0..fold).map(move |j| (Rotation::by(step * f64::from(j)) * c, radius))
+            })
+            .collect();
+        found.sort_by(|a, b| b.1.total_cmp(&a.1));
+        found
+    };
+    SHARES.iter().take(shares).map(of_share).collect()
 }

@@ -62,11 +62,6 @@ impl Material {
         );
         found
     }
-
-    /// A box that contains the boundary.
-    pub(crate) fn bounds(&self) -> Bounds {
-        (self.edges.iter()).fold(Bounds::EMPTY, |all, e| all.union(e.bounds()))
-    }
 }
 
 /// A part's edges about a centre and scaled.

@@ -15,6 +15,7 @@ use crate::general::broad::candidates::Candidates;
 use crate::general::broad::discs::Cores;
 use crate::general::cells::sweep::Sweep;
 use crate::general::events::branch::on_sheets;
+use crate::general::events::buried::drop_buried;
 use crate::general::events::clusters::{Clusters, Moment};
 use crate::general::events::coming::{PairEvents, pair_events};
 use crate::general::events::gathered::Gathered;
@@ -314,8 +315,11 @@ impl Stages<'_> {
         seconds.pair_events = clock.lap();
 
         self.progress.stage(Stage::Branches)?;
-        let traced = branches(geometry, &pairs, &pair_events, &clusters);
+        let mut traced = branches(geometry, &pairs, &pair_events, &clusters);
         drop((pairs, pair_events));
+        if let Some(tables) = &cores.tables {
+            drop_buried(geometry, &clusters, tables, &mut traced);
+        }
         seconds.branches = clock.lap();
 
         self.progress.stage(Stage::TripleEvents)?;

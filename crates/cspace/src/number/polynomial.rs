@@ -1,5 +1,6 @@
 //! Trigonometric polynomials of degree four, and intervals that contain their roots.
 
+use core::cell::Cell;
 use std::sync::LazyLock;
 
 use super::{Dd, Real};
@@ -158,6 +159,25 @@ impl<T: Real> TrigPolynomial<T> {
         }
         self.brackets(lo, mid, narrowest, found, vague);
         self.brackets(mid, hi, narrowest, found, vague);
+    }
+
+    /// Whether all roots between `lo` and `hi` are certainly simple, and `admits` holds for an interval around each. The polynomial changes
+    /// its sign there and has no other root.
+    pub(crate) fn changes_sign_only(
+        &self,
+        lo: T,
+        hi: T,
+        narrowest: f64,
+        admits: impl Fn(T, T) -> bool,
+    ) -> bool {
+        let all = Cell::new(true);
+        let told = |t: T| self.at(t).0.value().abs() > self.error;
+        let mut found = |a: T, b: T| {
+            let simple = (b - a).value() > 2.0 * narrowest && told(a) && told(b);
+            all.set(all.get() && simple && admits(a, b));
+        };
+        self.brackets(lo, hi, narrowest, &mut found, &mut |_, _| all.set(false));
+        all.get()
     }
 }
 

@@ -13,15 +13,6 @@ impl<T> ByReference<T> for [T] {
     }
 }
 
-/// Iteration by value, under `rayon`'s name.
-pub(crate) trait ByValue: IntoIterator + Sized {
-    fn into_par_iter(self) -> Self::IntoIter {
-        self.into_iter()
-    }
-}
-
-impl<I: IntoIterator> ByValue for I {}
-
 /// Methods of `rayon`'s parallel iterators that ordinary iterators lack.
 pub(crate) trait Divided: Iterator + Sized {
     /// Minimum number of items per thread; ignored here.

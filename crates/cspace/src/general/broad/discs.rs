@@ -3,22 +3,25 @@
 use core::f64::consts::TAU;
 
 use crate::contact::Geometry;
-use crate::feature::{Plenty, inscribed_discs};
+use crate::feature::{SHARES, inscribed_discs};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::part::Part;
 
 use crate::general::broad::disc::{Disc, LONG};
-use crate::general::broad::disc_table::Anchors;
+use crate::general::broad::disc_table::{DiscTable, PartDisc};
 use crate::general::broad::grid::Grid;
 
 /// Pairs of discs, one inside each part: a position p is blocked if |p − (a − R b)| is less than the sum of radii.
 #[derive(Debug)]
 pub(crate) struct Cores {
     pairs: Vec<DiscPair>,
-    /// Table for large pairs; `None` for others.
-    anchors: Option<Anchors>,
+    /// Tables of the discs of the fixed and of the moving part, for large pairs; `None` for others.
+    pub(crate) tables: Option<(DiscTable, DiscTable)>,
+    /// Whether a part has so many edges that pieces of curves are looked up in the tables, too.
+    looks_up: bool,
 }
 
+/// A disc inside each part.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DiscPair {
     fixed: Point,
@@ -29,50 +32,45 @@ pub(crate) struct DiscPair {
 impl Cores {
     pub(crate) fn new(geometry: &Geometry) -> Self {
         let contacts = &geometry.contacts;
-        let plenty = if contacts.sheets.len() > MANY_SHEETS {
-            Plenty::Many
-        } else {
-            Plenty::Few
-        };
+        let many = contacts.sheets.len() > MANY_SHEETS;
         let turns = (contacts.span.hi - contacts.span.lo) / TAU;
         let in_turn = contacts.sheets.len() as f64 / turns;
         let most = 1 + (in_turn / SHEETS_PER_DISC) as usize;
-        type Discs = Vec<(Point, f64)>;
-        let all = |part: &Part, center: Point, disc: Option<(Point, f64)>, fold: u32| -> Discs {
-            // For small pairs only one disc of each part is kept.
-            if most == 1 && disc.is_some() {
-                return disc.into_iter().collect();
-            }
-            let discs = inscribed_discs(part, center, geometry.frame.scale, disc, fold, plenty);
-            let less = |(c, r): (Point, f64)| (c, r - geometry.room);
-            discs.into_iter().map(less).filter(|d| d.1 > 0.0).collect()
-        };
-        let fixed = all(
+        let fixed = PartDiscs::new(
             geometry.fixed_part(),
-            geometry.fixed_center(),
+            (geometry.fixed_center(), geometry.frame.scale),
             geometry.fixed_disc,
             geometry.fixed_fold,
+            (most, many),
         );
-        let moving = all(
+        let moving = PartDiscs::new(
             geometry.moving_part(),
-            geometry.moving_center(),
+            (geometry.moving_center(), geometry.frame.scale),
             geometry.moving_disc,
             geometry.moving_fold,
+            (most, many),
         );
+        // The moving part may be smaller than drawn.
+        let less = |(c, r): PartDisc| (r >= geometry.room).then_some((c, r - geometry.room));
         let mut pairs = Vec::new();
-        for a in &fixed {
-            for b in &moving {
-                pairs.push(DiscPair::new(*a, *b));
+        for a in fixed.paired.iter().copied().filter_map(less) {
+            for b in moving.paired.iter().copied().filter_map(less) {
+                pairs.push(DiscPair::new(a, b));
             }
         }
         pairs.sort_by(|a, b| b.reach.total_cmp(&a.reach));
         pairs.truncate(most);
-        let many = plenty == Plenty::Many;
+        let table = |of: PartDiscs| {
+            let [probes, listed] =
+                [of.probes, of.listed].map(|discs| discs.into_iter().filter_map(less).collect());
+            DiscTable::new(probes, listed)
+        };
+        let tables = many.then(|| table(fixed).zip(table(moving))).flatten();
+        let parts = [geometry.fixed_part(), geometry.moving_part()];
         Self {
             pairs,
-            anchors: many
-                .then(|| Anchors::new(geometry, &fixed, &moving))
-                .flatten(),
+            tables,
+            looks_up: parts.iter().any(|p| p.edges().count() > FEW_EDGES),
         }
     }
 
@@ -81,7 +79,8 @@ impl Cores {
         let both = geometry.fixed_disc.zip(geometry.moving_disc);
         Self {
             pairs: both.map(|(a, b)| DiscPair::new(a, b)).into_iter().collect(),
-            anchors: None,
+            tables: None,
+            looks_up: false,
         }
     }
 
@@ -91,7 +90,7 @@ impl Cores {
             largest: self.pairs.first().copied(),
             others: Vec::new(),
             grid: None,
-            anchors: None,
+            tables: None,
         }
     }
 
@@ -113,14 +112,78 @@ impl Cores {
             largest,
             grid: (others.len() > FEW).then(|| Grid::new(others.iter().map(|o| o.1), LONG)),
             others,
-            anchors: self.anchors.as_ref(),
+            tables: self.tables.as_ref().filter(|_| self.looks_up),
+        }
+    }
+}
+
+/// Discs inside one part.
+struct PartDiscs {
+    /// Those of which every pair is tried.
+    paired: Vec<PartDisc>,
+    /// For large pairs, those that are looked up in the other part's table, and those in the table. Vertices are discs of radius 0: they
+    /// reach farthest into the other part.
+    probes: Vec<PartDisc>,
+    listed: Vec<PartDisc>,
+}
+
+impl PartDiscs {
+    /// Discs of a part, the largest of which is known: that one alone if there is to be `most` one pair.
+    fn new(
+        part: &Part,
+        (center, scale): (Point, f64),
+        largest: Option<PartDisc>,
+        fold: u32,
+        (most, many): (usize, bool),
+    ) -> Self {
+        /// Share of its radius by which a disc is mostly within another, and by which it is hardly another disc.
+        const MOSTLY: f64 = 0.7;
+        const HARDLY: f64 = 0.995;
+        let edges = part.edges().count();
+        if most == 1 && largest.is_some() || !many && edges > FEW_EDGES {
+            return Self {
+                paired: largest.into_iter().collect(),
+                probes: Vec::new(),
+                listed: Vec::new(),
+            };
+        }
+        let shares = |discs: usize| (discs / edges).min(SHARES.len());
+        let (paired, listed) = if many {
+            (shares(MOST_PAIRED).max(1), shares(LISTED).max(1))
+        } else {
+            (1, 1)
+        };
+        let discs = inscribed_discs(part, center, scale, fold, listed);
+        // Discs of which no such share is within one before.
+        let apart = |discs: &[Vec<PartDisc>], share: f64| {
+            let mut apart: Vec<PartDisc> = largest.into_iter().collect();
+            for d in discs.iter().flatten() {
+                if !apart.iter().any(|o| o.0.distance(d.0) + share * d.1 < o.1) {
+                    apart.push(*d);
+                }
+            }
+            apart
+        };
+        let with_vertices = |mut discs: Vec<PartDisc>| {
+            let place = |p: Point| Point::ORIGIN + (p - center) * scale;
+            if many {
+                discs.extend(part.edges().map(|e| (place(e.start), 0.0)));
+            }
+            discs
+        };
+        let mut large = apart(&discs[..paired], MOSTLY);
+        large.truncate(MOST_PAIRED);
+        Self {
+            paired: large,
+            probes: with_vertices(apart(&discs[..1], MOSTLY)),
+            listed: with_vertices(apart(&discs, HARDLY)),
         }
     }
 }
 
 impl DiscPair {
     /// Pair of a disc in each part, given by centres and radii.
-    fn new(fixed: (Point, f64), moving: (Point, f64)) -> Self {
+    pub(crate) fn new(fixed: PartDisc, moving: PartDisc) -> Self {
         Self {
             fixed: fixed.0,
             moving: moving.0.to_vector(),
@@ -143,6 +206,18 @@ const SHEETS_PER_DISC: f64 = 64.0;
 /// Number of sheets above which crossings in blocked space dominate, so that many discs save more than they cost.
 const MANY_SHEETS: usize = 8192;
 
+/// Number of discs of a part above which they cost more than they save where curves are looked for that they cover.
+const MOST_PAIRED: usize = 64;
+
+/// Number of discs of each part that are looked up for a piece of a curve: smaller ones add little.
+const PROBES: usize = 24;
+
+/// Number of discs of a part about which those in the table are to be.
+const LISTED: usize = 1024;
+
+/// Number of edges above which a part has only its largest disc in small pairs, and discs are looked up for pieces of curves in large ones.
+const FEW_EDGES: usize = 400;
+
 /// Number of discs up to which they are tested one by one, which is faster than a grid.
 const FEW: usize = 16;
 
@@ -155,10 +230,28 @@ pub(crate) struct Layout<'a> {
     pub(crate) others: Vec<(DiscPair, (Point, f64))>,
     /// Grid of the other discs, unless they are few.
     grid: Option<Grid>,
-    pub(crate) anchors: Option<&'a Anchors>,
+    /// Tables of the discs of both parts, if the pairs of discs are too few to cover what is blocked.
+    pub(crate) tables: Option<&'a (DiscTable, DiscTable)>,
 }
 
 impl Layout<'_> {
+    /// Pairs of discs, according to the tables, that overlap at a position.
+    pub(crate) fn overlaps(&self, p: Point, turn: Rotation) -> impl Iterator<Item = Disc> {
+        let back = turn.inverse();
+        let tables = self.tables.into_iter();
+        tables.flat_map(move |(fixed, moving)| {
+            let fixed_from_moving = move |q: Point| turn * q + p.to_vector();
+            let moving_from_fixed = move |q: Point| Point::ORIGIN + back * (q - p);
+            let many = fixed.size() < moving.size();
+            let (one, other) = if many { (PROBES, 0) } else { (0, PROBES) };
+            let probes = moving.overlaps(other, fixed, fixed_from_moving);
+            let others = fixed.overlaps(one, moving, moving_from_fixed);
+            let pairs = (probes.map(|(m, f)| DiscPair::new(f, m)))
+                .chain(others.map(|(f, m)| DiscPair::new(f, m)));
+            pairs.map(move |pair| pair.at(turn))
+        })
+    }
+
     /// The other discs that may cover a piece of a curve that lies within `reach` of a place.
     pub(crate) fn near(&self, middle: Point, reach: f64) -> impl Iterator<Item = usize> + '_ {
         let close = move |i: &usize| {

@@ -9,8 +9,9 @@
 //!        ╰───────╯
 //! ```
 //!
-//! `discs.rs` and `disc_table.rs` make the discs, `uncovered.rs` finds the uncovered pieces of a curve over an interval of orientations,
-//! and `candidates.rs` collects the pairs of sheets whose uncovered pieces come near each other.
+//! `discs.rs` makes the discs, `uncovered.rs` finds the uncovered pieces of a curve over an interval of orientations, and `candidates.rs`
+//! collects the pairs of sheets whose uncovered pieces come near each other. Of large pairs `disc_table.rs` finds the discs that overlap at
+//! one configuration, for crossings that are blocked beside free space (`events/buried.rs`).
 
 pub(crate) mod candidates;
 pub(crate) mod covering;

@@ -101,12 +101,11 @@ impl<'a> BlockedDiscs<'a> {
             return;
         }
         left_open(covered, (from, to), open);
-        if let Some(anchors) = self.layout.anchors {
+        if self.layout.tables.is_some() {
             for _ in 0..ROUNDS {
                 let before = covered.len();
                 for &(lo, hi) in open.iter() {
-                    let middle = curve.at(0.5 * (lo + hi));
-                    let discs = anchors.at(middle, self.turn);
+                    let discs = self.layout.overlaps(curve.at(0.5 * (lo + hi)), self.turn);
                     covered.extend(discs.filter_map(|d| curve.within(&d, self.half)));
                 }
                 if covered.len() == before {
@@ -296,13 +295,12 @@ mod tests {
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
-        // Few sheets, all of them at each orientation; and so many sheets that the table is used.
+        // Few sheets, all of them at each orientation; and so many sheets that there are many discs.
         for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((60, 20), 0.3, 97)] {
             let (a, b) = (wheel(teeth.0, bulge), wheel(teeth.1, -bulge));
             let geometry = Geometry::new(&a, &b, None, usize::MAX);
             let cores = Cores::new(&geometry);
-            let looked_up = cores.about(0.0).anchors.is_some();
-            assert_eq!(looked_up, step > 1);
+            assert_eq!(cores.tables.is_some(), step > 1);
             let mut work = Uncovered::default();
             for _ in 0..40 {
                 let (theta, half) = (rng.random_range(-3.0..3.0), rng.random_range(0.001..0.04));
