@@ -74,7 +74,7 @@ pub(crate) const SHARES: [f64; 7] = [0.5, 0.2, 0.8, 0.05, 0.95, 0.0125, 0.9875];
 
 /// Discs inside the material that touch the edges, for each of the first [`SHARES`] along them: the largest first.
 ///
-/// Of a part with very many edges, some are examined only.
+/// Parts with very many edges are examined at some of them only.
 ///
 /// If turning by 2π/`fold` about `center` maps the part to itself, only edges of one sector are examined, and their discs turned.
 pub(crate) fn inscribed_discs(
@@ -87,7 +87,7 @@ pub(crate) fn inscribed_discs(
     /// Number of halvings of the interval of the radius.
     const STEPS: usize = 14;
     /// Number of edges that are examined at most.
-    const MOST_EDGES: usize = 400;
+    const MOST_EDGES: usize = 1024;
     /// Edges examined at a time by one thread.
     const EDGES: usize = 16;
     let material = Material::new(part, center, scale);
@@ -115,7 +115,7 @@ pub(crate) fn inscribed_discs(
     let sector: Vec<Edge> = (material.edges.iter().copied())
         .filter(|e| in_sector(e.at(0.5)))
         .collect();
-    let every = sector.len().div_ceil(MOST_EDGES).max(1);
+    let every = (sector.len() * fold as usize).div_ceil(MOST_EDGES).max(1);
     let sector: Vec<Edge> = sector.into_iter().step_by(every).collect();
     let of_share = |share: &f64| {
         let touching = parallel::chunks(&sector, EDGES, |_, edges| -> Vec<_> {

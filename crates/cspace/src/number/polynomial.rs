@@ -1,6 +1,5 @@
 //! Trigonometric polynomials of degree four, and intervals that contain their roots.
 
-use core::cell::Cell;
 use std::sync::LazyLock;
 
 use super::{Dd, Real};
@@ -124,14 +123,59 @@ impl<T: Real> TrigPolynomial<T> {
         found: &mut impl FnMut(T, T),
         vague: &mut impl FnMut(T, T),
     ) {
+        let middle = T::constant(0.5) * (lo + hi);
+        let half = 0.5 * (hi - lo).value();
+        let within = self.within(middle, half);
+        match within {
+            Within::None => {}
+            Within::Unknown => vague(lo, hi),
+            Within::Several if half >= narrowest => {
+                self.brackets(lo, middle, narrowest, found, vague);
+                self.brackets(middle, hi, narrowest, found, vague);
+            }
+            Within::Several | Within::One => {
+                let (at_lo, at_hi) = (self.at(lo).0.value(), self.at(hi).0.value());
+                if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
+                    found(lo, hi);
+                }
+            }
+        }
+    }
+
+    /// Whether `admits` holds for an interval around every root between `lo` and `hi`, in which the polynomial certainly has no other root
+    /// and changes its sign; false if that is not certain on an interval as short as `narrowest`.
+    pub(crate) fn changes_sign_only(
+        &self,
+        lo: T,
+        hi: T,
+        narrowest: f64,
+        admits: &impl Fn(T, T) -> bool,
+    ) -> bool {
+        let middle = T::constant(0.5) * (lo + hi);
+        let half = 0.5 * (hi - lo).value();
+        match self.within(middle, half) {
+            Within::None => true,
+            Within::Unknown => false,
+            Within::Several => {
+                half >= narrowest
+                    && self.changes_sign_only(lo, middle, narrowest, admits)
+                    && self.changes_sign_only(middle, hi, narrowest, admits)
+            }
+            Within::One => {
+                let [at_lo, at_hi] = [lo, hi].map(|t| self.at(t).0.value());
+                let is_certain = at_lo.abs() > self.error && at_hi.abs() > self.error;
+                is_certain && ((at_lo > 0.0) == (at_hi > 0.0) || admits(lo, hi))
+            }
+        }
+    }
+
+    /// The roots within `half` of an orientation.
+    fn within(&self, middle: T, half: f64) -> Within {
         // If numbers overflow, nothing is known, on however short an interval.
         if !self.twist.is_finite() {
-            vague(lo, hi);
-            return;
+            return Within::Unknown;
         }
-        let middle = T::constant(0.5);
-        let (mid, half) = (middle * (lo + hi), 0.5 * (hi - lo).value());
-        let (sin, cos) = mid.sin_cos();
+        let (sin, cos) = middle.sin_cos();
         let [value, slope, bend] = self.jet(cos, sin).map(Real::value);
         let rest = self.twist * half.powi(3) * (1.0 / 6.0);
         // The parabola on the side of zero of f(m): it is nearest to zero at an end, or where its slope vanishes.
@@ -143,42 +187,31 @@ impl<T: Real> TrigPolynomial<T> {
             side - along + bow
         };
         if least > rest + self.error {
-            return;
+            return Within::None;
         }
         if side + along + bow.abs() + rest <= self.error {
-            vague(lo, hi);
-            return;
+            return Within::Unknown;
         }
         let change = bend.abs() * half + 0.5 * self.twist * half * half;
-        if slope.abs() > change || half < narrowest {
-            let (at_lo, at_hi) = (self.at(lo).0.value(), self.at(hi).0.value());
-            if at_lo * at_hi <= 0.0 || at_lo.abs() < self.error || at_hi.abs() < self.error {
-                found(lo, hi);
-            }
-            return;
+        if slope.abs() > change {
+            Within::One
+        } else {
+            Within::Several
         }
-        self.brackets(lo, mid, narrowest, found, vague);
-        self.brackets(mid, hi, narrowest, found, vague);
     }
+}
 
-    /// Whether all roots between `lo` and `hi` are certainly simple, and `admits` holds for an interval around each. The polynomial changes
-    /// its sign there and has no other root.
-    pub(crate) fn changes_sign_only(
-        &self,
-        lo: T,
-        hi: T,
-        narrowest: f64,
-        admits: impl Fn(T, T) -> bool,
-    ) -> bool {
-        let all = Cell::new(true);
-        let told = |t: T| self.at(t).0.value().abs() > self.error;
-        let mut found = |a: T, b: T| {
-            let simple = (b - a).value() > 2.0 * narrowest && told(a) && told(b);
-            all.set(all.get() && simple && admits(a, b));
-        };
-        self.brackets(lo, hi, narrowest, &mut found, &mut |_, _| all.set(false));
-        all.get()
-    }
+/// What is known of the roots in an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Within {
+    /// There is none.
+    None,
+    /// There is one at most, and it is simple.
+    One,
+    /// There may be several.
+    Several,
+    /// The sign of the value is unknown in the whole interval.
+    Unknown,
 }
 
 #[cfg(test)]
@@ -206,6 +239,27 @@ mod tests {
         for ((lo, hi), x) in roots.into_iter().zip(expected) {
             assert!(lo <= x && x <= hi);
         }
+    }
+
+    /// Two roots near each other are not overlooked, on however long an interval, and a change of sign is admitted or not.
+    #[test]
+    fn every_change_of_sign_is_admitted_or_not() {
+        let narrowest = 1e-3;
+        for apart in [1e-1, 1e-2, 1e-3, 1e-4, 1e-6] {
+            for (middle, hi) in [(3.0, 6.0), (1.5, 3.0), (0.5, 1.0)] {
+                let top = f64::cos(0.5 * apart);
+                let f = |Rotation { cos, sin }: Rotation| {
+                    (top - (cos * f64::cos(middle) + sin * f64::sin(middle)), 2.0)
+                };
+                let p = TrigPolynomial::sampled(f);
+                assert!(!p.changes_sign_only(0.0, hi, narrowest, &|_, _| false));
+                assert!(p.changes_sign_only(0.0, middle - apart, narrowest, &|_, _| false));
+            }
+        }
+        let p = TrigPolynomial::sampled(|t: Rotation| (t.sin, 1.0));
+        assert!(p.changes_sign_only(-1.0, 2.0, narrowest, &|a, b| a < 0.0 && 0.0 < b));
+        assert!(!p.changes_sign_only(-1.0, 2.0, narrowest, &|_, _| false));
+        assert!(!p.changes_sign_only(0.0, 2.0, narrowest, &|_, _| true));
     }
 
     /// Its root at 0 is known to 64 roundings: if it lies outside by less, it may as well lie inside.

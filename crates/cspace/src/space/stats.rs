@@ -14,7 +14,7 @@ pub struct Statistics {
     pub triple_events: u64,
     /// Different orientations among all events.
     pub clusters: u64,
-    /// Crossings of two sheets.
+    /// Crossings of two sheets; of large pairs, without those that are certainly in blocked space.
     pub branches: u64,
     /// Pieces of sheets.
     pub cells: u64,

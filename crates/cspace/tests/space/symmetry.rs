@@ -391,13 +391,14 @@ fn windows() {
     );
 }
 
-/// Amount of work, counted and not timed: one of k periods has a k-th of the cells and branches, plus those added by its cuts.
+/// Amount of work, counted and not timed: one of k periods has a k-th of the cells and branches, plus those added by its cuts. Of pairs with
+/// more contacts, a whole turn has fewer branches, because those in blocked space are dropped.
 #[test]
 fn a_slab_is_a_share_of_the_work() {
     for (fixed, moving) in [
         (ratchet(20), pawl()),
         (pawl(), ratchet(40)),
-        (gear(10, 1.0), gear(9, 1.0)),
+        (gear(8, 1.0), gear(7, 1.0)),
     ] {
         let [a, b] = computed(&fixed, &moving, None);
         let slabs = u64::from(a.symmetry().slabs);

@@ -1,4 +1,4 @@
-//! Table of discs inside a part: for every place, which of them overlaps most with what is there.
+//! Table of discs inside a part: which of them overlaps most with what is at a place, approximately.
 //!
 //! A disc inside one part and a disc inside the other block the positions at which they overlap. Parts with many edges have too many
 //! pairs of discs to try them all. The table has, for every square of a grid over a part, the disc that overlaps most with a small thing
@@ -68,20 +68,20 @@ impl DiscTable {
         Some(this)
     }
 
-    /// For every square whose middle is in a disc, that in which its power is largest; otherwise a disc of radius 0 in the square.
+    /// For every square whose middle is in a disc, that in which its power is largest; otherwise a disc with its centre in the square.
     ///
     /// The power r² − d² of a place is the square of half the chord through it, which is how far the place may move along the boundary and
     /// stay in the disc. Of two discs in which a place is equally deep, the larger has the larger power.
     fn filled(&self) -> Vec<Option<u32>> {
         let mut best = vec![(f64::NEG_INFINITY, None); self.rows * self.columns];
         for (i, disc) in (0u32..).zip(&self.discs) {
-            let square = around(disc);
+            let (square, own) = (around(disc), self.at(disc.0));
             let ((top, left), (bottom, right)) = (self.at(square.min), self.at(square.max));
             for (row, column) in (top..=bottom).flat_map(|y| (left..=right).map(move |x| (y, x))) {
                 let off = (self.middle(row, column) - disc.0).length_squared();
                 let power = disc.1 * disc.1 - off;
                 let best = &mut best[row * self.columns + column];
-                if (power > 0.0 || disc.1 == 0.0) && power > best.0 {
+                if (power > 0.0 || (row, column) == own) && power > best.0 {
                     *best = (power, Some(i));
                 }
             }
@@ -153,7 +153,7 @@ impl DiscTable {
     }
 
     /// Calls `take` with a probe and the disc of another part that it overlaps, until it returns true, which is then returned. `place` maps
-    /// places of this part to those of the other at one configuration.
+    /// places of this part to those of the other at one configuration. Some that overlap may be missed.
     pub(crate) fn any_overlap(
         &self,
         other: &Self,
@@ -162,7 +162,7 @@ impl DiscTable {
     ) -> bool {
         let reaches = |b: &Bounds| {
             let depth = other.near(place(b.center())).map(|n| n.1);
-            depth.is_some_and(|depth| depth + 0.5 * b.diagonal() > 0.0)
+            depth.is_some_and(|depth| depth + 0.5 * b.diagonal() + 2.0 * other.step > 0.0)
         };
         self.boxes.any(reaches, |i| {
             let disc = self.probes[i as usize];

@@ -50,7 +50,7 @@ impl Cores {
             geometry.moving_fold,
             (most, many),
         );
-        // The moving part may be smaller than drawn.
+        // The moving part may be smaller than drawn; then vertices are outside.
         let less = |(c, r): PartDisc| (r >= geometry.room).then_some((c, r - geometry.room));
         let mut pairs = Vec::new();
         for a in fixed.paired.iter().copied().filter_map(less) {
@@ -119,7 +119,7 @@ impl Cores {
 
 /// Discs inside one part.
 struct PartDiscs {
-    /// Those of which every pair is tried.
+    /// Discs of which every pair is tried.
     paired: Vec<PartDisc>,
     /// For large pairs, those that are looked up in the other part's table, and those in the table. Vertices are discs of radius 0: they
     /// reach farthest into the other part.
@@ -136,8 +136,9 @@ impl PartDiscs {
         fold: u32,
         (most, many): (usize, bool),
     ) -> Self {
-        /// Share of its radius by which a disc is mostly within another, and by which it is hardly another disc.
+        /// Share of its radius by which a disc mostly lies within another.
         const MOSTLY: f64 = 0.7;
+        /// As above, for discs that are hardly others: a disc that touches a corner beside a larger one is another.
         const HARDLY: f64 = 0.995;
         let edges = part.edges().count();
         if most == 1 && largest.is_some() || !many && edges > FEW_EDGES {
@@ -155,10 +156,12 @@ impl PartDiscs {
         };
         let discs = inscribed_discs(part, center, scale, fold, listed);
         // Discs of which no such share is within one before.
-        let apart = |discs: &[Vec<PartDisc>], share: f64| {
+        let apart = |discs: &[Vec<PartDisc>], share: f64, most: usize| {
             let mut apart: Vec<PartDisc> = largest.into_iter().collect();
             for d in discs.iter().flatten() {
-                if !apart.iter().any(|o| o.0.distance(d.0) + share * d.1 < o.1) {
+                if apart.len() < most
+                    && !apart.iter().any(|o| o.0.distance(d.0) + share * d.1 < o.1)
+                {
                     apart.push(*d);
                 }
             }
@@ -171,12 +174,10 @@ impl PartDiscs {
             }
             discs
         };
-        let mut large = apart(&discs[..paired], MOSTLY);
-        large.truncate(MOST_PAIRED);
         Self {
-            paired: large,
-            probes: with_vertices(apart(&discs[..1], MOSTLY)),
-            listed: with_vertices(apart(&discs, HARDLY)),
+            paired: apart(&discs[..paired], MOSTLY, MOST_PAIRED),
+            probes: with_vertices(apart(&discs[..1], MOSTLY, MOST_LISTED)),
+            listed: with_vertices(apart(&discs, HARDLY, MOST_LISTED)),
         }
     }
 }
@@ -215,6 +216,9 @@ const PROBES: usize = 24;
 /// Number of discs of a part about which those in the table are to be.
 const LISTED: usize = 1024;
 
+/// Number of discs that touch edges of a part above which others are left out.
+const MOST_LISTED: usize = 4096;
+
 /// Number of edges above which a part has only its largest disc in small pairs, and discs are looked up for pieces of curves in large ones.
 const FEW_EDGES: usize = 400;
 
@@ -242,12 +246,15 @@ impl Layout<'_> {
         tables.flat_map(move |(fixed, moving)| {
             let fixed_from_moving = move |q: Point| turn * q + p.to_vector();
             let moving_from_fixed = move |q: Point| Point::ORIGIN + back * (q - p);
-            let many = fixed.size() < moving.size();
-            let (one, other) = if many { (PROBES, 0) } else { (0, PROBES) };
-            let probes = moving.overlaps(other, fixed, fixed_from_moving);
-            let others = fixed.overlaps(one, moving, moving_from_fixed);
-            let pairs = (probes.map(|(m, f)| DiscPair::new(f, m)))
-                .chain(others.map(|(f, m)| DiscPair::new(f, m)));
+            // Those of the part with fewer discs are looked up.
+            let (of_fixed, of_moving) = match fixed.size() < moving.size() {
+                true => (PROBES, 0),
+                false => (0, PROBES),
+            };
+            let by_moving = moving.overlaps(of_moving, fixed, fixed_from_moving);
+            let by_fixed = fixed.overlaps(of_fixed, moving, moving_from_fixed);
+            let pairs = (by_moving.map(|(m, f)| DiscPair::new(f, m)))
+                .chain(by_fixed.map(|(f, m)| DiscPair::new(f, m)));
             pairs.map(move |pair| pair.at(turn))
         })
     }

@@ -10,8 +10,8 @@
 //! ```
 //!
 //! `discs.rs` makes the discs, `uncovered.rs` finds the uncovered pieces of a curve over an interval of orientations, and `candidates.rs`
-//! collects the pairs of sheets whose uncovered pieces come near each other. Of large pairs `disc_table.rs` finds the discs that overlap at
-//! one configuration, for crossings that are blocked beside free space (`events/buried.rs`).
+//! collects the pairs of sheets whose uncovered pieces come near each other. Large pairs have more discs than can be tried: `disc_table.rs`
+//! finds those that overlap at one configuration, for pieces of curves of parts with very many edges and for crossings (`events/buried.rs`).
 
 pub(crate) mod candidates;
 pub(crate) mod covering;

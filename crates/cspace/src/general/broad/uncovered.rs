@@ -295,12 +295,12 @@ mod tests {
     fn covered_curves_are_blocked() {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let (mut covered, mut asked) = (0, 0);
-        // Few sheets, all of them at each orientation; and so many sheets that there are many discs.
-        for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((60, 20), 0.3, 97)] {
+        // Few sheets, all of them at each orientation; and so many that discs are looked up.
+        for (teeth, bulge, step) in [((7, 5), 0.3, 1), ((7, 5), -0.3, 1), ((110, 12), 0.3, 97)] {
             let (a, b) = (wheel(teeth.0, bulge), wheel(teeth.1, -bulge));
             let geometry = Geometry::new(&a, &b, None, usize::MAX);
             let cores = Cores::new(&geometry);
-            assert_eq!(cores.tables.is_some(), step > 1);
+            assert_eq!(cores.about(0.0).tables.is_some(), step > 1);
             let mut work = Uncovered::default();
             for _ in 0..40 {
                 let (theta, half) = (rng.random_range(-3.0..3.0), rng.random_range(0.001..0.04));

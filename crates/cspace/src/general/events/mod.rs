@@ -8,9 +8,9 @@
 //! ```
 //!
 //! `coming.rs` finds where crossings of two sheets appear and disappear (roots of α cos θ + β sin θ + γ), and `trace.rs` follows the
-//! branches between, of which `buried.rs` drops those in blocked space. `triple.rs` and `passing.rs` find where branches pass each other. `clusters.rs` gathers events whose order is not
-//! known, `gathered.rs` collects everything that happens at them. `placing.rs` computes the place of a branch on its curve, and `order.rs`
-//! the order of branches.
+//! branches between, of which `buried.rs` drops those in blocked space. `triple.rs` and `passing.rs` find where branches pass each other.
+//! `clusters.rs` gathers events whose order is not known, `gathered.rs` collects everything that happens at them. `placing.rs` computes the
+//! place of a branch on its curve, and `order.rs` the order of branches.
 
 pub(crate) mod branch;
 pub(crate) mod buried;
