@@ -201,7 +201,7 @@ impl<T: Real> TrigPolynomial<T> {
     }
 }
 
-/// What is known of the roots in an interval.
+/// Roots in an interval, as far as they are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Within {
     /// There is none.

@@ -35,10 +35,6 @@ const MARGIN: f64 = 1.0 / (1u64 << 20) as f64;
 /// Radius of contact curves (length) above which places at a tangency are not known to that.
 const LARGEST: f64 = 4.0;
 
-/// Width of a cluster (radians) above which a crossing that begins or ends in it may move there by as much as [`MARGIN`]: at a tangency
-/// by the square root.
-const WIDEST: f64 = 1e-14;
-
 /// Drops branches that are certainly buried, and meetings of sheets that have no other branches.
 pub(crate) fn drop_buried(
     geometry: &Geometry,
@@ -105,7 +101,8 @@ impl Search<'_> {
         let sheets = &self.geometry.contacts.sheets;
         let [f, g] = [branch.first, branch.second].map(|s| &sheets[s as usize]);
         let is_large = |s: &Sheet| s.is_flat() || s.is_circle() && s.locus.radius.abs() > LARGEST;
-        let is_wide = |cluster| self.clusters.width(cluster) > WIDEST;
+        // In a cluster a crossing that begins or ends at a tangency moves by about the square root of the width.
+        let is_wide = |cluster| self.clusters.width(cluster).sqrt() > 0.125 * MARGIN;
         if is_large(f) || is_large(g) || is_wide(branch.from) || is_wide(branch.to) {
             return false;
         }
