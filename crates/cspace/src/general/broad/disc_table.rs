@@ -133,6 +133,12 @@ impl DiscTable {
         Some((disc, self.depth(disc, p)))
     }
 
+    /// The disc of the table that a disc of the other part overlaps there, if it does.
+    fn overlapped(&self, center: Point, radius: f64) -> Option<PartDisc> {
+        let (disc, depth) = self.near(center)?;
+        (depth + radius > 0.0).then(|| self.discs[disc as usize])
+    }
+
     /// Number of discs in the table.
     pub(crate) fn size(&self) -> usize {
         self.discs.len()
@@ -146,9 +152,10 @@ impl DiscTable {
         other: &Self,
         place: impl Fn(Point) -> Point,
     ) -> impl Iterator<Item = (PartDisc, PartDisc)> {
-        self.probes.iter().take(count).filter_map(move |disc| {
-            let (near, depth) = other.near(place(disc.0))?;
-            (depth + disc.1 > 0.0).then_some((*disc, other.discs[near as usize]))
+        let probes = self.probes.iter().take(count);
+        probes.filter_map(move |&probe| {
+            let disc = other.overlapped(place(probe.0), probe.1)?;
+            Some((probe, disc))
         })
     }
 
@@ -165,11 +172,9 @@ impl DiscTable {
             depth.is_some_and(|depth| depth + 0.5 * b.diagonal() + 2.0 * other.step > 0.0)
         };
         self.boxes.any(reaches, |i| {
-            let disc = self.probes[i as usize];
-            let near = other.near(place(disc.0));
-            near.is_some_and(|(o, depth)| {
-                depth + disc.1 > 0.0 && take(disc, other.discs[o as usize])
-            })
+            let probe = self.probes[i as usize];
+            let disc = other.overlapped(place(probe.0), probe.1);
+            disc.is_some_and(|disc| take(probe, disc))
         })
     }
 }

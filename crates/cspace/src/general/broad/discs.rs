@@ -15,10 +15,56 @@ use crate::general::broad::grid::Grid;
 #[derive(Debug)]
 pub(crate) struct Cores {
     pairs: Vec<DiscPair>,
-    /// Tables of the discs of the fixed and of the moving part, for large pairs; `None` for others.
-    pub(crate) tables: Option<(DiscTable, DiscTable)>,
+    /// Tables of the discs of both parts, for large pairs; `None` for others.
+    pub(crate) tables: Option<DiscTables>,
     /// Whether a part has so many edges that pieces of curves are looked up in the tables, too.
     looks_up: bool,
+}
+
+/// Tables of the discs of both parts, in which pairs of discs are found that overlap at one configuration.
+#[derive(Debug)]
+pub(crate) struct DiscTables {
+    fixed: DiscTable,
+    moving: DiscTable,
+}
+
+impl DiscTables {
+    /// Pairs of discs that overlap at a position, with some discs of the part that has fewer.
+    pub(crate) fn overlaps(&self, p: Point, turn: Rotation) -> impl Iterator<Item = DiscPair> {
+        let by_fixed = self.fixed.size() < self.moving.size();
+        let (of_fixed, of_moving) = if by_fixed { (PROBES, 0) } else { (0, PROBES) };
+        let (fixed_from_moving, moving_from_fixed) = placings(p, turn);
+        let by_moving = self
+            .moving
+            .overlaps(of_moving, &self.fixed, fixed_from_moving);
+        let by_fixed = self
+            .fixed
+            .overlaps(of_fixed, &self.moving, moving_from_fixed);
+        (by_moving.map(|(m, f)| DiscPair::new(f, m)))
+            .chain(by_fixed.map(|(f, m)| DiscPair::new(f, m)))
+    }
+
+    /// Calls `take` with pairs of discs that overlap at a position, until it returns true, which is then returned. Some may be missed.
+    pub(crate) fn any_overlap(
+        &self,
+        p: Point,
+        turn: Rotation,
+        mut take: impl FnMut(DiscPair) -> bool,
+    ) -> bool {
+        let Self { fixed, moving } = self;
+        let (fixed_from_moving, moving_from_fixed) = placings(p, turn);
+        moving.any_overlap(fixed, fixed_from_moving, |m, f| take(DiscPair::new(f, m)))
+            || fixed.any_overlap(moving, moving_from_fixed, |f, m| take(DiscPair::new(f, m)))
+    }
+}
+
+/// Maps of places of the moving part to those of the fixed part, and back.
+fn placings(p: Point, turn: Rotation) -> (impl Fn(Point) -> Point, impl Fn(Point) -> Point) {
+    let back = turn.inverse();
+    (
+        move |q: Point| turn * q + p.to_vector(),
+        move |q: Point| Point::ORIGIN + back * (q - p),
+    )
 }
 
 /// A disc inside each part.
@@ -66,6 +112,7 @@ impl Cores {
             DiscTable::new(probes, listed)
         };
         let tables = many.then(|| table(fixed).zip(table(moving))).flatten();
+        let tables = tables.map(|(fixed, moving)| DiscTables { fixed, moving });
         let parts = [geometry.fixed_part(), geometry.moving_part()];
         Self {
             pairs,
@@ -235,30 +282,10 @@ pub(crate) struct Layout<'a> {
     /// Grid of the other discs, unless they are few.
     grid: Option<Grid>,
     /// Tables of the discs of both parts, if the pairs of discs are too few to cover what is blocked.
-    pub(crate) tables: Option<&'a (DiscTable, DiscTable)>,
+    pub(crate) tables: Option<&'a DiscTables>,
 }
 
 impl Layout<'_> {
-    /// Pairs of discs, according to the tables, that overlap at a position.
-    pub(crate) fn overlaps(&self, p: Point, turn: Rotation) -> impl Iterator<Item = Disc> {
-        let back = turn.inverse();
-        let tables = self.tables.into_iter();
-        tables.flat_map(move |(fixed, moving)| {
-            let fixed_from_moving = move |q: Point| turn * q + p.to_vector();
-            let moving_from_fixed = move |q: Point| Point::ORIGIN + back * (q - p);
-            // Those of the part with fewer discs are looked up.
-            let (of_fixed, of_moving) = match fixed.size() < moving.size() {
-                true => (PROBES, 0),
-                false => (0, PROBES),
-            };
-            let by_moving = moving.overlaps(of_moving, fixed, fixed_from_moving);
-            let by_fixed = fixed.overlaps(of_fixed, moving, moving_from_fixed);
-            let pairs = (by_moving.map(|(m, f)| DiscPair::new(f, m)))
-                .chain(by_fixed.map(|(f, m)| DiscPair::new(f, m)));
-            pairs.map(move |pair| pair.at(turn))
-        })
-    }
-
     /// The other discs that may cover a piece of a curve that lies within `reach` of a place.
     pub(crate) fn near(&self, middle: Point, reach: f64) -> impl Iterator<Item = usize> + '_ {
         let close = move |i: &usize| {

@@ -101,11 +101,12 @@ impl<'a> BlockedDiscs<'a> {
             return;
         }
         left_open(covered, (from, to), open);
-        if self.layout.tables.is_some() {
+        if let Some(tables) = self.layout.tables {
             for _ in 0..ROUNDS {
                 let before = covered.len();
                 for &(lo, hi) in open.iter() {
-                    let discs = self.layout.overlaps(curve.at(0.5 * (lo + hi)), self.turn);
+                    let pairs = tables.overlaps(curve.at(0.5 * (lo + hi)), self.turn);
+                    let discs = pairs.map(|pair| pair.at(self.turn));
                     covered.extend(discs.filter_map(|d| curve.within(&d, self.half)));
                 }
                 if covered.len() == before {

@@ -12,8 +12,7 @@ use crate::geometry::{Point, Rotation};
 use crate::number::TrigPolynomial;
 use crate::parallel;
 
-use crate::general::broad::disc_table::DiscTable;
-use crate::general::broad::discs::DiscPair;
+use crate::general::broad::discs::{DiscPair, DiscTables};
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
 use crate::general::events::passing::concurrency;
@@ -39,7 +38,7 @@ const LARGEST: f64 = 4.0;
 pub(crate) fn drop_buried(
     geometry: &Geometry,
     clusters: &Clusters,
-    tables: &(DiscTable, DiscTable),
+    tables: &DiscTables,
     traced: &mut Traced,
 ) {
     let found = parallel::chunks(&traced.branches, CHUNK, |_, branches| {
@@ -90,7 +89,7 @@ fn covers(branches: &[Branch], meeting: &SheetMeeting) -> bool {
 struct Search<'a> {
     geometry: &'a Geometry,
     clusters: &'a Clusters,
-    tables: &'a (DiscTable, DiscTable),
+    tables: &'a DiscTables,
     /// Discs that buried the last branches, the latest first.
     recent: [Option<DiscPair>; REMEMBERED],
 }
@@ -127,13 +126,8 @@ impl Search<'_> {
             }
             found.is_some() || failures >= MOST_FAILURES
         };
-        let (fixed, moving) = self.tables;
         let (p, turn) = crossing.samples[0];
-        let back = turn.inverse();
-        let fixed_from_moving = |q: Point| turn * q + p.to_vector();
-        let moving_from_fixed = |q: Point| Point::ORIGIN + back * (q - p);
-        let _ = moving.any_overlap(fixed, fixed_from_moving, |m, f| take(DiscPair::new(f, m)))
-            || fixed.any_overlap(moving, moving_from_fixed, |f, m| take(DiscPair::new(f, m)));
+        self.tables.any_overlap(p, turn, &mut take);
         if found.is_some() {
             self.recent.rotate_right(1);
             self.recent[0] = found;
@@ -276,11 +270,13 @@ mod tests {
                 tables,
                 recent: [None; REMEMBERED],
             };
+            let (mut proved, count) = (0, buried.len());
             for b in buried {
                 // Other discs may have been found first: those of branches of the sheet before.
                 if !search.is_buried(b) {
                     continue;
                 }
+                proved += 1;
                 let pair = search.recent[0].unwrap();
                 let (lo, hi) = clusters.exactly_between(b.from, b.to);
                 let [f, g] = [b.first, b.second].map(|s| &sheets[s as usize]);
@@ -294,6 +290,8 @@ mod tests {
                 let (at, _) = place([f, g], b.root, theta);
                 assert!(geometry.overlaps(at, theta), "{b:?} at {theta}");
             }
+            assert!(10 * proved > 9 * count, "{proved} of {count}");
+            assert!(traced.meetings.len() < meetings.len());
             let mut left = meetings.iter();
             assert!(traced.meetings.iter().all(|m| left.any(|n| n == m)));
             for b in &traced.branches {
@@ -306,5 +304,30 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// A meeting is dropped only if there is no time in it without a branch.
+    #[test]
+    fn a_gap_between_branches_is_not_covered() {
+        let branch = |root, from, to| Branch {
+            first: 1,
+            second: 2,
+            root,
+            enters: true,
+            from,
+            to,
+        };
+        let meeting = |from, to| SheetMeeting {
+            first: 1,
+            second: 2,
+            from,
+            to,
+        };
+        let both = [branch(0, 5, 8), branch(1, 1, 3)];
+        assert!(!covers(&both, &meeting(1, 8)));
+        assert!(covers(&both[1..], &meeting(1, 3)));
+        assert!(!covers(&both[1..], &meeting(0, 3)) && !covers(&both[1..], &meeting(1, 4)));
+        assert!(covers(&[both[0], both[1], branch(1, 3, 5)], &meeting(1, 8)));
+        assert!(covers(&[both[0], branch(1, 2, 6)], &meeting(2, 8)));
     }
 }
