@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use assert_cmd::Command;
+use crate::helpers::Command;
 
 use crate::helpers::{cspace, model};
 

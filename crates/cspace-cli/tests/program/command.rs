@@ -765,7 +765,7 @@ fn a_closed_pipe_ends_quietly() {
         vec!["slice", "--theta", "0.1", "--format", "json"],
         vec!["compute", "--format", "json"],
     ] {
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+        let mut child = Command::new(env!("CARGO_BIN_EXE_cspace"))
             .env("CSPACE_CACHE", "off")
             .args(&args)
             .arg(model("peg_hole"))
@@ -789,7 +789,7 @@ fn an_interrupt_leaves_nothing_behind() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out.csv");
     // Waits for its standard input, which never comes.
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cspace"))
         .env("CSPACE_CACHE", "off")
         .args(["classify", &model("knee"), "-o", out.to_str().unwrap()])
         .stdin(Stdio::piped())

@@ -10,7 +10,7 @@ use crate::helpers::printed;
 
 /// A page with what the commands print now, and how many there are.
 fn run_page(text: &str, folder: &Path) -> (String, usize) {
-    let program = assert_cmd::cargo::cargo_bin("cspace");
+    let program = Path::new(env!("CARGO_BIN_EXE_cspace"));
     let path = format!(
         "{}:{}",
         program.parent().unwrap().display(),

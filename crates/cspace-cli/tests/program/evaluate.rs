@@ -1,6 +1,6 @@
 //! `cspace evaluate`, as a user runs it.
 
-use assert_cmd::Command;
+use crate::helpers::Command;
 use serde_json::Value;
 
 use crate::helpers;

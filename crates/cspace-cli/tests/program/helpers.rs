@@ -1,7 +1,14 @@
 //! Running the command, and what it says.
 
-use assert_cmd::Command;
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Output, Stdio};
+
 use serde_json::Value;
+
+/// The program that is tested.
+pub(crate) const PROGRAM: &str = env!("CARGO_BIN_EXE_cspace");
 
 /// A pair of each class, all of one mechanism.
 pub(crate) const PAIRS: [(&str, &str); 6] = [
@@ -22,9 +29,101 @@ pub(crate) fn mechanism() -> String {
 }
 
 pub(crate) fn cspace(args: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cspace").unwrap();
+    let mut command = Command::new(PROGRAM);
     command.args(args).env("CSPACE_CACHE", "off");
     command
+}
+
+/// Program to run, with what it reads.
+pub(crate) struct Command {
+    command: std::process::Command,
+    input: Vec<u8>,
+}
+
+impl Command {
+    pub(crate) fn new(program: impl AsRef<OsStr>) -> Self {
+        Self {
+            command: std::process::Command::new(program),
+            input: Vec::new(),
+        }
+    }
+
+    pub(crate) fn args<A: AsRef<OsStr>>(&mut self, args: impl IntoIterator<Item = A>) -> &mut Self {
+        self.command.args(args);
+        self
+    }
+
+    pub(crate) fn arg(&mut self, arg: impl AsRef<OsStr>) -> &mut Self {
+        self.args([arg])
+    }
+
+    pub(crate) fn env(&mut self, name: &str, value: impl AsRef<OsStr>) -> &mut Self {
+        self.command.env(name, value);
+        self
+    }
+
+    pub(crate) fn current_dir(&mut self, folder: impl AsRef<Path>) -> &mut Self {
+        self.command.current_dir(folder);
+        self
+    }
+
+    pub(crate) fn write_stdin(&mut self, input: impl Into<Vec<u8>>) -> &mut Self {
+        self.input = input.into();
+        self
+    }
+
+    /// What it printed, once it has ended.
+    pub(crate) fn output(&mut self) -> std::io::Result<Output> {
+        let piped = (self.command.stdin(Stdio::piped()))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        let mut child = piped.spawn()?;
+        let (stdin, input) = (child.stdin.take(), self.input.clone());
+        // It may print before it has read all, or end without reading.
+        let writer = std::thread::spawn(move || stdin.map(|mut s| s.write_all(&input)));
+        let output = child.wait_with_output();
+        drop(writer.join());
+        output
+    }
+
+    pub(crate) fn assert(&mut self) -> Ended {
+        let run = format!("{:?}", self.command);
+        let output = self.output().unwrap_or_else(|e| panic!("{run}: {e}"));
+        Ended { run, output }
+    }
+}
+
+/// A run that has ended.
+pub(crate) struct Ended {
+    run: String,
+    output: Output,
+}
+
+impl Ended {
+    #[track_caller]
+    pub(crate) fn success(self) -> Self {
+        self.code(0)
+    }
+
+    #[track_caller]
+    pub(crate) fn code(self, code: i32) -> Self {
+        let Output { status, stderr, .. } = &self.output;
+        let message = String::from_utf8_lossy(stderr);
+        assert_eq!(status.code(), Some(code), "{}: {message}", self.run);
+        self
+    }
+
+    #[track_caller]
+    pub(crate) fn stdout(self, expected: impl AsRef<[u8]>) -> Self {
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        let (found, expected) = (&self.output.stdout, expected.as_ref());
+        assert_eq!(text(found), text(expected), "{}", self.run);
+        self
+    }
+
+    pub(crate) fn get_output(&self) -> &Output {
+        &self.output
+    }
 }
 
 pub(crate) fn printed(args: &[&str]) -> String {

@@ -494,16 +494,9 @@ fn bad_dimensions_say_what_to_do() {
 
 #[test]
 fn the_published_schema_takes_every_model() {
-    let schema = format!(
-        "{}/../../docs/model.schema.json",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let schema: Value = serde_json::from_str(&std::fs::read_to_string(schema).unwrap()).unwrap();
     for template in TEMPLATES {
         let model: Value = toml::from_str(&printed(&["new", template])).unwrap();
-        let errors = jsonschema::draft7::new(&schema).unwrap();
-        let errors: Vec<String> = errors.iter_errors(&model).map(|e| e.to_string()).collect();
-        assert!(errors.is_empty(), "{template}: {}", errors[0]);
+        cspace_oracle::Schema::new("model").takes(&model, template);
     }
 }
 

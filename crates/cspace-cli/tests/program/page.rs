@@ -377,7 +377,7 @@ fn it_is_served_until_it_is_interrupted() {
         saved,
     ]);
     for (file, pairs) in [(mechanism().as_str(), 6), (saved, 1)] {
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin("cspace"))
+        let mut child = Command::new(env!("CARGO_BIN_EXE_cspace"))
             .env("CSPACE_CACHE", "off")
             .args(["view", file, "--no-open"])
             .stdout(Stdio::piped())
@@ -427,7 +427,7 @@ fn idle_connections_do_not_end_the_view() {
     if !is_bundled() {
         return;
     }
-    let program = assert_cmd::cargo::cargo_bin("cspace");
+    let program = env!("CARGO_BIN_EXE_cspace");
     let mut child = Command::new("sh")
         .env("CSPACE_CACHE", "off")
         .args(["-c", "ulimit -n 40; exec \"$0\" view \"$1\" --no-open"])

@@ -1,6 +1,6 @@
 //! Orientations so far from 0 that doubles say little of where they are on the circle.
 
-use assert_cmd::Command;
+use crate::helpers::Command;
 
 use super::bounds::{PROGRAM, fails};
 use crate::helpers::model;

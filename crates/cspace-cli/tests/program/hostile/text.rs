@@ -64,7 +64,7 @@ fn enormous_rows_and_names_are_cut() {
         format!("x,y,theta\n0,0,{long}\n"),
         format!("x,y,theta,{long},{long}\n0,0,0,1,2\n"),
     ] {
-        let output = assert_cmd::Command::new(PROGRAM)
+        let output = crate::helpers::Command::new(PROGRAM)
             .args(["classify", &file, "--format", "json"])
             .write_stdin(rows)
             .output()
@@ -94,7 +94,7 @@ fn enormous_rows_and_names_are_cut() {
 
 #[test]
 fn rows_are_shown_escaped() {
-    use assert_cmd::Command;
+    use crate::helpers::Command;
     for (rows, words) in [
         ("x,y,theta\n0,\u{1b}[2J,0\n", "line 2"),
         ("x,y,theta\n0,0,\u{1b}[2J\n", "line 2"),

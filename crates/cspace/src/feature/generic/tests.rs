@@ -1,7 +1,6 @@
 use super::*;
 use crate::geometry::{Point, Vector};
 use core::f64::consts::{PI, TAU};
-use proptest::prelude::*;
 
 const WISH: f64 = 1e-12;
 
@@ -28,6 +27,10 @@ impl Numbers {
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+
+    fn between(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + 0.5 * (hi - lo) * (self.next() + 1.0)
     }
 }
 
@@ -551,41 +554,49 @@ fn the_same_drawing_gives_the_same_loop() {
     assert!(once.is_some() && once == made_generic(&vertices, &smooth, &wish));
 }
 
-proptest! {
-    #[test]
-    fn filleted_polygons_become_smooth(
-        corners in prop::collection::vec((0.3..1.0f64, 0.2..0.9f64), 3..12),
-        sharp in 0..12usize,
-        small in -8.0..-1.0f64,
-        round in any::<bool>(),
-        seed in any::<u64>(),
-    ) {
-        let n = corners.len();
-        let mut corners: Vec<(f64, f64, f64)> = (corners.iter().enumerate())
-            .map(|(i, &(r, s))| {
+/// Number of random loops of each kind.
+const CASES: u64 = 256;
+
+#[test]
+fn filleted_polygons_become_smooth() {
+    for seed in 0..CASES {
+        let mut numbers = Numbers(seed.wrapping_mul(0x5851_f42d_4c95_7f2d));
+        let n = numbers.between(3.0, 12.0) as usize;
+        let mut corners: Vec<(f64, f64, f64)> = (0..n)
+            .map(|i| {
+                let (r, s) = (numbers.between(0.3, 1.0), numbers.between(0.2, 0.9));
                 let v = Vector::from_angle(TAU * (i as f64 + 0.3 * s) / n as f64) * r;
                 (v.x, v.y, 0.05 * s / n as f64)
             })
             .collect();
+        let (sharp, round) = (numbers.between(0.0, 12.0) as usize, numbers.next() < 0.0);
         if !round {
-            corners[0].2 *= 10f64.powf(small);
+            corners[0].2 *= 10f64.powf(numbers.between(-8.0, -1.0));
         }
-        if sharp < n {
-            corners[sharp].2 = 0.0;
+        if let Some(corner) = corners.get_mut(sharp) {
+            corner.2 = 0.0;
         }
         let drawn = filleted(&corners);
         // For the shortest edges, rounding would make kinks larger than those of smooth joints.
-        let shortest = sides(&exact(&drawn).0).unwrap().iter().fold(1.0, |l, s| s.chord.min(l));
-        let drawn = if round && shortest > 1e-3 { rounded(drawn) } else { drawn };
+        let shortest = sides(&exact(&drawn).0)
+            .unwrap()
+            .iter()
+            .fold(1.0, |l, s| s.chord.min(l));
+        let drawn = if round && shortest > 1e-3 {
+            rounded(drawn)
+        } else {
+            drawn
+        };
         checked("polygon", &drawn, seed, 4.0 * WISH);
     }
+}
 
-    #[test]
-    fn biarcs_become_smooth(
-        points in 5..30usize,
-        waves in prop::array::uniform4(-0.04..0.04f64),
-        seed in any::<u64>(),
-    ) {
+#[test]
+fn biarcs_become_smooth() {
+    for seed in 0..CASES {
+        let mut numbers = Numbers(seed.wrapping_mul(0x1405_7b7e_f767_814f));
+        let points = numbers.between(5.0, 30.0) as usize;
+        let waves = [0; 4].map(|_| numbers.between(-0.04, 0.04));
         checked("biarcs", &biarcs(points, waves), seed, 4.0 * WISH);
     }
 }

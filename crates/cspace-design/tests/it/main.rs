@@ -1,0 +1,9 @@
+//! Measures of designs with known values.
+#![allow(clippy::panic, clippy::unwrap_used, dead_code)]
+
+mod common;
+mod known;
+mod motion;
+mod sensitivities;
+mod solve;
+mod tolerances;

@@ -1,0 +1,11 @@
+//! Models as they are read.
+
+mod arcs;
+mod dynamics;
+mod errors;
+mod paper;
+mod profile;
+mod round_trip;
+mod schema;
+mod slips;
+mod snap;

@@ -1,0 +1,451 @@
+//! Friction where forces balance, against statics.
+
+use cspace_motion::{ContactForce, EventKind, Record, Sample, Status, What};
+
+use crate::motion::helpers::{model, near, read, run};
+
+fn times(record: &Record, kind: EventKind) -> Vec<f64> {
+    let of_kind = record.events.iter().filter(|e| e.kind == kind);
+    of_kind.map(|e| e.t).collect()
+}
+
+/// The contacts of a sample, ends of ranges left out.
+fn contacts(sample: &Sample) -> Vec<ContactForce> {
+    let all = sample.forces.iter().flat_map(|f| &f.contacts);
+    all.filter(|c| matches!(c.what, What::Contact { .. }))
+        .cloned()
+        .collect()
+}
+
+/// A wedge that slides, under a follower that is pressed down on its slope.
+fn wedge(slope: f64, friction: f64, pressed: &str) -> cspace_mechanism::Mechanism {
+    let (rise, up) = (100.0 * slope, 5.0 * (1.0 + slope));
+    read(&format!(
+        r#"
+friction = {friction:?}
+[[part]]
+name = "wedge"
+motion = {{ type = "prismatic", direction = [1, 0], range = [-200, 200] }}
+loops = [[[-50, 0], [50, 0], [50, {rise:?}]]]
+[[part]]
+name = "follower"
+motion = {{ type = "prismatic", direction = [0, 1], range = [-100, 100] }}
+loops = [[[0, {0:?}], [5, {1:?}], [5, 300], [-5, 300], [-5, {2:?}]]]
+{pressed}
+"#,
+        0.5 * rise,
+        0.5 * rise + up,
+        0.5 * rise + 5.0
+    ))
+}
+
+/// The force on the wedge along its guide is N (sin α − μ cos α): it gives way if and only if μ < tan α.
+#[test]
+fn a_wedge_jams_beyond_the_angle_of_friction() {
+    for slope in [0.1, 0.364, 1.0, 3.0] {
+        for (share, gives_way) in [(1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
+            let driven = "[[drive]]\npart = \"follower\"\nrate = -2\n";
+            let (_, record) = run(&wedge(slope, slope * share, driven), 1.0, 0.1);
+            let status = if gives_way {
+                Status::Done
+            } else {
+                Status::Jammed
+            };
+            assert_eq!(
+                record.status, status,
+                "{slope} {share}: {:?}",
+                record.reason
+            );
+            if gives_way {
+                let moved = record.samples.last().unwrap().coordinates[0];
+                near("the wedge's way", moved, 2.0 / slope, 1e-12);
+            } else {
+                assert!(record.obstacles.iter().all(|o| o.multiplier > 0.0));
+            }
+            let loaded = "[[load]]\npart = \"follower\"\nforce = [0, -50]\n";
+            let (_, record) = run(&wedge(slope, slope * share, loaded), 1.0, 0.1);
+            assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+            let snaps = times(&record, EventKind::Snap).len();
+            assert_eq!(
+                snaps,
+                usize::from(gives_way),
+                "{slope} {share}: {:?}",
+                record.events
+            );
+        }
+    }
+}
+
+/// A block on a table, drawn by a spring whose other end goes to and fro: it lies still until the spring pulls with μ W, and then follows.
+#[test]
+fn a_block_on_a_spring_sticks_and_slips() {
+    let (friction, weight, stiffness) = (0.3, 20.0, 4.0);
+    let mechanism = read(&format!(
+        r#"
+friction = {friction}
+[[part]]
+name = "hand"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [{{ circle = 0.1, at = [20, 0.3] }}]
+[[part]]
+name = "table"
+motion = {{ type = "fixed" }}
+loops = [[[-90, -1], [90, -1], [90, 0], [-90, 0]]]
+[[part]]
+name = "block"
+loops = [[[-2, 0], [2, 0], [2, 1], [-2, 1]]]
+[[drive]]
+part = "hand"
+table = [[0, 0], [1, 6], [2, -3], [3, 4], [4, 4]]
+[[load]]
+part = "block"
+force = [0, -{weight}]
+[[spring]]
+parts = ["block", "hand"]
+at = [[0, 0.3], [20, 0.3]]
+stiffness = {stiffness}
+length = 20
+"#
+    ));
+    let (_, record) = run(&mechanism, 4.0, 1e-3);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let slack = friction * weight / stiffness;
+    let mut at = 0.0_f64;
+    let mut slips = Vec::new();
+    for sample in &record.samples {
+        let [hand, x, y, theta] = sample.coordinates[..] else {
+            panic!("{:?}", sample.coordinates)
+        };
+        if (hand - at).abs() > slack && slips.last().is_none_or(|&(s, _)| s != (hand > at)) {
+            slips.push((hand > at, sample.t));
+        }
+        at = at.clamp(hand - slack, hand + slack);
+        // The hand turns around between samples.
+        near("the block", x, at, 2e-5);
+        assert!(y.abs() < 1e-9 && theta.abs() < 1e-9, "{y} {theta}");
+        let all = contacts(sample);
+        let normal: f64 = all.iter().map(|c| c.normal).sum();
+        let tangential: f64 = all.iter().map(|c| c.tangential).sum();
+        near("the weight", normal, weight, 1e-7);
+        near(
+            "the spring",
+            tangential.abs(),
+            (stiffness * (hand - x)).abs(),
+            1e-6,
+        );
+        assert!(tangential.abs() <= friction * normal * (1.0 + 1e-9));
+    }
+    let told = times(&record, EventKind::Slip);
+    // Both corners slip at once.
+    let mut each = told.clone();
+    each.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    assert_eq!(each.len(), slips.len(), "{:?} {slips:?}", record.events);
+    for (told, (_, seen)) in each.iter().zip(&slips) {
+        assert!((told - seen).abs() < 1.001e-3, "{told} {seen}");
+    }
+}
+
+/// A wheel that a load presses on a belt rolls with it, and a block lies on it: nothing slips, however the belt is driven.
+#[test]
+fn what_sticks_does_not_creep() {
+    let text = r#"
+friction = 0.4
+[[part]]
+name = "belt"
+motion = { type = "prismatic", direction = [1, 0] }
+loops = [[[-90, -1], [90, -1], [90, 0], [-90, 0]]]
+[[part]]
+name = "wheel"
+loops = [{ circle = 2, at = [0, 2] }]
+[[part]]
+name = "block"
+loops = [[[-22, 0], [-18, 0], [-18, 1], [-22, 1]]]
+[[part]]
+name = "carriage"
+motion = { type = "prismatic", direction = [0, 1] }
+loops = [{ circle = 0.5, at = [0, 30] }]
+[[joint]]
+parts = ["carriage", "wheel"]
+type = "revolute"
+at = [0, 2]
+[[load]]
+part = "wheel"
+force = [0, -10]
+at = [0, 2]
+[[load]]
+part = "block"
+force = [0, -10]
+[[drive]]
+part = "belt"
+table = [[0, 0], [1, 6], [2, 10], [3, 6], [4, -3]]
+"#;
+    let (_, record) = run(&read(text), 4.0, 0.05);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    for sample in &record.samples {
+        let [belt, _, _, turned, x, y, theta, ..] = sample.coordinates[..] else {
+            panic!("{:?}", sample.coordinates)
+        };
+        near("the wheel", turned, 0.5 * belt, 1e-10);
+        near("the block", x, belt, 1e-10);
+        assert!(y.abs() < 1e-10 && theta.abs() < 1e-10);
+    }
+    assert_eq!(times(&record, EventKind::Slip), [0.0; 0]);
+}
+
+/// A block on a table that tilts slides down to a lip as soon as it is beyond the angle of friction.
+#[test]
+fn a_block_slides_off_beyond_the_angle_of_friction() {
+    for friction in [0.1, 0.3, 0.4, 0.41, 0.5] {
+        let (_, record) = run(
+            &read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "table"
+motion = {{ type = "revolute", center = [0, 0] }}
+loops = [[[-20, -1], [20, -1], [20, 0], [-15, 0], [-15, 2], [-20, 2]]]
+[[part]]
+name = "block"
+loops = [[[-2, 0], [2, 0], [2, 1], [-2, 1]]]
+[[load]]
+part = "block"
+force = [0, -10]
+[[drive]]
+part = "table"
+rate = "30deg"
+"#
+            )),
+            1.0,
+            0.01,
+        );
+        assert_eq!(
+            record.status,
+            Status::Done,
+            "{friction}: {:?}",
+            record.reason
+        );
+        let snaps = times(&record, EventKind::Snap);
+        let [snap] = snaps[..] else {
+            panic!("{friction}: {:?}", record.events)
+        };
+        near(
+            "when it slides",
+            snap,
+            f64::atan(friction) / (30.0_f64).to_radians(),
+            1e-7,
+        );
+        let last = &record.samples.last().unwrap().coordinates;
+        // The middle of its lower side is 13 down from the pivot.
+        let (sin, cos) = last[0].sin_cos();
+        near("where it lies, x", last[1], -13.0 * cos, 1e-9);
+        near("and y", last[2], -13.0 * sin, 1e-9);
+    }
+}
+
+/// A lever on a torsion spring is pushed along a ramp: N presses on its tip, μ N opposes its sliding, and the spring
+/// balances both about the pivot; the drive bears their component along its direction.
+#[test]
+fn insertion_takes_the_force_of_statics() {
+    let (stiffness, arm) = (500.0, 10.0_f64);
+    for slope_deg in [10.0_f64, 30.0, 45.0, 60.0] {
+        for friction in [0.0, 0.1, 0.35] {
+            let slope = slope_deg.to_radians();
+            let (run_up, tan) = (30.0, slope.tan());
+            let mechanism = read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "carriage"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+loops = [{{ circle = 0.5, at = [0, 30] }}]
+[[part]]
+name = "lever"
+loops = [[[-1, -0.2], [{arm}, -0.1], [{arm}, 0], [-1, 0.2]]]
+[[part]]
+name = "ramp"
+motion = {{ type = "fixed" }}
+loops = [[[{0:?}, -0.3], [{1:?}, -0.3], [{1:?}, {2:?}]]]
+[[joint]]
+parts = ["carriage", "lever"]
+type = "revolute"
+at = [0, 0]
+[[drive]]
+part = "carriage"
+rate = 1
+[[spring]]
+parts = ["lever", "carriage"]
+type = "torsion"
+stiffness = {stiffness}
+angle = 0
+"#,
+                arm + 0.1,
+                arm + 0.1 + run_up,
+                -0.3 + run_up * tan,
+            ));
+            let (_, record) = run(&mechanism, 3.0, 0.01);
+            assert_eq!(
+                record.status,
+                Status::Done,
+                "{slope_deg} {friction}: {:?}",
+                record.reason
+            );
+            let mut pressed = 0;
+            for sample in &record.samples {
+                let all = contacts(sample);
+                let [contact] = &all[..] else { continue };
+                pressed += 1;
+                let theta = sample.coordinates[3];
+                // The lower corner of the tip.
+                let (x, y) = (
+                    arm * theta.cos() + 0.1 * theta.sin(),
+                    arm * theta.sin() - 0.1 * theta.cos(),
+                );
+                let (n, up) = ([-slope.sin(), slope.cos()], [slope.cos(), slope.sin()]);
+                let along = [0, 1].map(|k| n[k] - friction * up[k]);
+                let normal = stiffness * theta / (x * along[1] - y * along[0]);
+                near(
+                    "the contact's force",
+                    contact.normal,
+                    normal,
+                    1e-9 * normal.abs().max(1.0),
+                );
+                near(
+                    "friction",
+                    contact.tangential.abs(),
+                    friction * normal,
+                    1e-9 * normal.abs().max(1.0),
+                );
+                let drive = sample.forces.as_ref().unwrap().drives[0].force;
+                near(
+                    "the drive's force",
+                    drive,
+                    -normal * along[0],
+                    1e-8 * normal.abs().max(1.0),
+                );
+            }
+            assert!(pressed > 100, "{pressed}");
+        }
+    }
+}
+
+/// A peg in a compliant grip is pushed down a slope and onto a floor: springs, forces of contacts and cones of friction balance about any point.
+#[test]
+fn a_compliant_peg_is_in_balance_on_a_chamfer() {
+    // Where the springs hold the peg, and where the grip holds them at zero motion.
+    let springs = [
+        ([-2.0, 8.0], [-12.0, 8.0], 40.0),
+        ([2.0, 8.0], [12.0, 8.5], 30.0),
+        ([0.0, 10.0], [0.3, 20.0], 25.0),
+        ([-2.0, 4.0], [-12.0, 3.0], 20.0),
+    ];
+    for friction in [0.0, 0.05, 0.2, 0.6] {
+        let mut text = format!(
+            r#"
+friction = {friction}
+[[part]]
+name = "grip"
+motion = {{ type = "prismatic", direction = [0, 1] }}
+loops = [{{ circle = 0.5, at = [0, 40] }}]
+[[part]]
+name = "hole"
+motion = {{ type = "fixed" }}
+loops = [[[-30, -9], [30, -9], [30, 0], [3, -6], [3, -7], [-3, -7], [-3, -6], [-30, 0]]]
+[[part]]
+name = "peg"
+loops = [[[-2, 0.5], [-1.5, 0], [1.5, 0], [2, 0.5], [2, 10], [-2, 10]]]
+[[drive]]
+part = "grip"
+rate = -1
+"#
+        );
+        for (at, from, stiffness) in springs {
+            let length = f64::hypot(at[0] - from[0], at[1] - from[1]);
+            text += &format!(
+                "[[spring]]\nparts = [\"peg\", \"grip\"]\nat = [{at:?}, {from:?}]\nstiffness = {stiffness:?}\nlength = {length:?}\n"
+            );
+        }
+        let (_, record) = run(&read(&text), 9.0, 0.05);
+        assert_eq!(
+            record.status,
+            Status::Done,
+            "{friction}: {:?}",
+            record.reason
+        );
+        let mut pressed = 0;
+        for sample in &record.samples {
+            let [grip, x, y, theta] = sample.coordinates[..] else {
+                panic!("{:?}", sample.coordinates)
+            };
+            let (mut sum, mut largest) = ([0.0; 3], 1.0_f64);
+            let mut add = |[px, py]: [f64; 2], [fx, fy]: [f64; 2]| {
+                for (sum, f) in sum.iter_mut().zip([fx, fy, px * fy - py * fx]) {
+                    *sum += f;
+                    largest = largest.max(f.abs());
+                }
+            };
+            for (at, from, stiffness) in springs {
+                let (s, c) = theta.sin_cos();
+                let p = [x + c * at[0] - s * at[1], y + s * at[0] + c * at[1]];
+                let to = [from[0] - p[0], from[1] + grip - p[1]];
+                let length = f64::hypot(at[0] - from[0], at[1] - from[1]);
+                let pull = stiffness * (1.0 - length / to[0].hypot(to[1]));
+                add(p, to.map(|d| pull * d));
+            }
+            // Normals of the hole from those of its sides; the tip of the peg lies on them.
+            for contact in contacts(sample) {
+                pressed += 1;
+                let at = contact.at.unwrap();
+                let n = match at {
+                    [px, py] if py < -6.999_999 && px.abs() < 3.0 => [0.0, 1.0],
+                    [px, py] if px.abs() < 3.000_001 && py < -6.0 => [-px.signum(), 0.0],
+                    [px, _] => {
+                        let l = f64::hypot(6.0, 27.0);
+                        [-px.signum() * 6.0 / l, 27.0 / l]
+                    }
+                };
+                assert!(contact.tangential.abs() <= friction * contact.normal * (1.0 + 1e-9));
+                let t = [-n[1], n[0]];
+                add(
+                    at,
+                    [0, 1].map(|k| n[k] * contact.normal + t[k] * contact.tangential),
+                );
+            }
+            for sum in sum {
+                assert!(
+                    sum.abs() < 1e-8 * largest,
+                    "{friction} {}: {sum:e}",
+                    sample.t
+                );
+            }
+        }
+        assert!(pressed > 40, "{pressed}");
+    }
+}
+
+/// A sleeve hangs on its pole by friction, and slides off without.
+#[test]
+fn a_sleeve_hangs_on_its_pole_by_friction() {
+    let settings = cspace_motion::Settings {
+        time: 2.5,
+        every: None,
+    };
+    let of = |friction: bool| {
+        let mut mechanism = model("woodpecker");
+        if !friction {
+            mechanism.dynamics.friction = 0.0;
+            mechanism
+                .dynamics
+                .pairs
+                .iter_mut()
+                .for_each(|p| p.friction = None);
+        }
+        cspace_motion::Simulation::new(&mechanism)
+            .unwrap()
+            .kinematic(&settings)
+            .unwrap()
+    };
+    assert_eq!(of(true).status, Status::Done);
+    let record = of(false);
+    assert_eq!(record.status, Status::Undetermined);
+    assert!(record.reason.unwrap().starts_with("nothing stops"));
+}

@@ -1,0 +1,13 @@
+//! Contact spaces and slices.
+
+mod frames;
+mod graph;
+mod hard_cases;
+mod large;
+mod oracle;
+mod random;
+mod regions;
+mod slice_oracle;
+mod slivers;
+mod symmetry;
+mod windows;
