@@ -20,17 +20,9 @@ mod part;
 use std::collections::HashMap;
 
 use interval::{I, PI, exact};
+pub use part::Part;
 use part::norm;
 use serde::{Deserialize, Serialize};
-
-/// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Part {
-    /// Name of the part.
-    pub name: String,
-    /// The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line.
-    pub loops: Vec<Vec<[f64; 3]>>,
-}
 
 /// A proof that no motion leads from start to goal. Angles are in radians.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -1,7 +1,17 @@
-//! Certain tests of whether a disc lies within a part's material.
+//! A part, and certain tests of whether a disc lies within its material.
 
-use crate::Part;
+use serde::{Deserialize, Serialize};
+
 use crate::interval::{I, exact};
+
+/// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// Name of the part.
+    pub name: String,
+    /// The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line.
+    pub loops: Vec<Vec<[f64; 3]>>,
+}
 
 type P = [I; 2];
 

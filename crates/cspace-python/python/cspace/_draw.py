@@ -1,12 +1,9 @@
 """Loops as pictures: SVG, and patches of matplotlib."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from . import _arcs
 from ._optional import optional
-
-if TYPE_CHECKING:
-    from ._loops import Loops
 
 FILL, LINE = "#cdd9e5", "#24466b"
 
@@ -31,9 +28,9 @@ def _svg_path(loop: Any) -> str:
     return "".join(data) + "Z"
 
 
-def svg(loops: "Loops") -> str:
-    """Loops as an SVG document: points as dots, slits as lines."""
-    x0, y0, x1, y1 = loops.bounds if loops else (0.0, 0.0, 0.0, 0.0)
+def svg(loops: list[list[tuple[float, float, float]]], bounds: tuple[float, float, float, float]) -> str:
+    """Loops as an SVG document that shows their bounds (x, y, x, y): points as dots, slits as lines."""
+    x0, y0, x1, y1 = bounds
     size = max(x1 - x0, y1 - y0) or 1.0
     margin = _MARGIN * size
     box = f"{x0 - margin:.6g} {0.0 - y1 - margin:.6g} {x1 - x0 + 2 * margin:.6g} {y1 - y0 + 2 * margin:.6g}"
@@ -72,7 +69,7 @@ def bezier_path(loops: list[list[tuple[float, float, float]]]) -> Any:
     return path([(p.real, p.imag) for p in places], codes)
 
 
-def plot(loops: "Loops", ax: Any, style: dict[str, Any]) -> Any:
+def plot(loops: list[list[tuple[float, float, float]]], ax: Any, style: dict[str, Any]) -> Any:
     """Draws loops on axes, or on the current ones; points as dots, slits as lines."""
     patch = optional("matplotlib.patches").PathPatch
     style = optional("matplotlib.cbook").normalize_kwargs(style, patch)

@@ -104,7 +104,7 @@ class Loops(list[list[tuple[float, float, float]]]):
         return _draw.plot(self, ax, style)
 
     def _repr_svg_(self) -> str:
-        return _draw.svg(self)
+        return _draw.svg(self, self.bounds if self else (0.0, 0.0, 0.0, 0.0))
 
     def __repr__(self) -> str:
         vertices = sum(map(len, self))

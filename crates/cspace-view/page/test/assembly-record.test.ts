@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
 import { RecordError } from "../src/ui/record-json.js";
-import { readRecord, stateAt } from "../src/ui/records.js";
+import { stateAt } from "../src/ui/playable.js";
+import { readRecord } from "../src/ui/records.js";
 
 const origin = { x: 0, y: 0, theta: 0 };
 

@@ -2,8 +2,9 @@
 
 import assert from "node:assert/strict";
 import { describe, it } from "node:test";
+import { pathAt, stateAt } from "../src/ui/playable.js";
 import { RecordError } from "../src/ui/record-json.js";
-import { pathAt, readRecord, readRecordText, stateAt } from "../src/ui/records.js";
+import { readRecord, readRecordText } from "../src/ui/records.js";
 
 const path = [
   { x: 0, y: 0, theta: 0 },

@@ -1,9 +1,10 @@
 /** What `cspace assembly` prints, as a motion of all parts: step by step, and what has left goes on out of the way of what comes later. */
 
 import type { Configuration } from "../kernel/api.js";
+import { distance, onLeg } from "./legs.js";
 import { IDENTITY, compose, type Placement } from "./placement.js";
-import { RecordError, array, isObject, number, type Json } from "./record-json.js";
-import { configuration, distance, onLeg, type PlayableRecord, type Sample, type Tick } from "./records.js";
+import type { PlayableRecord, Sample, Tick } from "./playable.js";
+import { RecordError, array, configuration, isObject, number, type Json } from "./record-json.js";
 
 /** Each step is played in so many seconds, */
 const STEP_SECONDS = 2;

@@ -3,7 +3,7 @@
 import type { AxesKernel, Configuration, DrawnCurve, PlanarKernel } from "../kernel/api.js";
 import type { Place } from "../scene.js";
 import type { Editor } from "./edit.js";
-import { numbersOf } from "./records.js";
+import { numbersOf } from "./legs.js";
 import type { Session } from "./session.js";
 import type { Drag, Viewport } from "./viewport.js";
 import { WorkError } from "./workshop.js";

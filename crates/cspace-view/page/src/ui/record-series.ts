@@ -1,7 +1,7 @@
 /** The coordinates of a record over the time of its playing. */
 
 import type { ScenePart } from "../scene.js";
-import type { PlayableRecord } from "./records.js";
+import type { PlayableRecord } from "./playable.js";
 
 export interface Series {
   /** Such as `wheel`, or `ring x`. */

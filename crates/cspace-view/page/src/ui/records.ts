@@ -1,27 +1,10 @@
-/** What `cspace plan`, `cspace assembly` and `cspace simulate` print, read and told at any time. */
+/** Reads what `cspace plan`, `cspace assembly` and `cspace simulate` print. */
 
-import type { Configuration } from "../kernel/api.js";
 import { readAssembly } from "./assembly-record.js";
-import { apply, rotate, type Placement } from "./placement.js";
-import { RecordError, array, isObject, number, type Json } from "./record-json.js";
-
-export interface Tick {
-  t: number;
-  text: string;
-}
-
-export type PlayableRecord =
-  | { kind: "plan"; name: string; duration: number; ticks: Tick[]; summary: string; about: [number, number]; steps: { t: number; at: Configuration }[] }
-  | { kind: "simulation"; name: string; duration: number; ticks: Tick[]; summary: string; parts: string[]; steps: Sample[] };
-
-export interface Sample {
-  /** When it is played, in seconds. */
-  t: number;
-  /** When it was: what goes from one balance to another at once is played in some time. */
-  time: number;
-  /** Coordinates by the names of parts: a placement, or the motion of a part with one degree of freedom. */
-  parts: Map<string, Placement | number>;
-}
+import { distance } from "./legs.js";
+import type { Placement } from "./placement.js";
+import type { PlayableRecord, Sample } from "./playable.js";
+import { RecordError, array, configuration, isObject, number, type Json } from "./record-json.js";
 
 /** A planned path has no times: it is played in this many seconds. */
 const PATH_SECONDS = 6;
@@ -69,27 +52,6 @@ function readPlan(name: string, record: Json): PlayableRecord {
   const clearance = record["clearance"];
   const summary = typeof clearance === "number" ? `${verdict}, clearance ${clearance.toPrecision(4)}` : verdict;
   return { kind: "plan", name, duration: total > 0 ? PATH_SECONDS : 0, ticks, summary, about: point, steps };
-}
-
-/** How long legs are relative to each other; a radian counts as a unit of length, which only sets the pace. */
-export function distance(a: Configuration, b: Configuration): number {
-  const [p, q] = [numbersOf(a), numbersOf(b)];
-  return Math.hypot(...p.map((x, i) => (q[i] ?? x) - x));
-}
-
-export function numbersOf(c: Configuration): number[] {
-  return "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
-}
-
-export function configuration(name: string, c: unknown, index: number, list = "path"): Configuration {
-  const place = `${list}[${index}]`;
-  if (Array.isArray(c) && c.length === 3) return { x: number(name, c[0], place), y: number(name, c[1], place), theta: number(name, c[2], place) };
-  if (Array.isArray(c) && c.length === 2) return { u: number(name, c[0], place), v: number(name, c[1], place) };
-  if (isObject(c) && "u" in c) return { u: number(name, c["u"], `${place}.u`), v: number(name, c["v"], `${place}.v`) };
-  if (isObject(c)) {
-    return { x: number(name, c["x"], `${place}.x`), y: number(name, c["y"], `${place}.y`), theta: number(name, c["theta"], `${place}.theta`) };
-  }
-  throw new RecordError(`${name}: ${place} is no configuration`);
 }
 
 function readSimulation(name: string, record: Json): PlayableRecord {
@@ -167,43 +129,4 @@ function eventText(event: Json): string {
   const of = [event["fixed"], event["moving"]].map((part, i) => [part, features[i]].filter((x) => x !== undefined).join(", "));
   const parts = of.filter((x) => x !== "").join(" and ") || String(event["part"] ?? "");
   return `${String(event["kind"])}${parts ? `: ${parts}` : ""}`;
-}
-
-/** Index of the last step that is not after `t`, and how much of the way to the next has gone. */
-function between(steps: readonly { t: number }[], t: number): [number, number] {
-  let [lo, hi] = [0, steps.length - 1];
-  while (lo < hi) {
-    const middle = Math.ceil((lo + hi) / 2);
-    if ((steps[middle]?.t ?? Infinity) <= t) lo = middle;
-    else hi = middle - 1;
-  }
-  const [a, b] = [steps[lo]?.t ?? 0, steps[lo + 1]?.t];
-  return [lo, b === undefined || b <= a ? 0 : Math.min(1, Math.max(0, (t - a) / (b - a)))];
-}
-
-const mix = (a: number, b: number, f: number) => (f === 0 ? a : a + f * (b - a));
-
-/** The configuration of a planned path at a time. */
-export function pathAt(record: PlayableRecord & { kind: "plan" }, t: number): Configuration | null {
-  const [i, f] = between(record.steps, t);
-  const a = record.steps[i]?.at;
-  const b = record.steps[i + 1]?.at ?? a;
-  return a && b ? onLeg(a, b, record.about, f) : null;
-}
-
-/** The configuration at a share of a leg. The point of the part that legs are about goes straight. */
-export function onLeg(a: Configuration, b: Configuration, [x, y]: readonly [number, number], f: number): Configuration | null {
-  if ("u" in a && "u" in b) return { u: mix(a.u, b.u, f), v: mix(a.v, b.v, f) };
-  if (!("x" in a && "x" in b)) return null;
-  const about = { x, y };
-  const [from, to] = [apply(a, about), apply(b, about)];
-  const theta = mix(a.theta, b.theta, f);
-  const arm = rotate(about, theta);
-  return { x: mix(from.x, to.x, f) - arm.x, y: mix(from.y, to.y, f) - arm.y, theta };
-}
-
-/** The last state of a simulation that is not after a time of its playing: between states nothing is known, and a straight line between two
- * would lead through parts. */
-export function stateAt(record: PlayableRecord & { kind: "simulation" }, t: number): Sample | null {
-  return record.steps[between(record.steps, t)[0]] ?? null;
 }

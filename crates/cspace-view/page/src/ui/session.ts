@@ -13,7 +13,7 @@ import { IDENTITY, apply, coordinateOf, ofMotion, relative, rotate } from "./pla
 import type { Placement } from "./placement.js";
 import { regionName } from "./region-names.js";
 import { ServerError } from "./server.js";
-import { sliceExtent } from "./slices.js";
+import { sliceExtent } from "./slice-extent.js";
 import { Store } from "./state.js";
 import type { State, Where } from "./state.js";
 import { neighbour, stepMessage, stepTo } from "./step-band.js";
@@ -336,7 +336,7 @@ export class Session {
       return;
     }
     const region = regionOf({ where, kernel });
-    const step = stepTo(kernel, c, region, by, sliceExtent(this));
+    const step = stepTo(kernel, c, region, by, sliceExtent(this.state));
     if (step) this.setConfiguration(step.at);
     const message = stepMessage(step, region === null ? "the moving part" : regionName(pair, region));
     if (message !== null) this.store.change({ message });

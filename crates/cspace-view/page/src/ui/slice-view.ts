@@ -13,7 +13,8 @@ import { emptyBox, grow } from "./outline.js";
 import type { Box } from "./outline.js";
 import { playOf } from "./play.js";
 import type { Session } from "./session.js";
-import { FAR, currentSlice, refine, sliceExtent, swings } from "./slices.js";
+import { sliceExtent } from "./slice-extent.js";
+import { FAR, currentSlice, refine, swings } from "./slices.js";
 import type { Key, State } from "./state.js";
 import { unhurried } from "./unhurried.js";
 import { Viewport, wheelAngle } from "./viewport.js";
@@ -107,7 +108,7 @@ export class SliceView {
     const { planar: kernel, state } = this.#session;
     if (!kernel) return;
     const { lo, hi } = kernel.bounds();
-    const far = FAR * sliceExtent(this.#session);
+    const far = FAR * sliceExtent(this.#session.state);
     this.#swings = swings(this.#session, kernel);
     const box = this.#swings ? boxOfCurves(currentSlice(this.#session)) : { x0: lo[0], y0: lo[1], x1: hi[0], y1: hi[1] };
     const c = state.configuration;
@@ -134,7 +135,7 @@ export class SliceView {
     const box = across && up && lensBox(c, { across, up }, this.viewport.pixel, this.#lens.side);
     if (!box) return this.#lens.hide();
     const curves = kernel.slice(c.theta, (box.x1 - box.x0) * LENS_DEVIATION);
-    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session) * JOINED);
+    const loops = loopsOf(curves.map((curve) => curve.points), sliceExtent(this.#session.state) * JOINED);
     const shown = { colouring: state.colouring, hidden: state.hidden, touching: new Set(where.patches) };
     const blocked = svg("path", { class: "blocked-space", "fill-rule": "evenodd", d: loops.map((points) => pathOf(points, true)).join("") });
     this.#lens.show(box, c, where.classification, [blocked, ...curvePaths(kernel as never, curves, shown)], `${length(rounded(box.x1 - box.x0), scene.unit)} wide`);
@@ -150,7 +151,7 @@ export class SliceView {
   /** Far away everything is free, so that what an odd number of loops is around is blocked. */
   #fill(kernel: PlanarKernel | null): void {
     const curves = kernel ? currentSlice(this.#session) : [];
-    const loops = kernel ? loopsOf(curves.map((c) => c.points), sliceExtent(this.#session) * JOINED) : [];
+    const loops = kernel ? loopsOf(curves.map((c) => c.points), sliceExtent(this.#session.state) * JOINED) : [];
     set(this.#blocked, { d: loops.map((points) => pathOf(points, true)).join("") });
   }
 

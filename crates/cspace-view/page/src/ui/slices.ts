@@ -2,8 +2,8 @@
 
 import type { DrawnCurve, PlanarKernel } from "../kernel/api.js";
 import { isPlanar } from "./mechanism.js";
-import { boxOf } from "./outline.js";
 import type { Session } from "./session.js";
+import { sliceExtent } from "./slice-extent.js";
 
 /** Curves are drawn within this share of the slice's extent. */
 const DEVIATION = 1 / 4000;
@@ -27,25 +27,12 @@ export function extentOf(session: Session, kernel: PlanarKernel): number {
   return known.extent;
 }
 
-/**
- * How wide slices are, about (model unit): at one orientation, contacts put the moving part no farther away than both parts are large. The
- * bounds of all orientations are as wide as that only if the part is drawn near its origin, about which it turns.
- */
-export function sliceExtent(session: Session): number {
-  const { pair, state } = session;
-  const sizeOf = (part: number) => {
-    const box = boxOf(state.parts[part]?.loops ?? []);
-    return Math.hypot(box.x1 - box.x0, box.y1 - box.y0);
-  };
-  return pair ? sizeOf(pair.fixed) + sizeOf(pair.moving) || 1 : 1;
-}
-
 /** What is farther away than so many extents of a slice is not shown together with it. */
 export const FAR = 8;
 
 /** Whether contacts of other orientations are too far away to be shown together: those of a part that is drawn far from its origin. */
 export function swings(session: Session, kernel: PlanarKernel): boolean {
-  return extentOf(session, kernel) > FAR * sliceExtent(session);
+  return extentOf(session, kernel) > FAR * sliceExtent(session.state);
 }
 
 /** How many times finer than usual slices are drawn: a power of the step. */
@@ -55,7 +42,7 @@ const FINEST = FINER_STEP ** 6;
 
 /** Draws slices within a deviation (model unit), or as usual if that is finer. Whether they are drawn otherwise than before. */
 export function refine(session: Session, deviation: number): boolean {
-  const usual = sliceExtent(session) * DEVIATION;
+  const usual = sliceExtent(session.state) * DEVIATION;
   const before = finer;
   finer = 1;
   while (usual / finer > deviation && finer < FINEST) finer *= FINER_STEP;
@@ -68,6 +55,6 @@ export function currentSlice(session: Session): DrawnCurve[] {
   const c = session.state.configuration;
   if (!kernel || !isPlanar(c)) return [];
   if (last?.kernel === kernel && last.theta === c.theta) return last.curves;
-  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, (sliceExtent(session) * DEVIATION) / finer) };
+  last = { kernel, theta: c.theta, curves: kernel.slice(c.theta, (sliceExtent(session.state) * DEVIATION) / finer) };
   return last.curves;
 }

@@ -4,7 +4,7 @@ import type { Classification, Configuration, Kernel, Touch } from "../kernel/api
 import type { Scene, ScenePart } from "../scene.js";
 import type { Colouring } from "./colours.js";
 import type { Placement } from "./placement.js";
-import type { PlayableRecord } from "./records.js";
+import type { PlayableRecord } from "./playable.js";
 
 export type Theme = "auto" | "light" | "dark";
 

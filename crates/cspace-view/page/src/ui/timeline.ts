@@ -3,9 +3,10 @@
 import { html, say, set } from "./dom.js";
 import { isAxes } from "./mechanism.js";
 import { short } from "./numbers.js";
+import { pathAt, stateAt } from "./playable.js";
+import type { PlayableRecord } from "./playable.js";
 import { RecordError } from "./record-json.js";
-import { pathAt, readRecord, readRecordText, stateAt } from "./records.js";
-import type { PlayableRecord } from "./records.js";
+import { readRecord, readRecordText } from "./records.js";
 import type { Session } from "./session.js";
 import type { Key } from "./state.js";
 

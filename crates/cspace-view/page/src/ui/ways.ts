@@ -1,8 +1,8 @@
 /** What the page plans and plays itself: the way out of the selected pair, and the motion of the mechanism. */
 
+import { numbersOf } from "./legs.js";
 import type { Timeline } from "./timeline.js";
 import type { Session } from "./session.js";
-import { numbersOf } from "./records.js";
 import { regionName } from "./region-names.js";
 import type { Edits, Workshop } from "./workshop.js";
 
