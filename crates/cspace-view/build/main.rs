@@ -1,8 +1,8 @@
-//! Compiles the page's kernel for WebAssembly and bundles the page with Node and npm, into the folder of the build: no
-//! bundle is kept with the sources. A package has a bundle, made for the release, since it has no sources of the kernel.
+//! Builds the page with Node and npm, and its kernel, into the folder of the build: no bundle is kept with the sources. A
+//! package has a bundle, made for the release, since it has no sources of the kernel.
 //!
-//! If that is not possible, the crate is built without the page, and the page's commands report the missing programs:
-//! the rest of the project does not need them.
+//! With the feature `page` builds with optimization have the page; where it cannot be made the crate is built without, for the rest of
+//! the project does not need it. `CSPACE_PAGE` overrides that. The page's commands say why there is none, and how to get it.
 
 mod kernel;
 
@@ -37,40 +37,85 @@ const BUNDLE: [(&str, &str); 5] = [
 /// The oldest Node that the tools of the page run on.
 const OLDEST_NODE: u32 = 20;
 
-/// `skip` builds without the page.
+/// `build` builds the page, whatever the profile and the features, and fails if it cannot be made; `skip` builds without.
 const SWITCH: &str = "CSPACE_PAGE";
+
+/// Command that builds the program with its page.
+const COMMAND: &str = "`cargo build --release -p cspace-cli`";
+
+/// Why there is no page, and how to get it.
+struct Missing {
+    reason: String,
+    help: String,
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let sources = PathBuf::from(variable("CARGO_MANIFEST_DIR")?).join("page");
     let out = PathBuf::from(variable("OUT_DIR")?);
     println!("cargo:rerun-if-env-changed={SWITCH}");
-    for name in SOURCES {
-        println!("cargo:rerun-if-changed={}", sources.join(name).display());
-    }
     let bundle = out.join("bundle");
     fs::create_dir_all(&bundle)?;
-    let reason = if env::var(SWITCH).is_ok_and(|v| v == "skip") {
-        Some(format!("{SWITCH}=skip was set"))
-    } else if let Some(packaged) = packaged(&sources) {
-        copy(&packaged, &bundle)?;
-        None
-    } else {
-        let made = make(&sources, &out, &bundle);
-        made.err().map(|error| {
-            // It may be there when the crate is built the next time: a file that is not there is always newer.
-            println!("cargo:rerun-if-changed={}", out.join("always").display());
-            error.to_string()
-        })
-    };
-    if let Some(reason) = &reason {
+    let missing = bundled(&sources, &out, &bundle)?;
+    if missing.is_some() {
         for (_, name) in BUNDLE {
             fs::write(bundle.join(name), "")?;
         }
-        let line = reason.lines().collect::<Vec<_>>().join(" ");
-        println!("cargo:warning=built without the page: {line}");
     }
-    fs::write(bundle.join("reason.txt"), reason.unwrap_or_default())?;
+    let (reason, help) = missing.map(|m| (m.reason, m.help)).unwrap_or_default();
+    fs::write(bundle.join("reason.txt"), reason)?;
+    fs::write(bundle.join("help.txt"), help)?;
     Ok(())
+}
+
+/// Puts the page in `bundle`, or tells why that is not to be done or cannot be done.
+fn bundled(sources: &Path, out: &Path, bundle: &Path) -> Result<Option<Missing>, Box<dyn Error>> {
+    let missing = |reason: &str, help: String| {
+        let reason = reason.to_owned();
+        Ok(Some(Missing { reason, help }))
+    };
+    let switch = env::var(SWITCH).unwrap_or_default();
+    let is_wanted = match &*switch {
+        "build" => true,
+        "skip" => {
+            let help = format!("build it without {SWITCH}=skip, by {COMMAND}");
+            return missing("CSPACE_PAGE=skip was set", help);
+        }
+        "" => false,
+        other => return Err(format!("{SWITCH} is `build` or `skip`, and not {other:?}").into()),
+    };
+    if let Some(packaged) = packaged(sources) {
+        copy(&packaged, bundle)?;
+        return Ok(None);
+    }
+    if !is_wanted && env::var_os("CARGO_FEATURE_PAGE").is_none() {
+        let help = format!(
+            "build the command by {COMMAND}, Python's package by \
+             `pip install . --config-settings=build-args=\"--features page\"`"
+        );
+        return missing("the feature `page` was not chosen", help);
+    }
+    if !is_wanted && variable("PROFILE")? == "debug" {
+        let help = format!("build it by {COMMAND}, or set {SWITCH}=build");
+        return missing("debug builds leave it out", help);
+    }
+    for name in SOURCES {
+        println!("cargo:rerun-if-changed={}", sources.join(name).display());
+    }
+    kernel::watch();
+    let Err(error) = make(sources, out, bundle) else {
+        return Ok(None);
+    };
+    let reason = error.to_string().lines().collect::<Vec<_>>().join(" ");
+    if is_wanted {
+        return Err(format!("the page cannot be built: {reason}").into());
+    }
+    // It may be possible when the crate is built the next time: a file that is not there is always newer.
+    println!("cargo:rerun-if-changed={}", out.join("always").display());
+    println!("cargo:warning=built without the page: {reason}");
+    let help = format!(
+        "install what is missing (Node {OLDEST_NODE} or later with npm; a compiler for WebAssembly), then build again"
+    );
+    missing(&reason, help)
 }
 
 fn variable(name: &str) -> Result<String, Box<dyn Error>> {
@@ -96,12 +141,8 @@ fn make(sources: &Path, out: &Path, bundle: &Path) -> Result<(), Box<dyn Error>>
     }
     // Steps that fail early come before those that take minutes.
     install(work)?;
-    let kernel = work.join("build/kernel");
-    fs::create_dir_all(&kernel)?;
-    let compiled = target(out).join("wasm");
-    kernel::make(&compiled, &kernel, &work.join("build/kernel.txt"))?;
-    // The page's own tests run beside its sources, and take the kernel from there.
-    copy(&kernel, &compiled.join("kernel"))?;
+    let compiled = target(out).join("kernel");
+    kernel::make(&compiled, &work.join("build"))?;
     npm(work, &["run", "bundle"])?;
     for (from, to) in BUNDLE {
         fs::copy(work.join(from), bundle.join(to)).map_err(|e| format!("{from}: {e}"))?;

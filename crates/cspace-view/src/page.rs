@@ -7,6 +7,8 @@ use base64::prelude::BASE64_STANDARD;
 
 /// Why there is no page; empty if there is one.
 const REASON: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/reason.txt"));
+/// How to get one.
+const HELP: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/help.txt"));
 const INDEX: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/index.html"));
 const STYLE: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/style.css"));
 const SCRIPT: &str = include_str!(concat!(env!("OUT_DIR"), "/bundle/page.js"));
@@ -68,9 +70,7 @@ impl PageError {
     /// Advice on how to correct the error.
     pub const fn help(&self) -> &'static str {
         match self {
-            Self::NotBundled { .. } => {
-                "install what is missing (Node 20 or later with npm; a compiler for WebAssembly), then build again, without CSPACE_PAGE=skip"
-            }
+            Self::NotBundled { .. } => HELP,
             _ => "change the page's sources, then build again",
         }
     }
@@ -80,7 +80,7 @@ impl Page {
     /// Returns the page that was bundled.
     ///
     /// # Errors
-    /// If it was not bundled, because Node was missing.
+    /// If it was not bundled: it was left out, or what builds it was missing.
     pub fn bundled() -> Result<Self, PageError> {
         if !REASON.is_empty() {
             return Err(PageError::NotBundled { reason: REASON });

@@ -8,7 +8,7 @@ const ROOT = resolve(process.cwd(), "../../..");
 
 /** Packs it with the kernel in a folder into another; the path of the archive. */
 export function pack(kernel: string, to: string): string {
-  if (!existsSync(kernel)) throw new Error(`${kernel} is not there: build the program with its page first`);
+  if (!existsSync(kernel)) throw new Error(`${kernel} is not there: run \`npm run kernel\` first`);
   const folder = join(to, "cspace");
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
