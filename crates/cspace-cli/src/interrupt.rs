@@ -113,9 +113,31 @@ mod system {
 
 #[cfg(not(unix))]
 mod system {
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::time::Duration;
+
+    use signal_hook::consts::SIGINT;
+
+    /// Interrupts are looked for so often: soon for somebody who waits, and seldom for the processor.
+    const PAUSE: Duration = Duration::from_millis(50);
+
     /// Calls `interrupted` for every interrupt, on a thread of its own.
     pub(super) fn listen(interrupted: fn()) {
-        let _ = ctrlc::set_handler(interrupted);
+        let came = Arc::new(AtomicBool::new(false));
+        // Without a handler an interrupt ends the process, which is good enough.
+        if signal_hook::flag::register(SIGINT, Arc::clone(&came)).is_err() {
+            return;
+        }
+        let listening = move || {
+            loop {
+                std::thread::sleep(PAUSE);
+                if came.swap(false, Ordering::Relaxed) {
+                    interrupted();
+                }
+            }
+        };
+        let _ = std::thread::Builder::new().spawn(listening);
     }
 
     /// Processes end by no signals here.

@@ -61,7 +61,7 @@ fn load(args: &Args) -> Result<bool, String> {
     if let Some(number) = args.only {
         state.next = number;
     }
-    ctrlc::set_handler(run::stop).map_err(|e| format!("interrupts cannot be caught: {e}"))?;
+    run::stop_by_signals().map_err(|e| format!("interrupts cannot be caught: {e}"))?;
     run::run(args, &source, &mut state)?;
     let (seed, next) = (state.seed, state.next);
     print(&format!("seed {seed}, next pair {next}\n{}", state.tally))?;

@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -12,6 +12,8 @@ use cspace_load::{Drawn, Effort, Fault, Report, Source, Tally, check, shrink};
 use cspace_oracle::{Case, Verdict};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
 
 use crate::args::Args;
 use crate::findings;
@@ -27,11 +29,14 @@ const BANDS: usize = 30;
 /// The tally is shown so often.
 const SHOWN: Duration = Duration::from_secs(60);
 
-static STOP: AtomicBool = AtomicBool::new(false);
+static STOP: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
-/// Ends the run as soon as the pairs at hand allow.
-pub(crate) fn stop() {
-    STOP.store(true, Ordering::Relaxed);
+/// Lets an interrupt or a request to terminate end the run as soon as the pairs at hand allow.
+pub(crate) fn stop_by_signals() -> std::io::Result<()> {
+    for signal in [SIGINT, SIGTERM] {
+        flag::register(signal, Arc::clone(&STOP))?;
+    }
+    Ok(())
 }
 
 fn stopped() -> bool {

@@ -11,6 +11,7 @@ pub mod effort;
 pub mod families;
 pub mod fill;
 pub mod judge;
+pub mod kept;
 pub mod near;
 pub mod pairs;
 pub mod schema;

@@ -1,15 +1,15 @@
 //! Values that the schemas in `docs/` take, and values that they refuse.
 //!
 //! A validator of JSON Schema is a tenth of all that would be compiled for the tests, so these only collect what is to be
-//! asked; `.ci/schemas` asks it. Each test has a file of its own in `schema-cases/` in the folder of the build, with a line
-//! for each case.
+//! asked; `.ci/others` asks it. Each test has a file of its own, with a line for each case.
 
 use std::cell::RefCell;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::path::PathBuf;
 
 use serde_json::{Value, json};
+
+use crate::kept;
 
 thread_local! {
     /// File of the test that this thread runs, open from its first case on.
@@ -54,14 +54,8 @@ impl Schema {
 /// New file of the test that this thread runs, which has the test's name.
 fn opened() -> File {
     let open = || {
+        let folder = kept::folder("schemas")?;
         let program = std::env::current_exe()?;
-        // The program is in `debug/deps` of the folder of the build.
-        let build = program
-            .ancestors()
-            .nth(3)
-            .map_or_else(PathBuf::new, PathBuf::from);
-        let folder = build.join("schema-cases");
-        fs::create_dir_all(&folder)?;
         let thread = std::thread::current();
         let test = thread.name().unwrap_or("main").replace("::", ".");
         // What stands behind the last hyphen differs from build to build.

@@ -216,6 +216,7 @@ fn what_a_picture_does_not_have_is_refused() {
 
 /// Contact zones, with the features of their bands; and a requirement along a motion, with how far its extremes are off.
 #[test]
+#[ignore = "long: seconds"]
 fn tolerances_are_drawn() {
     let lock = model("tolerances/geneva_lock");
     let zones = svg(&["tolerances", &lock, "--v=-1deg,1deg"]);

@@ -69,6 +69,7 @@ fn leave_out(object: &mut serde_json::Map<String, Value>) {
 }
 
 #[test]
+#[ignore = "for another program: `.ci/full` asks the schemas"]
 fn answers_are_as_their_schemas_say() {
     let models = [
         "ratchet_pawl",

@@ -1,4 +1,5 @@
-//! A picture looks the same in every format: SVG as another program draws it, PDF as its operators say, PNG.
+//! A picture looks the same in every format: PDF as its operators say, PNG, and SVG as another program draws it, which
+//! `.ci/others` asks.
 
 use cspace_draw::{Item, Scene, pdf, png, svg};
 use tiny_skia::{FillRule, LineCap, LineJoin, Mask, Paint, PathBuilder, Pixmap, Stroke, Transform};
@@ -38,16 +39,12 @@ fn different(a: &Pixmap, b: &Pixmap) -> f64 {
 }
 
 #[test]
-fn svg_and_png_are_the_same() {
+fn svg_and_png_are_left_for_another_program_to_compare() {
+    let folder = cspace_oracle::kept::folder("pictures").unwrap();
     for (name, scene) in all() {
         let scene = without_text(&scene);
-        let ours = Pixmap::decode_png(&png(&scene).unwrap()).unwrap();
-        let tree = resvg::usvg::Tree::from_str(&svg(&scene), &Default::default()).unwrap();
-        let mut theirs = Pixmap::new(ours.width(), ours.height()).unwrap();
-        theirs.fill(tiny_skia::Color::WHITE);
-        resvg::render(&tree, Default::default(), &mut theirs.as_mut());
-        let share = different(&ours, &theirs);
-        assert!(share < DIFFERENT, "{name}: {share}");
+        std::fs::write(folder.join(format!("{name}.svg")), svg(&scene)).unwrap();
+        std::fs::write(folder.join(format!("{name}.png")), png(&scene).unwrap()).unwrap();
     }
 }
 

@@ -195,13 +195,13 @@ fn kinks(fitted: &Fitted, is_closed: bool) -> f64 {
 }
 
 #[test]
-fn pieces_are_tangent_near_and_few() {
+fn pieces_are_tangent_and_near() {
     for case in &CASES {
         for share in [1e-3, 1e-4, 1e-5] {
             let tolerance = share * size(case);
             let fitted = fit(&run(case, 1500, Band::both(tolerance))).expect(case.name);
             // Points that the fit has not seen.
-            let others: Vec<Point> = samples(case, 5003).into_iter().map(|s| s.0).collect();
+            let others: Vec<Point> = samples(case, 1009).into_iter().map(|s| s.0).collect();
             let n = fitted.vertices.len();
             let worst = (others.iter())
                 .map(|at| {
@@ -234,9 +234,18 @@ fn pieces_are_tangent_near_and_few() {
                 "{} {share}",
                 case.name
             );
-            if share < 1e-4 {
-                continue;
-            }
+        }
+    }
+}
+
+#[test]
+#[ignore = "long: brute force over all chains of samples"]
+fn pieces_are_few() {
+    for case in &CASES {
+        for share in [1e-3, 1e-4] {
+            let tolerance = share * size(case);
+            let fitted = fit(&run(case, 1500, Band::both(tolerance))).expect(case.name);
+            let n = fitted.vertices.len();
             let points: Vec<Point> = samples(case, 400).into_iter().map(|s| s.0).collect();
             let optimum = fewest(&points, case.is_closed, tolerance);
             let most = (1.2 * optimum as f64).max(optimum as f64 + 1.0);

@@ -7,6 +7,7 @@ use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Options, PairSpace, Part, Point, Relation,
     Vector, Vertex,
 };
+use cspace_oracle::effort;
 use cspace_plan::escape::{Body, Escape, Escaped, Field, Held, Spring, Weight};
 use cspace_plan::{Checked, Planner};
 
@@ -157,7 +158,8 @@ fn a_disc_on_two_pegs_held_by_a_spring() {
 /// The centre of a rectangle is never nearer to the edge of a wall than half its width, and has to pass above it.
 #[test]
 fn a_rectangle_in_a_trough_is_lifted_over_the_wall() {
-    for (length, height, width, wall) in [(1.0, 1.0, 1.5, 0.7), (3.0, 1.0, 4.0, 0.5)] {
+    let troughs = [(1.0, 1.0, 1.5, 0.7), (3.0, 1.0, 4.0, 0.5)];
+    for (length, height, width, wall) in troughs.into_iter().take(effort(1, 2)) {
         let (a, b) = (width / 2.0, width / 2.0 + 1.0);
         let trough = Part::polygon(
             "trough",
@@ -285,6 +287,7 @@ fn a_lever_over_its_pivot() {
 
 /// A bar on two pegs against brute force on a grid of configurations.
 #[test]
+#[ignore = "long: seconds"]
 fn a_bar_on_two_pegs_agrees_with_brute_force() {
     let fixed = pegs(1.0, 0.4);
     let bar = Part::polygon("bent", &[(-1.6, 0.0), (0.0, -1.2), (1.6, 0.0), (0.0, -0.6)]).unwrap();

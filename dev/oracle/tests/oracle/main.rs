@@ -2,6 +2,5 @@
 #![allow(clippy::unwrap_used)]
 
 mod judge;
-mod other_kernel;
 mod pairs;
 mod shapes;

@@ -175,6 +175,7 @@ fn numbers_have_limits() {
 
 /// Files about half as long as are read.
 #[test]
+#[ignore = "long: megabytes"]
 fn long_lists_take_bounded_time_and_memory() {
     let folder = Folder::new();
     let many = |item: &str, bytes: usize| item.repeat(bytes / item.len() - 20);
@@ -299,6 +300,7 @@ fn only_regular_files_are_read() {
 
 /// A loop of more vertices than a contact space has room for is refused, by its name and number.
 #[test]
+#[ignore = "long: megabytes"]
 fn pairs_that_are_too_large_are_refused() {
     let folder = Folder::new();
     let outline: Vec<String> = (0..300_000)

@@ -1,4 +1,5 @@
-//! Binary glTF, read back by another program's reader.
+//! Binary glTF, read back by the words of the standard (glTF 2.0, sections 3.6 and 4). Other programs' readers open it in
+//! `crates/cspace-cli/tests/meshes.py`.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +7,7 @@ use cspace::{ContactSpace, Options};
 use cspace_io::model;
 use cspace_io::write::glb::{GlbError, PATCH_ATTRIBUTE, glb};
 use cspace_io::write::mesh::{Mesh, MeshOptions};
-use gltf::Semantic;
-use gltf::accessor::{DataType, Dimensions};
-use gltf::mesh::Mode;
+use serde_json::Value;
 
 type Place = [f32; 3];
 
@@ -18,54 +17,138 @@ struct Read {
     vertices: usize,
 }
 
+/// The two chunks of a file.
+struct File {
+    json: Value,
+    blob: Option<Vec<u8>>,
+}
+
+impl File {
+    fn new(bytes: &[u8]) -> Self {
+        let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+        assert_eq!(
+            (&bytes[..4], word(4), word(8)),
+            (&b"glTF"[..], 2, bytes.len())
+        );
+        let end = 20 + word(12);
+        assert_eq!(&bytes[16..20], b"JSON");
+        let json: Value = serde_json::from_slice(&bytes[20..end]).unwrap();
+        assert_eq!(json["asset"]["version"], "2.0");
+        let blob = (end < bytes.len()).then(|| {
+            assert_eq!(&bytes[end + 4..end + 8], b"BIN\0");
+            bytes[end + 8..end + 8 + word(end)].to_vec()
+        });
+        Self { json, blob }
+    }
+
+    fn primitive(&self) -> &Value {
+        let primitives = self.json["meshes"][0]["primitives"].as_array().unwrap();
+        assert_eq!(primitives.len(), 1);
+        &primitives[0]
+    }
+
+    /// Bytes of the items of an accessor, which has a type and a type of component, and lies within its view, buffer and file.
+    fn items(&self, accessor: &Value, kind: &str, component: u64) -> Vec<&[u8]> {
+        let number = |v: &Value| v.as_u64().unwrap_or(0) as usize;
+        let accessor = &self.json["accessors"][number(accessor)];
+        assert_eq!(
+            (&accessor["type"], &accessor["componentType"]),
+            (&kind.into(), &component.into())
+        );
+        let view = &self.json["bufferViews"][number(&accessor["bufferView"])];
+        let numbers = match kind {
+            "SCALAR" => 1,
+            "VEC3" => 3,
+            "VEC4" => 4,
+            _ => unreachable!("{kind}"),
+        };
+        let size = numbers * if component == UNSIGNED_BYTE { 1 } else { 4 };
+        let stride = view["byteStride"].as_u64().map_or(size, |s| s as usize);
+        let from = number(&view["byteOffset"]) + number(&accessor["byteOffset"]);
+        let count = number(&accessor["count"]);
+        let view_end = number(&view["byteOffset"]) + number(&view["byteLength"]);
+        assert!(
+            from + stride * (count - 1) + size <= view_end && from % 4 == 0 && stride % 4 == 0
+                || size == 1
+        );
+        assert!(view_end <= number(&self.json["buffers"][number(&view["buffer"])]["byteLength"]));
+        let blob = self.blob.as_deref().unwrap();
+        (0..count)
+            .map(|i| &blob[from + stride * i..][..size])
+            .collect()
+    }
+
+    fn floats<const N: usize>(&self, name: &str, kind: &str) -> Vec<[f32; N]> {
+        let accessor = &self.primitive()["attributes"][name];
+        assert!(accessor.is_u64(), "{name}");
+        let float =
+            |item: &[u8], k: usize| f32::from_le_bytes(item[4 * k..4 * k + 4].try_into().unwrap());
+        let items = self.items(accessor, kind, FLOAT).into_iter();
+        items
+            .map(|item| core::array::from_fn(|k| float(item, k)))
+            .collect()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        self.floats("POSITION", "VEC3")
+    }
+
+    fn normals(&self) -> Vec<Place> {
+        self.floats("NORMAL", "VEC3")
+    }
+
+    fn patches(&self) -> Vec<f32> {
+        let patches = self.floats::<1>(PATCH_ATTRIBUTE, "SCALAR");
+        patches.into_iter().map(|[p]| p).collect()
+    }
+}
+
+/// Types of components, by their numbers in the standard.
+const UNSIGNED_BYTE: u64 = 5121;
+const UNSIGNED_INT: u64 = 5125;
+const FLOAT: u64 = 5126;
+/// Mode of a primitive, by its number in the standard.
+const TRIANGLES: u64 = 4;
+
 fn read(bytes: &[u8]) -> Read {
-    // Validates indices, accessors, views and what is required.
-    let file = gltf::Gltf::from_slice(bytes).unwrap();
-    let blob = file.blob.as_deref().unwrap();
+    let file = File::new(bytes);
+    let buffers = file.json["buffers"].as_array().unwrap();
+    let length = file.blob.as_ref().unwrap().len();
     assert_eq!(
-        file.buffers().map(|b| b.length()).collect::<Vec<_>>(),
-        [blob.len()]
+        (buffers.len(), &buffers[0]["byteLength"]),
+        (1, &length.into())
     );
-    let nodes: Vec<_> = file.default_scene().unwrap().nodes().collect();
-    assert_eq!(nodes.len(), 1);
-    // Coordinates are the surface's own.
-    let identity = [
-        [1., 0., 0., 0.],
-        [0., 1., 0., 0.],
-        [0., 0., 1., 0.],
-        [0., 0., 0., 1.],
-    ];
-    assert_eq!(nodes[0].transform().matrix(), identity);
-    let primitives: Vec<_> = nodes[0].mesh().unwrap().primitives().collect();
-    let [primitive] = &primitives[..] else {
-        unreachable!("one primitive");
-    };
-    assert_eq!(primitive.mode(), Mode::Triangles);
-    let reader = primitive.reader(|_| Some(blob));
-    let places: Vec<Place> = reader.read_positions().unwrap().collect();
-    let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
-    let patch = Semantic::Extras(PATCH_ATTRIBUTE.trim_start_matches('_').to_owned());
-    let patch = primitive.get(&patch).unwrap();
-    assert_eq!(
-        (patch.data_type(), patch.dimensions()),
-        (DataType::F32, Dimensions::Scalar)
-    );
-    let patches: Vec<f32> = gltf::accessor::Iter::new(patch, |_| Some(blob))
-        .unwrap()
+    let nodes = file.json["scenes"][0]["nodes"].as_array().unwrap();
+    assert_eq!((nodes.len(), &file.json["scene"]), (1, &0.into()));
+    // Coordinates are the surface's own: a node without these has the identity.
+    let node = &file.json["nodes"][0];
+    for key in ["matrix", "translation", "rotation", "scale"] {
+        assert!(node[key].is_null(), "{key}");
+    }
+    assert_eq!(node["mesh"], 0);
+    let primitive = file.primitive();
+    assert_eq!(primitive["mode"].as_u64().unwrap_or(TRIANGLES), TRIANGLES);
+    let places = file.places();
+    let indices = file.items(&primitive["indices"], "SCALAR", UNSIGNED_INT);
+    let indices: Vec<u32> = (indices.into_iter())
+        .map(|i| u32::from_le_bytes(i.try_into().unwrap()))
         .collect();
+    let patches = file.patches();
     assert_eq!(patches.len(), places.len());
-    let normals: Vec<[f32; 3]> = reader.read_normals().unwrap().collect();
-    let unit = |n: &[f32; 3]| (n.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5;
+    let normals = file.normals();
+    let unit = |n: &Place| (n.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5;
     assert!(normals.len() == places.len() && normals.iter().all(unit));
-    let colors: Vec<[u8; 4]> = reader.read_colors(0).unwrap().into_rgba_u8().collect();
+    let colors = file.items(&primitive["attributes"]["COLOR_0"], "VEC4", UNSIGNED_BYTE);
     let same_color = |i: usize, j: usize| patches[i] != patches[j] || colors[i] == colors[j];
     assert!(colors.len() == places.len() && (1..places.len()).all(|i| same_color(i - 1, i)));
     // The box that the format wants is that of the places.
-    let bounds = primitive.bounding_box();
+    let accessor = primitive["attributes"]["POSITION"].as_u64().unwrap() as usize;
+    let bound =
+        |name: &str, k: usize| file.json["accessors"][accessor][name][k].as_f64().unwrap() as f32;
     for k in 0..3 {
         let along = || places.iter().map(|p| p[k]);
-        assert_eq!(bounds.min[k], along().fold(f32::INFINITY, f32::min));
-        assert_eq!(bounds.max[k], along().fold(f32::NEG_INFINITY, f32::max));
+        assert_eq!(bound("min", k), along().fold(f32::INFINITY, f32::min));
+        assert_eq!(bound("max", k), along().fold(f32::NEG_INFINITY, f32::max));
     }
     let corner = |i: u32| (places[i as usize], patches[i as usize]);
     Read {
@@ -168,7 +251,7 @@ fn chunks_are_whole_and_padded() {
     let json = word(12);
     assert_eq!((&bytes[16..20], json % 4), (&b"JSON"[..], 0));
     let text = std::str::from_utf8(&bytes[20..20 + json]).unwrap();
-    serde_json::from_str::<serde_json::Value>(text).unwrap();
+    serde_json::from_str::<Value>(text).unwrap();
     let at = 20 + json;
     assert_eq!((&bytes[at + 4..at + 8], word(at) % 4), (&b"BIN\0"[..], 0));
     assert_eq!(at + 8 + word(at), bytes.len());
@@ -177,10 +260,9 @@ fn chunks_are_whole_and_padded() {
 #[test]
 fn an_empty_mesh_is_an_empty_scene() {
     let bytes = glb(&Mesh::default()).unwrap();
-    let file = gltf::Gltf::from_slice(&bytes).unwrap();
-    let nodes: Vec<_> = file.default_scene().unwrap().nodes().collect();
-    assert!(nodes.len() == 1 && nodes[0].mesh().is_none());
-    assert!(file.blob.is_none());
+    let File { json, blob } = File::new(&bytes);
+    assert_eq!(json["scenes"][0]["nodes"].as_array().unwrap().len(), 1);
+    assert!(json["nodes"][0]["mesh"].is_null() && blob.is_none());
 }
 
 #[test]
@@ -208,21 +290,15 @@ fn normals_are_those_of_the_surface() {
         "{turn}"
     );
     let bytes = glb(&mesh).unwrap();
-    let file = gltf::Gltf::from_slice(&bytes).unwrap();
-    let blob = file.blob.as_deref().unwrap();
-    let primitive = (file.meshes().next().unwrap().primitives().next()).unwrap();
-    let reader = primitive.reader(|_| Some(blob));
-    let places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
-    let normals: Vec<[f32; 3]> = reader.read_normals().unwrap().collect();
+    let file = File::new(&bytes);
+    let (places, normals) = (file.places(), file.normals());
     let path = format!("{}/../../models/peg_hole.toml", env!("CARGO_MANIFEST_DIR"));
     let model = model::read(path).unwrap();
     let [fixed, moving] = [model.pairs[0].fixed, model.pairs[0].moving];
     let (fixed, moving) = (&model.parts[fixed].part, &model.parts[moving].part);
     let space = ContactSpace::compute(fixed, moving, &Options::default()).unwrap();
-    let patch = Semantic::Extras(PATCH_ATTRIBUTE.trim_start_matches('_').to_owned());
-    let patches = gltf::accessor::Iter::<f32>::new(primitive.get(&patch).unwrap(), |_| Some(blob));
     let mut agree = 0;
-    for ((p, n), patch) in places.iter().zip(&normals).zip(patches.unwrap()) {
+    for ((p, n), patch) in places.iter().zip(&normals).zip(file.patches()) {
         let theta = f64::from(p[2]) / mesh.theta_scale;
         let c = cspace::Configuration::new(f64::from(p[0]), f64::from(p[1]), theta);
         let g = space.patch(patch as u32).unwrap().gradient(c);

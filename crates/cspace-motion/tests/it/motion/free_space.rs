@@ -46,7 +46,8 @@ fn nothing_overlaps_at_events_nor_between() {
     let samples = effort(100, 1000);
     let models = moved();
     assert!(models.len() >= 40, "{}", models.len());
-    let found = models.into_par_iter().flat_map(|(name, mechanism)| {
+    let some: Vec<_> = models.into_iter().step_by(effort(6, 1)).collect();
+    let found = some.into_par_iter().flat_map(|(name, mechanism)| {
         let simulation = Simulation::new(&mechanism).unwrap();
         let settings = Settings {
             time: TIME,

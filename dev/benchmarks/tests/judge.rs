@@ -1,4 +1,5 @@
 //! The oracle against polygon clipping, away from contact.
+#![allow(clippy::unwrap_used)]
 
 use core::f64::consts::PI;
 
