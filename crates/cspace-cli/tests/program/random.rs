@@ -3,6 +3,8 @@
 
 use std::path::Path;
 
+use cspace_oracle::effort;
+
 use crate::helpers::{cspace, mechanism, model, printed};
 
 /// Numbers that look random and are the same in every run (Knuth's linear congruential generator).
@@ -97,8 +99,8 @@ fn is_true(path: &Path) -> bool {
 
 #[test]
 fn no_options_make_it_panic_or_lie() {
-    /// Number of runs: enough that some of them succeed.
-    const RUNS: usize = 400;
+    // Enough that some of them succeed.
+    let runs = effort(120, 400);
     const COMMANDS: [&str; 9] = [
         "info", "compute", "slice", "classify", "contacts", "move", "play", "draw", "export",
     ];
@@ -107,7 +109,7 @@ fn no_options_make_it_panic_or_lie() {
     let helps = COMMANDS.map(|c| printed(&[c, "--help"]).replace('\n', " "));
     let mut dice = Dice(22);
     let (mut done, mut written) = (0, 0);
-    for run in 0..RUNS {
+    for run in 0..runs {
         let folder = tempfile::tempdir().unwrap();
         let command = COMMANDS[dice.below(COMMANDS.len())];
         let file = match dice.below(5) {
@@ -169,7 +171,7 @@ fn no_options_make_it_panic_or_lie() {
         }
     }
     assert!(
-        done > RUNS / 12 && written > RUNS / 60,
+        done > runs / 12 && written > runs / 60,
         "{done} done, {written} written"
     );
 }

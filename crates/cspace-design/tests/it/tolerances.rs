@@ -166,7 +166,7 @@ at = { y = -12 }
 /// A peg w × h in a slot s tilts by t with w cos t + h sin t = s to either side.
 #[test]
 fn a_peg_fits_its_slot_or_does_not() {
-    let found = analysed(&template(PEG), 2000);
+    let found = analysed(&template(PEG), 300);
     let [lo, hi] = ends(&found);
     near(0.5 * lo.to_degrees(), 0.221_823_92, 5e-9);
     near(0.5 * hi.to_degrees(), 0.416_965_03, 5e-9);

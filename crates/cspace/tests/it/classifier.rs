@@ -82,9 +82,9 @@ fn agrees_with_the_space_and_with_brute_force() {
             1e-10 * oracle.size()
         };
         let n = if SLOW.contains(&name.as_str()) {
-            effort(50, 500)
+            effort(20, 500)
         } else {
-            effort(200, 2000)
+            effort(80, 2000)
         };
         let mut rng = ChaCha8Rng::seed_from_u64(11);
         let mut all: Vec<(Configuration, Option<bool>)> =
@@ -111,7 +111,7 @@ fn agrees_with_the_space_and_with_brute_force() {
         }
     }
     assert!(mistakes.is_empty(), "{}", mistakes.join("\n"));
-    assert!(tried_at > effort(20_000, 200_000), "{tried_at}");
+    assert!(tried_at > effort(8_000, 200_000), "{tried_at}");
 }
 
 /// Random configurations, some near contact; the classifier and the space must agree on them, also after whole turns.

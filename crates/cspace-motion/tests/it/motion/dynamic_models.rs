@@ -64,7 +64,7 @@ fn all(share: f64) -> Vec<(String, Mechanism, f64)> {
 
 #[test]
 fn energy_is_kept_and_nothing_overlaps() {
-    for (name, mechanism, time) in all(effort(0.5, 1.0)) {
+    for (name, mechanism, time) in all(effort(0.2, 1.0)) {
         let (simulation, record) = thrown_model(&mechanism, time, time / 400.0);
         judge(&simulation, &record);
         assert_eq!(record.status, Status::Done, "{name}: {:?}", record.reason);

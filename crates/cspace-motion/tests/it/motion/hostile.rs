@@ -271,7 +271,7 @@ fn numbers_that_cannot_be_followed() {
         .chain(&jumps)
         .chain(&gravity)
         .chain(&loads);
-    for text in all.step_by(effort(5, 1)) {
+    for text in all.step_by(effort(12, 1)) {
         let simulation = Simulation::new(&read(text).unwrap()).unwrap();
         let begun = Instant::now();
         let record = simulation.kinematic(&settings).unwrap();

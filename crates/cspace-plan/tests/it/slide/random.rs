@@ -1,7 +1,7 @@
 //! Parts dragged about at random.
 
 use cspace::{Classification, Coordinates, PairSpace};
-use cspace_oracle::Oracle;
+use cspace_oracle::{Oracle, effort};
 use cspace_plan::slide::Slider;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -9,7 +9,6 @@ use rand_chacha::ChaCha8Rng;
 use crate::slide::models::all;
 use crate::slide::weighted::Weighted;
 
-const DRAGS: usize = 12;
 const STEPS: usize = 15;
 const DIRECTIONS: usize = 200;
 /// How far aside it is tried (share of the pair's size). What is left to go is known to a thousandth of the whole way.
@@ -138,7 +137,7 @@ fn where_a_dragged_part_stays_no_straight_motion_leads_nearer() {
     for (name, space) in all() {
         let pair = Pair::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(11);
-        for _ in 0..DRAGS {
+        for _ in 0..effort(4, 12) {
             let from = pair.free(&mut rng);
             let goal = pair.weighted.within(pair.weighted.anywhere(&mut rng));
             let at = pair.dragged(from, goal);

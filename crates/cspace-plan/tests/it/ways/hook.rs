@@ -66,6 +66,7 @@ pub(crate) fn hook(thickness: f64, inner: f64) -> Part {
 }
 
 #[test]
+#[ignore = "long: seconds"]
 fn a_hook_with_a_round_bend_leaves_an_eye_up_to_its_thickness() {
     // A disc as wide as the hook is thick, t, lies in its bend. On the way out its centre comes to the line y = 0, where the eye
     // leaves nothing free but the gap g, and there it is t wide: t ≤ g. With t < g the hook goes with (g − t)/2 to spare on

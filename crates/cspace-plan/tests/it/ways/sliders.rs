@@ -230,7 +230,7 @@ fn an_arm_turns_away_to_let_a_bar_pass() {
             slider: slider.clone(),
             limits,
         };
-        for arm_moves in [false, true] {
+        for arm_moves in [false, true].into_iter().take(effort(1, 2)) {
             // Where an end is a critical value of u, and where it is none; after whole turns.
             let turned = if limits.is_none() { TURN } else { 0 };
             for from in [0, 1, turned] {

@@ -250,5 +250,5 @@ fn all_pairs_of_parts_agree_with_brute_force() {
             });
         }
     }
-    try_all(&all, 100_000);
+    try_all(&all, effort(6_000, 100_000));
 }

@@ -1,5 +1,7 @@
 //! Contact functions of drawn features, compared with those of spaces, with differences, and with the parts.
 
+use std::sync::LazyLock;
+
 use cspace::pair::PairMotion;
 use cspace::{
     Axis, Configuration, Coordinates, FeatureContact, Location, Options, PairSpace, Part, Point,
@@ -10,28 +12,37 @@ use cspace_oracle::{Oracle, pairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-fn planar() -> Vec<(String, PairSpace)> {
-    let small = |p: &cspace_oracle::Pair| p.fixed.edges().count() * p.moving.edges().count() < 3000;
-    (pairs().into_iter().filter(small))
-        .map(|p| {
-            let options = Options::default();
-            let space = PairSpace::compute(&p.fixed, &p.moving, Relation::Planar, &options);
-            (p.name, space.unwrap())
-        })
-        .collect()
+type Named = (String, PairSpace);
+
+fn planar() -> &'static [Named] {
+    static ALL: LazyLock<Vec<Named>> = LazyLock::new(|| {
+        let small =
+            |p: &cspace_oracle::Pair| p.fixed.edges().count() * p.moving.edges().count() < 3000;
+        (pairs().into_iter().filter(small))
+            .map(|p| {
+                let options = Options::default();
+                let space = PairSpace::compute(&p.fixed, &p.moving, Relation::Planar, &options);
+                (p.name, space.unwrap())
+            })
+            .collect()
+    });
+    &ALL
 }
 
-fn on_axes() -> Vec<(String, PairSpace)> {
-    (mechanisms().into_iter())
-        .map(|m| {
-            let relation = Relation::Axes {
-                fixed: m.fixed_axis,
-                moving: m.moving_axis,
-            };
-            let space = PairSpace::compute(&m.fixed, &m.moving, relation, &Options::default());
-            (m.name, space.unwrap())
-        })
-        .collect()
+fn on_axes() -> &'static [Named] {
+    static ALL: LazyLock<Vec<Named>> = LazyLock::new(|| {
+        (mechanisms().into_iter())
+            .map(|m| {
+                let relation = Relation::Axes {
+                    fixed: m.fixed_axis,
+                    moving: m.moving_axis,
+                };
+                let space = PairSpace::compute(&m.fixed, &m.moving, relation, &Options::default());
+                (m.name, space.unwrap())
+            })
+            .collect()
+    });
+    &ALL
 }
 
 fn size(space: &PairSpace) -> f64 {
@@ -313,7 +324,7 @@ fn distance(e: &cspace::Edge, p: Point) -> f64 {
 fn places_and_clearances_are_those_of_the_parts() {
     let mut rng = ChaCha8Rng::seed_from_u64(4);
     let mut free = 0;
-    for (name, space) in planar().into_iter().take(20) {
+    for (name, space) in planar().iter().take(20) {
         let oracle = Oracle::new(space.fixed(), space.moving());
         for _ in 0..30 {
             let far = size(&space);
@@ -366,7 +377,7 @@ impl SmoothMotion for Straight {
 fn smooth_motions_touch_when_straight_ones_do() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let mut touched = 0;
-    for (name, space) in planar().into_iter().take(12).chain(on_axes()) {
+    for (name, space) in planar().iter().take(12).chain(on_axes()) {
         let is_planar = matches!(space, PairSpace::Planar(_));
         let far = size(&space);
         for _ in 0..12 {
@@ -426,7 +437,7 @@ fn smooth_motions_touch_when_straight_ones_do() {
 fn crossings_are_where_free_space_ends_and_begins() {
     let mut rng = ChaCha8Rng::seed_from_u64(6);
     let (mut crossed, mut asked) = (0, 0);
-    for (name, space) in planar().into_iter().take(16).chain(on_axes()) {
+    for (name, space) in planar().iter().take(16).chain(on_axes()) {
         let is_planar = matches!(space, PairSpace::Planar(_));
         let far = size(&space);
         for _ in 0..10 {
