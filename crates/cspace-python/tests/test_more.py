@@ -3,8 +3,8 @@
 import concurrent.futures
 import json
 import math
-import os
 import multiprocessing
+import os
 import subprocess
 
 import numpy as np
