@@ -69,6 +69,14 @@ mod _rust {
         py.detach(|| cspace_cli::main(&arguments))
     }
 
+    /// Raises an error that says how to get the page of the command, if this package was built without it.
+    #[pyfunction]
+    fn _require_page() -> PyResult<()> {
+        let found = cspace_view::Page::bundled();
+        found.map_err(|e| crate::error::with_help(&e, e.help()))?;
+        Ok(())
+    }
+
     /// Uses so many threads from now on; 0 for one per processor. Results do not depend on it.
     #[pyfunction]
     fn set_threads(threads: usize) -> PyResult<()> {

@@ -4,6 +4,7 @@ import concurrent.futures
 import json
 import math
 import multiprocessing
+import os
 import subprocess
 
 import numpy as np
@@ -75,7 +76,15 @@ def test_pictures():
 
 def test_the_page_in_a_notebook():
     pytest.importorskip("IPython")
-    frame = cs.compute(BOX, COIN).view()
+    space = cs.compute(BOX, COIN)
+    try:
+        cs._rust._require_page()
+    except cs.Error as error:
+        assert os.environ.get("CSPACE_PAGE") != "build" and "\nhelp: build" in str(error)
+        with pytest.raises(cs.Error, match="built without its page"):
+            space.view()
+        pytest.skip(str(error))
+    frame = space.view()
     assert frame.data.startswith("<iframe srcdoc=") and len(frame.data) > 100_000
 
 

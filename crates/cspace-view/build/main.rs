@@ -90,7 +90,7 @@ fn bundled(sources: &Path, out: &Path, bundle: &Path) -> Result<Option<Missing>,
     if !is_wanted && env::var_os("CARGO_FEATURE_PAGE").is_none() {
         let help = format!(
             "build the command by {COMMAND}, Python's package by \
-             `pip install . --config-settings=build-args=\"--features page\"`"
+             `pip install . --config-settings=maturin.build-args=\"--features page\"`"
         );
         return missing("the feature `page` was not chosen", help);
     }

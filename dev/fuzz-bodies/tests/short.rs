@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use cspace_fuzz::{Target, target};
+use cspace_oracle::effort;
 use rand::{Rng, RngCore, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -48,6 +49,7 @@ fn short(name: &str, inputs: usize, least: u64) {
             );
         }
     }
+    let inputs = inputs * effort(1, 20);
     let mut rng = ChaCha8Rng::seed_from_u64(2026);
     let (mut judged, mut idle) = (0, 0);
     for k in 0..inputs {

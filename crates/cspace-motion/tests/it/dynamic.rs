@@ -3,7 +3,7 @@
 use cspace_motion::dynamic::{
     Ended, EventKind, Motion, Observer, Options, State, Surface, Touch, World, run,
 };
-use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+use nalgebra::{DMatrix, DVector};
 
 /// A system written down by functions.
 struct Written {
@@ -72,12 +72,12 @@ fn times(motion: &Motion, kind: EventKind) -> Vec<f64> {
 
 fn ball(restitution: f64) -> Written {
     Written {
-        mass: dmatrix![2.0],
-        force: |_, _| dvector![-2.0 * 9.81],
+        mass: DMatrix::from_row_slice(1, 1, &[2.0]),
+        force: |_, _| DVector::from_vec(vec![-2.0 * 9.81]),
         touches: vec![|q| Touch {
             gap: q[0],
-            normal: dvector![1.0],
-            tangent: dvector![0.0],
+            normal: DVector::from_vec(vec![1.0]),
+            tangent: DVector::from_vec(vec![0.0]),
             drift: [0.0; 2],
         }],
         surfaces: vec![surface(0.0, restitution)],
@@ -89,7 +89,11 @@ fn ball(restitution: f64) -> Written {
 #[test]
 fn a_bouncing_ball_comes_to_rest() {
     for e in [0.0, 0.3, 0.5, 0.8, 0.9] {
-        let motion = moved(&ball(e), at(dvector![1.0], dvector![0.0]), 10.0);
+        let motion = moved(
+            &ball(e),
+            at(DVector::from_vec(vec![1.0]), DVector::from_vec(vec![0.0])),
+            10.0,
+        );
         assert_eq!(motion.ended, Ended::Done);
         let first = f64::sqrt(2.0 / 9.81);
         let impacts = times(&motion, EventKind::Impact);
@@ -111,12 +115,12 @@ fn a_bouncing_ball_comes_to_rest() {
 fn a_block_slides_down_and_sticks() {
     let slope = 0.3_f64;
     let incline = |friction: f64| Written {
-        mass: dmatrix![1.5, 0.0; 0.0, 1.5],
-        force: |_, _| dvector![-f64::sin(0.3), -f64::cos(0.3)] * (1.5 * 9.81),
+        mass: DMatrix::from_row_slice(2, 2, &[1.5, 0.0, 0.0, 1.5]),
+        force: |_, _| DVector::from_vec(vec![-f64::sin(0.3), -f64::cos(0.3)]) * (1.5 * 9.81),
         touches: vec![|q| Touch {
             gap: q[1],
-            normal: dvector![0.0, 1.0],
-            tangent: dvector![1.0, 0.0],
+            normal: DVector::from_vec(vec![0.0, 1.0]),
+            tangent: DVector::from_vec(vec![1.0, 0.0]),
             drift: [0.0; 2],
         }],
         surfaces: vec![surface(friction, 0.0)],
@@ -126,7 +130,10 @@ fn a_block_slides_down_and_sticks() {
     for friction in [0.2, 0.5] {
         let motion = moved(
             &incline(friction),
-            at(dvector![0.0, 0.0], dvector![2.0, 0.0]),
+            at(
+                DVector::from_vec(vec![0.0, 0.0]),
+                DVector::from_vec(vec![2.0, 0.0]),
+            ),
             3.0,
         );
         assert_eq!(motion.ended, Ended::Done);
@@ -165,15 +172,15 @@ fn a_rocking_block_loses_housner_s_share() {
         let (x, y) = (side * B, -H);
         Touch {
             gap: q[1] + sin * x + cos * y,
-            normal: dvector![0.0, 1.0, cos * x - sin * y],
-            tangent: dvector![1.0, 0.0, -sin * x - cos * y],
+            normal: DVector::from_vec(vec![0.0, 1.0, cos * x - sin * y]),
+            tangent: DVector::from_vec(vec![1.0, 0.0, -sin * x - cos * y]),
             drift: [0.0; 2],
         }
     }
     let m = 3.0;
     let block = Written {
-        mass: DMatrix::from_diagonal(&dvector![m, m, m * (B * B + H * H) / 3.0]),
-        force: |_, _| dvector![0.0, -3.0 * 9.81, 0.0],
+        mass: DMatrix::from_diagonal(&DVector::from_vec(vec![m, m, m * (B * B + H * H) / 3.0])),
+        force: |_, _| DVector::from_vec(vec![0.0, -3.0 * 9.81, 0.0]),
         touches: vec![left, right],
         surfaces: vec![surface(10.0, 0.0); 2],
         size: 1.0,
@@ -181,7 +188,7 @@ fn a_rocking_block_loses_housner_s_share() {
     // Tilted about its left corner.
     let tilt = 0.1_f64;
     let (sin, cos) = tilt.sin_cos();
-    let q = dvector![B * cos - H * sin, B * sin + H * cos, tilt];
+    let q = DVector::from_vec(vec![B * cos - H * sin, B * sin + H * cos, tilt]);
     let mut steps = Steps::default();
     let motion = run(
         &block,
@@ -224,36 +231,46 @@ fn the_woodpecker_pecks() {
     const R: (f64, f64) = (0.0025, 0.0031);
     const HIGH: (f64, f64) = (0.0058, 0.02);
     let woodpecker = Written {
-        mass: dmatrix![
-            M.0 + M.1, M.1 * L.0, M.1 * L.1;
-            M.1 * L.0, J.0 + M.1 * L.0 * L.0, M.1 * L.0 * L.1;
-            M.1 * L.1, M.1 * L.0 * L.1, J.1 + M.1 * L.1 * L.1
-        ],
+        mass: DMatrix::from_row_slice(
+            3,
+            3,
+            &[
+                M.0 + M.1,
+                M.1 * L.0,
+                M.1 * L.1,
+                M.1 * L.0,
+                J.0 + M.1 * L.0 * L.0,
+                M.1 * L.0 * L.1,
+                M.1 * L.1,
+                M.1 * L.0 * L.1,
+                J.1 + M.1 * L.1 * L.1,
+            ],
+        ),
         force: |q, _| {
             let (g, c) = (9.81, 0.0056);
-            dvector![
+            DVector::from_vec(vec![
                 -(M.0 + M.1) * g,
                 -c * (q[1] - q[2]) - M.1 * L.0 * g,
-                -c * (q[2] - q[1]) - M.1 * L.1 * g
-            ]
+                -c * (q[2] - q[1]) - M.1 * L.1 * g,
+            ])
         },
         touches: vec![
             |q| Touch {
                 gap: L.0 + L.1 - L.2 - R.0 - HIGH.1 * q[2],
-                normal: dvector![0.0, 0.0, -HIGH.1],
-                tangent: dvector![1.0, L.0, L.1 - L.2],
+                normal: DVector::from_vec(vec![0.0, 0.0, -HIGH.1]),
+                tangent: DVector::from_vec(vec![1.0, L.0, L.1 - L.2]),
                 drift: [0.0; 2],
             },
             |q| Touch {
                 gap: R.1 - R.0 + HIGH.0 * q[1],
-                normal: dvector![0.0, HIGH.0, 0.0],
-                tangent: dvector![1.0, R.1, 0.0],
+                normal: DVector::from_vec(vec![0.0, HIGH.0, 0.0]),
+                tangent: DVector::from_vec(vec![1.0, R.1, 0.0]),
                 drift: [0.0; 2],
             },
             |q| Touch {
                 gap: R.1 - R.0 - HIGH.0 * q[1],
-                normal: dvector![0.0, -HIGH.0, 0.0],
-                tangent: dvector![1.0, R.1, 0.0],
+                normal: DVector::from_vec(vec![0.0, -HIGH.0, 0.0]),
+                tangent: DVector::from_vec(vec![1.0, R.1, 0.0]),
                 drift: [0.0; 2],
             },
         ],
@@ -261,8 +278,8 @@ fn the_woodpecker_pecks() {
         size: 0.02,
     };
     let start = at(
-        dvector![0.0, -0.0006 / 0.0058, -0.2788],
-        dvector![-0.3411, 0.0, -7.4583],
+        DVector::from_vec(vec![0.0, -0.0006 / 0.0058, -0.2788]),
+        DVector::from_vec(vec![-0.3411, 0.0, -7.4583]),
     );
     let mut steps = Steps::default();
     let options = Options {
@@ -306,8 +323,8 @@ fn painleve_s_rod_is_told() {
         let (sin, cos) = q[2].sin_cos();
         Touch {
             gap: q[1] - sin,
-            normal: dvector![0.0, 1.0, -cos],
-            tangent: dvector![1.0, 0.0, sin],
+            normal: DVector::from_vec(vec![0.0, 1.0, -cos]),
+            tangent: DVector::from_vec(vec![1.0, 0.0, sin]),
             drift: [0.0; 2],
         }
     }
@@ -318,8 +335,8 @@ fn painleve_s_rod_is_told() {
         (1.0, 3.0, 6.0),
     ] {
         let rod = Written {
-            mass: DMatrix::from_diagonal(&dvector![1.0, 1.0, 1.0 / 3.0]),
-            force: |_, _| dvector![0.0, -9.81, 0.0],
+            mass: DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0 / 3.0])),
+            force: |_, _| DVector::from_vec(vec![0.0, -9.81, 0.0]),
             touches: vec![end],
             surfaces: vec![surface(friction, 0.0)],
             size: 2.0,
@@ -328,8 +345,8 @@ fn painleve_s_rod_is_told() {
         // The end slides one way or the other: the rod leans against its way in one of them.
         for way in [1.0, -1.0] {
             let start = at(
-                dvector![0.0, sin, theta],
-                dvector![way * 5.0 - sin * omega, cos * omega, omega],
+                DVector::from_vec(vec![0.0, sin, theta]),
+                DVector::from_vec(vec![way * 5.0 - sin * omega, cos * omega, omega]),
             );
             let motion = moved(&rod, start, 1e-4);
             let paradox = 1.0 + 3.0 * cos * (cos + way * friction * sin) < 0.0;
@@ -350,18 +367,21 @@ fn painleve_s_rod_is_told() {
 #[test]
 fn a_disc_slides_then_rolls() {
     let disc = Written {
-        mass: DMatrix::from_diagonal(&dvector![2.0, 2.0, 0.5 * 2.0 * 0.3 * 0.3]),
-        force: |_, _| dvector![0.0, -2.0 * 9.81, 0.0],
+        mass: DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0, 0.5 * 2.0 * 0.3 * 0.3])),
+        force: |_, _| DVector::from_vec(vec![0.0, -2.0 * 9.81, 0.0]),
         touches: vec![|q| Touch {
             gap: q[1] - 0.3,
-            normal: dvector![0.0, 1.0, 0.0],
-            tangent: dvector![1.0, 0.0, 0.3],
+            normal: DVector::from_vec(vec![0.0, 1.0, 0.0]),
+            tangent: DVector::from_vec(vec![1.0, 0.0, 0.3]),
             drift: [0.0; 2],
         }],
         surfaces: vec![surface(0.25, 0.0)],
         size: 0.6,
     };
-    let start = at(dvector![0.0, 0.3, 0.0], dvector![4.0, 0.0, 0.0]);
+    let start = at(
+        DVector::from_vec(vec![0.0, 0.3, 0.0]),
+        DVector::from_vec(vec![4.0, 0.0, 0.0]),
+    );
     let motion = moved(&disc, start, 5.0);
     assert_eq!(motion.ended, Ended::Done);
     let rolls = times(&motion, EventKind::Stick)[0];

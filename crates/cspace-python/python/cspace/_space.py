@@ -228,6 +228,7 @@ class ContactSpace:
     def view(self, height: int = 640) -> Any:
         """The page of the command for this space, which needs no server, as a frame in a Jupyter notebook."""
         display = optional("IPython.display", "ipython")
+        _rust._require_page()
         with tempfile.TemporaryDirectory() as folder:
             space, page = os.path.join(folder, "space.json"), os.path.join(folder, "space.html")
             self.save(space)

@@ -1,4 +1,4 @@
-use nalgebra::{DMatrix, DVector, dvector};
+use nalgebra::{DMatrix, DVector};
 
 use super::{Bearing, Problem, Solution};
 use crate::dynamic::numbers::Numbers;
@@ -160,7 +160,11 @@ fn on_floor(points: usize, friction: f64) -> Vec<Bearing> {
     (0..points)
         .map(|k| {
             let x = -1.0 + 2.0 * k as f64 / (points - 1) as f64;
-            bearing(dvector![0.0, 1.0, x], dvector![1.0, 0.0, 0.5], friction)
+            bearing(
+                DVector::from_vec(vec![0.0, 1.0, x]),
+                DVector::from_vec(vec![1.0, 0.0, 0.5]),
+                friction,
+            )
         })
         .collect()
 }
@@ -170,7 +174,11 @@ fn at_wall(points: usize, friction: f64) -> Vec<Bearing> {
     (0..points)
         .map(|k| {
             let y = -0.5 + k as f64 / (points - 1) as f64;
-            bearing(dvector![1.0, 0.0, -y], dvector![0.0, 1.0, -1.0], friction)
+            bearing(
+                DVector::from_vec(vec![1.0, 0.0, -y]),
+                DVector::from_vec(vec![0.0, 1.0, -1.0]),
+                friction,
+            )
         })
         .collect()
 }
@@ -187,24 +195,24 @@ const GRAVITY: f64 = 9.81;
 #[test]
 fn a_block_on_many_points() {
     let m = 3.0;
-    let mass = DMatrix::from_diagonal(&dvector![m, m, m * (4.0 + 1.0) / 12.0]);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![m, m, m * (4.0 + 1.0) / 12.0]));
     let weight = m * GRAVITY;
     for points in [2, 20, 40] {
         for friction in [0.0, 0.2, 0.6] {
             for push in [0.0, 0.1, 0.19, 0.3, 0.7] {
                 // Through the centre: it tilts only with a push of twice the weight.
-                let h = dvector![push * weight, -weight, 0.0];
+                let h = DVector::from_vec(vec![push * weight, -weight, 0.0]);
                 let problem = problem(&mass, h, on_floor(points, friction));
                 let solution = one(&problem);
                 let known = (push - friction).max(0.0) * GRAVITY;
-                let off = (&solution.x - dvector![known, 0.0, 0.0]).amax();
+                let off = (&solution.x - DVector::from_vec(vec![known, 0.0, 0.0])).amax();
                 assert!(off < 1e-12, "{points} {friction} {push} {off}");
                 let borne: f64 = solution.normal.iter().sum();
                 assert!((borne - weight).abs() < 1e-11 * weight);
             }
         }
         // With a torque it tilts, about its corner, where it sticks: as with two points.
-        let h = dvector![0.0, -weight, 1.5 * weight];
+        let h = DVector::from_vec(vec![0.0, -weight, 1.5 * weight]);
         let tilted = one(&problem(&mass, h.clone(), on_floor(points, 1.0)));
         let about = m * (4.0 + 1.0) / 12.0 + m * 1.25;
         let known = 0.5 * weight / about;
@@ -219,23 +227,23 @@ fn a_block_on_many_points() {
 #[test]
 fn a_block_in_a_corner() {
     let m = 3.0;
-    let mass = DMatrix::from_diagonal(&dvector![m, m, m * 5.0 / 12.0]);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![m, m, m * 5.0 / 12.0]));
     let weight = m * GRAVITY;
     for friction in [0.0, 0.3] {
         for points in [4, 20] {
             let mut bearings = on_floor(points, friction);
             bearings.extend(at_wall(points, friction));
             // Into the corner: at rest.
-            let h = dvector![-weight, -weight, 0.1 * weight];
+            let h = DVector::from_vec(vec![-weight, -weight, 0.1 * weight]);
             let rest = one(&problem(&mass, h, bearings.clone()));
             assert!(rest.x.amax() < 1e-12, "{}", rest.x);
             // Out of it along the floor: the wall bears nothing.
-            let h = dvector![0.5 * weight, -weight, 0.0];
+            let h = DVector::from_vec(vec![0.5 * weight, -weight, 0.0]);
             let out = one(&problem(&mass, h, bearings.clone()));
             let known = (0.5 - friction) * GRAVITY;
             assert!((out.x[0] - known).abs() < 1e-12 && out.x[1].abs() < 1e-12);
             // Up along the wall, that it is pressed against.
-            let h = dvector![-weight, weight, 0.0];
+            let h = DVector::from_vec(vec![-weight, weight, 0.0]);
             let up = one(&problem(&mass, h, bearings.clone()));
             let known = (1.0 - friction) * GRAVITY;
             assert!((up.x[1] - known).abs() < 1e-12 && up.x[0].abs() < 1e-12);
@@ -310,25 +318,25 @@ fn ten_discs_in_a_column() {
 /// combinations of modes are not tried.
 #[test]
 fn a_paradox_is_told_beside_other_contacts() {
-    let mass = DMatrix::from_diagonal(&dvector![1.0, 1.0, 1.0 / 3.0, 1.0]);
+    let mass = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 1.0 / 3.0, 1.0]));
     let theta = 1.0_f64;
     let (sin, cos) = theta.sin_cos();
     for (friction, slides) in [(1.0, -1.0), (3.0, -1.0), (3.0, 1.0)] {
         let mut end = bearing(
-            dvector![0.0, 1.0, -cos, 0.0],
-            dvector![1.0, 0.0, sin, 0.0],
+            DVector::from_vec(vec![0.0, 1.0, -cos, 0.0]),
+            DVector::from_vec(vec![1.0, 0.0, sin, 0.0]),
             friction,
         );
         end.slides = Some(slides);
         let mut bearings = vec![end];
         for _ in 0..12 {
             bearings.push(bearing(
-                dvector![0.0, 0.0, 0.0, 1.0],
+                DVector::from_vec(vec![0.0, 0.0, 0.0, 1.0]),
                 DVector::zeros(4),
                 0.0,
             ));
         }
-        let h = dvector![0.0, -GRAVITY, 0.0, 0.5];
+        let h = DVector::from_vec(vec![0.0, -GRAVITY, 0.0, 0.5]);
         let found = problem(&mass, h, bearings).solutions();
         let paradox = 1.0 + 3.0 * cos * (cos + slides * friction * sin) < 0.0;
         assert_eq!(found.is_empty(), paradox, "{friction} {slides}");

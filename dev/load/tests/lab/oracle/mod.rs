@@ -1,5 +1,4 @@
 //! The oracle and the shapes drawn for it.
-#![allow(clippy::unwrap_used)]
 
 mod judge;
 mod pairs;

@@ -1,5 +1,4 @@
 //! Positions with exact fits, judged by brute force, over outlines that favour ties and families that run into the degenerate.
-#![allow(clippy::unwrap_used)]
 
 use core::f64::consts::PI;
 

@@ -55,6 +55,7 @@ fn noise_is_as_large_as_it_says_and_depends_on_the_seed_alone() {
 }
 
 #[test]
+#[ignore = "long: minutes"]
 fn a_flood_fill_tells_the_regions_of_a_sofa_that_cannot_turn() {
     let sofa = find(&specimens(1, 1), "sofa 0.7 in its corridor");
     assert_eq!((sofa.family, sofa.expected), (TABLE, Some(4)));

@@ -1,5 +1,4 @@
 //! The general algorithm on pairs whose answer is known.
-#![allow(clippy::unwrap_used)]
 
 mod critical;
 mod kinds;

@@ -1,5 +1,4 @@
 //! The programs of this crate, and what they do.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 #[cfg(unix)]
 mod command;
