@@ -1,6 +1,7 @@
 //! Models to begin with: they are read and computed, and mean what their dimensions say.
 
 use core::f64::consts::PI;
+use cspace_oracle::{Schema, effort};
 
 use serde_json::Value;
 use tempfile::TempDir;
@@ -496,7 +497,7 @@ fn bad_dimensions_say_what_to_do() {
 fn the_published_schema_takes_every_model() {
     for template in TEMPLATES {
         let model: Value = toml::from_str(&printed(&["new", template])).unwrap();
-        cspace_oracle::Schema::new("model").takes(&model, template);
+        Schema::new("model").takes(&model, template);
     }
 }
 
@@ -559,7 +560,7 @@ fn any_dimensions_give_a_model_or_a_reason() {
     ];
     for (template, lengths, whole) in templates {
         let mut of_template = 0;
-        for _ in 0..25 {
+        for _ in 0..effort(12, 25) {
             let folder = tempfile::tempdir().unwrap();
             let file = folder.path().join("m.toml").to_str().unwrap().to_owned();
             let mut args = vec![
@@ -596,8 +597,8 @@ fn any_dimensions_give_a_model_or_a_reason() {
                 code => panic!("{args:?}: {code:?}: {said}"),
             }
         }
-        assert!(of_template >= 4, "{template}: {of_template}");
+        assert!(of_template >= effort(1, 4), "{template}: {of_template}");
         made += of_template;
     }
-    assert!(made >= 60, "{made}");
+    assert!(made >= effort(24, 60), "{made}");
 }

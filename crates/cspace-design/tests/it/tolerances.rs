@@ -165,7 +165,7 @@ at = { y = -12 }
 
 /// A peg w × h in a slot s tilts by t with w cos t + h sin t = s to either side.
 #[test]
-fn a_peg_fits_its_slot_or_does_not() {
+fn a_peg_tilts_in_its_slot() {
     let found = analysed(&template(PEG), 300);
     let [lo, hi] = ends(&found);
     near(0.5 * lo.to_degrees(), 0.221_823_92, 5e-9);
@@ -174,6 +174,12 @@ fn a_peg_fits_its_slot_or_does_not() {
     near(0.5 * lo, -tilt(10.01, 18.1, 10.08), 1e-12);
     let range = found.monte_carlo.unwrap().range;
     assert!(lo <= range[0] && range[1] <= hi);
+}
+
+/// Beyond its tolerances it does not fit: the width and the slot decide, the height does not.
+#[test]
+#[ignore = "long: seconds"]
+fn a_peg_that_is_too_wide_does_not_fit() {
     let wide = PEG
         .replace("tol = 0.01 }", "tol = 0.06 }")
         .replace("tol = 0.02 }", "tol = 0.05 }");
@@ -184,7 +190,6 @@ fn a_peg_fits_its_slot_or_does_not() {
         "the parts overlap where it is measured"
     );
     near(found.margin.factor.unwrap(), 0.1 / 0.11, 1e-9);
-    // The width and the slot decide; the height does not.
     let at = &found.structure[0].at;
     near(at[1], -0.05 * 0.1 / 0.11, 1e-9);
     near(at[2], 0.06 * 0.1 / 0.11, 1e-9);
@@ -560,6 +565,7 @@ fn allocated_tolerances_cost_least() {
 
 /// The yield that is asked for is that of the samples: of two uniform parameters that of the corners cut off, in closed form.
 #[test]
+#[ignore = "long: seconds"]
 fn a_yield_is_met_and_no_more() {
     let found = allocated(KEY, Criterion::Yield(0.99), &[1.0, 1.0]);
     let samples = found.tolerances[0].monte_carlo.clone().unwrap();
@@ -736,6 +742,7 @@ of = "x"
 
 /// A circle that rolls out of a corner: the largest play is beside a place where a contact is just missed.
 #[test]
+#[ignore = "long: seconds"]
 fn extremes_at_a_jump_are_told() {
     let text = include_str!("../data/grazing.toml");
     let found = analysed(&template(text), 0);

@@ -140,7 +140,7 @@ fn windows_and_turns() {
             let classifier = Classifier::new(&space);
             let mut rng = ChaCha8Rng::seed_from_u64(5);
             let mut asked = 0;
-            for _ in 0..2000 {
+            for _ in 0..effort(300, 2000) {
                 let c = anywhere(&oracle, &mut rng);
                 let share = rng.random_range(-0.1..1.1);
                 for theta in [lo + share * (hi - lo), lo, hi, c.theta] {
@@ -151,12 +151,12 @@ fn windows_and_turns() {
                     asked += usize::from(found.is_some());
                 }
             }
-            assert!(asked > 4000);
+            assert!(asked > effort(600, 4000));
         }
         let space = space_of(&pair);
         let classifier = Classifier::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
-        for _ in 0..2000 {
+        for _ in 0..effort(300, 2000) {
             let c = anywhere(&oracle, &mut rng);
             for turns in [-1.0, 0.0, 1.0, -3.0, 100.0, -1e4] {
                 let c = Configuration::new(c.x, c.y, c.theta + turns * TAU);
@@ -294,7 +294,7 @@ fn circles_that_are_nearly_one() {
         let mut rng = ChaCha8Rng::seed_from_u64(12);
         for theta in orientations {
             let slice = space.slice(theta);
-            for _ in 0..2000 {
+            for _ in 0..effort(300, 2000) {
                 let curve = &slice.curves[rng.random_range(0..slice.curves.len())].geometry;
                 let s = rng.random_range(0.0..1.0);
                 let off = oracle.size() * 10f64.powf(rng.random_range(-8.0..-0.5));

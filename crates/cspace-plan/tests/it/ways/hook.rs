@@ -79,6 +79,7 @@ fn a_hook_with_a_round_bend_leaves_an_eye_up_to_its_thickness() {
 }
 
 #[test]
+#[ignore = "long: seconds"]
 fn a_hook_with_a_sharp_notch_leaves_an_eye_up_to_the_formula() {
     // The notch is a right angle with its corner at K, the outer side of the bend an arc of radius t about K. Let A and B be the
     // centres of the lips, ρ their radius, and d the direction from K that halves the notch. Before the bend is in the gap the

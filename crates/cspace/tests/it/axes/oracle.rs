@@ -20,7 +20,7 @@ const CERTAIN: f64 = 1e-10;
 const TOO_FLAT: [&str; 1] = ["nearly straight arcs"];
 /// Numbers of arbitrary configurations, and of searches for contact.
 fn numbers() -> (usize, usize) {
-    effort((60, 150), (300, 1200))
+    effort((40, 160), (300, 1200))
 }
 
 /// Marker of pairs that may fit exactly: in these, chains may have to be decided cell by cell.

@@ -99,7 +99,7 @@ fn the_end_of_a_window_beside_a_critical_orientation() {
             let full = full.unwrap();
             let all = full.critical_orientations();
             // Number of critical orientations tested for each pair, and of ends at each.
-            let (tried, ends) = effort((1, 6), (3, 1));
+            let (tried, ends) = effort((1, 12), (3, 1));
             let mut wrong = Vec::new();
             for c in all.iter().step_by(all.len().div_ceil(tried).max(1)) {
                 for end in BESIDE.iter().step_by(ends).map(|d| c + d) {

@@ -106,7 +106,7 @@ fn asked(
 /// Asks in so many pairs of each family, and in a quarter of that of the slow one.
 fn all(seed: u64, pairs: u64) {
     let mut sum = Seen::default();
-    let both = [Clearance::Quick, Clearance::Half];
+    let both = [Clearance::Quick, effort(Clearance::Quick, Clearance::Half)];
     let families = FAMILIES.map(|family| (family, pairs, both));
     let slow = (SLOW, pairs.div_ceil(4), [Clearance::Quick; 2]);
     for (family, pairs, clearances) in families.into_iter().chain([slow]) {
