@@ -21,7 +21,7 @@ const CRATES: [&str; 11] = [
     "cspace-wasm",
 ];
 
-/// What else decides how it is compiled.
+/// Other files that decide how it is compiled.
 const SETTINGS: [&str; 3] = [
     "cspace-wasm/build-kernel",
     "cspace-wasm/Cargo.lock",

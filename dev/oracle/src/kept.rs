@@ -1,4 +1,4 @@
-//! What tests leave for other people's programs to judge, which `.ci/others` runs: they are not compiled for the tests.
+//! Files that tests leave for other people's programs to judge, which `.ci/others` runs: they are not compiled for the tests.
 
 use std::io;
 use std::path::PathBuf;

@@ -72,7 +72,7 @@ impl Command {
         self
     }
 
-    /// What it printed, once it has ended.
+    /// Output of the run, once it has ended.
     pub(crate) fn output(&mut self) -> std::io::Result<Output> {
         let piped = (self.command.stdin(Stdio::piped()))
             .stdout(Stdio::piped())

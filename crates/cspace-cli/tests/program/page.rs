@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::helpers::{PAIRS, cspace, fails, mechanism, model, printed};
 
-/// What a program without its page says.
+/// Words of a program without its page.
 pub(crate) const WITHOUT: &[&str] = &["built without its page: ", "help: ", "build"];
 
 /// Whether the program has its page; if not, what it says is checked.
