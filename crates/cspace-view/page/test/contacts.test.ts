@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import type { Configuration, Kernel, Touch } from "../src/kernel/api.js";
-import { binary, NO_COMMAND, run } from "./support/command.js";
+import { binary, NO_COMMAND, run, times } from "./support/command.js";
 import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
 import { inFolder } from "./support/scene.js";
@@ -61,7 +61,7 @@ test("the nearest features are those that cspace contacts lists first, and as fa
   eachPair((s) => {
     const next = random(8);
     const wrong: string[] = [];
-    for (let k = 0; k < 5; k++) {
+    for (let k = 0; k < times(5, 2); k++) {
       const c = freeOne(s, next);
       const mine = s.kernel.nearest(c)!;
       const known = 1e-9 * (mine.distance + 1);
@@ -80,7 +80,7 @@ test("where a part has slid to, what touches is what cspace contacts says", { sk
     const next = random(9);
     const wrong: string[] = [];
     let [asked, several] = [0, 0];
-    for (let k = 0; k < 40 && asked < 6; k++) {
+    for (let k = 0; k < 40 && asked < times(6, 2); k++) {
       const from = freeOne(s, next);
       const goal = s.weighted.within(s.weighted.anywhere(next));
       let at = from;

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test, type TestContext } from "node:test";
 import type { AxesConfiguration, AxesKernel, Configuration, Kernel, PlanarConfiguration, PlanarKernel } from "../src/kernel/api.js";
-import { binary, NO_COMMAND, run } from "./support/command.js";
+import { binary, NO_COMMAND, run, times } from "./support/command.js";
 import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
 import { classified } from "./support/rows.js";
@@ -81,7 +81,7 @@ test("the first contact is that of cspace move", { skip }, async (t) => {
     if (/gears|film|geneva|escape|chain|rack/.test(pair.model)) continue;
     await t.test(`${pair.model.split("/models/")[1]} ${pair.names}`, () => {
       const next = random(4);
-      for (let k = 0; k < 8; k++) {
+      for (let k = 0; k < times(8, 3); k++) {
         const from = free(pair, next);
         const to = pair.anywhere(next);
         const by = pair.numbers(to).map((x, i) => x - pair.numbers(from)[i]!);
@@ -97,9 +97,9 @@ test("the first contact is that of cspace move", { skip }, async (t) => {
   }
 });
 
-function report(t: TestContext, times: number[], counts: string): void {
-  times.sort((a, b) => a - b);
-  const at = (q: number) => times[Math.floor(q * (times.length - 1))]!.toFixed(2);
+function report(t: TestContext, taken: number[], counts: string): void {
+  taken.sort((a, b) => a - b);
+  const at = (q: number) => taken[Math.floor(q * (taken.length - 1))]!.toFixed(2);
   t.diagnostic(`${counts}; ms: median ${at(0.5)}, 95 % ${at(0.95)}, most ${at(1)}`);
 }
 
@@ -107,14 +107,15 @@ test("motions never lead through what is blocked", { skip }, async (t) => {
   for (const pair of pairs()) {
     await t.test(`${pair.model.split("/models/")[1]} ${pair.names}`, (t) => {
       const next = random(5);
-      const times: number[] = [];
+      const taken: number[] = [];
       let stops = 0;
-      for (let k = 0; k < 60; k++) {
+      const count = times(60, 30);
+      for (let k = 0; k < count; k++) {
         const from = free(pair, next);
         const to = between(pair, from, pair.anywhere(next), k % 2 ? 1 : 0.1);
         const start = performance.now();
         const { at, stopped } = pair.kernel.advance(from, to);
-        times.push(performance.now() - start);
+        taken.push(performance.now() - start);
         if (stopped !== null) stops++;
         else assert.deepEqual(at, to);
         for (let i = 0; i <= 40; i++) {
@@ -123,7 +124,7 @@ test("motions never lead through what is blocked", { skip }, async (t) => {
         }
         if (stopped !== null) assert.equal(pair.kernel.classify(at), "contact");
       }
-      report(t, times, `${stops} of 60 stopped`);
+      report(t, taken, `${stops} of ${count} stopped`);
     });
   }
 });
@@ -132,10 +133,10 @@ test("a part that slides at contact is never blocked, and comes nearer to where 
   for (const pair of pairs()) {
     await t.test(`${pair.model.split("/models/")[1]} ${pair.names}`, (t) => {
       const next = random(6);
-      const times: number[] = [];
+      const taken: number[] = [];
       const all: Configuration[] = [];
       let slid = 0;
-      for (let k = 0; k < 12; k++) {
+      for (let k = 0; k < times(12, 5); k++) {
         let at = free(pair, next);
         const goal = pair.anywhere(next);
         for (let i = 1; i <= 15; i++) {
@@ -144,7 +145,7 @@ test("a part that slides at contact is never blocked, and comes nearer to where 
           const stopped = pair.kernel.advance(at, to).at;
           const middle = performance.now();
           const found = pair.kernel.slide(at, to).at;
-          times.push(performance.now() - middle);
+          taken.push(performance.now() - middle);
           if (share(pair, at, to, found) > share(pair, at, to, stopped) + 1e-6) slid++;
           assert.ok(Number.isFinite(start) && pair.numbers(found).every(Number.isFinite));
           at = found;
@@ -154,7 +155,7 @@ test("a part that slides at contact is never blocked, and comes nearer to where 
       const told = classified(pair.model, pair.names, all.map(pair.numbers), pair.header, ["class"]);
       const blocked = told.filter((c) => c.class === "blocked").length;
       const touching = told.filter((c) => c.class === "contact").length;
-      report(t, times, `${touching} of ${all.length} in contact, ${slid} farther than straight`);
+      report(t, taken, `${touching} of ${all.length} in contact, ${slid} farther than straight`);
       assert.equal(blocked, 0);
     });
   }

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { Configuration, Kernel, PlanarConfiguration } from "../src/kernel/api.js";
 import { openPair } from "../src/kernel/index.js";
-import { binary, MODELS, NO_COMMAND } from "./support/command.js";
+import { binary, MODELS, NO_COMMAND, times } from "./support/command.js";
 import { modelPairs } from "./support/pairs.js";
 import { random } from "./support/random.js";
 import { sceneOf, withModel } from "./support/scene.js";
@@ -26,7 +26,7 @@ test("a peg goes to the seat along both walls of its hole", { skip }, () => {
   }
 });
 
-const DRAGS = 12;
+const DRAGS = times(12, 4);
 const STEPS = 15;
 const DIRECTIONS = 200;
 /** How far aside it is tried (share of the pair's size). What is left to go is known to a thousandth of the whole way. */

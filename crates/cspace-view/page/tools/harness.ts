@@ -7,7 +7,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { PNG } from "pngjs";
 import puppeteer, { type Browser, type Page } from "puppeteer-core";
-import { MODELS, NO_COMMAND, binary, run } from "../test/support/command.js";
+import { ALL, MODELS, NO_COMMAND, binary, models, run } from "../test/support/command.js";
 
 /** How long a page may take to be ready (ms): software rendering on a busy machine is slow, and nothing is timed here. */
 export const PATIENCE = 120_000;
@@ -31,6 +31,18 @@ export const skip: string | false =
     : browserPath === null
       ? "there is no browser: install chromium, or name one in CHROMIUM"
       : false;
+
+/** Why tests are skipped that take long and do what others do in another way, or `false`. */
+export const long: string | false = ALL ? false : "run with CSPACE_ALL=1";
+
+/**
+ * The models that are shown in a browser: one in the plane and one on fixed axes, or all. Tests in Node ask the same kernel about each,
+ * in the same engine.
+ */
+export function shown(): string[] {
+  const few = ["peg_hole", "geneva"].map((name) => join(MODELS, `${name}.toml`));
+  return models().filter((path) => ALL || process.env["MODELS"] !== undefined || few.includes(path));
+}
 
 /** A folder that is removed in the end. */
 export function scratch(): { path: string; remove: () => void } {

@@ -1,12 +1,12 @@
-/** What the page says of configurations is what the command says, on every pair of every model that ships with the project. */
+/** What the page says of configurations is what the command says, on the pairs of models that ship with the project. */
 
 import assert from "node:assert/strict";
 import { relative } from "node:path";
 import { after, before, describe, it } from "node:test";
 import type { Browser, Page } from "puppeteer-core";
 import type { Scene, ScenePair, ScenePart } from "../../src/scene.js";
-import { addressOf, colours, exported, launch, open, pictureOf, root, scratch, skip } from "../../tools/harness.js";
-import { run, models } from "../support/command.js";
+import { addressOf, colours, exported, launch, open, pictureOf, root, scratch, shown, skip } from "../../tools/harness.js";
+import { run } from "../support/command.js";
 import { random } from "../support/random.js";
 
 const RANDOM = 1000;
@@ -27,7 +27,7 @@ describe("the page agrees with the command", { skip }, () => {
     folder.remove();
   });
 
-  for (const model of models()) {
+  for (const model of shown()) {
     const name = relative(root, model);
     it(name, async (t) => {
       const { page, faults } = await open(browser, addressOf(exported(model, folder.path)));

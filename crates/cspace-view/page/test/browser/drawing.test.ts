@@ -7,7 +7,7 @@ import { dirname, join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import type { DrawingScene } from "../../src/drawing/scene.js";
-import { PATIENCE, addressOf, drawn, exported, load, open, root, serve, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, drawn, exported, load, long, open, root, serve, skip } from "../../tools/harness.js";
 import { binary, run } from "../support/command.js";
 import { downloaded, drop, inBrowser, model, press, settled } from "./support.js";
 
@@ -100,7 +100,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
     }
   });
 
-  it("picks what is under the pointer far from the origin, and of any size", async () => {
+  it("picks what is under the pointer far from the origin, and of any size", { skip: long }, async () => {
     for (const [at, unit] of [[5e6, 1], [3e8, 10], [0, 1e-5], [1e3, 1e-3]] as const) {
       const { page, stop } = await opened([], frame(at, unit));
       try {
@@ -159,7 +159,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
     }
   });
 
-  it("opens the parts and their spaces, and goes back to the picks", async () => {
+  it("opens the parts and their spaces, and goes back to the picks", { skip: long }, async () => {
     const { page, stop } = await opened();
     try {
       await click(page, 25, 5);
@@ -217,7 +217,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       await shows(page, "peg in hole");
     });
 
-    it("saves the model that the command makes", async () => {
+    it("saves the model that the command makes", { skip: long }, async () => {
       const svg = readFileSync(join(DRAWINGS, "styles.svg"));
       const page = await dropped("styles.svg", svg);
       const client = await page.createCDPSession();
@@ -269,7 +269,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       assert.deepEqual(await page.evaluate(() => window.cspace.pair()), ["block", "peg"]);
     });
 
-    it("says that other files are neither models nor drawings", async () => {
+    it("says that other files are neither models nor drawings", { skip: long }, async () => {
       const page = await dropped("frame.dxf", Buffer.from(frame()));
       await page.waitForSelector(".face", { timeout: PATIENCE });
       await drop(page, "notes.txt", Buffer.from("x"));

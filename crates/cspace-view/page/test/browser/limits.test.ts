@@ -5,7 +5,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
-import { PATIENCE, addressOf, colours, exported, open, pictureOf, serve, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, colours, exported, long, open, pictureOf, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 import { inBrowser, model, press, settled } from "./support.js";
 
@@ -70,7 +70,7 @@ describe("the page at its limits", { skip }, () => {
     suite.opened = null;
   });
 
-  it("fetches pairs of edited parts that are chosen in quick succession", async () => {
+  it("fetches pairs of edited parts that are chosen in quick succession", { skip: long }, async () => {
     const file = join(suite.folder, "stars.toml");
     writeFileSync(file, stars(4, 34));
     const server = await serve(file);
@@ -96,7 +96,7 @@ describe("the page at its limits", { skip }, () => {
     }
   });
 
-  it("shows parts that are drawn far from the origin", async () => {
+  it("shows parts that are drawn far from the origin", { skip: long }, async () => {
     const file = join(suite.folder, "far.toml");
     const drawn = (points: [number, number][]): string => `[${points.map(([x, y]) => `[${1e6 + x}, ${1e6 + y}]`).join(", ")}]`;
     const block = drawn([[0, 0], [20, 0], [20, 10], [15, 10], [15, 4], [5, 4], [5, 10], [0, 10]]);
@@ -145,7 +145,7 @@ describe("the page at its limits", { skip }, () => {
     await go("#x=1e300&y=1e300&theta=1e300&camera=9e9,1,1,1,1,1");
   });
 
-  it("takes only numbers for clearances, and radii for straight edges", async () => {
+  it("takes only numbers for clearances, and radii for straight edges", { skip: long }, async () => {
     const server = await serve(model("peg_hole"));
     try {
       suite.opened = await open(suite.browser, server.address);

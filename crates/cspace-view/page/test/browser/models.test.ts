@@ -1,13 +1,12 @@
-/** Every model that comes with the project, dropped onto a page in a file: drawn, dragged, edited and planned without a server. */
+/** Models that come with the project, dropped onto a page in a file: drawn, dragged, edited and planned without a server. */
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { basename } from "node:path";
 import { afterEach, before, describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
-import { PATIENCE, addressOf, drawn, exported, open, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, drawn, exported, open, shown, skip } from "../../tools/harness.js";
 import type { Opened } from "../../tools/harness.js";
-import { models } from "../support/command.js";
 import { drop, inBrowser, model, press, settled } from "./support.js";
 
 /** What the page answers in the end: a record, or a message that is no longer that it is computing. */
@@ -37,7 +36,7 @@ function grip(page: Page, part: string): Promise<{ x: number; y: number } | null
   }, part);
 }
 
-describe("every model works in a page in a file", { skip }, () => {
+describe("models work in a page in a file", { skip }, () => {
   const suite = inBrowser();
   // One page takes one model after the other, as it does where a user drops them.
   let dropped: Opened | null = null;
@@ -48,7 +47,7 @@ describe("every model works in a page in a file", { skip }, () => {
     assert.deepEqual(dropped?.faults.splice(0), []);
   });
 
-  for (const path of models()) {
+  for (const path of shown()) {
     it(basename(path), async () => {
       assert.ok(dropped !== null);
       const { page } = dropped;

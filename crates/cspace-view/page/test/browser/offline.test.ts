@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
-import { PATIENCE, addressOf, drawn, exported, open, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, drawn, exported, long, open, skip } from "../../tools/harness.js";
 import { drop, inBrowser, model, press } from "./support.js";
 
 /** What the page says until something is said that is looked for. */
@@ -79,7 +79,7 @@ describe("a page in a file computes itself", { skip }, () => {
     assert.equal((await places())["0"], before["0"], "the frame stands");
   });
 
-  it("computes edited parts", async () => {
+  it("computes edited parts", { skip: long }, async () => {
     const page = await openFile("peg_hole");
     await press(page, "Edit");
     await page.waitForSelector("#edit:not([hidden])", { timeout: PATIENCE });

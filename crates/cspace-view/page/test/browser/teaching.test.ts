@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { describe, it } from "node:test";
 import type { Page } from "puppeteer-core";
 import type { PlanarConfiguration } from "../../src/kernel/api.js";
-import { PATIENCE, addressOf, exported, load, drawn, open, serve, skip } from "../../tools/harness.js";
+import { PATIENCE, addressOf, exported, load, drawn, long, open, serve, skip } from "../../tools/harness.js";
 import { run } from "../support/command.js";
 import { inBrowser, model, press, settled } from "./support.js";
 
@@ -57,12 +57,12 @@ describe("the page that tells", { skip }, () => {
     assert.ok(width > 150, `the pocket is ${width} pixels wide`);
   });
 
-  it("has the names of parts on them", async () => {
+  it("has the names of parts on them", { skip: long }, async () => {
     const page = await openModel(model("snap_fastener"));
     assert.deepEqual((await page.$$eval("#parts .part-names text", (all) => all.map((e) => e.textContent ?? ""))).sort(), ["catch", "hook"]);
   });
 
-  it("steps from band to band without overlap", async () => {
+  it("steps from band to band without overlap", { skip: long }, async () => {
     const page = await openModel(model("snap_fastener"));
     const bandOf = async (): Promise<number> => Number(/band (\d+) of/.exec(await textOf(page, "#theta .band-text"))?.[1]);
     const pair = (await page.evaluate(() => window.cspace.pair())).join();
@@ -86,7 +86,7 @@ describe("the page that tells", { skip }, () => {
     assert.match(await textOf(page, "#verdict"), /caged in pocket 1/);
   });
 
-  it("keeps every view in its place while a part is dragged into contact", async () => {
+  it("keeps every view in its place while a part is dragged into contact", { skip: long }, async () => {
     const page = await openModel(model("snap_fastener"));
     const places = (): Promise<string> =>
       page.$$eval("#parts, #space, #slice, #verdict, #legend, #readout, #theta", (all) => JSON.stringify(all.map((e) => e.getBoundingClientRect().toJSON() as DOMRect)));
@@ -139,7 +139,7 @@ describe("the page that tells", { skip }, () => {
     assert.ok(Math.abs(shown - last) < 0.02 * Math.abs(last), `${shown} for ${last}`);
   });
 
-  it("gives hints until they are dismissed", async () => {
+  it("gives hints until they are dismissed", { skip: long }, async () => {
     const page = await openModel(model("knee"));
     assert.equal(await page.$eval("#hints", (e) => (e as HTMLElement).hidden), false);
     await page.click("#hints button");

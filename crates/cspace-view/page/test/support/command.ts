@@ -12,6 +12,12 @@ const PACKAGE = resolve(process.cwd());
 const KERNEL = resolve(PACKAGE, "build/kernel/cspace_bg.wasm");
 if (existsSync(KERNEL)) use(new WebAssembly.Module(readFileSync(KERNEL)));
 
+/** Whether all is tested that is ever tested, by CSPACE_ALL=1, and not only what takes a minute. */
+export const ALL = process.env["CSPACE_ALL"] === "1";
+
+/** How often something is tried: less often where not all is tested. */
+export const times = (all: number, few: number): number => (ALL ? all : few);
+
 export const MODELS = resolve(PACKAGE, "../../../models");
 
 /** The command's binary: what CSPACE names, or else what has been built; null if there is none. */

@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Scene } from "../../src/scene.js";
-import { run } from "./command.js";
+import { MODELS, run } from "./command.js";
 
 const ELEMENT = /<script type="application\/json" id="scene">([^]*?)<\/script>/;
 
@@ -18,13 +18,22 @@ export function inFolder<T>(use: (folder: string) => T): T {
   }
 }
 
+/** Scenes of the models that come with the project, as text: several tests of a file ask for them. */
+const known = new Map<string, string>();
+
 export function sceneOf(model: string): Scene {
+  const text = known.get(model) ?? exported(model);
+  if (model.startsWith(MODELS)) known.set(model, text);
+  return JSON.parse(text) as Scene;
+}
+
+function exported(model: string): string {
   return inFolder((folder) => {
     const page = join(folder, "page.html");
     run(["export", model, "-o", page, "-q"]);
     const found = ELEMENT.exec(readFileSync(page, "utf8"));
     if (!found) throw new Error(`the page of ${model} has no scene`);
-    return JSON.parse(found[1]!) as Scene;
+    return found[1]!;
   });
 }
 
