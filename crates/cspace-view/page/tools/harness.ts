@@ -33,7 +33,7 @@ export const skip: string | false =
       : false;
 
 /** Why tests are skipped that take long and do what others do in another way, or `false`. */
-export const long: string | false = ALL ? false : "run with CSPACE_ALL=1";
+export const long: string | false = ALL ? false : "run with CSPACE_LONG=1";
 
 /**
  * The models that are shown in a browser: one in the plane and one on fixed axes, or all. Tests in Node ask the same kernel about each,

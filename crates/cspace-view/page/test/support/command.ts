@@ -12,8 +12,8 @@ const PACKAGE = resolve(process.cwd());
 const KERNEL = resolve(PACKAGE, "build/kernel/cspace_bg.wasm");
 if (existsSync(KERNEL)) use(new WebAssembly.Module(readFileSync(KERNEL)));
 
-/** Whether all is tested that is ever tested, by CSPACE_ALL=1, and not only what takes a minute. */
-export const ALL = process.env["CSPACE_ALL"] === "1";
+/** Whether all is tested that is ever tested, by CSPACE_LONG=1, and not only what takes a minute. */
+export const ALL = process.env["CSPACE_LONG"] === "1";
 
 /** How often something is tried: less often where not all is tested. */
 export const times = (all: number, few: number): number => (ALL ? all : few);
