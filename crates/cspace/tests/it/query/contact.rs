@@ -84,14 +84,14 @@ fn values_and_gradients_are_those_of_spaces() {
         let PairSpace::Planar(inner) = &space else {
             panic!("{name}");
         };
-        let near = 1e-9 * size(&space) + 2.0 * space.resolution() + 1e-13 * lever(&space);
+        let near = 1e-9 * size(space) + 2.0 * space.resolution() + 1e-13 * lever(space);
         for patch in space.patches().step_by(1 + space.patch_count() / 60) {
             let contact = patch.contact().unwrap();
             let of_space = inner.patch(patch.id().0).unwrap();
             let (lo, hi) = patch.orientations().unwrap();
             let theta = rng.random_range(lo..=hi);
             let c = of_space.left().at(theta);
-            let c = Configuration::new(c.x + 0.01 * size(&space), c.y, theta);
+            let c = Configuration::new(c.x + 0.01 * size(space), c.y, theta);
             let f = contact.evaluate(Coordinates::Planar(c)).unwrap();
             let value = of_space.contact_function(c);
             assert!(
@@ -104,7 +104,7 @@ fn values_and_gradients_are_those_of_spaces() {
             let known = 1e-8 + near * (1.0 + radius.abs());
             let gradient = of_space.gradient(c);
             for (i, g) in gradient.iter().enumerate() {
-                let scale = if i == 2 { lever(&space) } else { 1.0 };
+                let scale = if i == 2 { lever(space) } else { 1.0 };
                 assert!(
                     (f.gradient[i] - g).abs() < known * scale,
                     "{name} {i}: {f:?} {gradient:?}"
@@ -123,7 +123,7 @@ fn values_and_gradients_are_those_of_spaces() {
             let (u, v) = inner.branches()[branch].start;
             let at = Coordinates::Axes { u, v };
             let f = patch.contact().unwrap().evaluate(at).unwrap();
-            assert!(f.value.abs() < 1e-7 * size(&space), "{name}: {}", f.value);
+            assert!(f.value.abs() < 1e-7 * size(space), "{name}: {}", f.value);
             let (by_u, by_v) = inner.contact_gradient(patch.id().index(), u, v).unwrap();
             // Functions of one contact differ by a factor: their gradients have one direction.
             let cross = f.gradient[0] * by_v - f.gradient[1] * by_u;
@@ -143,12 +143,12 @@ fn values_and_gradients_are_those_of_spaces() {
 fn derivatives_agree_with_differences() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     for (name, space) in planar().iter().step_by(effort(2, 1)) {
-        let size = size(&space);
-        if lever(&space) > 100.0 * size {
+        let size = size(space);
+        if lever(space) > 100.0 * size {
             // Differences are lost in rounding.
             continue;
         }
-        for (contact, at) in beside(&space, &mut rng) {
+        for (contact, at) in beside(space, &mut rng) {
             let Coordinates::Planar(c) = at else { panic!() };
             let by = |i: usize, h: f64| {
                 let mut k = [c.x, c.y, c.theta];
@@ -276,7 +276,7 @@ fn derivatives_by_the_drawing_agree_with_other_drawings() {
 fn touching_points_are_on_both_parts() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     for (name, space) in planar().iter().step_by(effort(2, 1)) {
-        let size = size(&space);
+        let size = size(space);
         for patch in space.patches().step_by(1 + space.patch_count() / 40) {
             let (lo, hi) = patch.orientations().unwrap();
             let theta = rng.random_range(lo..=hi);
@@ -327,7 +327,7 @@ fn places_and_clearances_are_those_of_the_parts() {
     for (name, space) in planar().iter().take(20) {
         let oracle = Oracle::new(space.fixed(), space.moving());
         for _ in 0..30 {
-            let far = size(&space);
+            let far = size(space);
             let c = Configuration::new(
                 rng.random_range(-far..far),
                 rng.random_range(-far..far),
@@ -379,7 +379,7 @@ fn smooth_motions_touch_when_straight_ones_do() {
     let mut touched = 0;
     for (name, space) in planar().iter().take(12).chain(on_axes()) {
         let is_planar = matches!(space, PairSpace::Planar(_));
-        let far = size(&space);
+        let far = size(space);
         for _ in 0..12 {
             let way: f64 = rng.random_range(-3.0..3.0);
             let motion = if is_planar {
@@ -439,7 +439,7 @@ fn crossings_are_where_free_space_ends_and_begins() {
     let (mut crossed, mut asked) = (0, 0);
     for (name, space) in planar().iter().take(16).chain(on_axes()) {
         let is_planar = matches!(space, PairSpace::Planar(_));
-        let far = size(&space);
+        let far = size(space);
         for _ in 0..10 {
             let mut number = |scale: f64| rng.random_range(-scale..scale);
             let [from, rates] = if is_planar {
