@@ -244,3 +244,29 @@ fn steps_are_of_motions_with_masses() {
     let (_f, mut command) = run(&heavy, &["--scheme", "stepping", "--step", "0.01"]);
     command.assert().success();
 }
+
+/// A square beside the axis about which it turns.
+const WHEEL: &str = "[[part]]\nname = \"wheel\"\nloops = [[[1, -1], [3, -1], [3, 1], [1, 1]]]\nmotion = { type = \"revolute\", center = [0, 0] }\n";
+
+#[test]
+fn symmetry_about_another_point_than_the_axis_shortens_no_cycle() {
+    let drive = "[[drive]]\npart = \"wheel\"\nrate = 1\n";
+    let (_folder, path) = file(&format!("{WHEEL}{drive}"));
+    let said = printed(&["simulate", &path, "--time", "20"]);
+    assert!(
+        said.contains("a cycle takes 6.28319 s, a turn of the wheel"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_torsion_spring_rests_at_its_angle() {
+    let spring =
+        "[[spring]]\nparts = [\"wheel\"]\ntype = \"torsion\"\nstiffness = 2\nangle = \"30deg\"\n";
+    let (_folder, path) = file(&format!("{WHEEL}{spring}"));
+    let said = printed(&["simulate", &path, "--time", "2"]);
+    assert!(
+        said.contains("wheel: from 30.0000 deg to 30.0000 deg"),
+        "{said}"
+    );
+}

@@ -432,3 +432,17 @@ fn a_contact_that_cannot_be_dragged_there_says_why() {
     assert!(solved.none.unwrap().contains("not enough"));
     assert!(dragged(7.6, &[]).none.is_some());
 }
+
+/// The root and the place at which the quantity ends lie within one step of the search.
+#[test]
+fn a_solution_just_before_the_quantity_ends_is_found() {
+    let corners = r#"[-5, "-high/2"], [5, "-high/2"], [5, "high/2"], [-5, "high/2"]"#;
+    let wide = r#"["-w/2", "-high/2"], ["w/2", "-high/2"], ["w/2", "high/2"], ["-w/2", "high/2"]"#;
+    assert!(PEG.contains(corners) && PEG.contains("slot = 10.1"));
+    let text = PEG
+        .replace("slot = 10.1", "slot = 10\nw = 9.5")
+        .replace(corners, wide);
+    let w = [span("w", 9.0, 11.0)];
+    let found = solved(&text, &w, "sideways", Relation::Equal, Value::Number(0.001));
+    near(&of_one(&found), &[9.999], 1e-9);
+}

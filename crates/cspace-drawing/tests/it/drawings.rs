@@ -267,3 +267,79 @@ fn an_empty_drawing_says_why() {
         "{error}"
     );
 }
+
+/// `S` after `Q`, and `T` after `C`, reflect no control point: they begin at the pen.
+#[test]
+fn smooth_curves_reflect_control_points_of_their_own_degree() {
+    let area = |path: &str| {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\
+             <path d=\"{path}\"/></svg>"
+        );
+        made("a.svg", &text).parts[0].area()
+    };
+    let same = |a: &str, b: &str| assert!((area(a) - area(b)).abs() < 1e-9, "{a}");
+    let (quadratic, cubic) = ("M10 50 Q30 20 50 50", "M10 50 C20 20 40 20 50 50");
+    let end = "L90 90 L10 90 Z";
+    same(
+        &format!("{quadratic} S80 80 90 50 {end}"),
+        &format!("{quadratic} C50 50 80 80 90 50 {end}"),
+    );
+    same(
+        &format!("{cubic} T90 50 {end}"),
+        &format!("{cubic} Q50 50 90 50 {end}"),
+    );
+    same(
+        &format!("{quadratic} T90 50 {end}"),
+        &format!("{quadratic} Q70 80 90 50 {end}"),
+    );
+    same(
+        &format!("{cubic} S80 80 90 50 {end}"),
+        &format!("{cubic} C60 80 80 80 90 50 {end}"),
+    );
+}
+
+/// Six picas are an inch, and 72 points are.
+#[test]
+fn lengths_have_their_units() {
+    for (length, millimetres) in [
+        ("6pc", 25.4),
+        ("72pt", 25.4),
+        ("1in", 25.4),
+        ("96px", 25.4),
+        ("96", 25.4),
+        ("2.54cm", 25.4),
+        ("25.4mm", 25.4),
+    ] {
+        let text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\">\
+             <rect width=\"{length}\" height=\"10\"/></svg>"
+        );
+        let bounds = made("a.svg", &text).parts[0].bounds();
+        assert!(
+            (bounds.max.x - bounds.min.x - millimetres).abs() < 1e-9,
+            "{length}"
+        );
+    }
+}
+
+/// Columns and rows of a block go along its own axes, which are mirrored where it is seen from behind.
+#[test]
+fn columns_of_a_block_seen_from_behind_go_the_other_way() {
+    let block = "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n8\n0\n2\nB\n70\n0\n10\n0\n20\n0\n\
+         0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n0\nENDBLK\n8\n0\n0\nENDSEC\n";
+    for (z, least, most) in [(1, 4.0, 16.0), (-1, -16.0, -4.0)] {
+        let insert = format!(
+            "0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nB\n10\n5\n20\n0\n70\n2\n44\n10\n230\n{z}\n0\nENDSEC\n0\nEOF\n"
+        );
+        let parts = made("a.dxf", &format!("{block}{insert}")).parts;
+        let bounds = parts.iter().map(cspace::Part::bounds);
+        let (lo, hi) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), b| {
+            (lo.min(b.min.x), hi.max(b.max.x))
+        });
+        assert!(
+            (lo - least).abs() < 1e-9 && (hi - most).abs() < 1e-9,
+            "{z}: {lo} {hi}"
+        );
+    }
+}

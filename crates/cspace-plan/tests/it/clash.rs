@@ -307,3 +307,21 @@ fn joined_parts_are_not_judged_and_far_ones_are_counted() {
     assert_eq!(loose.pairs[0].state, State::Touching);
     assert_eq!(loose.pairs[0].parts, [2, 1]);
 }
+
+#[test]
+fn gaps_are_told_in_the_assembly_when_the_first_part_is_turned() {
+    let parts = vec![
+        square("a", (0.0, 0.0), (4.0, 2.0)),
+        square("b", (0.0, 0.0), (1.0, 1.0)),
+    ];
+    let both = mechanism(parts);
+    let sample = Sample {
+        time: 0.0,
+        parts: vec![[0.0, 0.0, 0.25 * TAU], [1.2, 0.0, 0.0]],
+    };
+    let found = Assembly::new(&both).along(&[sample], &Question::default());
+    let [p, q] = found.pairs[0].points.unwrap();
+    // The one is 1 to either side of x = 0, the other begins at 1.2 - 0.5.
+    let is_there = (p.x - 1.0).abs() < 1e-9 && (q.x - 0.7).abs() < 1e-9;
+    assert!(is_there && (p.y - q.y).abs() < 1e-9, "{p:?} {q:?}");
+}

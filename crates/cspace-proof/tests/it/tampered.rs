@@ -151,3 +151,69 @@ fn a_file_is_read_back_as_the_same_numbers() {
     assert!(cspace_check::read(b"{}").is_err());
     assert!(cspace_check::read(b"[1, 2").is_err());
 }
+
+/// A triangle bends by |q| Δθ²/8 and not by less: a witness that overlaps at the corners, but not by all of that, is none.
+#[test]
+fn a_witness_overlaps_by_the_bend_of_its_triangle() {
+    let p = proof();
+    // The bend, and the radius of the moving disc without which the discs do not meet at a corner.
+    let of = |t: &[i64; 7]| {
+        let [qx, qy, _, cx, cy, s] = p.witnesses[t[6] as usize];
+        let [qx, qy] = [qx - p.pivot[0], qy - p.pivot[1]];
+        let (mut far, mut lo, mut hi) = (0.0_f64, f64::INFINITY, f64::NEG_INFINITY);
+        for k in 0..3 {
+            let [x, y, theta] = p.vertices[t[k] as usize];
+            let (sin, cos) = theta.sin_cos();
+            far = far.max((x + cos * qx - sin * qy - cx).hypot(y + sin * qx + cos * qy - cy));
+            let theta = theta + core::f64::consts::TAU * t[k + 3] as f64;
+            (lo, hi) = (lo.min(theta), hi.max(theta));
+        }
+        (qx.hypot(qy) * (hi - lo).powi(2) / 8.0, far - s)
+    };
+    let all = p.triangles.iter().map(of).enumerate();
+    let (i, (bend, least)) = all
+        .filter(|(_, (bend, least))| least + 0.9 * bend > 0.0)
+        .max_by(|a, b| a.1.0.total_cmp(&b.1.0))
+        .unwrap();
+    assert!(bend > 1e-6, "{bend}");
+    for (share, is_enough) in [(0.9, false), (1.0001, true)] {
+        let mut changed = p.clone();
+        let mut witness = p.witnesses[p.triangles[i][6] as usize];
+        witness[2] = least + share * bend;
+        changed.triangles[i][6] = changed.witnesses.len() as i64;
+        changed.witnesses.push(witness);
+        assert_eq!(
+            changed.check().is_ok(),
+            is_enough,
+            "{share} {:?}",
+            changed.check()
+        );
+    }
+}
+
+/// With a window the surface is open at its ends, not beside them.
+#[test]
+fn a_hole_at_the_end_of_a_window_is_a_hole() {
+    let frame = Part::new("box", vec![square(4.0), square(2.0)]).unwrap();
+    let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0).unwrap();
+    let window = Some((0.0, 1.0));
+    let options = Options {
+        window,
+        ..Options::default()
+    };
+    let space = ContactSpace::compute(&frame, &block, &options).unwrap();
+    let at = |x: f64| Configuration::new(x, 0.0, 0.5);
+    let whole = prove(&space, at(0.0), at(9.0), None, &Silent).unwrap();
+    let lo = whole.window.unwrap()[0];
+    // A triangle with one side in the end: its other two sides are then open.
+    let is_there = |t: &[i64; 7]| {
+        let ends = t[..3]
+            .iter()
+            .filter(|&&v| whole.vertices[v as usize][2] <= lo);
+        ends.count() == 2
+    };
+    let hole = whole.triangles.iter().position(is_there).unwrap();
+    let mut torn = whole.clone();
+    torn.triangles.remove(hole);
+    assert!(torn.check().unwrap_err().contains("is open"));
+}

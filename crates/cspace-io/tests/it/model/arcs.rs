@@ -500,3 +500,22 @@ fn any_entries_give_a_part_or_an_error() {
     }
     assert!(read > 400 && arcs > 400, "{read} {arcs}");
 }
+
+/// Of every copy the centre is turned too: four dents that are no half circles.
+#[test]
+fn centres_of_repeated_arcs_turn_with_their_copies() {
+    let text = r#"[[{ repeat = 4, about = [0, 0], path = [[10, 0], { arc_to = [0, 10], center = [12, 12], direction = "cw" }] }]]"#;
+    let read = model::from_toml(&toml(text), "m.toml").unwrap();
+    let found = read.parts[0].part.loops()[0].vertices().to_vec();
+    // From (-2, -12) to (-12, -2) about the centre.
+    let dent = -(0.25 * (48.0_f64 / 148.0).acos()).tan();
+    is(
+        &found,
+        &[
+            [10.0, 0.0, dent],
+            [0.0, 10.0, dent],
+            [-10.0, 0.0, dent],
+            [0.0, -10.0, dent],
+        ],
+    );
+}

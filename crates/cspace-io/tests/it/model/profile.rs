@@ -167,3 +167,23 @@ fn what_is_wrong_is_told_where_it_is() {
         );
     }
 }
+
+/// What is not given of an unequal tolerance is 0.
+#[test]
+fn unequal_tolerances_are_as_they_are_written() {
+    let of = |tolerance: &str| {
+        let part = "[[part]]\nname = \"a\"\nloops = [[[0, 0], [\"w\", 0], [0, 1]]]\n";
+        let text = format!("[parameter]\nw = {{ value = 4, {tolerance} }}\n{part}");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("model.toml");
+        std::fs::write(&path, text).unwrap();
+        let template = Template::read(&path, &Host::default()).unwrap();
+        template.model(&Host::default()).unwrap().parameters[0].deviations
+    };
+    // Below and above.
+    assert_eq!(of("tol = 0.25"), Some((0.25, 0.25)));
+    assert_eq!(of("plus = 0.5"), Some((0.0, 0.5)));
+    assert_eq!(of("minus = 0.5"), Some((0.5, 0.0)));
+    assert_eq!(of("plus = 0.25, minus = 0.5"), Some((0.5, 0.25)));
+    assert_eq!(of("limits = [3.5, 4.25]"), Some((0.5, 0.25)));
+}

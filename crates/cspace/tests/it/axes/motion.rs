@@ -280,3 +280,15 @@ fn motions_that_turn_too_far_end() {
         }
     }
 }
+
+/// The way back begins where the range ends: in at 3, out at 7.
+#[test]
+fn crossings_of_a_motion_that_leaves_its_range() {
+    let part = |x: f64| cspace::Part::rectangle("p", (x, 0.0), 2.0, 2.0).unwrap();
+    let slide = Axis::prismatic(cspace::Vector::new(-1.0, 0.0)).within(0.0, 8.0);
+    let space = FixedAxesSpace::compute(&part(0.0), Axis::FIXED, &part(5.0), slide).unwrap();
+    let found = space.crossings((0.0, 0.0), (0.0, 1.0), 20.0).unwrap();
+    let last = found[found.len() - 1];
+    assert!((found[0].0 - 3.0).abs() < 1e-9 && found[0].2, "{found:?}");
+    assert!((last.0 - 7.0).abs() < 1e-9 && !last.2, "{found:?}");
+}
