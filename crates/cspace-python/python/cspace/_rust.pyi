@@ -220,6 +220,10 @@ def _projected(space: Any, q: Any, length_per_radian: Any, patch: Any = None) ->
     """The nearest configuration of a patch, or of any, where a radian counts as a length: its patch, the configuration and the distance."""
 
 
+def _require_page() -> Any:
+    """Raises an error that says how to get the page of the command, if this package was built without it."""
+
+
 def _separation(fixed: Any, moving: Any, at: Any) -> Any:
     """The shortest translation that separates two parts."""
 
