@@ -333,7 +333,7 @@ fn columns_of_a_block_seen_from_behind_go_the_other_way() {
             "0\nSECTION\n2\nENTITIES\n0\nINSERT\n8\n0\n2\nB\n10\n5\n20\n0\n70\n2\n44\n10\n230\n{z}\n0\nENDSEC\n0\nEOF\n"
         );
         let parts = made("a.dxf", &format!("{block}{insert}")).parts;
-        let bounds = parts.iter().map(cspace::Part::bounds);
+        let bounds = parts.iter().map(Part::bounds);
         let (lo, hi) = bounds.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), b| {
             (lo.min(b.min.x), hi.max(b.max.x))
         });

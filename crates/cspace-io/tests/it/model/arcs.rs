@@ -501,7 +501,7 @@ fn any_entries_give_a_part_or_an_error() {
     assert!(read > 400 && arcs > 400, "{read} {arcs}");
 }
 
-/// Of every copy the centre is turned too: four dents that are no half circles.
+/// The centre of every copy is turned too: four dents that are no half circles.
 #[test]
 fn centres_of_repeated_arcs_turn_with_their_copies() {
     let text = r#"[[{ repeat = 4, about = [0, 0], path = [[10, 0], { arc_to = [0, 10], center = [12, 12], direction = "cw" }] }]]"#;

@@ -168,7 +168,7 @@ fn what_is_wrong_is_told_where_it_is() {
     }
 }
 
-/// What is not given of an unequal tolerance is 0.
+/// A side of an unequal tolerance that is not given is 0.
 #[test]
 fn unequal_tolerances_are_as_they_are_written() {
     let of = |tolerance: &str| {
