@@ -69,7 +69,7 @@ fn leave_out(object: &mut serde_json::Map<String, Value>) {
 }
 
 #[test]
-#[ignore = "for another program: `.ci/full` asks the schemas"]
+#[ignore = "for another program: `.ci/run` lets `.ci/others` judge"]
 fn answers_are_as_their_schemas_say() {
     let models = [
         "ratchet_pawl",

@@ -16,6 +16,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// Pairs to try, each with its space. The largest is left out: it takes half a minute, and gears are covered by the smaller pair.
+/// Tests ask for it on their own threads: a worker of the pool that computes it would wait for itself.
 static SPACES: LazyLock<Vec<(Pair, ContactSpace)>> = LazyLock::new(|| {
     let all: Vec<Pair> = (pairs().into_iter().filter(|p| p.name != LARGEST)).collect();
     let space = |p: &Pair| ContactSpace::compute(&p.fixed, &p.moving, &Options::default());
