@@ -1,10 +1,13 @@
 //! The pages that teach: every command line in them is run, and prints what the page says.
 //!
 //! A block of `toml NAME` is the file of that name, a block of `console` has command lines behind `$ ` and what each prints.
+//! A block of `console long` takes seconds, and is run where `CSPACE_LONG=1` is set.
 //! `CSPACE_DOCS=write cargo test -p cspace-cli docs::` writes what is printed into the pages.
 
 use std::path::Path;
 use std::process::Command;
+
+use cspace_oracle::is_long;
 
 use crate::helpers::printed;
 
@@ -36,7 +39,10 @@ fn run_page(text: &str, folder: &Path) -> (String, usize) {
         };
         let body: Vec<&str> = lines.by_ref().take_while(|l| l.trim() != "```").collect();
         match info.split_whitespace().collect::<Vec<_>>()[..] {
-            ["console"] => {
+            ["console", "long"] if !is_long() => {
+                page.extend(body.iter().map(|l| format!("{l}\n")));
+            }
+            ["console"] | ["console", "long"] => {
                 assert!(body[0].starts_with("$ "), "{}", body[0]);
                 for command in body.iter().filter_map(|l| l.strip_prefix("$ ")) {
                     page += &format!("$ {command}\n{}", print(command));

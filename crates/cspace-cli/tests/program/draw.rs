@@ -46,7 +46,7 @@ fn svg(args: &[&str]) -> String {
 
 #[test]
 fn parts_of_every_model_are_drawn() {
-    for file in models().into_iter().step_by(cspace_oracle::effort(3, 1)) {
+    for file in models().into_iter().step_by(cspace_oracle::effort(6, 1)) {
         for name in ["a.svg", "a.PNG", "a.pdf"] {
             picture(&name.to_lowercase(), &["draw", &file]);
         }

@@ -100,7 +100,7 @@ fn is_true(path: &Path) -> bool {
 #[test]
 fn no_options_make_it_panic_or_lie() {
     // Enough that some of them succeed.
-    let runs = effort(200, 400);
+    let runs = effort(100, 400);
     const COMMANDS: [&str; 9] = [
         "info", "compute", "slice", "classify", "contacts", "move", "play", "draw", "export",
     ];

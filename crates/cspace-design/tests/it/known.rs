@@ -1,5 +1,6 @@
 //! Quantities whose values are known in closed form, and requirements of models.
 
+use cspace::{Point, Vector};
 use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
 use cspace_io::model::{Coordinate, Setting};
 use cspace_io::{Host, read_from_hosted};
@@ -297,6 +298,52 @@ fn changes_along_a_sweep_are_located() {
     };
     assert!(!touching(high - 1e-4) && touching(high + 1e-4), "{high}");
     assert!(line("slot", [10.1, 10.2, 10.3, 10.4], "sideways").is_empty());
+}
+
+/// An arm with a roller of 3 on a disc of 10 that turns 4 off its axis: the normal is from centre to centre, and the contact turns about the
+/// arm's pivot.
+#[test]
+fn pressure_angle_of_a_swinging_follower() {
+    let text = r#"
+[parameter]
+angle = "60deg"
+
+[[part]]
+name = "eccentric"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 10, at = [4, 0] }]
+
+[[part]]
+name = "arm"
+motion = { type = "revolute", center = [22, -15] }
+loops = [{ circle = 3, at = [22, 9] }]
+
+[[requirement]]
+name = "pressure angle"
+measure = "angle"
+of = "v"
+at = { u = "angle", v = 0 }
+along = [0, "90deg"]
+"#;
+    let pivot = Point::new(22.0, -15.0);
+    for degrees in [0.0_f64, 60.0, 90.0, 133.0, -70.0] {
+        let all = check(&model(text, &[("angle", format!("{degrees}deg"))]));
+        let disc = Point::ORIGIN + Vector::from_angle(degrees.to_radians()) * 4.0;
+        // The triangle of pivot, disc and roller has the sides 24, 13 and the distance of the first two.
+        let far = disc.distance(pivot);
+        let corner = ((576.0 + far * far - 169.0) / (48.0 * far)).acos();
+        let to_disc = disc - pivot;
+        let turned = to_disc.y.atan2(to_disc.x) - corner;
+        let roller = pivot + Vector::from_angle(turned) * 24.0;
+        let normal = (roller - disc) * (1.0 / 13.0);
+        let lever = disc + normal * 10.0 - pivot;
+        let expected = (normal.cross(lever).abs() / lever.length()).acos();
+        let found = number(&all[0]);
+        assert!(
+            (found - expected).abs() < 1e-9,
+            "{degrees}: {found} for {expected}"
+        );
+    }
 }
 
 /// A roller of 3 on a disc of 10 that turns 4 off its axis: the normal is from centre to centre, 13 apart.

@@ -7,6 +7,7 @@ use cspace_design::{
 };
 use cspace_io::Host;
 use cspace_io::model::{Coordinate, Subject, Template};
+use cspace_oracle::effort;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -214,7 +215,7 @@ pair = ["c", "ball"]
 measure = "caged"
 equals = false
 "#;
-    let found = analysed(&template(model), 4000);
+    let found = analysed(&template(model), effort(1200, 4000));
     near(found.margin.factor.unwrap(), 0.5, 1e-6);
     assert_eq!(found.structure[0].kind, ChangeKind::Region);
     let samples = found.monte_carlo.unwrap();
@@ -315,6 +316,11 @@ limits = [3.5, 3.7]
     near(samples.moments[1], 0.05 / 2.0_f64.sqrt(), 0.004);
     // The nearest limit is the lower, and the zone may grow until it is reached.
     near(found.margin.factor.unwrap(), (middle - 3.5) / half, 1e-6);
+    // Half of the zone: 0.05 along the slope (3, 4).
+    let model = template(model).model(&Host::default()).unwrap();
+    let farthest = Variations::of(&model).farthest(&[3.0, 4.0], 0.5);
+    near(farthest[0], 0.03, 1e-15);
+    near(farthest[1], 0.04, 1e-15);
 }
 
 #[test]
@@ -594,8 +600,9 @@ fn bands_along_a_motion_are_those_of_closed_forms() {
         )
         .unwrap()
     };
-    let turns = [0.0, 1.0, 2.5];
-    let bands = of(shipped("geneva_lock"), Coordinate::U, &turns);
+    let turns = [1.0, 0.0, 2.5];
+    let turns = &turns[..effort(1, 3)];
+    let bands = of(shipped("geneva_lock"), Coordinate::U, turns);
     for station in &bands[0].stations {
         let [lo, hi] = station.exact.clone();
         near(

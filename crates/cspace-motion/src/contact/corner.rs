@@ -58,3 +58,54 @@ fn is_convex(part: &Part, a: FeatureName, b: FeatureName) -> bool {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use cspace::Vertex;
+
+    use super::*;
+
+    fn edge(loop_index: u32, index: u32) -> FeatureName {
+        FeatureName {
+            loop_index,
+            kind: FeatureKind::Line,
+            index,
+        }
+    }
+
+    /// An L around an L, each drawn in either direction: what is a convex corner of the outline is none of the hole.
+    #[test]
+    fn corners_are_convex_however_loops_are_drawn() {
+        let ell = [(0., 0.), (9., 0.), (9., 4.), (4., 4.), (4., 9.), (0., 9.)];
+        let loops = |backwards: [bool; 2]| {
+            let drawn = |scale: f64, shift: f64, backwards: bool| {
+                let mut all: Vec<Vertex> = (ell.iter())
+                    .map(|&(x, y)| Vertex::line(scale * x + shift, scale * y + shift))
+                    .collect();
+                if backwards {
+                    all.reverse();
+                }
+                all
+            };
+            vec![drawn(1.0, 0.0, backwards[0]), drawn(0.5, 1.0, backwards[1])]
+        };
+        for backwards in [[false, false], [false, true], [true, false], [true, true]] {
+            let part = Part::new("ell", loops(backwards)).unwrap();
+            for (k, backwards) in backwards.into_iter().enumerate() {
+                for corner in 0..6 {
+                    // The edges before and after the vertex of this number as listed above.
+                    let (before, after) = match backwards {
+                        false => ((corner + 5) % 6, corner),
+                        true => (5 - corner, (10 - corner) % 6),
+                    };
+                    let k = k as u32;
+                    let expected = (corner != 3) == (k == 0);
+                    for (a, b) in [(before, after), (after, before)] {
+                        let found = is_convex(&part, edge(k, a), edge(k, b));
+                        assert_eq!(found, expected, "{backwards} {k} {corner}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -285,7 +285,7 @@ mod tests {
     fn finds_a_meeting_exactly_when_some_two_edges_meet() {
         let mut noise = Noise(1);
         let (mut made, mut refused) = (0, 0);
-        for _ in 0..100_000 {
+        for _ in 0..30_000 {
             let mut loops = on_a_grid(&mut noise);
             let Ok(bounds) = check_numbers(&mut loops).and_then(|()| check_extent(&loops)) else {
                 continue;

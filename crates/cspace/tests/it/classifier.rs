@@ -7,7 +7,7 @@ use cspace::{
 };
 use cspace_classifier::Classifier;
 use cspace_oracle::shapes::{gear, pawl, ratchet};
-use cspace_oracle::{Oracle, Pair, effort, near_contact_about, pair};
+use cspace_oracle::{Oracle, Pair, effort, is_long, near_contact_about, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -30,7 +30,7 @@ const INEXACT: [&str; 4] = [
 fn tried() -> impl Iterator<Item = &'static (Pair, ContactSpace)> {
     SPACES
         .iter()
-        .filter(|(p, _)| !cfg!(debug_assertions) || !SLOW.contains(&p.name.as_str()))
+        .filter(|(p, _)| is_long() || !SLOW.contains(&p.name.as_str()))
 }
 
 fn space_of(pair: &Pair) -> ContactSpace {
@@ -84,7 +84,7 @@ fn agrees_with_the_space_and_with_brute_force() {
         let n = if SLOW.contains(&name.as_str()) {
             effort(20, 500)
         } else {
-            effort(80, 2000)
+            effort(40, 2000)
         };
         let mut rng = ChaCha8Rng::seed_from_u64(11);
         let mut all: Vec<(Configuration, Option<bool>)> =
@@ -111,7 +111,7 @@ fn agrees_with_the_space_and_with_brute_force() {
         }
     }
     assert!(mistakes.is_empty(), "{}", mistakes.join("\n"));
-    assert!(tried_at > effort(8_000, 200_000), "{tried_at}");
+    assert!(tried_at > effort(4_000, 200_000), "{tried_at}");
 }
 
 /// Random configurations, some near contact; the classifier and the space must agree on them, also after whole turns.
@@ -140,7 +140,7 @@ fn windows_and_turns() {
             let classifier = Classifier::new(&space);
             let mut rng = ChaCha8Rng::seed_from_u64(5);
             let mut asked = 0;
-            for _ in 0..effort(300, 2000) {
+            for _ in 0..effort(100, 2000) {
                 let c = anywhere(&oracle, &mut rng);
                 let share = rng.random_range(-0.1..1.1);
                 for theta in [lo + share * (hi - lo), lo, hi, c.theta] {
@@ -151,12 +151,12 @@ fn windows_and_turns() {
                     asked += usize::from(found.is_some());
                 }
             }
-            assert!(asked > effort(600, 4000));
+            assert!(asked > effort(200, 4000));
         }
         let space = space_of(&pair);
         let classifier = Classifier::new(&space);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
-        for _ in 0..effort(300, 2000) {
+        for _ in 0..effort(100, 2000) {
             let c = anywhere(&oracle, &mut rng);
             for turns in [-1.0, 0.0, 1.0, -3.0, 100.0, -1e4] {
                 let c = Configuration::new(c.x, c.y, c.theta + turns * TAU);
@@ -192,7 +192,7 @@ fn critical_orientations() {
         let classifier = Classifier::new(&space);
         let size = pair.fixed.size().max(pair.moving.size());
         let mut rng = ChaCha8Rng::seed_from_u64(8);
-        for &critical in space.critical_orientations().iter().take(60) {
+        for &critical in space.critical_orientations().iter().take(effort(20, 60)) {
             for off in [1e-14, -1e-14, 1e-9, -1e-9, 1e-5, -1e-5] {
                 let theta = critical + off;
                 let slice = space.slice(theta);
@@ -294,7 +294,7 @@ fn circles_that_are_nearly_one() {
         let mut rng = ChaCha8Rng::seed_from_u64(12);
         for theta in orientations {
             let slice = space.slice(theta);
-            for _ in 0..effort(300, 2000) {
+            for _ in 0..effort(100, 2000) {
                 let curve = &slice.curves[rng.random_range(0..slice.curves.len())].geometry;
                 let s = rng.random_range(0.0..1.0);
                 let off = oracle.size() * 10f64.powf(rng.random_range(-8.0..-0.5));

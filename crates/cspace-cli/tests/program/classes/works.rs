@@ -76,25 +76,26 @@ fn the_escape_wheel_rests_while_the_anchor_swings_on() {
     let file = model("escapement");
     let at = |v: f64, u: f64| vec![u.to_radians(), v.to_radians()];
     let rests = |deg: f64, side: f64| {
-        let ask = |u: f64| classes(&[&file], "u,v", &[at(side * deg, u)]).remove(0);
+        let ask = |u: &[f64]| {
+            let rows: Vec<Vec<f64>> = u.iter().map(|&u| at(side * deg, u)).collect();
+            classes(&[&file], "u,v", &rows)
+        };
         // From a free angle on, clockwise, until the wheel is stopped.
         let (mut free, mut blocked) = if side > 0.0 {
             (-9.5, -12.0)
         } else {
             (-3.5, -6.0)
         };
-        assert_eq!(
-            (ask(free), ask(blocked)),
-            ("free".into(), "blocked".into()),
-            "{deg} {side}"
-        );
-        for _ in 0..34 {
-            let middle = 0.5 * (free + blocked);
-            if ask(middle) == "free" {
-                free = middle;
-            } else {
-                blocked = middle;
-            }
+        assert_eq!(ask(&[free, blocked]), ["free", "blocked"], "{deg} {side}");
+        // Six times, each narrower by the number of steps.
+        const STEPS: usize = 64;
+        for _ in 0..6 {
+            let step = (blocked - free) / STEPS as f64;
+            let tried: Vec<f64> = (0..=STEPS).map(|k| free + step * k as f64).collect();
+            let classes = ask(&tried);
+            let stopped = classes.iter().position(|c| c != "free").unwrap();
+            assert!(stopped > 0, "{deg} {side}");
+            (free, blocked) = (tried[stopped - 1], tried[stopped]);
         }
         free
     };

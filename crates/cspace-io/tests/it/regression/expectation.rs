@@ -40,8 +40,8 @@ pub(crate) struct Planar {
     /// Slices at random orientations are right beside contact.
     #[serde(default)]
     pub(crate) slices_beside_contact: bool,
-    /// 10 000 random configurations beside contact are classified correctly, and more than this many of them are
-    /// certain.
+    /// 10 000 random configurations beside contact, or by default a quarter of them, are classified correctly, and more than this many of
+    /// 10 000 are certain.
     pub(crate) beside_contact_more_than: Option<usize>,
     pub(crate) around_the_origin: Option<Around>,
     /// Slices at evenly spaced orientations are made of closed loops, as many as those from scratch.

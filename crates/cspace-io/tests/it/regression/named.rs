@@ -8,7 +8,7 @@ use cspace::{
     Slicer, Vector, Vertex,
 };
 use cspace_classifier::Classifier;
-use cspace_oracle::Oracle;
+use cspace_oracle::{Oracle, effort};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -87,7 +87,7 @@ fn windows_that_end_at_a_critical_orientation() {
 #[test]
 fn circles_of_many_arcs() {
     let mut rng = ChaCha8Rng::seed_from_u64(45);
-    for _ in 0..150 {
+    for _ in 0..effort(50, 150) {
         let mut circle = |center: f64, radius: f64, decimals: Option<i32>| {
             let n = rng.random_range(2..10);
             let mut angles: Vec<f64> = (0..n).map(|_| rng.random_range(0.0..TAU)).collect();
@@ -206,7 +206,7 @@ fn spiral_with_itself() {
     let space = ContactSpace::compute(&fixed, &moving, &Options::default()).unwrap();
     let slicer = Slicer::new(&fixed, &moving);
     let oracle = Oracle::new(&fixed, &moving);
-    for k in 0..360 {
+    for k in (0..360).step_by(effort(9, 1)) {
         let theta = (f64::from(k) + 0.4).to_radians();
         let slice = space.slice(theta);
         let scratch = slicer.slice(theta);
@@ -238,7 +238,7 @@ fn spiral_with_itself() {
 fn equal_room_inside_and_outside() {
     let parts = parts("tests/regression/equal_room_inside_and_outside.toml");
     let space = ContactSpace::compute(&parts[0], &parts[1], &Options::default()).unwrap();
-    for angle in 0..360 {
+    for angle in (0..360).step_by(effort(5, 1)) {
         let out = Vector::from_angle(f64::from(angle).to_radians());
         for theta in [0.0, 1.0, -2.0] {
             let at = |r: f64| Configuration::new(r * out.x, r * out.y, theta);

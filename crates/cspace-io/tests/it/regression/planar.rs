@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use cspace::{Classification, Configuration, ContactSpace, Options, Slice, Slicer};
 use cspace_classifier::Classifier;
 use cspace_mechanism::Mechanism;
-use cspace_oracle::{Oracle, Verdict, near_contact};
+use cspace_oracle::{Oracle, Verdict, effort, near_contact};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -82,13 +82,15 @@ pub(crate) fn check(model: &Mechanism, e: &Planar) {
     }
     if let Some(least) = e.beside_contact_more_than {
         let window = e.window.unwrap_or((-0.5 * TAU, 0.5 * TAU));
-        more(pair.classified(window), Some(least), "certain");
+        let asked = effort(2_500, 10_000);
+        let certain = pair.classified(asked, window);
+        more(certain, Some(least * asked / 10_000), "certain");
     }
     if let Some(around) = &e.around_the_origin {
         pair.around(around);
     }
     if e.closed {
-        for k in 0..360 {
+        for k in (0..360).step_by(effort(4, 1)) {
             let theta = (f64::from(k) + 0.4).to_radians();
             let [slice, scratch] = pair.both(theta);
             assert_eq!(open(&slice), 0, "open curves at {theta}");
@@ -129,7 +131,7 @@ impl Pair {
 
     fn slices_are_right(&self) {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
-        for near in near_contact(&self.oracle, &mut rng, 1000) {
+        for near in near_contact(&self.oracle, &mut rng, effort(400, 1000)) {
             let c = near.configuration;
             let free = self.space.slice(c.theta).is_free(c.position());
             let unsure = near.verdict.margin <= self.least();
@@ -145,9 +147,9 @@ impl Pair {
         certain
     }
 
-    fn classified(&self, (lo, hi): (f64, f64)) -> usize {
+    fn classified(&self, asked: usize, (lo, hi): (f64, f64)) -> usize {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
-        let near = near_contact(&self.oracle, &mut rng, 10_000).into_iter();
+        let near = near_contact(&self.oracle, &mut rng, asked).into_iter();
         near.filter(|near| {
             let mut c = near.configuration;
             c.theta = lo + (hi - lo) * (c.theta / TAU).rem_euclid(1.0);

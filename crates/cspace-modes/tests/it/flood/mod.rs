@@ -96,7 +96,7 @@ fn stars(seed: u64) -> Mechanism {
 #[test]
 fn what_a_free_step_joins_is_one_mode() {
     let mut exact = 0;
-    let seeds = effort(4, 12);
+    let seeds = effort(2, 12);
     for seed in 0..seeds {
         let modes = Modes::compute(&stars(seed), [0, 1, 2]).unwrap();
         assert_eq!(modes.doubts(), 0);

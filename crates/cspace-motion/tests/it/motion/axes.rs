@@ -148,6 +148,33 @@ fn springs_relax() {
     }
 }
 
+/// A wheel drags another by a damper c against the resistance I of that one's outline, by c / (c + I) of its turn.
+#[test]
+fn a_driven_part_drags_another_by_a_damper() {
+    let disc = Part::circle("disc", (0.0, 0.0), 2.0).unwrap();
+    let plate = Part::rectangle("plate", (20.0, 0.0), 4.0, 2.0).unwrap();
+    let parts = vec![
+        PartEntry::revolute(disc, (0.0, 0.0)),
+        PartEntry::revolute(plate, (20.0, 0.0)),
+    ];
+    let mut mechanism = driven(mechanism(parts), 0, 1.0);
+    mechanism.dynamics.springs.push(Spring {
+        part: 1,
+        other: Some(0),
+        kind: SpringKind::Torsion {
+            stiffness: 0.0,
+            angle: 0.0,
+            damping: 100.0,
+        },
+    });
+    let (_, record) = run(&mechanism, 1.0, 0.1);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    let inertia = 8.0 * (16.0 + 4.0) / 12.0;
+    let expected = 100.0 / (100.0 + inertia);
+    let turned = at(&record, 1.0)[1];
+    assert!((turned - expected).abs() < 1e-9, "{turned} for {expected}");
+}
+
 /// A drive with a table moves out and back: it pushes a block and leaves it where it is.
 #[test]
 fn a_table_pushes_and_lets_go() {

@@ -46,7 +46,7 @@ fn nothing_overlaps_at_events_nor_between() {
     let samples = effort(100, 1000);
     let models = moved();
     assert!(models.len() >= 40, "{}", models.len());
-    let some: Vec<_> = models.into_iter().step_by(effort(8, 1)).collect();
+    let some: Vec<_> = models.into_iter().step_by(effort(14, 1)).collect();
     let found = some.into_par_iter().flat_map(|(name, mechanism)| {
         let simulation = Simulation::new(&mechanism).unwrap();
         let settings = Settings {

@@ -1,6 +1,7 @@
 //! Friction where forces balance, against statics.
 
 use cspace_motion::{ContactForce, EventKind, Record, Sample, Status, What};
+use cspace_oracle::effort;
 
 use crate::motion::helpers::{model, near, read, run};
 
@@ -195,7 +196,7 @@ table = [[0, 0], [1, 6], [2, 10], [3, 6], [4, -3]]
 /// A block on a table that tilts slides down to a lip as soon as it is beyond the angle of friction.
 #[test]
 fn a_block_slides_off_beyond_the_angle_of_friction() {
-    for friction in [0.1, 0.3, 0.4, 0.41, 0.5] {
+    for friction in [0.3, 0.41] {
         let (_, record) = run(
             &read(&format!(
                 r#"
@@ -426,7 +427,7 @@ rate = -1
 #[test]
 fn a_sleeve_hangs_on_its_pole_by_friction() {
     let settings = cspace_motion::Settings {
-        time: 2.5,
+        time: effort(1.0, 2.5),
         every: None,
     };
     let of = |friction: bool| {

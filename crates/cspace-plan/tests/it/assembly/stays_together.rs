@@ -104,6 +104,15 @@ fn three_lock_each_other_of_which_no_two_do() {
         assert_eq!(locked.parts, [0, 1, 2]);
         // Each division of the three in two.
         assert_eq!(locked.why.len(), 3);
+        // Features of several parts that are taken as one are told as each part draws them: all have one loop.
+        for why in &locked.why {
+            for (staying, moving) in &why.features {
+                assert!(why.staying.contains(&staying.part), "{why:?}");
+                assert!(why.moving.contains(&moving.part), "{why:?}");
+                let loops = [staying.feature.loop_index, moving.feature.loop_index];
+                assert_eq!(loops, [0, 0], "{why:?}");
+            }
+        }
     }
 }
 

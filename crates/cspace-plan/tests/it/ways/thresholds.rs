@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
 use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Vertex};
-use cspace_oracle::Oracle;
+use cspace_oracle::{Oracle, effort};
 use cspace_plan::legs::Scene;
 use cspace_plan::{Answer, Clearance, Planner, Verdict, Wishes};
 
@@ -253,7 +253,7 @@ fn a_way_in_contact_at_its_ends_leaves_them() {
 /// A curved key with little play in a half ring: it turns about the centre of the ring, far from its own middle, and then goes down.
 #[test]
 fn a_curved_key_turns_about_the_center_of_its_groove() {
-    const PLAY: f64 = 1e-3;
+    let play = effort(1e-2, 1e-3);
     let on = |r: f64, degrees: f64, bulge: f64| {
         let angle = degrees.to_radians();
         Vertex::new(r * angle.cos(), r * angle.sin(), bulge)
@@ -263,10 +263,10 @@ fn a_curved_key_turns_about_the_center_of_its_groove() {
     // From 30 degrees the groove is closed by the plate; at 180 it is open below.
     let plate = vec![
         Vertex::line(-60.0, 0.0),
-        on(outer + PLAY, 180.0, -bulge(150.0)),
-        on(outer + PLAY, 30.0, 0.0),
-        on(inner - PLAY, 30.0, bulge(150.0)),
-        on(inner - PLAY, 180.0, 0.0),
+        on(outer + play, 180.0, -bulge(150.0)),
+        on(outer + play, 30.0, 0.0),
+        on(inner - play, 30.0, bulge(150.0)),
+        on(inner - play, 180.0, 0.0),
         Vertex::line(60.0, 0.0),
         Vertex::line(60.0, 60.0),
         Vertex::line(-60.0, 60.0),
@@ -289,7 +289,7 @@ fn a_curved_key_turns_about_the_center_of_its_groove() {
     };
     assert!(path.configurations.len() <= 4, "{path:?}");
     assert!(path.about.length() < 1e-9, "{:?}", path.about);
-    assert!((path.narrowest.clearance - PLAY).abs() < 1e-6, "{path:?}");
+    assert!((path.narrowest.clearance - play).abs() < 1e-6, "{path:?}");
     let oracle = Oracle::new(&plate, &key);
     is_free(planner.scene(), &oracle, &path, places(), "curved key");
 }

@@ -10,12 +10,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use cspace::fixed_axes::AxisMotion;
 use cspace::{Axis, FixedAxesSpace, Part, Point};
-use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
+use cspace_oracle::{Oracle, effort};
 use rayon::prelude::*;
 
 /// Number of values of each coordinate.
-const VALUES: usize = 360;
+fn count() -> usize {
+    effort(180, 360)
+}
+
 /// Number of times that a step between neighbours is halved.
 const HALVINGS: u32 = 6;
 /// Minimum margin of an oracle's verdict for it to count, as a share of the size.
@@ -42,12 +45,12 @@ impl Values {
             (AxisMotion::Prismatic { .. }, None) => (-2.0 * size, 2.0 * size),
         };
         let around = axis.range.is_none() && matches!(axis.motion, AxisMotion::Revolute { .. });
-        let step = (hi - lo) / VALUES as f64;
+        let step = (hi - lo) / count() as f64;
         let middle = |k: usize| lo + step * (k as f64 + if around { 0.0 } else { 0.5 });
         Self {
             at: match axis.motion {
                 AxisMotion::Fixed => vec![0.0],
-                _ => (0..VALUES).map(middle).collect(),
+                _ => (0..count()).map(middle).collect(),
             },
             around,
             reach: match axis.motion {
@@ -260,7 +263,8 @@ fn free_regions_agree_with_a_flood_fill() {
 /// teeth: turning one of them by a tooth leads to another way, and turning both in mesh identifies some of these.
 #[test]
 fn gears_mesh_in_as_many_ways_as_their_common_divisor() {
-    for (n, m, ways) in [(10, 9, 1), (14, 12, 2), (9, 6, 3), (8, 8, 8), (6, 12, 6)] {
+    let all = [(9, 6, 3), (8, 8, 8), (10, 9, 1), (6, 12, 6), (14, 12, 2)];
+    for (n, m, ways) in all.into_iter().take(effort(3, 5)) {
         let g = gears(n, m);
         let space =
             FixedAxesSpace::compute(&g.fixed, g.fixed_axis, &g.moving, g.moving_axis).unwrap();

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Part, PartError, Point, Vertex};
+use cspace_oracle::effort;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
@@ -95,7 +96,7 @@ fn star_shaped_loops_are_parts_in_both_directions() {
 
 #[test]
 fn area_is_the_measure_of_the_points_contained() {
-    cases(CASES, |rng| {
+    cases(effort(20, CASES), |rng| {
         let part = Part::new("given", vec![star_shaped(rng)]).unwrap();
         let counted = counted_area(&part, 200);
         // The boundary, under 12 sizes long, passes through about 12 · 200 of 40000 cells, each

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Classification, Configuration, ContactSpace, Options, Point};
-use cspace_oracle::{Oracle, near_contact_about, pair};
+use cspace_oracle::{Oracle, effort, near_contact_about, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -175,9 +175,10 @@ fn near_contacts_are_those_of_a_look_at_every_curve() {
         "peg in hole drawn far away",
     ];
     let mut touching = 0;
+    let windows = [Some((-0.4, 0.9)), None, Some((1002.0, 1007.0))];
     for name in NAMES {
         let p = pair(name);
-        for window in [None, Some((-0.4, 0.9)), Some((1002.0, 1007.0))] {
+        for window in windows.into_iter().take(effort(2, 3)) {
             let options = Options {
                 window,
                 ..Options::default()
@@ -186,5 +187,5 @@ fn near_contacts_are_those_of_a_look_at_every_curve() {
             touching += is_as_by_slice(name, &space);
         }
     }
-    assert!(touching > 100_000, "{touching}");
+    assert!(touching > 30_000, "{touching}");
 }

@@ -238,3 +238,38 @@ fn what_makes_no_projection_is_refused() {
     let wrong = space.project(Coordinates::Axes { u: 0.0, v: 0.0 }, first, metric(1.0));
     assert!(matches!(wrong, Err(QueryError::Coordinates { .. })));
 }
+
+/// A square in a bore is nearest to contact where its farthest corner is, at any place and orientation; turning costs more than it gains.
+#[test]
+fn the_nearest_place_in_a_bore_is_that_of_the_farthest_corner() {
+    let plate = cspace::Part::new(
+        "plate",
+        vec![
+            cspace::part::circle_loop((0.0, 0.0), 9.0).unwrap(),
+            cspace::part::circle_loop((0.0, 0.0), 4.0).unwrap(),
+        ],
+    );
+    let square = cspace::Part::rectangle("square", (0.0, 0.0), 2.0, 2.0).unwrap();
+    let space = ContactSpace::compute(&plate.unwrap(), &square, &Options::default()).unwrap();
+    let space = PairSpace::Planar(std::sync::Arc::new(space));
+    let metric = Metric {
+        length_per_radian: 1e6,
+    };
+    for k in 0..60 {
+        let turn = f64::from(k);
+        let c = Configuration::new(1.5 * (1.7 * turn).cos(), 1.5 * (2.3 * turn).sin(), turn);
+        let (_, Projection { distance, .. }) = space
+            .nearest_patch(Coordinates::Planar(c), metric)
+            .unwrap()
+            .unwrap();
+        let corner = |x: f64, y: f64| c.fixed_from_moving(cspace::Point::new(x, y));
+        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+        let expected = (corners.iter())
+            .map(|&(x, y)| 4.0 - corner(x, y).to_vector().length())
+            .fold(f64::INFINITY, f64::min);
+        assert!(
+            (distance - expected).abs() < 1e-9,
+            "{c:?}: {distance} for {expected}"
+        );
+    }
+}

@@ -7,7 +7,7 @@ use cspace::{
     BoundaryCurve, BoundaryKind, Configuration, ContactSpace, FeatureName, Options, PatchRef,
     Point, Slice, SliceCurve,
 };
-use cspace_oracle::{Pair, pair};
+use cspace_oracle::{Pair, effort, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -171,7 +171,7 @@ fn same_slices(trial: &Trial, theta: f64) {
 fn slices_read_off_equal_slices_from_scratch() {
     on_all_pairs(|trial| {
         let mut rng = ChaCha8Rng::seed_from_u64(11);
-        for _ in 0..20 {
+        for _ in 0..effort(8, 20) {
             let theta = rng.random_range(-PI..PI);
             same_slices(trial, theta);
         }
@@ -184,7 +184,7 @@ fn slices_beside_critical_orientations_equal_slices_from_scratch() {
     const ALONE: f64 = 3e-7;
     on_all_pairs(|trial| {
         let all = trial.space.critical_orientations().to_vec();
-        let step = all.len().div_ceil(40).max(1);
+        let step = all.len().div_ceil(effort(12, 40)).max(1);
         for i in (0..all.len()).step_by(step) {
             let gap = |j: usize| (all[j % all.len()] - all[i]).rem_euclid(TAU);
             let alone =
@@ -213,7 +213,7 @@ fn slices_at_critical_orientations_are_those_just_above() {
     const ROUNDING: f64 = 1e-15;
     on_all_pairs(|trial| {
         let all = trial.space.critical_orientations().to_vec();
-        let step = all.len().div_ceil(40).max(1);
+        let step = all.len().div_ceil(effort(12, 40)).max(1);
         for i in (0..all.len()).step_by(step) {
             let gap = (all[(i + 1) % all.len()] - all[i]).rem_euclid(TAU);
             if all.len() > 1 && gap < ALONE {

@@ -34,7 +34,7 @@ fn agree_with_brute_force(count: u64) {
 
 #[test]
 fn random_spaces_agree_with_brute_force() {
-    agree_with_brute_force(32);
+    agree_with_brute_force(16);
 }
 
 #[test]

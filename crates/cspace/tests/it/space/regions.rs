@@ -36,7 +36,7 @@ fn compare(name: &str, case: &Case, depth: u32) -> (Vec<String>, usize) {
     let space = ContactSpace::compute(&case.fixed, &case.moving, &options).unwrap();
     let wide = WIDE.iter().find(|w| w.0 == name);
     let depth = if wide.is_some() {
-        effort(FINE_DEPTH - 1, FINE_DEPTH)
+        effort(FINE_DEPTH - 2, FINE_DEPTH)
     } else {
         depth.min(effort(ROUGHEST_DEPTH, DEPTH))
     };

@@ -16,7 +16,7 @@ fn slices_agree_with_brute_force() {
         let mut rng = ChaCha8Rng::seed_from_u64(7);
         let before = bad.len();
         let mut n = 0;
-        for near in near_contact_about(&oracle, &pair.notable, &mut rng, effort(24, 200)) {
+        for near in near_contact_about(&oracle, &pair.notable, &mut rng, effort(10, 200)) {
             let c = near.configuration;
             let slice = Slice::compute(&pair.fixed, &pair.moving, c.theta);
             checked += 1;

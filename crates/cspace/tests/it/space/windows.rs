@@ -92,6 +92,7 @@ fn wrong_at_the_end(
 fn the_end_of_a_window_beside_a_critical_orientation() {
     let wrong: Vec<String> = PAIRS
         .par_iter()
+        .step_by(effort(2, 1))
         .flat_map_iter(|name| {
             let mut rng = ChaCha8Rng::seed_from_u64(7);
             let pair = pair(name);
@@ -99,7 +100,7 @@ fn the_end_of_a_window_beside_a_critical_orientation() {
             let full = full.unwrap();
             let all = full.critical_orientations();
             // Number of critical orientations tested for each pair, and of ends at each.
-            let (tried, ends) = effort((1, 12), (3, 1));
+            let (tried, ends) = effort((1, 12), (7, 1));
             let mut wrong = Vec::new();
             for c in all.iter().step_by(all.len().div_ceil(tried).max(1)) {
                 for end in BESIDE.iter().step_by(ends).map(|d| c + d) {
