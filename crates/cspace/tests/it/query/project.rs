@@ -239,37 +239,51 @@ fn what_makes_no_projection_is_refused() {
     assert!(matches!(wrong, Err(QueryError::Coordinates { .. })));
 }
 
-/// A square in a bore is nearest to contact where its farthest corner is, at any place and orientation; turning costs more than it gains.
+/// At each orientation a square in a bore is as far from contact as its farthest corner: the nearest of all orientations is found by
+/// steps, the smallest of which is halved until it is known.
 #[test]
 fn the_nearest_place_in_a_bore_is_that_of_the_farthest_corner() {
-    let plate = cspace::Part::new(
-        "plate",
-        vec![
-            cspace::part::circle_loop((0.0, 0.0), 9.0).unwrap(),
-            cspace::part::circle_loop((0.0, 0.0), 4.0).unwrap(),
-        ],
-    );
+    let circle = |radius| cspace::part::circle_loop((0.0, 0.0), radius).unwrap();
+    let plate = cspace::Part::new("plate", vec![circle(9.0), circle(4.0)]).unwrap();
     let square = cspace::Part::rectangle("square", (0.0, 0.0), 2.0, 2.0).unwrap();
-    let space = ContactSpace::compute(&plate.unwrap(), &square, &Options::default()).unwrap();
+    let space = ContactSpace::compute(&plate, &square, &Options::default()).unwrap();
     let space = PairSpace::Planar(std::sync::Arc::new(space));
-    let metric = Metric {
-        length_per_radian: 1e6,
-    };
     for k in 0..60 {
         let turn = f64::from(k);
         let c = Configuration::new(1.5 * (1.7 * turn).cos(), 1.5 * (2.3 * turn).sin(), turn);
-        let (_, Projection { distance, .. }) = space
-            .nearest_patch(Coordinates::Planar(c), metric)
-            .unwrap()
-            .unwrap();
-        let corner = |x: f64, y: f64| c.fixed_from_moving(cspace::Point::new(x, y));
-        let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
-        let expected = (corners.iter())
-            .map(|&(x, y)| 4.0 - corner(x, y).to_vector().length())
-            .fold(f64::INFINITY, f64::min);
-        assert!(
-            (distance - expected).abs() < 1e-9,
-            "{c:?}: {distance} for {expected}"
-        );
+        for length_per_radian in [1e6, 1.0, 0.1] {
+            let metric = Metric { length_per_radian };
+            let (_, Projection { distance, .. }) = space
+                .nearest_patch(Coordinates::Planar(c), metric)
+                .unwrap()
+                .unwrap();
+            let away = |turned: f64| {
+                let at = Configuration::new(c.x, c.y, c.theta + turned);
+                let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
+                let farthest = (corners.iter())
+                    .map(|&corner| at.fixed_from_moving(corner.into()).to_vector().length())
+                    .fold(0.0, f64::max);
+                (4.0 - farthest).hypot(length_per_radian * turned)
+            };
+            let (mut best, mut step) = (0.0, 0.0);
+            for k in -1000..=1000 {
+                let turned = 0.5 * TAU / 1000.0 * f64::from(k);
+                if away(turned) < away(best) {
+                    (best, step) = (turned, 0.5 * TAU / 1000.0);
+                }
+            }
+            while step > 1e-12 {
+                let beside = [best - step, best + step];
+                match beside.into_iter().find(|&t| away(t) < away(best)) {
+                    Some(better) => best = better,
+                    None => step *= 0.5,
+                }
+            }
+            let expected = away(best);
+            assert!(
+                (distance - expected).abs() < 1e-9,
+                "{c:?}, {length_per_radian}: {distance} for {expected}"
+            );
+        }
     }
 }
