@@ -389,3 +389,64 @@ fn what_is_joined_comes_to_what_has_a_start() {
         near("start", simulation.start()[0], angle.to_radians(), 1e-12);
     }
 }
+
+/// A block that a link without mass pulls along a floor: the joints carry the friction, and what speeds the block up.
+#[test]
+fn joints_carry_the_friction_of_contacts() {
+    let (friction, mass, weight, rate) = (0.3, 2.0, 20.0, 1.5);
+    let text = format!(
+        r#"
+friction = {friction}
+[[part]]
+name = "floor"
+motion = {{ type = "fixed" }}
+loops = [[[-50, -2], [50, -2], [50, 0], [-50, 0]]]
+[[part]]
+name = "block"
+mass = {mass}
+rate = [{rate}, 0, 0]
+inertia = 1
+center_of_mass = [0, 0.5]
+loops = [[[-2, 0], [2, 0], [2, 1], [-2, 1]]]
+[[part]]
+name = "link"
+mass = 1e-9
+rate = [{rate}, 0, 0]
+inertia = 1e-9
+center_of_mass = [5, 0.5]
+loops = [[[3, 0.4], [7, 0.4], [7, 0.6], [3, 0.6]]]
+[[part]]
+name = "cart"
+motion = {{ type = "prismatic", direction = [1, 0] }}
+mass = 1
+loops = [[[9, 0.1], [10, 0.1], [10, 0.9], [9, 0.9]]]
+[[joint]]
+type = "revolute"
+parts = ["block", "link"]
+at = [0, 0.5]
+[[joint]]
+type = "revolute"
+parts = ["link", "cart"]
+at = [8, 0.5]
+[[load]]
+part = "block"
+force = [0, -{weight}]
+at = [0, 0.5]
+[[drive]]
+part = "cart"
+rate = {rate}
+"#
+    );
+    let (_, record) = thrown(&text, 1.0, 0.1);
+    assert_eq!(record.status, Status::Done, "{:?}", record.reason);
+    for sample in &record.samples {
+        let forces = sample.forces.as_ref().unwrap();
+        for joint in &forces.joints {
+            near("pull", joint.force[0].abs(), friction * weight, 1e-6);
+            near("across", joint.force[1], 0.0, 1e-6);
+        }
+        assert_eq!(forces.joints.len(), 2);
+        let floor: f64 = forces.contacts.iter().map(|c| c.tangential.abs()).sum();
+        near("on the floor", floor, friction * weight, 1e-6);
+    }
+}
