@@ -23,9 +23,10 @@ pub(crate) struct Cli {
     /// Say nothing on standard error but errors
     #[arg(short, long, global = true)]
     pub(crate) quiet: bool,
-    /// When to colour messages on standard error; NO_COLOR is obeyed too
-    #[arg(long, global = true, value_enum, default_value_t = ColorWhen::Auto, value_name = "WHEN")]
-    pub(crate) color: ColorWhen,
+    /// When to colour messages on standard error: auto (on a terminal), always or never; NO_COLOR is obeyed too. Of drawings, a colour such
+    /// as red, #ff0000, or its number in AutoCAD's palette: what is drawn in it is read, and nothing else; may be given several times
+    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR")]
+    pub(crate) color: Vec<Colored>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -127,6 +128,26 @@ impl From<ColorWhen> for anstream::ColorChoice {
             ColorWhen::Always => Self::Always,
             ColorWhen::Never => Self::Never,
         }
+    }
+}
+
+/// Meaning of `--color`: when to colour messages, or colours of drawings to read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Colored {
+    When(ColorWhen),
+    In(cspace_drawing::Color),
+}
+
+fn colored(text: &str) -> Result<Colored, String> {
+    match ColorWhen::from_str(text, true) {
+        Ok(when) => Ok(Colored::When(when)),
+        Err(_) => match text.parse() {
+            Ok(color) => Ok(Colored::In(color)),
+            Err(_) => Err(
+                "give auto, always or never; or, of drawings, a colour such as red, #ff0000 or 1"
+                    .to_owned(),
+            ),
+        },
     }
 }
 
@@ -1149,9 +1170,22 @@ pub(crate) struct DrawingArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) layer: Vec<String>,
 
-    /// Read the element of this id alone (SVG)
+    /// Read the element of this id alone; may be given several times (SVG)
     #[arg(long, value_name = "ID")]
-    pub(crate) id: Option<String>,
+    pub(crate) id: Vec<String>,
+
+    /// Read what is drawn in this line type alone; may be given several times [default: all but those of centre lines, hidden edges and
+    /// the like] (DXF)
+    #[arg(long, value_name = "NAME")]
+    pub(crate) linetype: Vec<String>,
+
+    /// The colours that `--color` names
+    #[arg(skip)]
+    pub(crate) colors: Vec<cspace_drawing::Color>,
+
+    /// Leave out a rectangle around everything, such as the sheet of material
+    #[arg(long)]
+    pub(crate) without_sheet: bool,
 
     /// Take the outlines of hatches too (DXF)
     #[arg(long)]

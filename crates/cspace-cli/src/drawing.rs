@@ -33,7 +33,9 @@ pub(crate) fn failed(path: &Path, error: &DrawingError) -> Failure {
 fn source(args: &DrawingArgs) -> Source {
     Source {
         layers: args.layer.clone(),
-        id: args.id.clone(),
+        ids: args.id.clone(),
+        colors: args.colors.clone(),
+        linetypes: args.linetype.clone(),
         hatches: args.hatches,
     }
 }
@@ -46,7 +48,8 @@ pub(crate) fn check_options<'p>(
     let given = [
         ("--layer", "dxf", !args.layer.is_empty()),
         ("--hatches", "dxf", args.hatches),
-        ("--id", "svg", args.id.is_some()),
+        ("--linetype", "dxf", !args.linetype.is_empty()),
+        ("--id", "svg", !args.id.is_empty()),
     ];
     for (option, format, is_given) in given {
         check_option(option, format, is_given, drawings.clone())?;
@@ -83,6 +86,7 @@ pub(crate) fn settings(args: &DrawingArgs, scale: f64) -> Settings {
         scale,
         join: args.join,
         fit: args.fit,
+        without_sheet: args.without_sheet,
         ..Settings::default()
     }
 }
@@ -92,13 +96,20 @@ pub(crate) fn options(args: &DrawingArgs) -> String {
     let mut text = String::new();
     let texts = (args.layer.iter().map(|l| ("--layer", l)))
         .chain(args.id.iter().map(|id| ("--id", id)))
+        .chain(args.linetype.iter().map(|name| ("--linetype", name)))
         .chain(args.unit.iter().map(|unit| ("--unit", unit)));
     for (option, value) in texts {
         // A String takes everything.
         let _ = write!(text, " {option} {}", shown::word(value));
     }
+    for color in &args.colors {
+        let _ = write!(text, " --color {}", shown::word(&color.to_string()));
+    }
     if args.hatches {
         text.push_str(" --hatches");
+    }
+    if args.without_sheet {
+        text.push_str(" --without-sheet");
     }
     for (option, value) in lengths(args) {
         let _ = value.map(|x| write!(text, " {option} {x:?}"));

@@ -21,7 +21,7 @@ use std::ffi::OsString;
 use clap::Parser;
 use cspace_io::shown;
 
-use args::{Cli, Command};
+use args::{Cli, ColorWhen, Colored, Command};
 use failure::Failure;
 
 /// The answer of `cspace tolerances --format json` for an analysis; its schema is `docs/answers/tolerances.schema.json`.
@@ -89,9 +89,27 @@ fn usage(arguments: &[OsString], error: &clap::Error) -> u8 {
     2
 }
 
-fn run(cli: Cli) -> Result<(), Failure> {
-    anstream::ColorChoice::write_global(cli.color.into());
+fn run(mut cli: Cli) -> Result<(), Failure> {
+    let mut when = ColorWhen::Auto;
+    let mut colors = Vec::new();
+    for color in &cli.color {
+        match *color {
+            Colored::When(given) => when = given,
+            Colored::In(color) => colors.push(color),
+        }
+    }
+    anstream::ColorChoice::write_global(when.into());
     failure::set_quiet(cli.quiet);
+    match &mut cli.command {
+        Command::Import(args) => args.drawing.colors = colors,
+        Command::View(args) => args.drawing.colors = colors,
+        _ => {
+            if let Some(color) = colors.first() {
+                let message = format_args!("--color {color}: colours are chosen of drawings");
+                return Err(Failure::input(message).help("give auto, always or never"));
+            }
+        }
+    }
     match cli.command {
         Command::Info(args) => command::info::run(&args),
         Command::Compute(args) => command::compute::run(&args),

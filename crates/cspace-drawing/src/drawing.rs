@@ -18,12 +18,16 @@ pub struct Drawing {
     pub name: String,
     /// The unit of length that the file names.
     pub unit: Option<Unit>,
+    /// The page, in the drawing's coordinates, where the file names one.
+    pub page: Option<Bounds>,
     /// Whether the entities are polygons through measured points, to which lines and arcs are to be fitted.
     pub is_measured: bool,
     /// Entities that may be an outline, or a part of one.
     pub entities: Vec<Entity>,
     /// Entities that are no outline, and are left out.
     pub ignored: Vec<Ignored>,
+    /// Properties of entities that are read which are not followed.
+    pub unfollowed: Vec<Ignored>,
     /// Entities that would be drawn on layers that are left out; they are among the ignored ones, too.
     pub elsewhere: Vec<Elsewhere>,
     /// Entities that would be an outline but cannot be used.
@@ -149,12 +153,12 @@ pub struct Origin {
     pub line: usize,
 }
 
-/// Something left out because it is no outline.
+/// Something left out because it is no outline, or a property that is not followed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ignored {
     /// Origin of the entity.
     pub origin: Origin,
-    /// Why it is left out.
+    /// Why it is left out, or what is not followed.
     pub reason: Cow<'static, str>,
 }
 

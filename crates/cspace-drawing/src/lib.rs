@@ -23,6 +23,7 @@
 
 mod affine;
 mod arrange;
+mod color;
 mod curve;
 mod drawing;
 mod dxf;
@@ -43,6 +44,7 @@ mod unit;
 mod write;
 
 pub use affine::Affine;
+pub use color::Color;
 pub use curve::{Curve, EllipseArc, Spline, SplineError};
 pub use drawing::{Drawing, Elsewhere, Entity, Ignored, LayerReason, Origin, Path, Piece, Problem};
 pub use error::DrawingError;

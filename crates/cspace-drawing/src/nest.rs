@@ -37,6 +37,27 @@ impl Ring {
         area > 0.0
     }
 
+    /// Whether it is a rectangle of lines along the axes.
+    fn is_upright_rectangle(&self) -> bool {
+        let b = self.bounds;
+        let near = self.rounding();
+        let is_on = |x: f64, of: [f64; 2]| of.iter().any(|side| (x - side).abs() <= near);
+        let is_corner = |p: Point| is_on(p.x, [b.min.x, b.max.x]) && is_on(p.y, [b.min.y, b.max.y]);
+        self.edges.len() == 4 && (self.edges.iter()).all(|e| e.is_line() && is_corner(e.start))
+    }
+
+    /// Whether the sides of its box are those of another, but for a share of its size.
+    pub(crate) fn is_as_large_as(&self, other: Bounds, share: f64) -> bool {
+        let far = |a: f64, b: f64| (a - b).abs() > share * self.size();
+        let (a, b) = (self.bounds, other);
+        !(far(a.max.x - a.min.x, b.max.x - b.min.x) || far(a.max.y - a.min.y, b.max.y - b.min.y))
+    }
+
+    /// Whether another loop is within this one.
+    pub(crate) fn has_within(&self, other: &Self) -> bool {
+        !core::ptr::eq(self, other) && self.holds(other)
+    }
+
     fn contains(&self, p: Point) -> bool {
         self.bounds.contains(p) && self.edges.iter().filter(|e| e.toggles(p)).count() % 2 == 1
     }
@@ -81,6 +102,16 @@ impl Ring {
             })
             && is_inside
     }
+}
+
+/// The rectangle around all other loops, of which there are two or more.
+pub(crate) fn sheet<'r>(loops: impl Iterator<Item = &'r Ring>) -> Option<usize> {
+    let loops: Vec<&Ring> = loops.collect();
+    let largest = (0..loops.len()).filter(|&i| loops[i].is_upright_rectangle());
+    let largest = largest.max_by(|&a, &b| loops[a].size().total_cmp(&loops[b].size()))?;
+    let mut others = loops.iter().filter(|l| !core::ptr::eq(**l, loops[largest]));
+    let holds_all = loops.len() > 2 && others.all(|l| loops[largest].holds(l));
+    holds_all.then_some(largest)
 }
 
 /// Largest number of loops around another: a file that is no drawing of parts may have any number, and every two of

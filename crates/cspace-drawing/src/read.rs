@@ -29,17 +29,17 @@ pub enum Format {
     Dxf,
     /// SVG.
     Svg,
-    /// Points in CSV.
+    /// Points in text.
     Points,
 }
 
 impl Format {
-    /// The format that a file's extension names: dxf, svg or csv.
+    /// The format that a file's extension names: dxf, svg, or csv, txt or dat of points.
     pub fn of_extension(path: &Path) -> Option<Self> {
         Some(match extension(path).as_str() {
             "dxf" => Self::Dxf,
             "svg" => Self::Svg,
-            "csv" => Self::Points,
+            "csv" | "txt" | "dat" => Self::Points,
             _ => return None,
         })
     }
@@ -106,7 +106,7 @@ fn format_of(path: &Path) -> Result<Format, DrawingError> {
     let message = format!("the extension {extension:?} is not that of a drawing");
     Err(DrawingError::file(
         message,
-        "drawings end in .dxf, .svg or .csv",
+        "drawings end in .dxf, .svg, or .csv, .txt or .dat of points",
     ))
 }
 

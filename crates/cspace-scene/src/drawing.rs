@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace::{Part, Point, Vertex};
-use cspace_drawing::{Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
+use cspace_drawing::{Color, Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
 use cspace_io::{ModelError, shown};
 use cspace_mechanism::{Mechanism, MechanismError, PartEntry};
 use serde::{Deserialize, Serialize};
@@ -32,8 +32,14 @@ pub struct DrawingSource {
     pub command: String,
     /// Layers of a DXF file that are read; all if empty.
     pub layers: Vec<String>,
-    /// The id of the SVG element that is read alone.
-    pub id: Option<String>,
+    /// The ids of the SVG elements that are read; all if empty.
+    pub ids: Vec<String>,
+    /// Colours of what is read, as `cspace import --color` takes them; all if empty.
+    pub colors: Vec<String>,
+    /// Line types of a DXF file that are read; if empty, all of outlines.
+    pub linetypes: Vec<String>,
+    /// Whether a rectangle around everything is left out.
+    pub without_sheet: bool,
     /// Whether the outlines of a DXF file's hatches are read too.
     pub hatches: bool,
     /// Every length of the drawing is multiplied by it.
@@ -144,7 +150,10 @@ impl DrawingSource {
             data,
             unit: None,
             layers: Vec::new(),
-            id: None,
+            ids: Vec::new(),
+            colors: Vec::new(),
+            linetypes: Vec::new(),
+            without_sheet: false,
             hatches: false,
             scale: 1.0,
             join: None,
@@ -155,7 +164,9 @@ impl DrawingSource {
     fn read(&self) -> Result<Drawing, DrawingError> {
         let source = Source {
             layers: self.layers.clone(),
-            id: self.id.clone(),
+            ids: self.ids.clone(),
+            colors: self.colors.iter().map(color).collect::<Result<_, _>>()?,
+            linetypes: self.linetypes.clone(),
             hatches: self.hatches,
         };
         cspace_drawing::named(&self.file, &self.data, &source)
@@ -166,9 +177,18 @@ impl DrawingSource {
             scale: self.scale,
             join: self.join,
             fit: self.fit,
+            without_sheet: self.without_sheet,
             ..Settings::default()
         }
     }
+}
+
+fn color(text: &String) -> Result<Color, DrawingError> {
+    text.parse().map_err(|help| DrawingError::File {
+        line: None,
+        message: format!("{text:?} is no colour"),
+        help,
+    })
 }
 
 /// The name of the model of a drawing: its file's without folder and extension, in characters that a model may have.

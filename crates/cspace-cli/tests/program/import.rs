@@ -325,7 +325,7 @@ fn outlines_are_written_and_read_again() {
                 let (source, is_svg) = match out.ends_with("svg") {
                     true => (
                         cspace_drawing::Source {
-                            id: Some(part.name().to_owned()),
+                            ids: vec![part.name().to_owned()],
                             ..Default::default()
                         },
                         true,

@@ -7,12 +7,13 @@ use cspace::Point;
 use super::error::{DxfError, Result};
 use super::groups::{Group, Groups};
 use super::hatch::hatch;
-use super::item::{Block, Item, What};
+use super::item::{Block, Given, Item, What};
 use super::names::Names;
 use super::polyline::{light_polyline, polyline};
 use super::record::Record;
 use super::shapes::{arc, circle, ellipse, insert, line};
 use super::spline::spline;
+use crate::color::Color;
 
 /// Reads entities one after the other.
 pub(super) struct Reader<'r, 'a> {
@@ -146,19 +147,30 @@ impl<'r, 'a> Reader<'r, 'a> {
             },
             on_paper: record.integer(67)?.unwrap_or(0) != 0,
             is_invisible: record.integer(60)?.unwrap_or(0) != 0,
+            color: color(&record)?,
+            linetype: linetype(record.text(6), self.names),
+            unfollowed: None,
             what: What::Ignored("it is no outline"),
         };
         item.what = match kind {
             b"LINE" => line(&record)?,
             b"ARC" => arc(&record)?,
             b"CIRCLE" => circle(&record)?,
-            b"LWPOLYLINE" => light_polyline(&record)?,
+            b"LWPOLYLINE" => {
+                item.unfollowed = has_width(record.groups)?.then_some(WIDTH);
+                light_polyline(&record)?
+            }
             b"ELLIPSE" => ellipse(&record)?,
             b"SPLINE" | b"HELIX" => spline(&record)?,
             b"HATCH" => hatch(&record)?,
             b"POLYLINE" => {
                 let head: Vec<Group<'a>> = self.present.clone();
                 let vertices = self.attached(b"VERTEX")?;
+                for groups in [&head].into_iter().chain(&vertices) {
+                    if has_width(groups)? {
+                        item.unfollowed = Some(WIDTH);
+                    }
+                }
                 polyline(&Record::new(&head), &vertices)?
             }
             b"INSERT" => {
@@ -193,6 +205,46 @@ impl<'r, 'a> Reader<'r, 'a> {
         }
         Ok(attached)
     }
+}
+
+fn linetype<'a>(name: &'a [u8], names: &mut Names<'a>) -> Given<Arc<str>> {
+    if name.is_empty() || name.eq_ignore_ascii_case(b"BYLAYER") {
+        Given::ByLayer
+    } else if name.eq_ignore_ascii_case(b"BYBLOCK") {
+        Given::ByBlock
+    } else {
+        Given::Own(names.get(name))
+    }
+}
+
+/// Property of a polyline that is not followed.
+const WIDTH: &str = "its width is not followed: the middle of the line is the outline";
+
+/// Whether a polyline or a vertex of it has a width.
+fn has_width(groups: &[Group<'_>]) -> Result<bool> {
+    for group in groups.iter().filter(|g| matches!(g.code, 40 | 41 | 43)) {
+        if group.real()? > 0.0 {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// The colour of an entity or a layer: a true one, or else a number.
+pub(super) fn color(record: &Record<'_, '_>) -> Result<Given<Color>> {
+    if let Some(rgb) = record.integer(420)? {
+        let [_, red, green, blue] = (rgb as u32).to_be_bytes();
+        return Ok(Given::Own(Color::of_rgb([red, green, blue])));
+    }
+    Ok(match record.integer(62)? {
+        Some(0) => Given::ByBlock,
+        // A layer that is switched off has a negative one.
+        Some(index) => match u8::try_from(index.unsigned_abs()) {
+            Ok(index) => Given::Own(Color::of_index(index)),
+            Err(_) => Given::ByLayer,
+        },
+        None => Given::ByLayer,
+    })
 }
 
 /// Classifies an entity of any other type.

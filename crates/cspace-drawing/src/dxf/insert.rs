@@ -9,9 +9,10 @@ use super::item::{Block, Insert, Item, What};
 use super::names::folded;
 use super::tables::Hidden;
 use crate::affine::Affine;
+use crate::color::Color;
 use crate::drawing::{Drawing, Elsewhere, Entity, Ignored, LayerReason, Origin, Problem};
 use crate::shown;
-use crate::source::{OFFERED, Source};
+use crate::source::{OFFERED, OTHER_COLOR, Source};
 
 /// The most entities that inserting blocks may make, those left out included: ten times what a large drawing has.
 const MOST_ENTITIES: usize = 2_000_000;
@@ -24,6 +25,8 @@ pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
     let mut flat = Flat {
         file: &file,
         layers: source.layers.iter().map(|l| folded(l)).collect(),
+        linetypes: source.linetypes.iter().map(|l| folded(l)).collect(),
+        colors: &source.colors,
         hatches: source.hatches,
         drawing: Drawing {
             unit: file.unit,
@@ -37,6 +40,8 @@ pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
         layer: None,
         blocks: Arc::from([]),
         hidden: None,
+        color: None,
+        linetype: None,
     };
     for item in items {
         // Entities outside of blocks are drawn once, and need not be kept.
@@ -53,12 +58,34 @@ struct Ground {
     blocks: Arc<[Arc<str>]>,
     /// Reason why entities on layer 0 of the block are not drawn; if frozen, nothing of the block is.
     hidden: Option<Hidden>,
+    /// Properties of the insert.
+    color: Option<Color>,
+    linetype: Option<Arc<str>>,
 }
+
+/// Beginnings of the folded names of line types that are no outlines: centre lines, hidden edges and ends of motions.
+const NO_OUTLINE: [&str; 11] = [
+    "center",
+    "hidden",
+    "phantom",
+    "dashdot",
+    "mitte",
+    "verdeckt",
+    "acad_iso02",
+    "acad_iso04",
+    "acad_iso05",
+    "acad_iso08",
+    "acad_iso10",
+];
 
 struct Flat<'f> {
     file: &'f File,
     /// Folded names of the requested layers; all if empty.
     layers: Vec<String>,
+    /// Folded names of the requested line types; if empty, all of outlines.
+    linetypes: Vec<String>,
+    /// The requested colours; all if empty.
+    colors: &'f [Color],
     /// Whether the outlines of hatches are read.
     hatches: bool,
     drawing: Drawing,
@@ -116,6 +143,20 @@ impl Flat<'_> {
             self.ignore(origin, reason.of_it());
             return Ok(());
         }
+        let color = (item.color).of(|| self.file.layers.color(layer), &ground.color);
+        let linetype = (item.linetype).of(|| self.file.layers.linetype(layer), &ground.linetype);
+        if matches!(item.what, What::Path(_) | What::Hatch(_)) {
+            if let Some(reason) = self.unlike(color, linetype.as_deref()) {
+                self.drawing.ignored.push(Ignored { origin, reason });
+                return Ok(());
+            }
+            if let Some(what) = item.unfollowed {
+                self.drawing.unfollowed.push(Ignored {
+                    origin: origin.clone(),
+                    reason: what.into(),
+                });
+            }
+        }
         if let Cow::Owned(Item {
             what: What::Path(path),
             ..
@@ -138,7 +179,15 @@ impl Flat<'_> {
                     (Some(Hidden::Frozen), _) | (_, Some(Hidden::Frozen)) => Some(Hidden::Frozen),
                     (hidden, _) => hidden,
                 };
-                return self.insert(insert, origin, ground, hidden);
+                let given = Ground {
+                    map: ground.map,
+                    layer: None,
+                    blocks: Arc::clone(&ground.blocks),
+                    hidden,
+                    color,
+                    linetype,
+                };
+                return self.insert(insert, origin, given);
             }
             What::Problem(fault) => self.drawing.problems.push(Problem {
                 origin,
@@ -150,6 +199,26 @@ impl Flat<'_> {
             }),
         }
         Ok(())
+    }
+
+    /// Why something of a colour and a line type is left out; none if it is read.
+    fn unlike(&self, color: Option<Color>, linetype: Option<&str>) -> Option<Cow<'static, str>> {
+        let asked_for = |asked: &Color| color.is_some_and(|own| asked.is(own));
+        if !self.colors.is_empty() && !self.colors.iter().any(asked_for) {
+            return Some(OTHER_COLOR.into());
+        }
+        let shown = linetype.unwrap_or("CONTINUOUS");
+        let folded = folded(shown);
+        if !self.linetypes.is_empty() {
+            let is_asked_for = self.linetypes.contains(&folded);
+            return (!is_asked_for).then(|| "its line type was not asked for".into());
+        }
+        let is_no_outline = NO_OUTLINE.iter().any(|name| folded.starts_with(name));
+        is_no_outline.then(|| {
+            let name = shown::start(shown);
+            format!("its line type is {name}, which is no outline's; --linetype {name} reads it")
+                .into()
+        })
     }
 
     /// Bounds time and memory whatever blocks insert.
@@ -198,13 +267,7 @@ impl Flat<'_> {
         });
     }
 
-    fn insert(
-        &mut self,
-        insert: &Insert,
-        origin: Origin,
-        ground: &Ground,
-        hidden: Option<Hidden>,
-    ) -> Result<()> {
+    fn insert(&mut self, insert: &Insert, origin: Origin, ground: Ground) -> Result<()> {
         let at = Some(ground.map.point(insert.map.origin));
         let mut refuse = |reason: String, help: &str| {
             self.drawing.problems.push(Problem {
@@ -260,7 +323,9 @@ impl Flat<'_> {
                     map: ground.map.after(&map).after(&base),
                     layer: Some(Arc::clone(&origin.layer)),
                     blocks: Arc::clone(&blocks),
-                    hidden,
+                    hidden: ground.hidden,
+                    color: ground.color,
+                    linetype: ground.linetype.clone(),
                 };
                 self.add_all(&block.items, &inner)?;
             }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use cspace::{Point, Vector};
 
 use crate::affine::Affine;
+use crate::color::Color;
 use crate::drawing::Path;
 
 /// An entity of a file.
@@ -17,7 +18,33 @@ pub(super) struct Item {
     /// Whether it is in paper space, and not in the drawing itself.
     pub(super) on_paper: bool,
     pub(super) is_invisible: bool,
+    pub(super) color: Given<Color>,
+    pub(super) linetype: Given<Arc<str>>,
+    /// Property of the entity that is not followed.
+    pub(super) unfollowed: Option<&'static str>,
     pub(super) what: What,
+}
+
+/// Where a property of an entity is given.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Given<T> {
+    /// By the layer.
+    ByLayer,
+    /// By what the block is inserted with.
+    ByBlock,
+    /// By the entity itself.
+    Own(T),
+}
+
+impl<T: Clone> Given<T> {
+    /// The property, given that of the layer and of the block.
+    pub(super) fn of(&self, layer: impl FnOnce() -> Option<T>, block: &Option<T>) -> Option<T> {
+        match self {
+            Self::ByLayer => layer(),
+            Self::ByBlock => block.clone(),
+            Self::Own(own) => Some(own.clone()),
+        }
+    }
 }
 
 /// Kind of an entity, with its data.

@@ -1,15 +1,28 @@
 //! Data of a DXF file on the drawing as a whole: its unit, its encoding, its layers.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
+use super::entity::color;
 use super::error::Result;
 use super::groups::{Group, Groups};
+use super::item::Given;
 use super::names::{Names, folded};
+use super::record::Record;
+use crate::color::Color;
 use crate::unit::Unit;
 
-/// Layers that are not drawn, by folded name.
+/// Layers by folded name.
 #[derive(Default)]
-pub(super) struct Layers(HashMap<String, Hidden>);
+pub(super) struct Layers(HashMap<String, Layer>);
+
+/// Properties of what is drawn on a layer.
+#[derive(Default)]
+struct Layer {
+    hidden: Option<Hidden>,
+    color: Option<Color>,
+    linetype: Option<Arc<str>>,
+}
 
 /// Why a layer is not drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,11 +35,23 @@ pub(super) enum Hidden {
 
 impl Layers {
     pub(super) fn hidden(&self, layer: &str) -> Option<Hidden> {
-        // Most drawings hide nothing.
+        self.get(layer)?.hidden
+    }
+
+    pub(super) fn color(&self, layer: &str) -> Option<Color> {
+        self.get(layer)?.color
+    }
+
+    pub(super) fn linetype(&self, layer: &str) -> Option<Arc<str>> {
+        self.get(layer)?.linetype.clone()
+    }
+
+    fn get(&self, layer: &str) -> Option<&Layer> {
+        // Most drawings have none of their own.
         if self.0.is_empty() {
             return None;
         }
-        self.0.get(&folded(layer)).copied()
+        self.0.get(&folded(layer))
     }
 }
 
@@ -79,17 +104,21 @@ pub(super) fn read_tables<'a>(groups: &mut Groups<'a>, names: &mut Names<'a>) ->
 
 fn add<'a>(layers: &mut Layers, layer: &[Group<'a>], names: &mut Names<'a>) -> Result<()> {
     let mut name = None;
-    let mut hidden = None;
+    let mut of = Layer::default();
     for group in layer {
         match group.code {
             2 => name = Some(names.get(group.text())),
-            70 if group.integer()? & 1 != 0 => hidden = Some(Hidden::Frozen),
-            62 if group.integer()? < 0 => hidden = hidden.or(Some(Hidden::Off)),
+            6 => of.linetype = Some(names.get(group.text())),
+            70 if group.integer()? & 1 != 0 => of.hidden = Some(Hidden::Frozen),
+            62 if group.integer()? < 0 => of.hidden = of.hidden.or(Some(Hidden::Off)),
             _ => {}
         }
     }
-    if let (Some(name), Some(hidden)) = (name, hidden) {
-        layers.0.insert(folded(&name), hidden);
+    if let Given::Own(color) = color(&Record::new(layer))? {
+        of.color = Some(color);
+    }
+    if let Some(name) = name {
+        layers.0.insert(folded(&name), of);
     }
     Ok(())
 }

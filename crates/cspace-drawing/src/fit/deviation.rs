@@ -1,5 +1,8 @@
 //! Distances of samples from the pieces fitted to them.
 
+use core::f64::consts::TAU;
+
+use cspace::part::Edge;
 use cspace::{Point, Vertex};
 
 use super::fitted::Fitted;
@@ -75,6 +78,87 @@ pub(crate) fn of_others(others: &Run, run: &Run, fitted: &Fitted) -> Option<f64>
         worst = worst.max(apart);
     }
     worst.is_finite().then_some(worst)
+}
+
+/// How far each edge of a closed outline is from the pieces fitted to it, which go around with it, and these from it. `None` if there are
+/// no pieces, or a number is not finite.
+///
+/// An edge that goes along several pieces is divided where it is nearest to their joints. What goes along one piece is farthest from it at
+/// an end, or where both have one direction.
+pub(crate) fn of_edges(edges: &[Edge], vertices: &[Vertex]) -> Option<Vec<f64>> {
+    let n = vertices.len();
+    let piece = |i: usize| {
+        let (from, to) = (vertices[i % n], vertices[(i + 1) % n]);
+        Edge {
+            start: from.point(),
+            end: to.point(),
+            bulge: from.bulge,
+            index: i,
+        }
+    };
+    let away = |i: usize, at: Point| {
+        let Edge {
+            start, end, bulge, ..
+        } = piece(i);
+        nearest_on((start, end, bulge), at).distance(at)
+    };
+    let first = edges.first()?.start;
+    let mut here = (0..n).min_by(|&a, &b| away(a, first).total_cmp(&away(b, first)))?;
+    let mut all = Vec::with_capacity(edges.len());
+    for edge in edges {
+        let mut last = here;
+        while last < here + n && away(last + 1, edge.end) < away(last, edge.end) {
+            last += 1;
+        }
+        let (mut worst, mut from) = (0.0_f64, 0.0_f64);
+        for i in here..=last {
+            let to = match i == last {
+                true => 1.0,
+                false => share(edge, piece(i).end).clamp(from, 1.0),
+            };
+            let alike = alike(edge, &piece(i)).into_iter().flatten();
+            let inside = alike.filter(|s| (from..=to).contains(s));
+            for s in [from, to].into_iter().chain(inside) {
+                worst = worst.max(away(i, edge.at(s)));
+            }
+            from = to;
+        }
+        if !worst.is_finite() {
+            return None;
+        }
+        all.push(worst);
+        here = last % n;
+    }
+    Some(all)
+}
+
+/// Where along an edge a point is, or its foot: 0 at the start, 1 at the end.
+fn share(edge: &Edge, at: Point) -> f64 {
+    if edge.is_line() {
+        let chord = edge.end - edge.start;
+        return (at - edge.start).dot(chord) / chord.length_squared();
+    }
+    let (center, sweep) = (edge.center(), edge.sweep());
+    let [a, b] = [edge.start, at].map(|p| p - center);
+    // From the middle of the arc, so that what is a little outside is no whole turn away.
+    let turned = a.cross(b).atan2(a.dot(b)) - 0.5 * sweep;
+    let turned = turned - TAU * (turned / TAU).round();
+    0.5 + turned / sweep
+}
+
+/// Where along an edge it may have the direction of a piece.
+fn alike(edge: &Edge, piece: &Edge) -> [Option<f64>; 2] {
+    match (edge.is_line(), piece.is_line()) {
+        (true, true) => [None, None],
+        (true, false) => [Some(share(edge, piece.center())), None],
+        (false, _) => {
+            let across = match piece.is_line() {
+                true => (piece.end - piece.start).left(),
+                false => edge.center() - piece.center(),
+            };
+            [across, -across].map(|way| Some(share(edge, edge.center() + way)))
+        }
+    }
 }
 
 /// The point of a line or an arc that is nearest to a point.

@@ -22,4 +22,4 @@ mod tangent;
 mod tests;
 
 pub(crate) use chain::{NotFitted, Outline, Sided, outline};
-pub(crate) use profile::{profile, scatter};
+pub(crate) use profile::{profile, sagitta, scatter, trace};

@@ -1,12 +1,17 @@
-//! Lines and arcs from measured points.
+//! Lines and arcs from measured points, and from polygons that trace something smooth.
 //!
 //! The points are divided at sharp turns; between such corners they are a run of samples like those of a curve. Points
 //! that scatter are smoothed where pieces meet, so that a joint is not as far off as a point may be. Where a corner
-//! lies between two points, the pieces before and after it are continued until they meet.
+//! lies between two measured points, the pieces before and after it are continued until they meet.
+//!
+//! Edges of a polygon count, not its corners alone: an edge that turns sharply at both its ends is one, as a chamfer
+//! is, and an edge from which the pieces are too far off is drawn as it is.
 
+use cspace::part::Edge;
 use cspace::{Point, Vector, Vertex};
 
 use super::chain::{Outline, Sided};
+use super::deviation::of_edges;
 use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
 
@@ -33,80 +38,252 @@ pub(crate) fn profile(
     sided: Sided,
     entity: u32,
 ) -> Option<Outline> {
-    let band = match sided {
+    let reach = REACH * tolerance;
+    let turns: Vec<f64> = (0..points.len()).map(|i| turn(points, i, reach)).collect();
+    let samples = Samples {
+        points,
+        scatters: scatter(points) > 0.1 * tolerance,
+        tolerance,
+        band: band(tolerance, sided),
+    };
+    let outline = samples.outline(&corners(points, &turns, reach), entity);
+    outline.ok()
+}
+
+/// The loop of a polygon that traces something smooth: within the tolerance of its edges, and these within it of the loop.
+/// `entity` is what its edges come from. None if no lines and arcs are found.
+pub(crate) fn trace(edges: &[Edge], tolerance: f64, sided: Sided, entity: u32) -> Option<Outline> {
+    /// The least share of the tolerance for what is fitted to the vertices: where the chords take more of it, they stay.
+    const LEAST: f64 = 0.19;
+    let (points, firsts) = points(edges);
+    // The middles of chords are off by their sagitta already.
+    let left = tolerance - sagitta(edges).unwrap_or(0.0);
+    let narrow = left.max(LEAST * tolerance);
+    let reach = REACH * tolerance;
+    let turns: Vec<f64> = (0..points.len()).map(|i| turn(&points, i, reach)).collect();
+    let samples = Samples {
+        points: &points,
+        scatters: scatter(&points) > 0.1 * tolerance,
+        tolerance: narrow,
+        band: band(narrow, sided),
+    };
+    let mut is_corner: Vec<bool> = (0..points.len())
+        .map(|i| turns[i].abs() > CORNER && is_sharpest(&points, &turns, i, reach))
+        .collect();
+    let mut is_kept = vec![false; edges.len()];
+    // An edge that is kept has corners at both ends, so that what lies between them is a line.
+    let mut keep = |edge: usize, is_corner: &mut Vec<bool>| {
+        let is_new = !core::mem::replace(&mut is_kept[edge], true);
+        for end in [edge, (edge + 1) % edges.len()] {
+            is_corner[firsts[end]] = true;
+        }
+        is_new
+    };
+    for edge in (0..edges.len()).filter(|&edge| is_drawn(edges, edge)) {
+        keep(edge, &mut is_corner);
+    }
+    loop {
+        let corners: Vec<Corner> = (0..points.len())
+            .filter(|&i| is_corner[i])
+            .map(Corner::At)
+            .collect();
+        match samples.outline(&corners, entity) {
+            Ok(mut outline) => {
+                let off = of_edges(edges, &outline.vertices)?;
+                let mut is_changed = false;
+                for (edge, off) in off.iter().enumerate() {
+                    if *off > tolerance * (1.0 + ROUNDING) {
+                        is_changed |= keep(edge, &mut is_corner);
+                    }
+                }
+                if !is_changed {
+                    outline.deviation = off.into_iter().fold(0.0, f64::max);
+                    return Some(outline);
+                }
+            }
+            Err(stretch) => {
+                // The longest edge of a stretch that no pieces fit.
+                let within = |e: &usize| {
+                    let last = firsts.get(e + 1).copied().unwrap_or(points.len());
+                    let shifted = |i: usize| (i + points.len() - stretch.0) % points.len();
+                    shifted(firsts[*e]) + last - firsts[*e] <= stretch.1
+                };
+                let longest = (0..edges.len())
+                    .filter(within)
+                    .max_by(|&a, &b| edges[a].length().total_cmp(&edges[b].length()))?;
+                if !keep(longest, &mut is_corner) {
+                    return None;
+                }
+            }
+        }
+    }
+}
+
+/// Whether an edge is drawn as it is, and no chord of a curve, as a flat on a shaft is: it is long, and the outline turns at both its ends by
+/// more than beside it. Where a line goes on into a curve it turns by less.
+fn is_drawn(edges: &[Edge], edge: usize) -> bool {
+    /// Length and turns, as multiples of those beside; and the least turn, in radians.
+    const LONGER: f64 = 2.0;
+    const MORE: f64 = 1.5;
+    const LEAST: f64 = 0.02;
+    let n = edges.len();
+    let at = |k: usize| &edges[(edge + n + k - 2) % n];
+    let [before, first, own, second, after] = [0, 1, 2, 3, 4].map(at);
+    let turn = |a: &Edge, b: &Edge| {
+        let (a, b) = (a.end_direction(), b.start_direction());
+        a.cross(b).atan2(a.dot(b))
+    };
+    let ends = [turn(first, own), turn(own, second)];
+    let beside = turn(before, first).abs().max(turn(second, after).abs());
+    let least = ends[0].abs().min(ends[1].abs());
+    own.is_line()
+        && own.length() > LONGER * first.length().max(second.length())
+        && ends[0] * ends[1] > 0.0
+        && least > (MORE * beside).max(LEAST)
+}
+
+/// Excess of a distance over the tolerance, as a share of it, that is rounding.
+const ROUNDING: f64 = 1e-9;
+
+fn band(tolerance: f64, sided: Sided) -> Band {
+    match sided {
         Sided::Both => Band::both(tolerance),
         Sided::Left => Band::one_sided(tolerance, true),
         Sided::Right => Band::one_sided(tolerance, false),
-    };
-    let corners = corners(points, REACH * tolerance);
-    let scatters = scatter(points) > 0.1 * tolerance;
-    let mut outline = Outline::default();
-    let n = points.len();
-    let stretches: Vec<Vec<Point>> = if corners.is_empty() {
-        vec![points.to_vec()]
-    } else {
-        (0..corners.len())
-            .map(|k| {
-                let first = match corners[k] {
-                    Corner::At(i) => i,
-                    Corner::After(i) => i + 1,
-                };
-                let last = match corners[(k + 1) % corners.len()] {
-                    Corner::At(i) | Corner::After(i) => i,
-                };
-                let last = if last > first || (last == first && corners.len() > 1) {
-                    last
-                } else {
-                    last + n
-                };
-                (first..=last).map(|i| points[i % n]).collect()
-            })
-            .collect()
-    };
-    let mut ends = Vec::with_capacity(stretches.len());
-    for stretch in &stretches {
+    }
+}
+
+/// Points of all edges, so that what passes them keeps to long edges too; and which is the first of each.
+fn points(edges: &[Edge]) -> (Vec<Point>, Vec<usize>) {
+    /// Length of an edge, as a multiple of the median, from which it is divided into short ones, but not into more than
+    /// `MOST`.
+    const LONG: f64 = 4.0;
+    const MOST: f64 = 64.0;
+    let mut lengths: Vec<f64> = edges.iter().map(Edge::length).collect();
+    lengths.sort_by(f64::total_cmp);
+    let long = LONG * lengths[lengths.len() / 2];
+    let (mut points, mut firsts) = (Vec::new(), Vec::new());
+    for edge in edges {
+        firsts.push(points.len());
+        let bends = if edge.is_line() { 1.0 } else { 2.0 };
+        let n = (edge.length() / long).ceil().clamp(bends, MOST) as u32;
+        points.extend((0..n).map(|k| edge.at(f64::from(k) / f64::from(n))));
+    }
+    (points, firsts)
+}
+
+/// Error of the chords of an outline from the curve that they trace: the largest sagitta but for a few. `None` if most of
+/// its corners are sharp.
+pub(crate) fn sagitta(edges: &[Edge]) -> Option<f64> {
+    /// Largest turn at a corner of a trace, in radians: a circle has 13 chords then.
+    const SMOOTH: f64 = 0.5;
+    /// At a corner that is drawn chords are longer than on the curves beside it: of a curve are those that are no larger than so many
+    /// times what this share of them is within.
+    const SHARE: f64 = 0.9;
+    const LARGER: f64 = 2.0;
+    let mut sagittas: Vec<f64> = Vec::new();
+    for (a, b) in edges.iter().zip(edges.iter().cycle().skip(1)) {
+        let (d, e) = (a.end - a.start, b.end - b.start);
+        let turn = d.cross(e).atan2(d.dot(e)).abs();
+        if turn > 0.0 && turn < SMOOTH {
+            // The chord of an arc of the angle φ has the sagitta c/2 · tan(φ/4).
+            sagittas.push(0.5 * a.length().min(b.length()) * (0.25 * turn).tan());
+        }
+    }
+    if 2 * sagittas.len() < edges.len() {
+        return None;
+    }
+    sagittas.sort_by(f64::total_cmp);
+    let at = (SHARE * sagittas.len() as f64) as usize;
+    let most = LARGER * sagittas[at.min(sagittas.len() - 1)];
+    sagittas.into_iter().rfind(|s| *s <= most)
+}
+
+/// Points of a closed outline, and what fits them.
+struct Samples<'p> {
+    points: &'p [Point],
+    scatters: bool,
+    tolerance: f64,
+    band: Band,
+}
+
+impl Samples<'_> {
+    /// The lines and arcs between corners; if there are none for a stretch, the number of its first point, and how many steps it has.
+    fn outline(&self, corners: &[Corner], entity: u32) -> Result<Outline, (usize, usize)> {
+        let n = self.points.len();
         let is_closed = corners.is_empty();
-        ends.push(outline.vertices.len());
-        if let [only] = stretch[..] {
-            outline.vertices.push(Vertex::line(only.x, only.y));
-            continue;
+        let stretches: Vec<(usize, usize)> = if is_closed {
+            vec![(0, n - 1)]
+        } else {
+            (0..corners.len())
+                .map(|k| {
+                    let first = match corners[k] {
+                        Corner::At(i) => i,
+                        Corner::After(i) => i + 1,
+                    };
+                    let last = match corners[(k + 1) % corners.len()] {
+                        Corner::At(i) | Corner::After(i) => i,
+                    };
+                    let last = if last > first || (last == first && corners.len() > 1) {
+                        last
+                    } else {
+                        last + n
+                    };
+                    (first, last)
+                })
+                .collect()
+        };
+        let mut outline = Outline::default();
+        let mut ends = Vec::with_capacity(stretches.len());
+        for (first, last) in stretches {
+            let stretch: Vec<Point> = (first..=last).map(|i| self.points[i % n]).collect();
+            ends.push(outline.vertices.len());
+            if let [only] = stretch[..] {
+                outline.vertices.push(Vertex::line(only.x, only.y));
+                continue;
+            }
+            let run = run(
+                &stretch,
+                is_closed,
+                self.tolerance,
+                self.scatters,
+                self.band,
+            );
+            let fitted = fit(&run).ok_or((first % n, last - first))?;
+            outline.deviation = outline.deviation.max(fitted.deviation);
+            outline.kink = outline.kink.max(fitted.kink);
+            outline.vertices.extend(&fitted.vertices);
+            if !is_closed {
+                outline
+                    .vertices
+                    .push(Vertex::line(fitted.end.x, fitted.end.y));
+            }
         }
-        let run = run(stretch, is_closed, tolerance, scatters, band);
-        let fitted = fit(&run)?;
-        outline.deviation = outline.deviation.max(fitted.deviation);
-        outline.kink = outline.kink.max(fitted.kink);
-        outline.vertices.extend(&fitted.vertices);
         if !is_closed {
-            outline
-                .vertices
-                .push(Vertex::line(fitted.end.x, fitted.end.y));
+            meet(&mut outline.vertices, &ends, corners);
         }
+        outline.pieces = outline.vertices.len();
+        outline.entities = vec![entity; outline.vertices.len()];
+        outline.curves = vec![entity];
+        Ok(outline)
     }
-    if !corners.is_empty() {
-        meet(&mut outline.vertices, &ends, &corners);
-    }
-    outline.pieces = outline.vertices.len();
-    outline.entities = vec![entity; outline.vertices.len()];
-    outline.curves = vec![entity];
-    Some(outline)
 }
 
 /// Sharp turns of the profile.
-fn corners(points: &[Point], reach: f64) -> Vec<Corner> {
+fn corners(points: &[Point], turns: &[f64], reach: f64) -> Vec<Corner> {
     let n = points.len();
-    let turns: Vec<f64> = (0..n).map(|i| turn(points, i, reach)).collect();
     let mut corners = Vec::new();
     let mut is_taken = vec![false; n];
     for i in 0..n {
         let after = (i + 1) % n;
-        if points[i].distance(points[after]) > reach && is_between(&turns, i) {
+        if points[i].distance(points[after]) > reach && is_between(turns, i) {
             corners.push(Corner::After(i));
             is_taken[i] = true;
             is_taken[after] = true;
         }
     }
     for i in 0..n {
-        if turns[i].abs() > CORNER && !is_taken[i] && is_sharpest(points, &turns, i, reach) {
+        if turns[i].abs() > CORNER && !is_taken[i] && is_sharpest(points, turns, i, reach) {
             corners.push(Corner::At(i));
         }
     }

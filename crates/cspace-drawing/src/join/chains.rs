@@ -132,6 +132,7 @@ fn tell_open(
     let mut bridges = Bridges::of(drawing, &joined.loops, reach);
     /// Gaps smaller than that share of the drawing may be meant to be closed.
     const SMALL: f64 = 0.01;
+    let mut small: Vec<(usize, f64)> = Vec::new();
     for ends in open {
         let nearest = |e: End| {
             (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
@@ -185,13 +186,23 @@ fn tell_open(
             help: if !ways.is_empty() {
                 ways.join("; ")
             } else if gap < SMALL * size {
-                format!(
-                    "close the gap in the drawing, or join it with --join {gap} (in a model: join = {gap})",
-                    gap = shown::number(1.01 * gap)
-                )
+                // What closes all such gaps is known after the last.
+                small.push((joined.problems.len(), gap));
+                String::new()
             } else {
                 "close it in the drawing; if it is no outline, remove it, or read the other layers alone with --layer".to_owned()
             },
         });
+    }
+    let widest = small.iter().fold(0.0, |most: f64, s| most.max(s.1));
+    let what = match small.len() {
+        1 => "close the gap in the drawing, or join it",
+        _ => "close the gaps in the drawing, or join all of them",
+    };
+    for &(problem, _) in &small {
+        joined.problems[problem].help = format!(
+            "{what} with --join {gap} (in a model: join = {gap})",
+            gap = shown::number(1.01 * widest)
+        );
     }
 }

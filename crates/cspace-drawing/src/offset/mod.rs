@@ -13,7 +13,7 @@ mod tolerance;
 
 use core::fmt;
 
-use cspace::{Edge, Part, PartError, Point, Vertex};
+use cspace::{Edge, Part, PartError, Point, Vector, Vertex};
 
 use crate::nest::{self, nest};
 use crate::shown;
@@ -153,6 +153,9 @@ pub fn offset(part: &Part, by: f64, split: bool) -> Result<Offset, OffsetError> 
         let part = part.clone();
         return Ok(Offset { part, changes });
     }
+    // Far from the origin coordinates have few digits left for distances: all is computed in a frame about the part.
+    let home = home(part, size);
+    let (drawn, part) = (part, &moved(part.name(), loops_of(part), -home)?);
     let loops = around(part, by);
     let edges: Vec<Edge> = loops.iter().flatten().copied().collect();
     let raw = raw(&loops, distance, near);
@@ -162,13 +165,13 @@ pub fn offset(part: &Part, by: f64, split: bool) -> Result<Offset, OffsetError> 
         return Err(OffsetError::Nothing);
     }
     let vertices = rings.iter().map(|r| directed(&r.vertices, by)).collect();
-    let made = Part::new(part.name(), vertices).map_err(OffsetError::NoPart)?;
+    let made = moved(drawn.name(), vertices, home)?;
     let changes = changes(part, &made);
     if by < 0.0 && !split && !changes.is_empty() {
         let joint = farthest_joint(part, &raw, &rings);
         return Err(OffsetError::Apart {
             what: changes.join("; "),
-            at: joint.map(|j| j.1),
+            at: joint.map(|j| j.1 + home),
             edges: joint.map(|j| j.0),
         });
     }
@@ -176,6 +179,32 @@ pub fn offset(part: &Part, by: f64, split: bool) -> Result<Offset, OffsetError> 
         part: made,
         changes,
     })
+}
+
+/// A place near the middle of a part, on a grid coarse enough that moving the part there and back changes few digits, and none of a part
+/// about the origin.
+fn home(part: &Part, size: f64) -> Vector {
+    let step = size.log2().ceil().exp2();
+    let bounds = part.bounds();
+    let middle = bounds.min.midpoint(bounds.max);
+    let near = |x: f64| (x / step).round() * step;
+    Vector::new(near(middle.x), near(middle.y))
+}
+
+fn loops_of(part: &Part) -> Vec<Vec<Vertex>> {
+    let loops = part.loops().iter();
+    loops.map(|l| l.vertices().to_vec()).collect()
+}
+
+/// The part of some loops, moved.
+fn moved(name: &str, mut loops: Vec<Vec<Vertex>>, by: Vector) -> Result<Part, OffsetError> {
+    if by.x != 0.0 || by.y != 0.0 {
+        for vertex in loops.iter_mut().flatten() {
+            let at = vertex.point() + by;
+            *vertex = Vertex::new(at.x, at.y, vertex.bulge);
+        }
+    }
+    Part::new(name, loops).map_err(OffsetError::NoPart)
 }
 
 /// The loop with the material on the left.

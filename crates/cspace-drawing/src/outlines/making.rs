@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 
+use cspace::part::Bounds;
 use cspace::{Part, PartError, Point, Vertex};
 
 use super::apart::{apart, by_layer};
@@ -19,7 +20,7 @@ use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
 use crate::join::{self, Chain, Joined};
-use crate::nest::{Ring, nest};
+use crate::nest::{Ring, nest, sheet};
 use crate::shown;
 use crate::source::OFFERED;
 
@@ -39,6 +40,7 @@ pub(super) struct Making<'d> {
     pub(super) unused: Vec<u32>,
     pub(super) ignored: Vec<Ignored>,
     apart: Vec<Apart>,
+    sheet: Option<Origin>,
     pub(super) report: FittedReport,
 }
 
@@ -83,6 +85,7 @@ impl<'d> Making<'d> {
             unused: Vec::new(),
             ignored: drawing.ignored.clone(),
             apart: Vec::new(),
+            sheet: None,
             report: FittedReport::default(),
         };
         for problem in problems {
@@ -156,6 +159,8 @@ impl<'d> Making<'d> {
             unit: self.drawing.unit,
             used: self.used(outlines),
             ignored: self.ignored,
+            unfollowed: self.drawing.unfollowed.clone(),
+            sheet: self.sheet,
             apart: self.apart,
             joined: self.joined.gaps,
             crossing,
@@ -189,6 +194,19 @@ impl<'d> Making<'d> {
                 outline,
                 is_usable,
             });
+        }
+        if let Some(sheet) = sheet(loops.iter().map(|l| &l.ring)) {
+            let entity = loops[sheet].outline.entities.first();
+            let origin = entity.map(|&e| self.drawing.entities[e as usize].origin.clone());
+            if self.settings.without_sheet {
+                self.ignored.extend(origin.map(|origin| Ignored {
+                    origin,
+                    reason: "the sheet around everything".into(),
+                }));
+                loops.remove(sheet);
+            } else {
+                self.sheet = origin.filter(|_| is_likely_sheet(&loops, sheet, self.drawing.page));
+            }
         }
         let groups = nest(&loops.iter().map(|l| &l.ring).collect::<Vec<_>>()).unwrap_or_else(|i| {
             let problem = too_deep(self.drawing, &loops[i].outline);
@@ -515,6 +533,22 @@ impl<'d> Making<'d> {
         };
         DrawingError::file(format!("the drawing has no closed outline{left_out}"), help)
     }
+}
+
+/// Whether a rectangle around everything is a sheet rather than a part: something lies in what would be its holes, or it is as large as
+/// the page.
+fn is_likely_sheet(loops: &[Closed<'_>], sheet: usize, page: Option<Bounds>) -> bool {
+    /// How far the sides of a page are from those of a sheet of its size, as a share of the size: lengths of pages have few digits.
+    const SAME: f64 = 1e-3;
+    let others = (loops.iter().enumerate())
+        .filter(|(i, _)| *i != sheet)
+        .map(|(_, l)| &l.ring);
+    let others: Vec<&Ring> = others.collect();
+    let is_nested = others
+        .iter()
+        .any(|a| others.iter().any(|b| b.has_within(a)));
+    let ring = &loops[sheet].ring;
+    is_nested || page.is_some_and(|page| ring.is_as_large_as(page, SAME))
 }
 
 /// Checks that a loop makes a part, the tips taken off at which it turns back, of cusps by a length; gives those.

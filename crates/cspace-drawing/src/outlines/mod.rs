@@ -129,6 +129,7 @@ impl Drawing {
         for entity in scaled.entities.iter_mut().chain(elsewhere) {
             entity.path = entity.path.mapped(&map);
         }
+        scaled.page = (self.page).map(|page| Bounds::of(map.point(page.min), map.point(page.max)));
         Cow::Owned(scaled)
     }
 

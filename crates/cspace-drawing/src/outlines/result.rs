@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cspace::{Part, Point};
 
 use super::settings::{DEFAULT_JOIN, Settings};
-use crate::drawing::{Entity, Ignored, Problem};
+use crate::drawing::{Entity, Ignored, Origin, Problem};
 use crate::fit::Outline;
 use crate::unit::Unit;
 
@@ -21,6 +21,8 @@ pub struct Outlines {
     pub used: BTreeMap<String, usize>,
     /// Entities that were left out.
     pub ignored: Vec<Ignored>,
+    /// Properties that are not followed of entities that are read, such as the width of a line.
+    pub unfollowed: Vec<Ignored>,
     /// Layers with several outlines that are separate parts.
     pub apart: Vec<Apart>,
     /// The gaps that were closed, and where.
@@ -29,6 +31,8 @@ pub struct Outlines {
     pub fitted: FittedReport,
     /// Outlines of two parts that cross or touch, if there are any: parts may, but a drawing may be wrong.
     pub crossing: Option<Problem>,
+    /// A rectangle around everything, with parts in what would be its holes, or as large as the page: it may be the sheet.
+    pub sheet: Option<Origin>,
     /// Number of pieces that were drawn twice, or lay within others.
     pub duplicates: usize,
     /// Number of pieces that overlapped others and were merged with them.

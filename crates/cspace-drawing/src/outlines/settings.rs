@@ -29,6 +29,8 @@ pub struct Settings {
     pub one_part: Option<String>,
     /// Whether all outermost loops of a layer, with their holes, make one part, instead of one part each.
     pub by_layer: bool,
+    /// Whether a rectangle around everything, such as the sheet of material, is left out.
+    pub without_sheet: bool,
     /// Whether loops of many edges are traces of curves, to which fewer lines and arcs are fitted.
     pub trace: bool,
     /// The parts are the faces at points, instead of one of every outermost loop; see [`Reading::faces`].
@@ -68,6 +70,7 @@ impl Default for Settings {
             partial: false,
             one_part: None,
             by_layer: false,
+            without_sheet: false,
             trace: false,
             picks: Vec::new(),
         }

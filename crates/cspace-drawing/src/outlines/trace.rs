@@ -1,7 +1,7 @@
 //! Traces: loops of many short edges along something smooth, by fewer lines and arcs.
 
 use cspace::part::Edge;
-use cspace::{Part, Point};
+use cspace::{Loop, Part};
 
 use super::settings::DEFAULT_FIT;
 use crate::drawing::edge;
@@ -35,25 +35,7 @@ pub(super) fn edges(chain: &Chain<'_>) -> Option<Vec<Edge>> {
 
 /// Lines and arcs within a distance of a trace; `entity` is where it comes from.
 pub(super) fn outline(edges: &[Edge], fit: f64, sided: Sided, entity: u32) -> Option<Outline> {
-    fit::profile(&points(edges), fit, sided, entity)
-}
-
-/// Points of all edges, so that what passes them keeps to long edges too.
-fn points(edges: &[Edge]) -> Vec<Point> {
-    /// Length of an edge, as a multiple of the median, from which it is divided into short ones, but not into more than
-    /// `MOST`.
-    const LONG: f64 = 4.0;
-    const MOST: f64 = 64.0;
-    let mut lengths: Vec<f64> = edges.iter().map(Edge::length).collect();
-    lengths.sort_by(f64::total_cmp);
-    let long = LONG * lengths[lengths.len() / 2];
-    let cut = |e: &Edge| {
-        let bends = if e.is_line() { 1.0 } else { 2.0 };
-        let n = (e.length() / long).ceil().clamp(bends, MOST) as u32;
-        let e = *e;
-        (0..n).map(move |k| e.at(f64::from(k) / f64::from(n)))
-    };
-    edges.iter().flat_map(cut).collect()
+    fit::trace(edges, fit, sided, entity)
 }
 
 impl Traced {
@@ -68,6 +50,8 @@ impl Traced {
         const TRIED: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
         const VERY_LARGE: usize = 400;
         const ENOUGH: usize = 3;
+        /// Tolerance as a multiple of what the chords are off a curve: the rest is for the pieces.
+        const ROOM: f64 = 1.25;
         /// Within what the chords of more edges are off a curve, pieces are too many to be of use, and take too long to find.
         const MOST: usize = 20_000;
         let edges = part.edges().count();
@@ -77,7 +61,7 @@ impl Traced {
         }
         let count = if edges > VERY_LARGE { TRIED.len() } else { 1 };
         let unit = DEFAULT_FIT * part.size();
-        let of_chords = sagitta(part).filter(|_| edges <= MOST);
+        let of_chords = sagitta(part).filter(|_| edges <= MOST).map(|s| ROOM * s);
         let others = TRIED.iter().take(count).map(|by| by * unit);
         (of_chords.into_iter().chain(others))
             .map(rounded)
@@ -104,41 +88,17 @@ impl Traced {
     }
 }
 
-/// Error of the chords of a part from the curve that they trace: the largest sagitta but for a few. `None` if most of
-/// its corners are sharp.
+/// Error of the chords of a part from the curves that they trace: that of the loop with the largest. `None` if most corners of each are
+/// sharp.
 fn sagitta(part: &Part) -> Option<f64> {
-    /// Largest turn at a corner of a trace, in radians: a circle has 13 chords then.
-    const SMOOTH: f64 = 0.5;
-    /// The share of sagittas that are no larger: at a corner that is drawn chords are longer than on the curves beside it.
-    const SHARE: f64 = 0.9;
-    let mut sagittas: Vec<f64> = Vec::new();
-    let mut corners = 0;
-    for ring in part.loops() {
-        let edges: Vec<Edge> = ring.edges().collect();
-        for (a, b) in edges.iter().zip(edges.iter().cycle().skip(1)) {
-            let (d, e) = (a.end - a.start, b.end - b.start);
-            let turn = d.cross(e).atan2(d.dot(e)).abs();
-            corners += 1;
-            if turn > 0.0 && turn < SMOOTH {
-                // The chord of an arc of the angle φ has the sagitta c/2 · tan(φ/4).
-                sagittas.push(0.5 * a.length().min(b.length()) * (0.25 * turn).tan());
-            }
-        }
-    }
-    if 2 * sagittas.len() < corners {
-        return None;
-    }
-    sagittas.sort_by(f64::total_cmp);
-    let at = (SHARE * sagittas.len() as f64) as usize;
-    sagittas
-        .get(at.min(sagittas.len().saturating_sub(1)))
-        .copied()
+    let of = |ring: &Loop| fit::sagitta(&ring.edges().collect::<Vec<Edge>>());
+    part.loops().iter().filter_map(of).max_by(f64::total_cmp)
 }
 
-/// A length with one digit, as people give it.
+/// A length with two digits, rounded up.
 fn rounded(length: f64) -> f64 {
-    let unit = 10.0_f64.powf(length.log10().floor());
-    let rounded = (length / unit).round() * unit;
+    let unit = 10.0_f64.powf(length.log10().floor() - 1.0);
+    let rounded = (length / unit).ceil() * unit;
     // The nearest number with few digits, and not a multiple of a power of ten that has its own rounding.
-    format!("{rounded:.0e}").parse().unwrap_or(rounded)
+    format!("{rounded:.1e}").parse().unwrap_or(rounded)
 }

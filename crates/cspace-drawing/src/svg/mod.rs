@@ -4,6 +4,7 @@
 //! ([`walk`], [`frame`]). Shapes and paths become paths ([`shapes`], [`path`]): circular arcs stay arcs, elliptical ones and Béziers are
 //! curves to fit. What is not drawn by its style is left out ([`style`]).
 
+mod fill;
 mod frame;
 mod length;
 mod path;
@@ -26,6 +27,15 @@ pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingErro
     })?;
     let text = text.trim_start_matches('\u{feff}');
     let whole;
+    let mended;
+    let text = match xml::parse(text) {
+        // Drawing programs write comments with two hyphens, and read them.
+        Err(Error::InvalidComment(_)) => {
+            mended = xml::with_plain_comments(text);
+            &mended
+        }
+        _ => text,
+    };
     let document = match xml::parse(text) {
         Err(Error::UnknownNamespace(..)) => {
             whole = xml::declared(text);

@@ -4,10 +4,12 @@ use std::collections::HashMap;
 use std::str::FromStr;
 use std::sync::Arc;
 
+use cspace::part::Bounds;
 use cspace::{Point, Vector};
 use roxmltree::{Document, Node};
-use svgtypes::Transform;
+use svgtypes::{Transform, ViewBox};
 
+use super::fill::bounds;
 use super::frame::{frame, page};
 use super::length::View;
 use super::shapes::shape;
@@ -16,13 +18,16 @@ use super::xml::{INKSCAPE, XLINK};
 use crate::affine::Affine;
 use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
 use crate::error::DrawingError;
-use crate::source::Source;
+use crate::source::{OTHER_COLOR, Source};
 
 /// The most elements that are drawn, those that are used again included.
 const MOST_ELEMENTS: usize = 2_000_000;
 
 /// The deepest that elements are nested or used in one another.
 const DEEPEST: usize = 200;
+
+/// Why a loop of a path is left out.
+const INSIDE: &str = "a loop inside of what its path fills: by its fill-rule it is no hole";
 
 /// Advice for an element that cannot be read.
 const MEND: &str = "export the drawing again, or mend the element";
@@ -33,9 +38,7 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
     let ids: HashMap<&str, Node<'_, '_>> = (document.descendants())
         .filter_map(|n| Some((n.attribute("id")?, n)))
         .collect();
-    if let Some(id) = &source.id
-        && !ids.contains_key(id.as_str())
-    {
+    if let Some(id) = source.ids.iter().find(|id| !ids.contains_key(id.as_str())) {
         let message = format!("no element has the id {id:?}");
         return Err(DrawingError::file(
             message,
@@ -50,6 +53,7 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
         sheet: Sheet::of(document),
         drawing: Drawing {
             unit,
+            page: paper(root, &map, view),
             ..Drawing::default()
         },
         count: 0,
@@ -60,9 +64,19 @@ pub(super) fn walk(document: &Document<'_>, source: &Source) -> Result<Drawing, 
         style: walk.sheet.style(root, &Style::default()),
         layer: Arc::from(""),
         names: Arc::from([]),
-        is_chosen: source.id.is_none(),
+        is_chosen: source.ids.is_empty(),
         depth: 0,
     };
+    for selector in core::mem::take(&mut walk.sheet.unfollowed) {
+        let shown: String = selector.chars().take(60).collect();
+        walk.drawing.unfollowed.push(Ignored {
+            origin: Origin {
+                kind: Arc::from("style"),
+                ..Origin::default()
+            },
+            reason: format!("its rule for {shown:?} is not followed").into(),
+        });
+    }
     walk.children(root, &ground)?;
     Ok(walk.drawing)
 }
@@ -128,7 +142,9 @@ impl<'d, 'i> Walk<'d, 'i> {
             let id = Arc::from(id);
             ground.names = ground.names.iter().cloned().chain([id]).collect();
         }
-        ground.is_chosen |= node.attribute("id") == self.source.id.as_deref();
+        ground.is_chosen |= node
+            .attribute("id")
+            .is_some_and(|id| self.source.ids.iter().any(|i| i == id));
         if let Some(text) = node.attribute("transform") {
             match transform(text) {
                 Ok(map) => ground.map = ground.map.after(&map),
@@ -199,6 +215,8 @@ impl<'d, 'i> Walk<'d, 'i> {
             && !self.source.layers.iter().any(|l| **l == *ground.layer)
         {
             Some("its layer was not asked for")
+        } else if !self.is_of_color(style) {
+            Some(OTHER_COLOR)
         } else {
             None
         };
@@ -217,7 +235,22 @@ impl<'d, 'i> Walk<'d, 'i> {
                 self.ignore(node, ground, "it draws nothing");
             }
             Ok(paths) => {
-                for path in paths {
+                if let Some(what) = style.unfollowed {
+                    self.drawing.unfollowed.push(Ignored {
+                        origin: origin.clone(),
+                        reason: what.into(),
+                    });
+                }
+                let fills = style.is_filled && !style.is_even_odd && paths.len() > 1;
+                let bounds = match fills {
+                    true => bounds(&paths),
+                    false => vec![true; paths.len()],
+                };
+                for (path, bounds) in paths.into_iter().zip(bounds) {
+                    if !bounds {
+                        self.ignore(node, ground, INSIDE);
+                        continue;
+                    }
                     self.drawing.entities.push(Entity {
                         origin: origin.clone(),
                         path: path.mapped(&ground.map),
@@ -226,6 +259,16 @@ impl<'d, 'i> Walk<'d, 'i> {
             }
             Err(reason) => self.problem(node, ground, reason, MEND),
         }
+    }
+
+    /// Whether a style has one of the colours asked for: of the stroke, or of the fill where there is no stroke.
+    fn is_of_color(&self, style: &Style) -> bool {
+        let own = match style.is_stroked {
+            true => style.stroke,
+            false => style.fill,
+        };
+        let asked = &self.source.colors;
+        asked.is_empty() || asked.iter().any(|a| own.is_some_and(|own| a.is(own)))
     }
 
     /// Draws the target of a `use` element, moved.
@@ -331,6 +374,16 @@ impl<'d, 'i> Walk<'d, 'i> {
             });
         }
     }
+}
+
+/// The page in the drawing's coordinates, where the file names its size.
+fn paper(root: Node<'_, '_>, map: &Affine, view: View) -> Option<Bounds> {
+    let given = root
+        .attribute("viewBox")
+        .and_then(|v| ViewBox::from_str(v).ok());
+    let (x, y) = given.map_or((0.0, 0.0), |v| (v.x, v.y));
+    let [near, far] = [(x, y), (x + view.width?, y + view.height?)].map(|p| map.point(p.into()));
+    Some(Bounds::of(near, far))
 }
 
 /// Whether an id is a name given by a person: programs use the type and a number, `path123` or `rect3-5`.

@@ -52,6 +52,20 @@ pub(super) fn declared(text: &str) -> Option<String> {
     None
 }
 
+/// The text with no hyphens in comments, of as many lines. A mark of a comment in a text of another kind (CDATA) is taken for one.
+pub(super) fn with_plain_comments(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(begin) = rest.find("<!--") {
+        let (before, comment) = rest.split_at(begin + 4);
+        let end = comment.find("-->").unwrap_or(comment.len());
+        plain += before;
+        plain += &comment[..end].replace('-', " ");
+        rest = &comment[end..];
+    }
+    plain + rest
+}
+
 /// The place after the name of the root element, past declarations, comments and a document type.
 fn after_root_name(text: &str) -> Option<usize> {
     let mut rest = text;

@@ -393,7 +393,7 @@ fn traces_become_few_pieces() {
         .unwrap();
     let part = &outlines.parts[0];
     assert_eq!(part.edges().count(), said.pieces);
-    assert!(said.pieces < 60, "{said:?}");
+    assert!(said.pieces < 70, "{said:?}");
     assert_eq!(part.edges().filter(|e| e.is_line()).count(), 4);
     let off = (cam.iter())
         .map(|&(x, y)| {
@@ -504,9 +504,12 @@ fn traces_are_told_within_their_sagitta() {
     for (n, r) in [(101, 3.0), (400, 10.0), (800, 50.0)] {
         let sagitta = r * (1.0 - (PI / f64::from(n)).cos());
         let traced = said(&circle(n, r)).unwrap();
-        // It has one digit.
-        assert!((traced.fit / sagitta - 1.0).abs() < 0.5, "{traced:?}");
-        assert!(traced.deviation <= traced.fit && traced.pieces <= 4);
+        // A quarter more, rounded up to two digits.
+        let share = traced.fit / sagitta;
+        assert!((1.25..1.4).contains(&share), "{traced:?}");
+        // The circle goes through the corners, and the middles of the chords are off it.
+        assert!((traced.deviation / sagitta - 1.0).abs() < 0.1, "{traced:?}");
+        assert!(traced.pieces <= 4);
     }
     assert!(said(&circle(100, 3.0)).is_none());
     // A comb has 400 edges and no curve.

@@ -166,7 +166,7 @@ fn layers_are_read_alone() {
 #[test]
 fn an_element_is_read_alone() {
     let source = Source {
-        id: Some("hole".to_owned()),
+        ids: vec!["hole".to_owned()],
         ..Source::default()
     };
     let drawing = read(folder().join("used.svg"), &source).unwrap();

@@ -56,7 +56,7 @@ fn what_is_no_dxf_is_told() {
     );
     says("a.dxf", b"\xff\xfe0\x00", &["UTF-16"]);
     says("a.dwg", "AC1032", &["DWG", "DXF"]);
-    says("a.txt", "AC1032", &["extension", ".dxf"]);
+    says("a.step", "AC1032", &["extension", ".dxf"]);
     says("a.dxf", entities(""), &["no closed outline"]);
     says(
         "a.dxf",

@@ -8,4 +8,5 @@ mod drawings;
 mod gaps;
 mod hostile;
 mod offset;
+mod ordinary;
 mod sources;

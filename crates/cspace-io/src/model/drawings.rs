@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace::{Part, Point};
-use cspace_drawing::{Conversion, DrawingError, Pick, Settings, Source};
+use cspace_drawing::{Color, Conversion, DrawingError, Pick, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
@@ -59,6 +59,9 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
     let drawings: &[(&str, &[&str])] = &[
         ("layer", &["dxf"]),
         ("id", &["svg"]),
+        ("linetype", &["dxf"]),
+        ("color", &["dxf", "svg"]),
+        ("without_sheet", &["dxf", "svg"]),
         ("hatches", &["dxf"]),
         ("pick", &["dxf", "svg"]),
         ("trace", &["dxf", "svg"]),
@@ -94,17 +97,24 @@ pub(super) fn read_drawing(
     setting: &mut Setting<'_>,
 ) -> Result<Part> {
     let file = table.text(key)?.unwrap_or_default();
-    let expected = if key == "points" { "csv" } else { key };
+    let expected: &[&str] = match key {
+        "points" => &["csv", "txt", "dat"],
+        "dxf" => &["dxf"],
+        _ => &["svg"],
+    };
     let path = setting.files.folder.join(file);
     let extension = path.extension().unwrap_or_default();
-    if !extension.eq_ignore_ascii_case(expected) {
+    if !expected.iter().any(|e| extension.eq_ignore_ascii_case(e)) {
+        let expected = expected[0];
         let message = format!("the name {} does not end in .{expected}", quoted(file));
         let help = format!("give the name of the file, such as {key} = \"part.{expected}\"");
         return Err(table.error(key, message).with_help(help));
     }
     let source = Source {
-        layers: layers(table)?,
-        id: table.text("id")?.map(str::to_owned),
+        layers: texts(table, "layer", "layer = [\"outline\", \"holes\"]")?,
+        ids: texts(table, "id", "id = [\"body\", \"cover\"]")?,
+        linetypes: texts(table, "linetype", "linetype = [\"CONTINUOUS\"]")?,
+        colors: colors(table)?,
         hatches: table.flag("hatches")?,
     };
     (setting.files.host.guard)(&path).map_err(|refused| {
@@ -141,6 +151,7 @@ pub(super) fn read_drawing(
         fit: table.number("fit")?,
         picks: picks(table)?,
         trace: table.flag("trace")?,
+        without_sheet: table.flag("without_sheet")?,
         one_part: Some(name.to_owned()),
         ..Settings::default()
     };
@@ -185,25 +196,30 @@ fn picks(table: &Table<'_>) -> Result<Vec<Pick>> {
     }
 }
 
-/// Layer names: one, or a list.
-fn layers(table: &Table<'_>) -> Result<Vec<String>> {
-    match table.get("layer") {
+/// The texts of a key: one, or a list.
+fn texts(table: &Table<'_>, key: &str, example: &str) -> Result<Vec<String>> {
+    match table.get(key) {
         Some(Node::List(list)) => (list.iter())
             .map(|node| match node {
-                Node::Text(layer) => Ok(layer.to_string()),
+                Node::Text(text) => Ok(text.to_string()),
                 other => {
-                    let message =
-                        format!("{} where the name of a layer is expected", other.describe());
-                    Err(table
-                        .error("layer", message)
-                        .with_help("give it as layer = [\"outline\", \"holes\"]"))
+                    let message = format!("{} where a text is expected", other.describe());
+                    let help = format!("give it as {example}");
+                    Err(table.error(key, message).with_help(help))
                 }
             })
             .collect(),
-        _ => Ok(table
-            .text("layer")?
-            .map(str::to_owned)
-            .into_iter()
-            .collect()),
+        _ => Ok(table.text(key)?.map(str::to_owned).into_iter().collect()),
     }
+}
+
+fn colors(table: &Table<'_>) -> Result<Vec<Color>> {
+    let texts = texts(table, "color", "color = [\"red\", \"#0000ff\"]")?;
+    let color = |text: String| {
+        text.parse().map_err(|help| {
+            let message = format!("{} is no colour", quoted(&text));
+            table.error("color", message).with_help(help)
+        })
+    };
+    texts.into_iter().map(color).collect()
 }

@@ -23,9 +23,10 @@ use crate::shown::quoted;
 const MOST: usize = 10_000;
 
 /// Keys whose texts are names, or wrong where true or false belongs, and never numbers.
-const TEXTS: [&str; 26] = [
+const TEXTS: [&str; 29] = [
     "$schema",
     "by",
+    "color",
     "direction",
     "dxf",
     "end",
@@ -36,6 +37,7 @@ const TEXTS: [&str; 26] = [
     "id",
     "large",
     "layer",
+    "linetype",
     "measure",
     "mirror",
     "moving",
@@ -48,6 +50,7 @@ const TEXTS: [&str; 26] = [
     "split",
     "svg",
     "trace",
+    "without_sheet",
     "type",
     "unit",
 ];

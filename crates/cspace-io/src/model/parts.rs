@@ -63,7 +63,7 @@ fn read_part(
     node: &Node,
     setting: &mut Setting<'_>,
 ) -> Result<(PartEntry, PartDynamics)> {
-    const KEYS: [&str; 18] = [
+    const KEYS: [&str; 21] = [
         "name",
         "loops",
         "dxf",
@@ -74,6 +74,9 @@ fn read_part(
         "symmetry",
         "layer",
         "id",
+        "linetype",
+        "color",
+        "without_sheet",
         "hatches",
         "pick",
         "trace",

@@ -152,7 +152,7 @@ fn the_id_of_a_drawing_is_in_its_source() {
     let plain = OpenedDrawing::of_file("two.svg", text.into()).unwrap();
     assert_eq!(plain.scene().unwrap().count, 2);
     let source = DrawingSource {
-        id: Some("b".to_owned()),
+        ids: vec!["b".to_owned()],
         ..plain.source
     };
     let opened = OpenedDrawing::from_source(through_json(&source)).unwrap();
@@ -163,7 +163,7 @@ fn the_id_of_a_drawing_is_in_its_source() {
 fn what_is_no_drawing_says_what_to_do() {
     for (file, data, words, help) in [
         ("plan.dwg", "AC1032", "DWG files are not read", "DXF"),
-        ("plan.txt", "", "not that of a drawing", ".dxf"),
+        ("plan.step", "", "not that of a drawing", ".dxf"),
         ("plan.dxf", "0\nSECTION\nx", "line ", ""),
     ] {
         let error = OpenedDrawing::of_file(file, data.into()).unwrap_err();

@@ -79,6 +79,17 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
             return Ok(());
         }
     }
+    for (path, sheet) in (args.drawings.iter().zip(&imported))
+        .filter_map(|(path, o)| Some((path, o.sheet.as_ref()?)))
+    {
+        failure::warning(
+            format_args!(
+                "{}: {sheet} is a rectangle around everything, and what is in it becomes its holes",
+                path.display()
+            ),
+            format_args!("if it is the sheet, leave it out with --without-sheet"),
+        );
+    }
     for problem in imported.iter().filter_map(|o| o.crossing.as_ref()) {
         failure::note(format_args!(
             "parts overlap as they are drawn: {problem}; if they are one part, or holes, mend the drawing"

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use cspace::Part;
-use cspace_drawing::Outlines;
+use cspace_drawing::{Ignored, Origin, Outlines};
 use cspace_mechanism::Mechanism;
 use serde::Serialize;
 
@@ -17,6 +17,8 @@ pub(super) struct Report {
     apart: Vec<ApartReport>,
     used: BTreeMap<String, usize>,
     ignored: Vec<IgnoredReport>,
+    unfollowed: Vec<IgnoredReport>,
+    sheets: Vec<IgnoredReport>,
     joined: Vec<Gap>,
     fitted: Fitted,
     removed: Removed,
@@ -47,6 +49,21 @@ struct IgnoredReport {
     layer: String,
     handle: String,
     reason: String,
+}
+
+impl IgnoredReport {
+    fn of(ignored: &Ignored) -> Self {
+        Self::new(&ignored.origin, &ignored.reason)
+    }
+
+    fn new(origin: &Origin, reason: &str) -> Self {
+        Self {
+            r#type: origin.kind.to_string(),
+            layer: origin.layer.to_string(),
+            handle: origin.handle.to_string(),
+            reason: reason.to_owned(),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -87,12 +104,20 @@ impl Report {
                 })
                 .collect(),
             used,
-            ignored: (imported.iter().flat_map(|o| &o.ignored))
-                .map(|i| IgnoredReport {
-                    r#type: i.origin.kind.to_string(),
-                    layer: i.origin.layer.to_string(),
-                    handle: i.origin.handle.to_string(),
-                    reason: i.reason.to_string(),
+            ignored: (imported
+                .iter()
+                .flat_map(|o| &o.ignored)
+                .map(IgnoredReport::of))
+            .collect(),
+            unfollowed: (imported.iter().flat_map(|o| &o.unfollowed))
+                .map(IgnoredReport::of)
+                .collect(),
+            sheets: (imported.iter().filter_map(|o| o.sheet.as_ref()))
+                .map(|sheet| {
+                    IgnoredReport::new(
+                        sheet,
+                        "if it is the sheet, leave it out with --without-sheet",
+                    )
                 })
                 .collect(),
             joined: (imported.iter().flat_map(|o| &o.joined))
@@ -169,23 +194,11 @@ impl Report {
                 apart.parts.len()
             )?;
         }
-        // Each kind once, however many there are; the layers of each.
-        let mut ignored: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
-        for i in &self.ignored {
-            let kind = ignored.entry((&i.r#type, &i.reason)).or_default();
-            kind.push(&i.layer);
-        }
-        for (at, ((kind, reason), mut layers)) in ignored.into_iter().enumerate() {
-            let head = if at == 0 { "left out" } else { "" };
-            let n = layers.len();
-            layers.sort_unstable();
-            layers.dedup();
-            let on = match layers[..] {
-                [""] => String::new(),
-                [layer] => format!(" on layer {layer:?}"),
-                _ => format!(" on {} layers", layers.len()),
-            };
-            writeln!(text, "{head:<13}{n} {kind}{on}: {reason}")?;
+        for (head, ignored) in [
+            ("left out", &self.ignored),
+            ("unfollowed", &self.unfollowed),
+        ] {
+            write_kinds(text, head, ignored)?;
         }
         if let Some(widest) = self.joined.iter().max_by(|a, b| a.gap.total_cmp(&b.gap)) {
             writeln!(
@@ -220,6 +233,28 @@ impl Report {
         }
         Ok(())
     }
+}
+
+/// Each kind once, however many there are; the layers of each.
+fn write_kinds(text: &mut String, what: &str, ignored: &[IgnoredReport]) -> std::fmt::Result {
+    let mut kinds: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+    for i in ignored {
+        let kind = kinds.entry((&i.r#type, &i.reason)).or_default();
+        kind.push(&i.layer);
+    }
+    for (at, ((kind, reason), mut layers)) in kinds.into_iter().enumerate() {
+        let head = if at == 0 { what } else { "" };
+        let n = layers.len();
+        layers.sort_unstable();
+        layers.dedup();
+        let on = match layers[..] {
+            [""] => String::new(),
+            [layer] => format!(" on layer {layer:?}"),
+            _ => format!(" on {} layers", layers.len()),
+        };
+        writeln!(text, "{head:<13}{n} {kind}{on}: {reason}")?;
+    }
+    Ok(())
 }
 
 fn of_part(part: &Part) -> PartReport {

@@ -30,7 +30,10 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
                 drawing::options(options)
             ),
             layers: options.layer.clone(),
-            id: options.id.clone(),
+            ids: options.id.clone(),
+            colors: options.colors.iter().map(ToString::to_string).collect(),
+            linetypes: options.linetype.clone(),
+            without_sheet: options.without_sheet,
             hatches: options.hatches,
             scale: drawing::factor(options, path, &drawn, unit.as_deref()),
             join: options.join,

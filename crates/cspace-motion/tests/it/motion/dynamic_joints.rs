@@ -390,7 +390,7 @@ fn what_is_joined_comes_to_what_has_a_start() {
     }
 }
 
-/// A block that a link without mass pulls along a floor: the joints carry the friction, two at one place together.
+/// A block that a link without mass pulls along a floor: the joints carry the friction, two links at one place together.
 #[test]
 fn joints_carry_the_friction_of_contacts() {
     let (friction, mass, weight, rate) = (0.3, 2.0, 20.0, 1.5);
@@ -432,19 +432,29 @@ at = [8, 0.5]
 part = "block"
 force = [0, -{weight}]
 at = [0, 0.5]
+[[pair]]
+fixed = "floor"
+moving = "block"
 [[drive]]
 part = "cart"
 rate = {rate}
 "#
     );
-    let second = "[[joint]]\ntype = \"revolute\"\nparts = [\"link\", \"cart\"]\nat = [8, 0.5]\n";
-    for text in [once.clone(), once + second] {
+    // The link and its joints once more, by another name.
+    let start = once.find("[[part]]\nname = \"link\"").unwrap();
+    let end = once.find("[[part]]\nname = \"cart\"").unwrap();
+    let joints = &once[once.find("[[joint]]").unwrap()..once.find("[[load]]").unwrap()];
+    let second = [&once[start..end], joints]
+        .concat()
+        .replace("\"link\"", "\"second link\"");
+    let twice = format!("{once}{second}");
+    for text in [once, twice] {
         let (_, record) = thrown(&text, 1.0, 0.1);
         assert_eq!(record.status, Status::Done, "{:?}", record.reason);
         for sample in &record.samples {
             let forces = sample.forces.as_ref().unwrap();
             let pull = |part: &str| -> [f64; 2] {
-                let of = forces.joints.iter().filter(|j| j.parts[1] == part);
+                let of = forces.joints.iter().filter(|j| j.parts[1].contains(part));
                 of.fold([0.0; 2], |[x, y], j| [x + j.force[0], y + j.force[1]])
             };
             // Each is pulled back by the part before it.

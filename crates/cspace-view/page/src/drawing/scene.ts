@@ -39,8 +39,14 @@ export interface DrawingSource {
   command: string;
   /** The layers of a DXF file that are read; all if there are none here. */
   layers: string[];
-  /** The id of the SVG element that is read alone. */
-  id: string | null;
+  /** The ids of the SVG elements that are read; all if there are none. */
+  ids: string[];
+  /** Colours of what is read; all if there are none. */
+  colors: string[];
+  /** Line types of a DXF file that are read; if there are none, all of outlines. */
+  linetypes: string[];
+  /** Whether a rectangle around everything is left out. */
+  without_sheet: boolean;
   /** Whether the outlines of a DXF file's hatches are read too. */
   hatches: boolean;
   /** Every length of the drawing is multiplied by it. */
