@@ -29,6 +29,9 @@ pub struct Told {
     /// Description of each leg, in words.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub words: Vec<String>,
+    /// The gap by which the moving part is smaller, where the parts fit exactly at the start or the goal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
     /// The clearance of the path.
     pub clearance: Option<f64>,
     /// Where the path is narrowest.
@@ -193,6 +196,7 @@ impl Told {
             path: Vec::new(),
             about: None,
             words: Vec::new(),
+            gap: None,
             clearance: None,
             narrowest: None,
             rest: None,

@@ -12,6 +12,7 @@ mod check;
 pub mod clash;
 mod ends;
 pub mod escape;
+mod exact_fit;
 mod farthest;
 pub mod legs;
 mod off_contact;
@@ -26,6 +27,7 @@ mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 pub use check::{Checked, Meeting, check, touches};
+pub use exact_fit::{ExactFits, fits_exactly, with_gap};
 pub use farthest::farthest;
 pub use off_contact::off_contacts;
 pub use path::Prefer;

@@ -5,6 +5,8 @@ use std::fmt::Write;
 use cspace::{Coordinates, Location, NearFeatures, PairSpace, QueryError, RegionId};
 use serde::Serialize;
 
+use cspace_plan::fits_exactly;
+
 use crate::args::{ContactsArgs, Format};
 use crate::failure::Failure;
 use crate::output;
@@ -69,6 +71,7 @@ fn answer(space: &PairSpace, at: Coordinates, within: f64) -> Result<Answer, Que
     let (class, region) = match space.locate(at)? {
         Location::Free(region) => ("free", Some(region.0)),
         Location::Contact => ("contact", None),
+        Location::Blocked if fits_exactly(space, at)? => ("exact-fit", None),
         Location::Blocked => ("blocked", None),
         Location::Outside => return Err(QueryError::Outside),
     };

@@ -20,6 +20,9 @@ struct Answer {
     at: Coordinates,
     /// Features of the fixed and of the moving part.
     touching: Vec<[String; 2]>,
+    /// The gap by which the moving part is smaller, where the parts fit exactly at the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap: Option<f64>,
     #[serde(skip)]
     outcome: Outcome,
     #[serde(skip)]
@@ -35,9 +38,12 @@ pub(crate) fn run(args: &MoveArgs) -> Result<(), Failure> {
     let by = pair.coordinates("--by", &args.by)?;
     let about = pair.about(&args.about)?.unwrap_or(Vector::ZERO);
     let motion = Motion::new(from, by).about(about);
-    let space = pair.space()?;
+    let (space, gap) = pair.space_with_room(&[from])?;
     let done = displace(&space, &motion).map_err(|e| pair.unanswered("--from", &e))?;
-    let answer = Answer::of(&space, done);
+    let answer = Answer {
+        gap,
+        ..Answer::of(&space, done)
+    };
     let bytes = match common.result.format() {
         Format::Json => super::json(&answer)?,
         Format::Text => {
@@ -56,6 +62,7 @@ impl Answer {
             fraction: done.fraction,
             at: done.at,
             touching: done.features.iter().map(|&f| texts(space, f)).collect(),
+            gap: None,
             outcome: done.outcome,
             features: done.features,
         }
@@ -72,6 +79,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
             text,
             "leaves the window of orientations or the range of a motion after {percent:.6} % of the way"
         )?,
+    }
+    if let Some(gap) = answer.gap {
+        writeln!(text, "  {}", pair.gap_in_words(gap))?;
     }
     writeln!(text, "  at       {}", pair.place(answer.at))?;
     for &features in &answer.features {

@@ -27,13 +27,16 @@ struct Answer {
     class: String,
     /// The configuration asked about.
     at: Coordinates,
-    /// free, contact, blocked, or joined of a pair that never parts.
+    /// free, contact, blocked, exact-fit, or joined of a pair that never parts.
     result: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<u32>,
     /// The minimum distance of the parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
+    /// The gap by which the moving part is smaller, where the parts fit exactly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap: Option<f64>,
     directions: Vec<Direction>,
     #[serde(skip)]
     region_is: Option<String>,
@@ -80,9 +83,13 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
             None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
             None => Coordinates::Planar(Configuration::default()),
         };
-        let space = pair.space()?;
-        let answer = answer(pair, &space, at, pair.about(&args.about)?)
+        let (space, gap) = pair.space_with_room(&[at])?;
+        let mut answer = answer(pair, &space, at, pair.about(&args.about)?)
             .map_err(|e| pair.unanswered("--at", &e))?;
+        if gap.is_some() {
+            answer.gap = gap;
+            answer.result = "exact-fit";
+        }
         if !answers.is_empty() {
             text.push('\n');
         }
@@ -110,6 +117,7 @@ fn answer(
         result: "joined",
         region: None,
         clearance: None,
+        gap: None,
         directions: Vec::new(),
         region_is: None,
     };
@@ -284,6 +292,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
     };
     let is = match answer.result {
         "blocked" => "blocked: the parts overlap",
+        "exact-fit" => "exact fit: the parts touch, and have no room to move",
         result => result,
     };
     writeln!(
@@ -291,6 +300,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
         "  at                       {}: {is}{apart}",
         pair.place(answer.at)
     )?;
+    if let Some(gap) = answer.gap {
+        writeln!(text, "  {}", pair.gap_in_words(gap))?;
+    }
     if let (Some(region), Some(words)) = (answer.region, &answer.region_is) {
         writeln!(text, "  {:24} {words}", pair.region(RegionId(region)))?;
     }

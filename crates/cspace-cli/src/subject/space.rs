@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use cspace::fixed_axes::Role;
 use cspace::{
-    AxesError, ComputeError, ContactSpace, NoFit, Options, PairError, PairSpace, Part, Relation,
-    Slice, Symmetry,
+    AxesError, ComputeError, ContactSpace, Coordinates, NoFit, Options, PairError, PairSpace, Part,
+    Relation, Slice, Symmetry,
 };
 use cspace_io::shown;
 
@@ -108,6 +108,34 @@ impl Chosen<'_> {
             .help("give a smaller clearance")
         })?;
         self.computed(&grown)
+    }
+
+    /// The configuration space for a question at some configurations, and a gap: where the parts fit exactly at one of them, the moving
+    /// part is smaller by the gap, so that there is room to move.
+    pub(crate) fn space_with_room(
+        &self,
+        at: &[Coordinates],
+    ) -> Result<(Space<'_>, Option<f64>), Failure> {
+        let space = self.space()?;
+        // What cannot be asked there is told where it is asked.
+        let fits = |&at: &Coordinates| cspace_plan::fits_exactly(&space, at).unwrap_or(false);
+        if self.is_saved() || !at.iter().any(fits) {
+            return Ok((space, None));
+        }
+        let Some((smaller, gap)) = cspace_plan::with_gap(self.fixed(), self.moving()) else {
+            return Ok((space, None));
+        };
+        Ok((self.computed(&smaller)?, Some(gap)))
+    }
+
+    /// A line that says by which gap the moving part is smaller.
+    pub(crate) fn gap_in_words(&self, gap: f64) -> String {
+        format!(
+            "gap {:.1e}{}: the parts fit exactly, and {} is smaller by it all around",
+            gap,
+            self.unit(),
+            shown::text(self.moving().name())
+        )
     }
 
     /// The configuration space with a moving part in place of the model's, computed or kept from before.

@@ -12,6 +12,7 @@ mod docs;
 mod draw;
 mod escape;
 mod evaluate;
+mod exact_fits;
 mod helpers;
 #[cfg(unix)]
 mod hostile;

@@ -7,7 +7,7 @@ use cspace::{Edge, Part, PartError, Vector, Vertex};
 /// boundary but for the square of the distance times the curvature of arcs. `None` if an edge vanishes.
 ///
 /// At a vertex between edges with outward normals n and m the boundary moves by −d (n + m) / (1 + n · m).
-pub(super) fn inset(part: &Part, distance: f64) -> Result<Option<Part>, PartError> {
+pub(crate) fn inset(part: &Part, distance: f64) -> Result<Option<Part>, PartError> {
     /// Edges that turn back on each other have no corner: what 1 + n · m is at least.
     const SHARPEST: f64 = 1e-6;
     let mut loops = Vec::with_capacity(part.loops().len());

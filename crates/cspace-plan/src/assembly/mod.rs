@@ -31,7 +31,9 @@ pub use answer::{
 };
 pub use error::AssemblyError;
 
+pub(crate) use inset::inset;
 use search::Search;
+pub(crate) use units::GAP;
 use units::Units;
 
 /// Parts put together.

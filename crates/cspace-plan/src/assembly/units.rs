@@ -17,7 +17,7 @@ pub(super) const MOST: usize = 63;
 
 /// The gap that is opened unless another is given, as a share of the assembly's size: far above the least clearance of contact
 /// spaces (5·10⁻¹⁰), far below what matters in a drawing.
-const GAP: f64 = 1e-6;
+pub(crate) const GAP: f64 = 1e-6;
 /// The least gap and the largest, as shares of the size.
 const GAPS: (f64, f64) = (1e-8, 1e-2);
 /// Share of the gap between two parts that must be left: parts that overlap by nearly all of it are refused.

@@ -38,7 +38,7 @@ use pair::Pair;
 
 /// Parts nearer than this share of the larger one's size touch, and so do parts that overlap by less: a little more than
 /// contacts are known to, 7·10⁻¹² of the size.
-const TOUCHING: f64 = 1e-11;
+pub(crate) const TOUCHING: f64 = 1e-11;
 
 /// The parts of a mechanism, prepared for questions.
 #[derive(Debug)]

@@ -5,8 +5,8 @@ use cspace::{Axis, AxisMotion, Configuration, Part, Point, Vector};
 use cspace_mechanism::PartEntry;
 
 use super::at::At;
-use super::depth::{NORMALS, is_deep};
-use super::overlap::{coincide, overlap};
+use super::depth::overlaps_deeper;
+use super::overlap::overlap;
 use super::pose::{Coords, Pose, origin};
 use super::search::{Nearest, Search};
 use super::shape::Piece;
@@ -132,17 +132,7 @@ impl Between<'_> {
     pub(crate) fn overlaps_deeper(&self, depth: f64) -> bool {
         let [a, b] = self.bodies;
         let (at_a, at_b) = (a.placed(self.from[0]), b.placed(self.from[1]));
-        // Where no boundaries cross, every edge is in the other part as a whole or not at all.
-        if coincide(&at_a, &at_b, depth) || coincide(&at_b, &at_a, depth) {
-            return true;
-        }
-        let search = self.search();
-        if !search.crosses() {
-            return false;
-        }
-        let mut feet = Vec::new();
-        search.within(NORMALS * depth, |near| feet.push(near.points));
-        is_deep(&at_a, &at_b, &feet, depth)
+        overlaps_deeper(&self.search(), &at_a, &at_b, depth)
     }
 
     /// The bodies part of the way, as a share of it, and at rest there.

@@ -3,6 +3,8 @@
 use cspace::{Edge, Part, Point};
 
 use super::at::At;
+use super::overlap::coincide;
+use super::search::Search;
 
 /// A piece whose ends are close to an edge goes along it all the way if it is shorter than this share of the radii of both.
 const LONGEST: f64 = 0.25;
@@ -113,4 +115,19 @@ fn nearest(part: &Part, p: Point) -> Option<(f64, Edge)> {
     (part.edges())
         .map(|e| (e.distance(p), e))
         .min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Whether parts overlap at the start of a search deeper than a depth, also where their boundaries coincide. What overlaps five times as
+/// deep is always found.
+pub(super) fn overlaps_deeper(search: &Search<'_>, a: &At<'_>, b: &At<'_>, depth: f64) -> bool {
+    // Where no boundaries cross, every edge is in the other part as a whole or not at all.
+    if coincide(a, b, depth) || coincide(b, a, depth) {
+        return true;
+    }
+    if !search.crosses() {
+        return false;
+    }
+    let mut feet = Vec::new();
+    search.within(NORMALS * depth, |near| feet.push(near.points));
+    is_deep(a, b, &feet, depth)
 }

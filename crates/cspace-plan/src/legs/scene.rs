@@ -7,7 +7,7 @@ use cspace::{
 
 use super::about::{configuration_about, numbers_about};
 use super::at::At;
-use super::depth::{NORMALS, is_deep};
+use super::depth::{NORMALS, is_deep, overlaps_deeper};
 use super::near::Near;
 use super::overlap::overlap;
 use super::pose::{Coords, Pose, origin};
@@ -155,6 +155,14 @@ impl Scene {
         let mut feet = Vec::new();
         (self.search(at, at)).within(NORMALS * depth, |near| feet.push(near.points));
         is_deep(&a, &b, &feet, depth)
+    }
+
+    /// Whether the parts touch at a configuration: they are nearer than a depth, and overlap by no more than it. What overlaps five times as
+    /// deep is always found.
+    pub fn touches(&self, at: Coords, depth: f64) -> bool {
+        let (a, b) = self.placed(at);
+        let search = self.search(at, at);
+        search.at_below(0.0, depth).distance <= depth && !overlaps_deeper(&search, &a, &b, depth)
     }
 
     /// How far a point of a part moves at most, for a unit of each coordinate: lengths, in the model's unit.

@@ -8,6 +8,8 @@ use cspace::{
     RegionId,
 };
 
+use cspace_plan::fits_exactly;
+
 use crate::command::regions;
 
 use crate::subject::Chosen;
@@ -63,6 +65,9 @@ fn as_drawn_is(
             )
         }
         Ok(Location::Contact) => "in contact".to_owned(),
+        Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => {
+            "exact fit: the parts touch, and have no room to move".to_owned()
+        }
         Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
         Ok(Location::Outside) | Err(_) => "outside of what was computed".to_owned(),
     };

@@ -10,6 +10,8 @@ pub(crate) use outlines::{check_version, is_dxf, write as write_outlines};
 
 use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
 
+use cspace_plan::fits_exactly;
+
 use crate::args::DrawArgs;
 use crate::failure::Failure;
 use crate::output;
@@ -160,6 +162,9 @@ fn mark_contacts(
             )
         }
         Ok(Location::Contact) => "in contact".to_owned(),
+        Ok(Location::Blocked) if fits_exactly(&space, at).unwrap_or(false) => {
+            "exact fit: the parts touch, and have no room to move".to_owned()
+        }
         Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
         Ok(Location::Outside) => return Err(unanswered(QueryError::Outside)),
         Err(_) => "joined".to_owned(),

@@ -131,7 +131,8 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     } else {
         [travel, travel, turn]
     };
-    let space = pair.space()?;
+    let ends: Vec<Coordinates> = [from].into_iter().chain(to).collect();
+    let (space, gap) = pair.space_with_room(&ends)?;
     let failed = |error: PlanError| match &error {
         PlanError::From(e) => pair.unanswered("--from", e),
         PlanError::To(e) => pair.unanswered("--to", e),
@@ -172,6 +173,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         answer,
         begin.elapsed().as_secs_f64(),
     );
+    told.gap = gap;
     if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {
         if told.enclosed.is_some() {
             proof::add(&mut told, pair, &space, [from, to], args.depth)?;
@@ -293,6 +295,9 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     let unit = pair.unit();
     if let Some(hit) = &told.contact {
         return met(text, pair, hit);
+    }
+    if let Some(gap) = told.gap {
+        writeln!(text, "{}", pair.gap_in_words(gap))?;
     }
     match told.verdict {
         Name::Path => {

@@ -1,0 +1,87 @@
+//! Parts that fit exactly, nominal on nominal: they touch, and do not overlap.
+
+use serde_json::Value;
+
+use crate::helpers::{classes, json, printed};
+
+/// A slot and a key, a plate and a pin, and two pieces of one cut with a bulge: what is right of each is that of parts with a little play.
+const FITS: [(&str, &str, &str, bool); 3] = [
+    (
+        "slot",
+        "[[[-20,-20],[20,-20],[20,0],[5,0],[5,-10],[-5,-10],[-5,0],[-20,0]]]",
+        "[[[-5,-10],[5,-10],[5,5],[-5,5]]]",
+        true,
+    ),
+    (
+        "pin",
+        "[[[-20,-20],[20,-20],[20,20],[-20,20]],{circle=5,at=[0,0]}]",
+        "[{circle=5,at=[0,0]}]",
+        false,
+    ),
+    (
+        "jigsaw",
+        "[[[0,0],[20,0],[20,8,-2],[20,12],[20,20],[0,20]]]",
+        "[[[20,0],[40,0],[40,20],[20,20],[20,12,2],[20,8]]]",
+        false,
+    ),
+];
+
+#[test]
+fn exact_fits_touch_and_do_not_overlap() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, fixed, moving, comes_out) in FITS {
+        let file = folder.path().join(format!("{name}.toml"));
+        let text = format!(
+            "unit = \"mm\"\n[[part]]\nname = \"plate\"\nloops = {fixed}\n[[part]]\nname = \"part\"\nloops = {moving}\n"
+        );
+        std::fs::write(&file, text).unwrap();
+        let file = file.to_str().unwrap();
+        let computed = printed(&["compute", file]);
+        assert!(computed.contains("as drawn       exact fit"), "{computed}");
+        let here = [vec![0.0; 3], vec![0.0, -0.01, 0.0], vec![0.0, 50.0, 0.0]];
+        let found = classes(&[file], "x,y,theta", &here);
+        assert_eq!(found, ["contact", "blocked", "free"], "{name}");
+        let near = json(&["contacts", file, "--at", "0,0,0"]);
+        assert!(near.to_string().contains("exact-fit"), "{near}");
+        let play = &json(&["play", file])[0];
+        assert_eq!(play["result"], "exact-fit", "{play}");
+        let gap = play["gap"].as_f64().unwrap();
+        assert!(gap > 1e-6 && gap < 1e-3, "{gap}");
+        let up = (play["directions"].as_array().unwrap().iter())
+            .find(|d| d["direction"] == "+y")
+            .unwrap();
+        let distance: Option<f64> = up["distance"].as_f64();
+        assert!(distance.is_none() == comes_out && distance.is_none_or(|d| d < 10.0 * gap));
+        let plan = json(&["plan", file]);
+        let expected = if comes_out { "path" } else { "no-path" };
+        assert_eq!(plan["verdict"], Value::from(expected), "{plan}");
+        assert_eq!(plan["gap"].as_f64(), Some(gap));
+        let moved = json(&["move", file, "--from", "0,0,0", "--by", "0,9,0"]);
+        let result = if comes_out { "free" } else { "contact" };
+        assert_eq!(moved["result"], result, "{moved}");
+        let said = printed(&["plan", file]);
+        assert!(
+            said.starts_with("gap ") && said.contains("fit exactly"),
+            "{said}"
+        );
+        let clash = printed(&["clash", file]);
+        assert!(clash.contains("touching"), "{clash}");
+    }
+}
+
+/// With a hundredth too little they overlap, and with a hundredth of play they are free.
+#[test]
+fn what_is_wider_overlaps_and_what_is_narrower_is_free() {
+    let folder = tempfile::tempdir().unwrap();
+    for (half, result) in [(5.01, "blocked"), (4.99, "contact")] {
+        let file = folder.path().join("key.toml");
+        let text = format!(
+            "[[part]]\nname = \"plate\"\nloops = {}\n[[part]]\nname = \"key\"\nloops = [[[-{half},-10],[{half},-10],[{half},5],[-{half},5]]]\n",
+            FITS[0].1
+        );
+        std::fs::write(&file, text).unwrap();
+        let play = &json(&["play", file.to_str().unwrap()])[0];
+        assert_eq!(play["result"], result, "{play}");
+        assert!(play.get("gap").is_none());
+    }
+}

@@ -1,0 +1,71 @@
+//! Parts that fit exactly: nominal on nominal, as a key in its slot, a pin in its hole or the pieces of a jigsaw are drawn first.
+//!
+//! They touch and do not overlap, and their contact space has no room there: a configuration of the exact fit alone is free. What a part can
+//! do from there is answered for a part that is smaller by a gap.
+
+use cspace::{Coordinates, Location, PairSpace, Part, QueryError};
+
+use crate::assembly::{GAP, inset};
+use crate::clash::TOUCHING;
+use crate::legs::Scene;
+
+/// Whether the parts of a pair touch at a configuration at which its space has no room, and overlap by no more than rounding: they fit
+/// exactly. `false` of a lower pair.
+///
+/// ```
+/// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
+/// let slot = [(-9.0, -9.0), (9.0, -9.0), (9.0, 0.0), (5.0, 0.0), (5.0, -5.0), (-5.0, -5.0), (-5.0, 0.0), (-9.0, 0.0)];
+/// let slot = Part::polygon("slot", &slot)?;
+/// let key = Part::rectangle("key", (0.0, 0.0), 10.0, 10.0)?;
+/// let space = PairSpace::compute(&slot, &key, Relation::Planar, &Options::default())?;
+/// let at = |y| Coordinates::Planar(Configuration::new(0.0, y, 0.0));
+/// assert!(cspace_plan::fits_exactly(&space, at(0.0))?);
+/// assert!(!cspace_plan::fits_exactly(&space, at(-0.001))?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// If the coordinates are not those of the pair's class, or not finite.
+pub fn fits_exactly(space: &PairSpace, at: Coordinates) -> Result<bool, QueryError> {
+    if matches!(space, PairSpace::Lower(_)) || space.locate(at)? != Location::Blocked {
+        return Ok(false);
+    }
+    ExactFits::of(space)?.has(at)
+}
+
+/// Parts of a pair, prepared for many questions whether they fit exactly.
+#[derive(Debug, Clone)]
+pub struct ExactFits {
+    scene: Scene,
+    touch: f64,
+}
+
+impl ExactFits {
+    /// The parts of a pair.
+    ///
+    /// # Errors
+    /// For a lower pair, whose parts are in permanent contact.
+    pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
+        Ok(Self {
+            scene: Scene::of(space)?,
+            touch: TOUCHING * space.fixed().size().max(space.moving().size()),
+        })
+    }
+
+    /// Whether the parts touch at a configuration and overlap by no more than rounding: at one at which the space is blocked they fit
+    /// exactly, as [`fits_exactly`] says.
+    ///
+    /// # Errors
+    /// If the coordinates are not those of the pair's class.
+    pub fn has(&self, at: Coordinates) -> Result<bool, QueryError> {
+        Ok(self.scene.touches(self.scene.numbers(at)?, self.touch))
+    }
+}
+
+/// A part that fits exactly into another, smaller by a gap all around, and the gap, in the model's unit of length: a millionth of the size
+/// of the two. `None` if an edge is too small for it.
+pub fn with_gap(fixed: &Part, moving: &Part) -> Option<(Part, f64)> {
+    let gap = GAP * fixed.size().max(moving.size());
+    let smaller = inset(moving, gap).ok().flatten()?;
+    Some((smaller, gap))
+}
