@@ -7,10 +7,12 @@ use cspace_drawing::{Drawing, DrawingError, Source};
 use cspace_io::model::{Parameter, Template};
 use cspace_io::shown::number;
 use cspace_io::{Document, Host, Model, Refused};
+use cspace_mechanism::Mechanism;
 
 use crate::args::SetArgs;
 use crate::failure::{Failure, note};
 use crate::output::{self, ANOTHER, OVER_INPUT, STANDARD};
+use crate::wording;
 
 /// The name of standard input in messages.
 const STDIN: &str = "standard input";
@@ -44,6 +46,7 @@ pub(crate) fn template(file: &Path, values: &SetArgs) -> Result<(Template, Model
     let host = host(values);
     let template = Template::read(file, &host)?;
     let model = template.model(&host)?;
+    tell_sizes(&model.mechanism);
     Ok((template, model))
 }
 
@@ -65,6 +68,7 @@ pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Docume
                 parameters,
                 ..
             } = &mut **model;
+            tell_sizes(mechanism);
             let values = values_of(parameters);
             if !values.is_empty() {
                 note(format_args!("{}: with {values}", path.display()));
@@ -81,6 +85,12 @@ pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Docume
         }
     }
     Ok((path, document))
+}
+
+/// Lengths of the model are told as finely as its parts are large.
+fn tell_sizes(mechanism: &Mechanism) {
+    let sizes = mechanism.parts.iter().map(|p| p.part.size());
+    wording::tell_lengths_of(sizes.fold(0.0, f64::max));
 }
 
 /// The values that were set, such as `pin = 6.2, n = 4`.

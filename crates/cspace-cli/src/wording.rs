@@ -1,5 +1,7 @@
 //! Words for angles, lengths and counts.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use cspace::Coordinates;
 use cspace_io::shown;
 
@@ -23,9 +25,26 @@ pub(crate) fn degrees(radians: f64) -> String {
     format!("{} deg", zero_without_sign(&shown))
 }
 
-/// A length, or a coordinate, to six digits after the point.
+/// Digits of a length after the point: six, and more in a model whose parts are small in its unit.
+static DIGITS: AtomicUsize = AtomicUsize::new(LEAST_DIGITS);
+const LEAST_DIGITS: usize = 6;
+
+/// Lengths are told to a millionth of parts of this size, or of a tenth of the unit where that is larger.
+pub(crate) fn tell_lengths_of(size: f64) {
+    /// The size from which on six digits do.
+    const LARGE: f64 = 0.1;
+    /// No length has more.
+    const MOST: usize = 18;
+    let more = (LARGE / size).log10().ceil();
+    if more > 0.0 && size > 0.0 {
+        DIGITS.store((LEAST_DIGITS + more as usize).min(MOST), Ordering::Relaxed);
+    }
+}
+
+/// A length, or a coordinate, to as many digits after the point as [`tell_lengths_of`] asks for.
 pub(crate) fn length(x: f64) -> String {
-    zero_without_sign(&format!("{:.6}", shown::number(x))).to_owned()
+    let digits = DIGITS.load(Ordering::Relaxed);
+    zero_without_sign(&format!("{:.digits$}", shown::number(x))).to_owned()
 }
 
 /// A number of which nothing but a sign is left is shown without it.

@@ -144,3 +144,15 @@ fn every_pair_of_a_mechanism_is_told() {
         &["--pair driver,link"],
     );
 }
+
+/// A pin of ten micrometres in its hole, drawn in metres: its play of 50 nm is seen.
+#[test]
+fn small_parts_have_more_digits() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pin.toml");
+    let text = "unit = \"m\"\n[[part]]\nname = \"plate\"\nloops = [[[-20e-6, -20e-6], [20e-6, -20e-6], [20e-6, 20e-6], [-20e-6, 20e-6]], { circle = 5.05e-6, at = [0, 0] }]\n\
+        [[part]]\nname = \"pin\"\nloops = [{ circle = 5e-6, at = [0, 0] }]\n";
+    std::fs::write(&file, text).unwrap();
+    let said = printed(&["play", file.to_str().unwrap()]);
+    assert!(said.contains("0.0000000500 m"), "{said}");
+}

@@ -270,3 +270,24 @@ fn a_torsion_spring_rests_at_its_angle() {
         "{said}"
     );
 }
+
+/// An arm on a hinge turns into its base: parts that a joint connects are not tested for contact, and that is said from where it matters on.
+#[test]
+fn joined_parts_that_go_through_each_other_are_told() {
+    let model = "[[part]]\nname = \"base\"\nmotion = { type = \"fixed\" }\nloops = [[[-60, -30], [70, -30], [70, -12], [-60, -12]]]\n\
+        [[part]]\nname = \"arm\"\nmotion = { type = \"revolute\", center = [0, 0] }\nloops = [[[-50, -2], [5, -2], [5, 2], [-50, 2]]]\n\
+        [[joint]]\ntype = \"revolute\"\nparts = [\"base\", \"arm\"]\nat = [0, 0]\n[[drive]]\npart = \"arm\"\nrate = \"30deg\"\n";
+    let (_folder, path) = file(model);
+    assert!(!printed(&["simulate", &path, "--time", "0.38"]).is_empty());
+    let output = cspace(&["simulate", &path, "--time", "1"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    // The corner (-50, -2) comes to y = -12.
+    let turn = (12.0 / 50.0_f64.hypot(2.0)).asin() - (2.0_f64 / 50.0).atan();
+    let time = format!("{:.3}", turn.to_degrees() / 30.0);
+    assert!(
+        said.contains("base") && said.contains("arm") && said.contains(&time),
+        "{said} {time}"
+    );
+}

@@ -77,7 +77,7 @@ pub struct Parameter {
     pub is_angle: bool,
     /// Whether the value was set for this reading and differs from the file.
     pub is_set: bool,
-    /// Largest deviations below and above the value, if the model gives them.
+    /// Largest deviations below and above the value, if the model gives them; one of them is below 0 if the value is outside its limits.
     pub deviations: Option<(f64, f64)>,
     /// Distribution of the value within its tolerance, if the model gives one.
     pub distribution: Option<Distribution>,
@@ -88,6 +88,13 @@ pub struct Parameter {
 }
 
 impl Parameter {
+    /// Setting of the middle of its limits, if the value is outside of them, as the nominal size of a shaft is for most fits: tolerances
+    /// are about the middle then.
+    pub fn middle_of_limits(&self) -> Option<Setting> {
+        let (below, above) = self.deviations?;
+        (below < 0.0 || above < 0.0).then(|| self.deviated(0.5 * (above - below)))
+    }
+
     /// Setting of the value plus a deviation; its expression is kept as a term.
     pub fn deviated(&self, by: f64) -> Setting {
         match &self.expression {

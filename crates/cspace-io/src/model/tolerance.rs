@@ -104,19 +104,8 @@ impl Tolerance {
         let (below, above) = match self.extent {
             None => return Ok(None),
             Some(Extent::Deviations(below, above)) => (below, above),
-            Some(Extent::Limits(lo, hi)) if of.is_set || (lo..=hi).contains(&value) => {
-                (value - lo, hi - value)
-            }
-            Some(Extent::Limits(lo, hi)) => {
-                let message = format!(
-                    "the value {} is outside the limits {} to {}",
-                    shown::number(value),
-                    shown::number(lo),
-                    shown::number(hi)
-                );
-                let error = table.error("limits", message);
-                return Err(error.with_help("give limits that contain the value"));
-            }
+            // The value may be outside, as a shaft's nominal size often is: one of the two is below 0 then.
+            Some(Extent::Limits(lo, hi)) => (value - lo, hi - value),
         };
         if let Some(Distribution::Table(rows)) = self.distribution.as_ref().filter(|_| !of.is_set) {
             let beyond = |x: f64| {

@@ -48,6 +48,30 @@ pub(super) fn along(
     worst
 }
 
+/// Where two parts first touch over a motion; none if they never do.
+pub(super) fn first(
+    pair: &Pair<'_>,
+    way: impl Iterator<Item = (f64, [Coords; 2])>,
+) -> Option<Clash> {
+    let mut before: Option<(f64, [Coords; 2])> = None;
+    for (time, at) in way {
+        let met = (before)
+            .and_then(|(earlier, from)| on_the_way(pair, [from, at], [earlier, time], pair.touch))
+            .filter(|c| c.state == State::Meets);
+        let here = || {
+            pair.there(at, pair.touch).map(|c| Clash {
+                time: Some(time),
+                ..c
+            })
+        };
+        if let Some(found) = met.or_else(here) {
+            return Some(found);
+        }
+        before = Some((time, at));
+    }
+    None
+}
+
 /// State of two parts between two samples at which they are apart, if they come nearer than a limit.
 fn on_the_way(
     pair: &Pair<'_>,

@@ -91,6 +91,33 @@ impl<'a> Assembly<'a> {
         })
     }
 
+    /// Parts that a joint connects, which are apart as drawn, and come to overlap over a motion as in [`along`](Self::along): where they first
+    /// touch. Motions do not test them for contact.
+    pub fn joined_that_meet(&self, samples: &[Sample]) -> Vec<Clash> {
+        let mut joined = self.joined.clone();
+        joined.sort_unstable();
+        joined.dedup();
+        let at = |s: &Sample, i: usize| s.parts.get(i).copied().unwrap_or_default();
+        (joined.into_iter())
+            .filter_map(|parts| {
+                let pair = self.pair(parts, None);
+                let is_apart = pair.there([[0.0; 3]; 2], pair.touch).is_none();
+                let way = samples.iter().map(|s| (s.time, parts.map(|i| at(s, i))));
+                is_apart.then(|| along::first(&pair, way)).flatten()
+            })
+            .collect()
+    }
+
+    fn pair(&self, parts: [usize; 2], touch: Option<f64>) -> Pair<'_> {
+        let bodies = parts.map(|i| &self.bodies[i]);
+        let size = bodies[0].size().max(bodies[1].size());
+        Pair {
+            parts,
+            bodies,
+            touch: touch.unwrap_or(TOUCHING * size),
+        }
+    }
+
     /// Looks at every pair that is asked about and whose boxes are near.
     fn all(
         &self,
@@ -114,14 +141,7 @@ impl<'a> Assembly<'a> {
                 joined.push(parts);
                 continue;
             }
-            let bodies = [&self.bodies[a], &self.bodies[b]];
-            let size = bodies[0].size().max(bodies[1].size());
-            let pair = Pair {
-                parts,
-                bodies,
-                touch: question.touch.unwrap_or(TOUCHING * size),
-            };
-            pairs.extend(look(&pair));
+            pairs.extend(look(&self.pair(parts, question.touch)));
         }
         // Those that are joined are listed wherever they are.
         if question.pair.is_none() {

@@ -27,6 +27,12 @@ fn parameters(text: &mut String, all: &[ParameterInfo]) -> fmt::Result {
         write!(text, "  {:named$} = {value:valued$}", p.name)?;
         match p.deviations {
             Some([below, above]) if below == above => write!(text, " ± {}", shown::number(above))?,
+            Some([below, above]) if below < 0.0 || above < 0.0 => write!(
+                text,
+                " within {} to {}",
+                shown::number(p.value - below),
+                shown::number(p.value + above)
+            )?,
             Some([below, above]) => {
                 write!(text, " +{} −{}", shown::number(above), shown::number(below))?;
             }

@@ -14,10 +14,11 @@ use std::time::Instant;
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
+use cspace_plan::clash::{Assembly, Sample};
 
 use crate::args::{Format, Mode, SimulateArgs};
 use crate::cache;
-use crate::failure::{Failure, note};
+use crate::failure::{Failure, note, warning};
 use crate::interrupt::{catch_interrupts, keep};
 use crate::output;
 use crate::picture::format;
@@ -79,6 +80,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         let name = |i: &usize| shown::quoted(model.parts[*i].part.name());
         note(format_args!("{} and {} never meet", name(a), name(b)));
     }
+    tell_joined(&model, &simulation, &record);
     let freedom = simulation.freedom();
     if freedom.redundant() > 0 {
         note(format_args!(
@@ -126,6 +128,36 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     match record.status {
         Status::Interrupted => Err(interrupted(args, record.until, wanted.states)),
         _ => Ok(()),
+    }
+}
+
+/// Says which parts that a joint connects go through each other: their contact is not part of the motion.
+fn tell_joined(model: &Mechanism, simulation: &Simulation, record: &Record) {
+    let parts = simulation.system().parts();
+    let sample = |s: &cspace_motion::Sample| Sample {
+        time: s.t,
+        parts: (parts.iter())
+            .map(|part| {
+                let mut place = [0.0; 3];
+                for (to, i) in place.iter_mut().zip(part.indices()) {
+                    *to = s.coordinates[i];
+                }
+                place
+            })
+            .collect(),
+    };
+    let samples: Vec<Sample> = record.samples.iter().map(sample).collect();
+    for meeting in Assembly::new(model).joined_that_meet(&samples) {
+        let [a, b] = meeting
+            .parts
+            .map(|i| shown::quoted(model.parts[i].part.name()));
+        let time = meeting.time.unwrap_or(0.0);
+        warning(
+            format_args!(
+                "{a} and {b} are joined, so that they are not tested for contact, and they go through each other from about {time:.4} s on"
+            ),
+            "draw them so that they pass, or end the motion before: give the driven part a `range`",
+        );
     }
 }
 

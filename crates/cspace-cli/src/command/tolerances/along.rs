@@ -5,7 +5,7 @@ use std::fmt::Write;
 use cspace_design::{Band, Extreme, Station, ToleranceOptions, Variations, Varied, along};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_io::Model;
-use cspace_io::model::{Dimension, Template};
+use cspace_io::model::{Dimension, Setting, Template};
 use serde::Serialize;
 
 use super::answer::{End, end};
@@ -41,6 +41,7 @@ struct At {
 
 pub(super) fn run(
     args: &TolerancesArgs,
+    set: &[Setting],
     vary: &Vary,
     (template, model, variations): (&Template, &Model, &Variations),
     options: &ToleranceOptions,
@@ -55,16 +56,7 @@ pub(super) fn run(
     let values: Vec<f64> = (0..vary.count).map(|i| vary.value(i)).collect();
     let bar = Bar::new(model.mechanism.name.clone());
     let bands = bar
-        .watch(|bar| {
-            along(
-                template,
-                &args.values.set,
-                model,
-                options,
-                (coordinate, &values),
-                bar,
-            )
-        })
+        .watch(|bar| along(template, set, model, options, (coordinate, &values), bar))
         .map_err(Failure::work)?;
     if bands.is_empty() {
         return Err(Failure::input(format_args!(

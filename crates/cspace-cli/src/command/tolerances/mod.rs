@@ -7,6 +7,7 @@ mod text;
 mod zones;
 
 use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
+use cspace_io::model::{Parameter, Setting};
 
 use crate::args::{Format, TolerancesArgs};
 use crate::failure::Failure;
@@ -28,18 +29,28 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (template, mut model) = input::template(&args.file, &args.values)?;
+    let (mut template, mut model) = input::template(&args.file, &args.values)?;
     let file = args.file.display();
     if model.requirements.is_empty() {
         return Err(super::check::no_requirements(&args.file));
     }
-    let variations = Variations::of(&model);
-    if variations.is_empty() {
+    if Variations::of(&model).is_empty() {
         return Err(
             Failure::input(format_args!("{file}: no parameter has a tolerance"))
                 .help("give one in [parameter], such as pin = { value = 6.0, tol = 0.02 }"),
         );
     }
+    // What is outside its limits has its tolerance about their middle.
+    let middles: Vec<Setting> = (model.parameters.iter())
+        .filter(|p| !p.is_set)
+        .filter_map(Parameter::middle_of_limits)
+        .collect();
+    let mut values = args.values.clone();
+    if !middles.is_empty() {
+        values.set.extend(middles);
+        (template, model) = input::template(&args.file, &values)?;
+    }
+    let variations = Variations::of(&model);
     let outside = (model.parameters.iter())
         .find(|p| p.is_set && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
     if let Some(outside) = outside {
@@ -74,15 +85,21 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         );
     }
     if args.zones || is_picture && args.along.is_none() {
-        return zones::run(args, (&template, &model));
+        return zones::run(args, &values.set, (&template, &model));
     }
     if let Some(vary) = &args.along {
-        return along::run(args, vary, (&template, &model, &variations), &options);
+        return along::run(
+            args,
+            &values.set,
+            vary,
+            (&template, &model, &variations),
+            &options,
+        );
     }
     if let Some(criterion) = args.allocate {
         let costs = costs(&variations, &args.cost)?;
         let found = bar.watch(|bar| {
-            let (set, wanted) = (&args.values.set, (criterion, costs.as_slice()));
+            let (set, wanted) = (&values.set, (criterion, costs.as_slice()));
             allocate(&template, set, &model, &options, wanted, bar)
         });
         let found = found.map_err(|error| allocation::failure(&file, error))?;
@@ -95,7 +112,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         return output::write(output, &answer);
     }
     let found = bar
-        .watch(|bar| tolerances(&template, &args.values.set, &model, &options, bar))
+        .watch(|bar| tolerances(&template, &values.set, &model, &options, bar))
         .map_err(Failure::work)?;
     let answer = match args.result.format() {
         Format::Json => super::json(&answer::rows(&variations, &found))?,

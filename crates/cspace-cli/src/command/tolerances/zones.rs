@@ -6,7 +6,7 @@ use cspace::{ContactSpace, Options, PairSpace, Slice};
 use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_io::Model;
-use cspace_io::model::{Coordinate, Requirement, Subject, Template};
+use cspace_io::model::{Coordinate, Requirement, Setting, Subject, Template};
 use cspace_mechanism::PairEntry;
 use serde::Serialize;
 
@@ -47,6 +47,7 @@ enum Drawn {
 
 pub(super) fn run(
     args: &TolerancesArgs,
+    set: &[Setting],
     (template, model): (&Template, &Model),
 ) -> Result<(), Failure> {
     let (requirement, pair) = about(args, model)?;
@@ -94,15 +95,7 @@ pub(super) fn run(
     let unit = mechanism.unit.as_deref();
     let options: PictureOptions = args.picture.options(plane, mechanism.name.clone(), unit)?;
     let window = nominal.window(&options);
-    let found = bar.watch(|bar| {
-        zones(
-            template,
-            &args.values.set,
-            model,
-            (pair, window, theta),
-            bar,
-        )
-    });
+    let found = bar.watch(|bar| zones(template, set, model, (pair, window, theta), bar));
     let found = found.map_err(Failure::work)?;
     if let Some(format) = format {
         let bands = found.bands.iter();
