@@ -44,6 +44,7 @@ struct Row {
     state: State,
     gap: Option<f64>,
     depth: Option<f64>,
+    offset: Option<f64>,
     points: Option<[[f64; 2]; 2]>,
     features: Option<[String; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -115,6 +116,7 @@ fn told(
             state: clash.state,
             gap: clash.gap,
             depth: clash.depth,
+            offset: clash.offset,
             points: clash.points.map(|p| p.map(|Point { x, y }| [x, y])),
             features: (clash.features).map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
             time: clash.time,
@@ -188,6 +190,16 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
             let at = |[x, y]: [f64; 2]| format!("({}, {})", length(x), length(y));
             let (f, g) = (shown::text(f), shown::text(g));
             write!(text, "  {f} at {}, {g} at {}", at(p), at(q))?;
+        }
+        // What a translation of the same length does need not be said.
+        if let (Some(offset), Some(depth)) = (pair.offset, pair.depth)
+            && offset < 0.999 * depth
+        {
+            write!(
+                text,
+                "  clear if {b} is {}{unit} smaller all around",
+                length(offset)
+            )?;
         }
         writeln!(text)?;
     }

@@ -133,3 +133,28 @@ fn records_that_are_wrong_are_told() {
         &["none", "the parts are"],
     );
 }
+
+/// A shaft that is pressed into its hub: a hundredth all around, though no short way leads out.
+#[test]
+fn the_interference_of_a_press_fit_is_told() {
+    let hub = "[[part]]\nname = \"hub\"\nloops = [[[-20, -20], [20, -20], [20, 20], [-20, 20]], { circle = 10, at = [0, 0] }]\n";
+    for (shape, by) in [
+        ("{ circle = 10.01425, at = [0, 0] }", 0.01425),
+        // The corners of a square reach to 10.1.
+        (
+            "[[10.1, 0], [0, 10.1], [-10.1, 0], [0, -10.1]]",
+            0.1 / 2.0_f64.sqrt(),
+        ),
+    ] {
+        let (_dir, file) = written(&format!(
+            "{hub}[[part]]\nname = \"shaft\"\nloops = [{shape}]\n"
+        ));
+        let found = json(&["clash", &file]);
+        let row = row(&found, "hub", "shaft");
+        let offset = row["offset"].as_f64().unwrap();
+        // An inset polygon keeps its corners: they come in by more than its sides.
+        assert!((offset - by).abs() < 1e-6, "{offset} {by}");
+        let said = printed(&["clash", &file]);
+        assert!(said.contains("smaller all around"), "{said}");
+    }
+}

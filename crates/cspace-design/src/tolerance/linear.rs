@@ -56,39 +56,42 @@ impl Study<'_> {
                 slopes.into_iter().map(|s| [s; 2]).collect()
             }
         };
-        let middle = |k: usize| 0.5 * (slopes[k][0] + slopes[k][1]);
-        // What each adds to the worst cases, and to the root of the sum of squares.
+        // What each adds to the worst cases: for smaller and for larger values by the derivative of that side.
         let mut ends: Vec<[f64; 2]> = (slopes.iter().zip(list))
             .map(|([below, above], v)| {
                 let [down, up] = [below * v.deviations[0], above * v.deviations[1]];
                 [down.min(up).min(0.0), down.max(up).max(0.0)]
             })
             .collect();
-        let mut halves: Vec<f64> = (0..list.len())
-            .map(|k| (middle(k) * list[k].half()).abs())
-            .collect();
+        let mut alone = ends.clone();
         for zone in &self.variations.zones {
-            // Together they add as much as the length of both slopes times the radius: each its share.
+            // Together they add as much as the length of both slopes times the radius, of each that of the side on which it adds more: each
+            // its share.
             let [i, j] = zone.coordinates;
-            let long = middle(i).hypot(middle(j));
-            for k in [i, j] {
-                let part = if long > 0.0 {
-                    zone.radius * middle(k) * middle(k) / long
-                } else {
-                    0.0
-                };
-                ends[k] = [-part, part];
-                halves[k] = zone.radius * middle(k).abs();
+            let most = |k: usize, sign: f64| {
+                let [below, above] = slopes[k];
+                (sign * above).max(-sign * below).max(0.0)
+            };
+            for (end, sign) in [(0, -1.0), (1, 1.0)] {
+                let long = most(i, sign).hypot(most(j, sign));
+                for k in [i, j] {
+                    let by = most(k, sign);
+                    let share = if long > 0.0 { by / long } else { 0.0 };
+                    ends[k][end] = sign * zone.radius * by * share;
+                    alone[k][end] = sign * zone.radius * by;
+                }
             }
         }
         let worst = [0, 1].map(|i| nominal + ends.iter().map(|e| e[i]).sum::<f64>());
         let width = worst[1] - worst[0];
-        let shift = |k: usize| middle(k) * list[k].middle();
+        // Each by itself moves the value within these ends, about their middle.
+        let shift = |k: usize| 0.5 * (alone[k][0] + alone[k][1]);
         let shifts: f64 = (0..list.len()).map(shift).sum();
-        let root = halves.iter().map(|h| h * h).sum::<f64>().sqrt();
+        let half = |k: usize| 0.5 * (alone[k][1] - alone[k][0]);
+        let root = (0..list.len()).map(|k| half(k).powi(2)).sum::<f64>().sqrt();
         let sigmas = self.variations.sigmas();
         let variances: Vec<f64> = (0..list.len())
-            .map(|k| (middle(k) * sigmas[k]).powi(2))
+            .map(|k| sigmas[k].powi(2) * share_of_variance(slopes[k]))
             .collect();
         let variance: f64 = variances.iter().sum();
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
@@ -109,4 +112,11 @@ impl Study<'_> {
             sigma: variance.sqrt(),
         })
     }
+}
+
+/// The variance of what is a times a number of the variance 1 and the mean 0 where that is below 0, and b times where it is above:
+/// (a² + b²) / 2 − (b − a)² / 4 · (E|x|)², with E|x| = √(2/π) of a normal distribution.
+fn share_of_variance([below, above]: [f64; 2]) -> f64 {
+    let mean = 0.5 * (above - below) * core::f64::consts::FRAC_2_PI.sqrt();
+    0.5 * (below * below + above * above) - mean * mean
 }

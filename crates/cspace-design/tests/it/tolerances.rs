@@ -177,6 +177,43 @@ fn a_peg_tilts_in_its_slot() {
     assert!(lo <= range[0] && range[1] <= hi);
 }
 
+/// A pin between two rails touches the one or the other: the gap has a kink at the nominal place, and each side its slope.
+#[test]
+fn kinks_have_two_slopes() {
+    let model = r#"
+[parameter]
+px = { value = 0, position = 0.2, with = "py" }
+py = 0
+[[part]]
+name = "rails"
+motion = { type = "fixed" }
+loops = [[[-20, 6], [20, 6], [20, 9], [-20, 9]], [[-20, -9], [20, -9], [20, -6], [-20, -6]]]
+[[part]]
+name = "pin"
+motion = { type = "prismatic", direction = [1, 0], range = [-3, 3] }
+loops = [{ circle = 5, at = ["px", "py"] }]
+[[requirement]]
+name = "gap"
+measure = "clearance"
+limits = [0.92, 1]
+"#;
+    let linear = analysed(&template(model), 0).linear.unwrap();
+    near(linear.worst[0], 0.9, 1e-9);
+    near(linear.worst[1], 1.0, 1e-9);
+    near(linear.rss[0], 0.9, 1e-9);
+    near(linear.rss[1], 1.0, 1e-9);
+    let [across, along] = ["py", "px"].map(|name| {
+        linear
+            .parameters
+            .iter()
+            .find(|p| p.parameter == name)
+            .unwrap()
+    });
+    near(across.variance_share, 1.0, 1e-12);
+    near(across.worst_share, 1.0, 1e-12);
+    near(along.variance_share, 0.0, 1e-12);
+}
+
 /// Beyond its tolerances it does not fit: the width and the slot decide, the height does not.
 #[test]
 #[ignore = "long: seconds"]

@@ -52,6 +52,10 @@ pub struct Clash {
     pub gap: Option<f64>,
     /// The length of the shortest translation that separates parts that overlap; none if the parts have too many edges for it.
     pub depth: Option<f64>,
+    /// The smallest distance by which the second of two parts that overlap has to be made smaller all around, so that they do not: the
+    /// interference of a press fit, for which no short translation separates them. None if edges of the part are too small for it, and over a
+    /// motion.
+    pub offset: Option<f64>,
     /// A point of each part, in the assembly's frame: the nearest points of parts that are apart; of parts that overlap the points
     /// that touch after the translation, the second where it is before.
     pub points: Option<[Point; 2]>,

@@ -62,7 +62,13 @@ impl<'a> Assembly<'a> {
     pub fn drawn(&self, question: &Question) -> Clashes {
         let boxes = self.bodies.iter().map(|b| b.part().bounds()).collect();
         self.all(question, boxes, |pair| {
-            pair.there([[0.0; 3]; 2], question.within)
+            let here = [[0.0; 3]; 2];
+            let mut found = pair.there(here, question.within)?;
+            // Parts that have too many edges for the depth have too many for the offset.
+            if found.depth.is_some() {
+                found.offset = pair.offset(here);
+            }
+            Some(found)
         })
     }
 
@@ -154,6 +160,7 @@ impl<'a> Assembly<'a> {
             state: State::Joined,
             gap: None,
             depth: None,
+            offset: None,
             points: None,
             features: None,
             time: None,

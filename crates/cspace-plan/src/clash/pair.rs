@@ -1,5 +1,6 @@
 //! Two parts at one place.
 
+use crate::assembly::inset;
 use crate::legs::{Between, Body, Coords};
 
 use super::answer::{Clash, State};
@@ -29,13 +30,7 @@ impl<'a> Pair<'a> {
         let between = self.between(at, at);
         let nearest = between.distance_below(within.max(self.touch));
         let is_near = nearest.distance <= self.touch;
-        let overlaps = if is_near {
-            between.overlaps_deeper(self.touch)
-        } else {
-            // Parts that are in each other may have boundaries that are far apart.
-            self.boxes_meet(at) && between.overlaps()
-        };
-        if overlaps {
+        if self.overlaps(at, is_near) {
             return Some(self.overlap(at));
         }
         (is_near || nearest.distance < within).then(|| Clash {
@@ -48,6 +43,46 @@ impl<'a> Pair<'a> {
                 State::Clear
             })
         })
+    }
+
+    /// Whether the parts overlap, given whether their boundaries touch.
+    fn overlaps(&self, at: [Coords; 2], is_near: bool) -> bool {
+        let between = self.between(at, at);
+        if is_near {
+            between.overlaps_deeper(self.touch)
+        } else {
+            // Parts that are in each other may have boundaries that are far apart.
+            self.boxes_meet(at) && between.overlaps()
+        }
+    }
+
+    /// The least inset of the second part with which two parts that overlap do not, to a billionth of it; none if the part has no inset
+    /// that is as large. By bisection: a part overlaps with what each smaller one does.
+    pub(super) fn offset(&self, at: [Coords; 2]) -> Option<f64> {
+        const EXACT: f64 = 1e-9;
+        let [first, second] = self.bodies;
+        let clears = |by: f64| {
+            let smaller = inset(second.part(), by).ok().flatten()?;
+            let body = second.with(&smaller);
+            let pair = Pair {
+                bodies: [first, &body],
+                ..*self
+            };
+            let near = pair.between(at, at).distance_below(self.touch).distance;
+            Some(!pair.overlaps(at, near <= self.touch))
+        };
+        let (mut lo, mut hi) = (0.0, self.touch);
+        while !clears(hi)? {
+            (lo, hi) = (hi, 2.0 * hi);
+        }
+        while hi - lo > EXACT * hi {
+            let middle = 0.5 * (lo + hi);
+            match clears(middle)? {
+                true => hi = middle,
+                false => lo = middle,
+            }
+        }
+        Some(hi)
     }
 
     /// How deep two parts overlap at a place at which they do.
@@ -69,6 +104,7 @@ impl<'a> Pair<'a> {
             state,
             gap: None,
             depth: None,
+            offset: None,
             points: None,
             features: None,
             time: None,

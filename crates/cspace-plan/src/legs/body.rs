@@ -26,12 +26,15 @@ pub(crate) struct Body<'a> {
 
 impl<'a> Body<'a> {
     pub(crate) fn new(entry: &'a PartEntry) -> Self {
-        let motion = entry.axis.map(|axis| axis.motion);
+        Self::of(&entry.part, entry.axis.map(|axis| axis.motion))
+    }
+
+    fn of(part: &'a Part, motion: Option<AxisMotion>) -> Self {
         let origin = motion.map_or(Vector::ZERO, origin);
-        let tree = Tree::new(Piece::all(&entry.part, origin));
+        let tree = Tree::new(Piece::all(part, origin));
         let far = |p: &Piece| p.middle.distance(Point::ORIGIN) + p.reach;
         Self {
-            part: &entry.part,
+            part,
             motion,
             origin,
             reach: tree.pieces.iter().map(far).fold(0.0, f64::max),
@@ -41,6 +44,11 @@ impl<'a> Body<'a> {
 
     pub(crate) fn part(&self) -> &'a Part {
         self.part
+    }
+
+    /// Another part that moves as this one does.
+    pub(crate) fn with<'b>(&self, part: &'b Part) -> Body<'b> {
+        Body::of(part, self.motion)
     }
 
     /// The size of the part: the diameter of a disc around it.
