@@ -88,13 +88,6 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Setting of the middle of its limits, if the value is outside of them, as the nominal size of a shaft is for most fits: tolerances
-    /// are about the middle then.
-    pub fn middle_of_limits(&self) -> Option<Setting> {
-        let (below, above) = self.deviations?;
-        (below < 0.0 || above < 0.0).then(|| self.deviated(0.5 * (above - below)))
-    }
-
     /// Setting of the value plus a deviation; its expression is kept as a term.
     pub fn deviated(&self, by: f64) -> Setting {
         match &self.expression {
@@ -105,6 +98,16 @@ impl Parameter {
             None => Setting::number(&self.name, self.value + by),
         }
     }
+}
+
+/// Settings of the middles of limits, of parameters whose values are outside of them and not set for this reading, as the nominal size of a
+/// shaft is for most fits: tolerances are about the middle then.
+pub fn middles_of_limits(parameters: &[Parameter]) -> Vec<Setting> {
+    let middle = |p: &Parameter| {
+        let (below, above) = p.deviations.filter(|_| !p.is_set)?;
+        (below < 0.0 || above < 0.0).then(|| p.deviated(0.5 * (above - below)))
+    };
+    parameters.iter().filter_map(middle).collect()
 }
 
 /// A value for a parameter in place of the file's: its name, and a number or an expression.

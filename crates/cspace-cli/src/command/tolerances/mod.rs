@@ -7,7 +7,7 @@ mod text;
 mod zones;
 
 use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
-use cspace_io::model::{Parameter, Setting};
+use cspace_io::model::middles_of_limits;
 
 use crate::args::{Format, TolerancesArgs};
 use crate::failure::Failure;
@@ -41,11 +41,8 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         );
     }
     // What is outside its limits has its tolerance about their middle.
-    let middles: Vec<Setting> = (model.parameters.iter())
-        .filter(|p| !p.is_set)
-        .filter_map(Parameter::middle_of_limits)
-        .collect();
     let mut values = args.values.clone();
+    let middles = middles_of_limits(&model.parameters);
     if !middles.is_empty() {
         values.set.extend(middles);
         (template, model) = input::template(&args.file, &values)?;
