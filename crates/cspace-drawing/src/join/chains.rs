@@ -199,6 +199,9 @@ fn tell_open(
         1 => "close the gap in the drawing, or join it",
         _ => "close the gaps in the drawing, or join all of them",
     };
+    let is_all = small.len() == joined.problems.len();
+    joined.closes = Some(1.01 * widest).filter(|_| is_all);
+    joined.small = small.len();
     for &(problem, _) in &small {
         joined.problems[problem].help = format!(
             "{what} with --join {gap} (in a model: join = {gap})",

@@ -133,6 +133,20 @@ impl<'d> Making<'d> {
         }
     }
 
+    /// A distance at which joining ends most likely closes all that is open, and how many pieces are removed without; none if something else
+    /// cannot be used, or a distance is given.
+    pub(super) fn closes(&self) -> Option<(f64, usize)> {
+        /// Gaps below this share of the drawing are meant to be closed if each end has one partner.
+        const LIKELY: f64 = 1e-3;
+        let is_asked = self.settings.join.is_none() && !self.settings.partial;
+        let is_all = self.problems.len() == self.joined.small;
+        let join = self
+            .joined
+            .closes
+            .filter(|&join| is_asked && is_all && join <= LIKELY * self.size)?;
+        Some((join, self.joined.tiny))
+    }
+
     /// The parts, or what cannot be used.
     pub(super) fn make(mut self) -> Result<Outlines, DrawingError> {
         let nested = self.outlines();
@@ -161,6 +175,7 @@ impl<'d> Making<'d> {
             ignored: self.ignored,
             unfollowed: self.drawing.unfollowed.clone(),
             sheet: self.sheet,
+            closed: None,
             apart: self.apart,
             joined: self.joined.gaps,
             crossing,

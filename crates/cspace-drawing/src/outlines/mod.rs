@@ -51,10 +51,33 @@ impl Reading<'_> {
     /// nothing is left; or if loops cross or touch.
     pub fn outlines(&self) -> Result<Outlines, DrawingError> {
         if self.settings.picks.is_empty() {
-            return Making::new(&self.drawing, self.settings, &self.fits)?.make();
+            let making = Making::new(&self.drawing, self.settings, &self.fits)?;
+            let closes = making.closes();
+            return match (making.make(), closes) {
+                (Err(error), Some((join, tiny))) => self.closed(join, tiny).ok_or(error),
+                (made, _) => made,
+            };
         }
         check_divisible(&self.drawing)?;
         self.partially()?.picked()
+    }
+
+    /// The parts with ends joined at a distance at which no chain is open; none if which ends belong together is not clear then, or pieces
+    /// are lost that are not as short as `tiny`.
+    fn closed(&self, join: f64, tiny: usize) -> Option<Outlines> {
+        let settings = Settings {
+            join: Some(join),
+            ..self.settings.clone()
+        };
+        let fits = Fits::default();
+        let made = Making::new(&self.drawing, &settings, &fits)
+            .ok()?
+            .make()
+            .ok()?;
+        (made.tiny == tiny).then_some(Outlines {
+            closed: Some(join),
+            ..made
+        })
     }
 
     /// Faces into which the drawn curves divide the plane: for a choice among them, where [`Reading::outlines`] refuses

@@ -8,6 +8,7 @@ use cspace::{Part, Point};
 use super::settings::{DEFAULT_JOIN, Settings};
 use crate::drawing::{Entity, Ignored, Origin, Problem};
 use crate::fit::Outline;
+use crate::shown;
 use crate::unit::Unit;
 
 /// The parts of a drawing, and how they came about.
@@ -25,6 +26,8 @@ pub struct Outlines {
     pub unfollowed: Vec<Ignored>,
     /// Layers with several outlines that are separate parts.
     pub apart: Vec<Apart>,
+    /// The distance within which ends were joined, though none was given, since all gaps are small and each end has one partner.
+    pub closed: Option<f64>,
     /// The gaps that were closed, and where.
     pub joined: Vec<(f64, Point)>,
     /// Report on fitted curves.
@@ -54,6 +57,19 @@ pub struct Apart {
 }
 
 impl Outlines {
+    /// Note that gaps were closed though no distance was given; `None` if none were.
+    pub fn gaps_closed(&self) -> Option<String> {
+        let join = shown::number(self.closed?);
+        Some(match self.joined.len() {
+            1 => format!(
+                "a small gap is closed, as with join {join}: its ends have no other partners"
+            ),
+            n => {
+                format!("{n} small gaps are closed, as with join {join}: each end has one partner")
+            }
+        })
+    }
+
     /// Warning that short pieces were removed because ends close to each other are joined by default, and how long they
     /// are; `None` if no piece has any extent, or the distance was given.
     pub fn short_pieces(&self, settings: &Settings) -> Option<String> {

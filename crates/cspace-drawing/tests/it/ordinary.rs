@@ -377,33 +377,30 @@ fn hyphens_in_comments_do_no_harm() {
     assert_eq!(drawing.entities[0].origin.line, 2);
 }
 
+/// The corners of a square of 10 with gaps of so many thousandths.
+fn square_with_gaps(scale: f64) -> Drawing {
+    let lines: String = [
+        [0.0, 0.0, 10.0, 3.0 * scale],
+        [10.0, 0.0, 10.0 + 2.0 * scale, 10.0],
+        [10.0 - 4.0 * scale, 10.0, 0.0, 10.0 + scale],
+        [0.0, 10.0, scale, scale],
+    ]
+    .map(|[a, b, c, d]| format!("0\nLINE\n8\n0\n10\n{a}\n20\n{b}\n11\n{c}\n21\n{d}\n"))
+    .concat();
+    from_text(Format::Dxf, &dxf("", &lines), &Source::default())
+}
+
 #[test]
 fn one_join_closes_all_gaps() {
-    let line =
-        |[a, b, c, d]: [f64; 4]| format!("0\nLINE\n8\n0\n10\n{a}\n20\n{b}\n11\n{c}\n21\n{d}\n");
-    let lines: String = [
-        [0.0, 0.0, 10.0, 0.003],
-        [10.0, 0.0, 10.002, 10.0],
-        [9.996, 10.0, 0.0, 10.001],
-        [0.0, 10.0, 0.001, 0.001],
-    ]
-    .map(line)
-    .concat();
-    let drawing = from_text(Format::Dxf, &dxf("", &lines), &Source::default());
+    let drawing = square_with_gaps(0.01);
     let error = drawing.outlines(&Settings::default()).unwrap_err();
     let cspace_drawing::DrawingError::Entities(problems) = error else {
         panic!("{error}");
     };
     assert_eq!(problems.len(), 4);
     let given = |help: &str| {
-        help.split("--join ")
-            .nth(1)
-            .unwrap()
-            .split(' ')
-            .next()
-            .unwrap()
-            .parse::<f64>()
-            .unwrap()
+        let after = help.split("--join ").nth(1).unwrap();
+        after.split(' ').next().unwrap().parse::<f64>().unwrap()
     };
     let joins: Vec<f64> = problems.iter().map(|p| given(&p.help)).collect();
     assert!(joins.iter().all(|j| *j == joins[0]), "{joins:?}");
@@ -412,5 +409,28 @@ fn one_join_closes_all_gaps() {
         ..Settings::default()
     };
     let area = areas(&drawing.outlines(&settings).unwrap())[0];
+    assert!((area - 100.0).abs() < 1.0, "{area}");
+}
+
+/// Gaps of less than a thousandth of the drawing are closed where each end has one partner, and told; an end with two is an error.
+#[test]
+fn small_gaps_with_one_partner_are_closed() {
+    let drawing = square_with_gaps(0.001);
+    let outlines = drawing.outlines(&Settings::default()).unwrap();
+    let area = areas(&outlines)[0];
     assert!((area - 100.0).abs() < 0.1, "{area}");
+    assert_eq!(outlines.joined.len(), 4);
+    assert!(outlines.gaps_closed().unwrap().starts_with("4 small gaps"));
+    // As before with a distance that is given.
+    let settings = Settings {
+        join: Some(1e-4),
+        ..Settings::default()
+    };
+    assert!(drawing.outlines(&settings).is_err());
+    let mut three = square_with_gaps(0.001);
+    let stub = three.entities[0].clone();
+    let mut path = cspace_drawing::Path::from(Point::new(0.002, -0.001));
+    path.edge_to(Point::new(-3.0, -3.0), 0.0);
+    three.entities.push(cspace_drawing::Entity { path, ..stub });
+    assert!(three.outlines(&Settings::default()).is_err());
 }

@@ -163,6 +163,9 @@ pub(super) fn read_drawing(
             .with_help(help));
     }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
+    if let Some(closed) = outlines.gaps_closed() {
+        setting.notes.push(table.error(key, closed));
+    }
     if let Some(note) = outlines.short_pieces(&settings) {
         let note = format!("{note}; if they matter, give a smaller `join`");
         setting.notes.push(table.error(key, note));

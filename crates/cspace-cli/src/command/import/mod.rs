@@ -37,6 +37,9 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for (path, drawing) in args.drawings.iter().zip(drawings) {
         let scale = drawing::factor(&args.drawing, path, &drawing, unit.as_deref());
         let mut outlines = outlines(args, path, &drawing, scale)?;
+        if let Some(closed) = outlines.gaps_closed() {
+            failure::note(format_args!("{}: {closed}", path.display()));
+        }
         if let Some(note) = outlines.short_pieces(&drawing::settings(&args.drawing, scale)) {
             failure::warning(
                 format_args!("{}: {note}", path.display()),
