@@ -51,7 +51,7 @@ pub use error::DrawingError;
 pub use offset::{Offset, OffsetError, offset};
 pub use outlines::{
     Apart, DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
-    Reading, Settings, Survey, Traced,
+    Reading, SHEET, Settings, Survey, Traced,
 };
 pub use profile::{ProfileError, profile};
 pub use read::{Format, bytes_of, from_bytes, is_drawing, named, read};

@@ -104,13 +104,13 @@ impl Ring {
     }
 }
 
-/// The rectangle around all other loops, of which there are two or more.
-pub(crate) fn sheet<'r>(loops: impl Iterator<Item = &'r Ring>) -> Option<usize> {
+/// The rectangle around all other loops, of which there are so many or more.
+pub(crate) fn sheet<'r>(loops: impl Iterator<Item = &'r Ring>, least: usize) -> Option<usize> {
     let loops: Vec<&Ring> = loops.collect();
     let largest = (0..loops.len()).filter(|&i| loops[i].is_upright_rectangle());
     let largest = largest.max_by(|&a, &b| loops[a].size().total_cmp(&loops[b].size()))?;
     let mut others = loops.iter().filter(|l| !core::ptr::eq(**l, loops[largest]));
-    let holds_all = loops.len() > 2 && others.all(|l| loops[largest].holds(l));
+    let holds_all = loops.len() > least && others.all(|l| loops[largest].holds(l));
     holds_all.then_some(largest)
 }
 

@@ -48,8 +48,13 @@ impl ExactFits {
     pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
         Ok(Self {
             scene: Scene::of(space)?,
-            touch: TOUCHING * space.fixed().size().max(space.moving().size()),
+            touch: Self::touch(space.fixed(), space.moving()),
         })
+    }
+
+    /// The distance within which two parts touch, in the model's unit of length: a little more than contacts are known to.
+    pub fn touch(fixed: &Part, moving: &Part) -> f64 {
+        TOUCHING * fixed.size().max(moving.size())
     }
 
     /// Whether the parts touch at a configuration and overlap by no more than rounding: at one at which the space is blocked they fit

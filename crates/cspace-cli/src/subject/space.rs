@@ -119,7 +119,7 @@ impl Chosen<'_> {
         let space = self.space()?;
         // What cannot be asked there is told where it is asked.
         let fits = |&at: &Coordinates| cspace_plan::fits_exactly(&space, at).unwrap_or(false);
-        if self.is_saved() || !at.iter().any(fits) {
+        if !at.iter().any(fits) {
             return Ok((space, None));
         }
         let Some((smaller, gap)) = cspace_plan::with_gap(self.fixed(), self.moving()) else {
@@ -142,7 +142,11 @@ impl Chosen<'_> {
     fn computed(&self, moving: &Part) -> Result<Space<'_>, Failure> {
         let relation = match self.relation() {
             Some(relation) if !self.general => relation,
-            _ => Relation::Planar,
+            None => match self.axes() {
+                Some((fixed, moving)) => Relation::Axes { fixed, moving },
+                None => Relation::Planar,
+            },
+            Some(_) => Relation::Planar,
         };
         let options = Options {
             window: self.pair.and_then(|p| p.window),

@@ -54,7 +54,7 @@ fn parts_that_always_overlap_are_said_to() {
     };
     let text = text_of(&(disc("a", 0.0, "") + &disc("b", 1.0, "")), &[]);
     assert!(
-        text.contains("no free configuration: the parts always overlap"),
+        text.contains("no free configuration: the parts overlap or fit exactly in each"),
         "{text}"
     );
     let text = text_of(&(disc("a", 0.0, "") + &disc("b", 9.0, "")), &[]);

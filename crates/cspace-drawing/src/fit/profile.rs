@@ -7,11 +7,14 @@
 //! Edges of a polygon count, not its corners alone: an edge that turns sharply at both its ends is one, as a chamfer
 //! is, and an edge from which the pieces are too far off is drawn as it is.
 
+use std::collections::HashMap;
+
 use cspace::part::Edge;
 use cspace::{Point, Vector, Vertex};
 
 use super::chain::{Outline, Sided};
 use super::deviation::of_edges;
+use super::fitted::Fitted;
 use super::pieces::fit;
 use super::run::{Band, Run, RunEnd};
 
@@ -44,28 +47,27 @@ pub(crate) fn profile(
         points,
         scatters: scatter(points) > 0.1 * tolerance,
         tolerance,
-        band: band(tolerance, sided),
+        sided,
     };
-    let outline = samples.outline(&corners(points, &turns, reach), entity);
+    let corners = corners(points, &turns, reach);
+    let room = |_, _| samples.tolerance;
+    let outline = samples.outline(&corners, entity, &room, &mut HashMap::new());
     outline.ok()
 }
 
 /// The loop of a polygon that traces something smooth: within the tolerance of its edges, and these within it of the loop.
 /// `entity` is what its edges come from. None if no lines and arcs are found.
 pub(crate) fn trace(edges: &[Edge], tolerance: f64, sided: Sided, entity: u32) -> Option<Outline> {
-    /// The least share of the tolerance for what is fitted to the vertices: where the chords take more of it, they stay.
-    const LEAST: f64 = 0.19;
+    let edges = &joined(edges)[..];
     let (points, firsts) = points(edges);
-    // The middles of chords are off by their sagitta already.
-    let left = tolerance - sagitta(edges).unwrap_or(0.0);
-    let narrow = left.max(LEAST * tolerance);
     let reach = REACH * tolerance;
     let turns: Vec<f64> = (0..points.len()).map(|i| turn(&points, i, reach)).collect();
+    let sagittas: Vec<f64> = (0..edges.len()).map(|e| chord_sagitta(edges, e)).collect();
     let samples = Samples {
         points: &points,
         scatters: scatter(&points) > 0.1 * tolerance,
-        tolerance: narrow,
-        band: band(narrow, sided),
+        tolerance,
+        sided,
     };
     let mut is_corner: Vec<bool> = (0..points.len())
         .map(|i| turns[i].abs() > CORNER && is_sharpest(&points, &turns, i, reach))
@@ -79,15 +81,28 @@ pub(crate) fn trace(edges: &[Edge], tolerance: f64, sided: Sided, entity: u32) -
         }
         is_new
     };
-    for edge in (0..edges.len()).filter(|&edge| is_drawn(edges, edge)) {
-        keep(edge, &mut is_corner);
+    // What is drawn stays, and what is off the curve that it would trace by too much to leave room for anything else.
+    let coarse = (1.0 - LEAST) * tolerance;
+    for edge in 0..edges.len() {
+        if is_drawn(edges, edge) || sagittas[edge] > coarse {
+            keep(edge, &mut is_corner);
+        }
     }
+    // The middles of chords are off the curve already: the rest of the tolerance is for the pieces.
+    let edge_of = |point: usize| firsts.partition_point(|&first| first <= point) - 1;
+    let room = |first: usize, last: usize| {
+        let steps = (first..last).map(|i| edge_of(i % points.len()));
+        let most = steps.map(|e| sagittas[e]).filter(|s| *s <= coarse);
+        tolerance - most.fold(0.0, f64::max)
+    };
+    let mut fitted = HashMap::new();
+    let mut kept_at_once = 1;
     loop {
         let corners: Vec<Corner> = (0..points.len())
             .filter(|&i| is_corner[i])
             .map(Corner::At)
             .collect();
-        match samples.outline(&corners, entity) {
+        match samples.outline(&corners, entity, &room, &mut fitted) {
             Ok(mut outline) => {
                 let off = of_edges(edges, &outline.vertices)?;
                 let mut is_changed = false;
@@ -101,23 +116,76 @@ pub(crate) fn trace(edges: &[Edge], tolerance: f64, sided: Sided, entity: u32) -
                     return Some(outline);
                 }
             }
-            Err(stretch) => {
-                // The longest edge of a stretch that no pieces fit.
-                let within = |e: &usize| {
-                    let last = firsts.get(e + 1).copied().unwrap_or(points.len());
-                    let shifted = |i: usize| (i + points.len() - stretch.0) % points.len();
-                    shifted(firsts[*e]) + last - firsts[*e] <= stretch.1
-                };
-                let longest = (0..edges.len())
-                    .filter(within)
-                    .max_by(|&a, &b| edges[a].length().total_cmp(&edges[b].length()))?;
-                if !keep(longest, &mut is_corner) {
+            Err((first, steps)) => {
+                // The longest edges of a stretch that no pieces fit, each time twice as many.
+                let mut within: Vec<usize> = (0..edges.len())
+                    .filter(|&e| {
+                        let last = firsts.get(e + 1).copied().unwrap_or(points.len());
+                        let from = (firsts[e] + points.len() - first) % points.len();
+                        from + last - firsts[e] <= steps
+                    })
+                    .collect();
+                within.sort_by(|&a, &b| edges[b].length().total_cmp(&edges[a].length()));
+                let mut is_changed = false;
+                for edge in within.into_iter().take(kept_at_once) {
+                    is_changed |= keep(edge, &mut is_corner);
+                }
+                if !is_changed {
                     return None;
                 }
+                kept_at_once *= 2;
             }
         }
     }
 }
+
+/// The least share of the tolerance for what is fitted to the corners of chords.
+const LEAST: f64 = 0.19;
+
+/// Lines that go on in their direction, as one.
+fn joined(edges: &[Edge]) -> Vec<Edge> {
+    /// Turn that is none, in radians: that of coordinates with a dozen digits.
+    const STRAIGHT: f64 = 1e-9;
+    let goes_on = |a: &Edge, b: &Edge| {
+        let (d, e) = (a.end - a.start, b.end - b.start);
+        let is_straight = d.cross(e).abs() <= STRAIGHT * d.length() * e.length() && d.dot(e) > 0.0;
+        a.is_line() && b.is_line() && is_straight
+    };
+    let mut all: Vec<Edge> = Vec::with_capacity(edges.len());
+    for edge in edges {
+        match all.last_mut() {
+            Some(last) if goes_on(last, edge) => last.end = edge.end,
+            _ => all.push(*edge),
+        }
+    }
+    if let [first, .., last] = &all[..]
+        && goes_on(last, first)
+    {
+        all[0].start = last.start;
+        all.pop();
+    }
+    all
+}
+
+/// The distance of the middle of an edge from the curve that it is a chord of, if it is one: by its length and the smaller of its turns; 0 of
+/// others.
+fn chord_sagitta(edges: &[Edge], edge: usize) -> f64 {
+    let n = edges.len();
+    let [before, own, after] = [n - 1, 0, 1].map(|k| &edges[(edge + k) % n]);
+    let turn = |a: &Edge, b: &Edge| {
+        let (d, e) = (a.end - a.start, b.end - b.start);
+        d.cross(e).atan2(d.dot(e))
+    };
+    let ends = [turn(before, own), turn(own, after)];
+    let least = ends[0].abs().min(ends[1].abs());
+    match own.is_line() && ends[0] * ends[1] > 0.0 && least < SMOOTH {
+        true => 0.5 * own.length() * (0.25 * least).tan(),
+        false => 0.0,
+    }
+}
+
+/// Largest turn at a corner of a trace, in radians: a circle has 13 chords then.
+const SMOOTH: f64 = 0.5;
 
 /// Whether an edge is drawn as it is, and no chord of a curve, as a flat on a shaft is: it is long, and the outline turns at both its ends by
 /// more than beside it. Where a line goes on into a curve it turns by less.
@@ -175,8 +243,6 @@ fn points(edges: &[Edge]) -> (Vec<Point>, Vec<usize>) {
 /// Error of the chords of an outline from the curve that they trace: the largest sagitta but for a few. `None` if most of
 /// its corners are sharp.
 pub(crate) fn sagitta(edges: &[Edge]) -> Option<f64> {
-    /// Largest turn at a corner of a trace, in radians: a circle has 13 chords then.
-    const SMOOTH: f64 = 0.5;
     /// At a corner that is drawn chords are longer than on the curves beside it: of a curve are those that are no larger than so many
     /// times what this share of them is within.
     const SHARE: f64 = 0.9;
@@ -204,12 +270,22 @@ struct Samples<'p> {
     points: &'p [Point],
     scatters: bool,
     tolerance: f64,
-    band: Band,
+    sided: Sided,
 }
+
+/// Pieces that were fitted to stretches, by their first and last points.
+type FittedStretches = HashMap<(usize, usize), Option<Fitted>>;
 
 impl Samples<'_> {
     /// The lines and arcs between corners; if there are none for a stretch, the number of its first point, and how many steps it has.
-    fn outline(&self, corners: &[Corner], entity: u32) -> Result<Outline, (usize, usize)> {
+    /// `room` is the tolerance of a stretch.
+    fn outline(
+        &self,
+        corners: &[Corner],
+        entity: u32,
+        room: &dyn Fn(usize, usize) -> f64,
+        known: &mut FittedStretches,
+    ) -> Result<Outline, (usize, usize)> {
         let n = self.points.len();
         let is_closed = corners.is_empty();
         let stretches: Vec<(usize, usize)> = if is_closed {
@@ -242,14 +318,13 @@ impl Samples<'_> {
                 outline.vertices.push(Vertex::line(only.x, only.y));
                 continue;
             }
-            let run = run(
-                &stretch,
-                is_closed,
-                self.tolerance,
-                self.scatters,
-                self.band,
-            );
-            let fitted = fit(&run).ok_or((first % n, last - first))?;
+            let find = || {
+                let tolerance = room(first, last);
+                let band = band(tolerance, self.sided);
+                fit(&run(&stretch, is_closed, tolerance, self.scatters, band))
+            };
+            let fitted = known.entry((first, last)).or_insert_with(find).as_ref();
+            let fitted = fitted.ok_or((first % n, last - first))?;
             outline.deviation = outline.deviation.max(fitted.deviation);
             outline.kink = outline.kink.max(fitted.kink);
             outline.vertices.extend(&fitted.vertices);

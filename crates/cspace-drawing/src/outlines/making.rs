@@ -44,6 +44,9 @@ pub(super) struct Making<'d> {
     pub(super) report: FittedReport,
 }
 
+/// Why a rectangle around everything is left out.
+pub const SHEET: &str = "the sheet around everything";
+
 /// Why a closed outline is left out that would be one by itself.
 const WITH_LEFT_OUT: &str =
     "it and an outline that is left out may be one part: make parts of faces with --pick instead";
@@ -210,17 +213,33 @@ impl<'d> Making<'d> {
                 is_usable,
             });
         }
-        if let Some(sheet) = sheet(loops.iter().map(|l| &l.ring)) {
+        // A sheet that is asked for may hold a single outline.
+        let least = if self.settings.without_sheet { 1 } else { 2 };
+        if let Some(sheet) = sheet(loops.iter().map(|l| &l.ring), least) {
             let entity = loops[sheet].outline.entities.first();
             let origin = entity.map(|&e| self.drawing.entities[e as usize].origin.clone());
             if self.settings.without_sheet {
                 self.ignored.extend(origin.map(|origin| Ignored {
                     origin,
-                    reason: "the sheet around everything".into(),
+                    reason: SHEET.into(),
                 }));
                 loops.remove(sheet);
             } else {
-                self.sheet = origin.filter(|_| is_likely_sheet(&loops, sheet, self.drawing.page));
+                // A path with islands is drawn as one.
+                let is_other = |l: &Closed<'_>, own: &Origin| {
+                    let entity = l.outline.entities.first();
+                    let origin = entity.map(|&e| &self.drawing.entities[e as usize].origin);
+                    let is_own = |of: &Origin| {
+                        // Elements on one line have types of their own.
+                        (of.line, &of.handle) == (own.line, &own.handle)
+                            && Arc::ptr_eq(&of.kind, &own.kind)
+                    };
+                    origin.is_some_and(|of| !is_own(of))
+                };
+                let has_others = |own: &Origin| loops.iter().any(|l| is_other(l, own));
+                self.sheet = origin
+                    .filter(|_| is_likely_sheet(&loops, sheet, self.drawing.page))
+                    .filter(has_others);
             }
         }
         let groups = nest(&loops.iter().map(|l| &l.ring).collect::<Vec<_>>()).unwrap_or_else(|i| {

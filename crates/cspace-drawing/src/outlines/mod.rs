@@ -20,6 +20,7 @@ use cspace::Point;
 use cspace::part::Bounds;
 
 pub use faces::{DrawnFace, DrawnFaces};
+pub use making::SHEET;
 pub use result::{Apart, FittedReport, Outlines, Survey};
 pub use settings::{DEFAULT_FIT, DEFAULT_JOIN, FitSide, Pick, Settings};
 pub use trace::Traced;

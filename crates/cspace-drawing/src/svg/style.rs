@@ -66,6 +66,18 @@ impl Selector {
     }
 }
 
+/// A style sheet without its comments.
+fn without_comments(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, comment)) = rest.split_once("/*") {
+        plain += before;
+        plain.push(' ');
+        rest = comment.split_once("*/").map_or("", |c| c.1);
+    }
+    plain + rest
+}
+
 /// Whether a property says how or whether something is drawn.
 fn is_style(name: &str) -> bool {
     STYLES.contains(&name) || matches!(name, "transform" | "translate" | "rotate" | "scale")
@@ -125,6 +137,7 @@ impl Sheet {
             .descendants()
             .filter(|n| n.tag_name().name() == "style");
         for text in styles.filter_map(|n| n.text()) {
+            let text = without_comments(text);
             for rule in text.split('}') {
                 let Some((selectors, body)) = rule.split_once('{') else {
                     continue;

@@ -182,7 +182,7 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
     if regions.is_empty() {
         return writeln!(
             text,
-            "  free space     no free configuration: the parts always overlap"
+            "  free space     no free configuration: the parts overlap or fit exactly in each"
         );
     }
     writeln!(

@@ -37,6 +37,13 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     for (path, drawing) in args.drawings.iter().zip(drawings) {
         let scale = drawing::factor(&args.drawing, path, &drawing, unit.as_deref());
         let mut outlines = outlines(args, path, &drawing, scale)?;
+        let is_sheet = |i: &cspace_drawing::Ignored| i.reason == cspace_drawing::SHEET;
+        if args.drawing.without_sheet && !outlines.ignored.iter().any(is_sheet) {
+            failure::note(format_args!(
+                "{}: --without-sheet leaves nothing out: no upright rectangle is around everything",
+                path.display()
+            ));
+        }
         if let Some(closed) = outlines.gaps_closed() {
             failure::note(format_args!("{}: {closed}", path.display()));
         }

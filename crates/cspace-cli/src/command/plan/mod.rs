@@ -11,7 +11,7 @@ use std::time::Instant;
 use cspace::{Coordinates, Vector};
 use cspace_io::shown;
 use cspace_plan::legs::Scene;
-use cspace_plan::{Clearance, PlanError, Planner, Wishes, check};
+use cspace_plan::{Checked, Clearance, ExactFits, PlanError, Planner, Wishes, check};
 
 use crate::args::{Format, PlanArgs};
 use crate::command::draw::as_drawn;
@@ -215,23 +215,46 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
         scene = scene.with_about(about);
     }
     let begin = Instant::now();
-    let found = check(&scene, &rows.configurations).map_err(|error| match &error {
-        PlanError::Pair(e) => pair.unanswered(&source, e),
-        _ => Failure::input(format_args!("{source}: {error}"))
-            .help("let the path stay nearer to the parts"),
-    })?;
+    let judged = |scene: &Scene| {
+        check(scene, &rows.configurations).map_err(|error| match &error {
+            PlanError::Pair(e) => pair.unanswered(&source, e),
+            _ => Failure::input(format_args!("{source}: {error}"))
+                .help("let the path stay nearer to the parts"),
+        })
+    };
+    let mut found = judged(&scene)?;
+    // A path from an exact fit was found with a gap, and is judged with it.
+    let mut gap = None;
+    let ends = [rows.configurations.first(), rows.configurations.last()];
+    let touches = |at: &Coordinates| {
+        let numbers = scene.numbers(*at).ok();
+        numbers.is_some_and(|n| scene.touches(n, ExactFits::touch(pair.fixed(), pair.moving())))
+    };
+    if !matches!(found, Checked::Free(_))
+        && ends.into_iter().flatten().any(touches)
+        && let Some((smaller, by)) = cspace_plan::with_gap(pair.fixed(), pair.moving())
+    {
+        let mut narrower = Scene::new(pair.fixed(), &smaller, axes).with_about(scene.about());
+        if let Some(window) = pair.window() {
+            narrower = narrower.with_window(window);
+        }
+        (found, gap) = (judged(&narrower)?, Some(by));
+        scene = narrower;
+    }
     let parts = Parts {
         fixed: pair.fixed(),
         moving: pair.moving(),
     };
     let seconds = begin.elapsed().as_secs_f64();
-    Ok(Told::checked(
+    let mut told = Told::checked(
         parts,
         (&scene, pair.unit_label()),
         rows.configurations,
         &found,
         seconds,
-    ))
+    );
+    told.gap = gap;
+    Ok(told)
 }
 
 /// The columns of the point of the moving part that legs move straight, in its frame.
