@@ -83,8 +83,8 @@ pub(crate) fn trace(edges: &[Edge], tolerance: f64, sided: Sided, entity: u32) -
     };
     // What is drawn stays, and what is off the curve that it would trace by too much to leave room for anything else.
     let coarse = (1.0 - LEAST) * tolerance;
-    for edge in 0..edges.len() {
-        if is_drawn(edges, edge) || sagittas[edge] > coarse {
+    for (edge, sagitta) in sagittas.iter().enumerate() {
+        if is_drawn(edges, edge) || *sagitta > coarse {
             keep(edge, &mut is_corner);
         }
     }
