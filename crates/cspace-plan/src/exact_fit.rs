@@ -30,7 +30,7 @@ pub fn fits_exactly(space: &PairSpace, at: Coordinates) -> Result<bool, QueryErr
     if matches!(space, PairSpace::Lower(_)) || space.locate(at)? != Location::Blocked {
         return Ok(false);
     }
-    ExactFits::of(space)?.has(at)
+    ExactFits::of(space)?.has(space, at)
 }
 
 /// Parts of a pair, prepared for many questions whether they fit exactly.
@@ -57,13 +57,14 @@ impl ExactFits {
         TOUCHING * fixed.size().max(moving.size())
     }
 
-    /// Whether the parts touch at a configuration and overlap by no more than rounding: at one at which the space is blocked they fit
-    /// exactly, as [`fits_exactly`] says.
+    /// Whether the parts touch at a configuration and overlap by no more than rounding, and none of the contacts beside free space is there:
+    /// at one at which the space is blocked they fit exactly, as [`fits_exactly`] says.
     ///
     /// # Errors
     /// If the coordinates are not those of the pair's class.
-    pub fn has(&self, at: Coordinates) -> Result<bool, QueryError> {
-        Ok(self.scene.touches(self.scene.numbers(at)?, self.touch))
+    pub fn has(&self, space: &PairSpace, at: Coordinates) -> Result<bool, QueryError> {
+        let touches = self.scene.touches(self.scene.numbers(at)?, self.touch);
+        Ok(touches && space.contacts(at, self.touch)?.is_empty())
     }
 }
 

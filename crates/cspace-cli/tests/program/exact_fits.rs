@@ -40,7 +40,7 @@ fn exact_fits_touch_and_do_not_overlap() {
         assert!(computed.contains("as drawn       exact fit"), "{computed}");
         let here = [vec![0.0; 3], vec![0.0, -0.01, 0.0], vec![0.0, 50.0, 0.0]];
         let found = classes(&[file], "x,y,theta", &here);
-        assert_eq!(found, ["contact", "blocked", "free"], "{name}");
+        assert_eq!(found, ["blocked", "blocked", "free"], "{name}");
         let near = json(&["contacts", file, "--at", "0,0,0"]);
         assert!(near.to_string().contains("exact-fit"), "{near}");
         let play = &json(&["play", file])[0];

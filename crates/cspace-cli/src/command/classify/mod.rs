@@ -5,10 +5,9 @@ mod columns;
 use core::f64::consts::TAU;
 use std::path::Path;
 
-use cspace::{Classification, Configuration, Coordinates, PairSpace, QueryError};
+use cspace::{Configuration, Coordinates, PairSpace, QueryError};
 use cspace_classifier::Classifier;
 use cspace_io::shown;
-use cspace_plan::ExactFits;
 use rayon::prelude::*;
 
 use crate::args::{ClassifyArgs, Column, Format};
@@ -99,8 +98,6 @@ fn answers(
         }
         _ => at,
     };
-    // A lower pair has none.
-    let fits = ExactFits::of(space).ok();
     let one = |at: &Coordinates| {
         let at = turned(*at);
         let class = match (at, &classifier) {
@@ -109,11 +106,6 @@ fn answers(
             }
             _ => space.classify(at),
         }?;
-        let fits_exactly = || fits.as_ref().is_some_and(|fits| fits.has(at) == Ok(true));
-        let class = match class {
-            Classification::Blocked if fits_exactly() => Classification::Contact,
-            class => class,
-        };
         (columns.iter())
             .map(|column| column.of(space, at, class, touch))
             .collect()
