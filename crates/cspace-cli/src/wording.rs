@@ -5,6 +5,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use cspace::Coordinates;
 use cspace_io::shown;
 
+/// Words for parts that touch, and whose contact space has no room there.
+pub(crate) const EXACT_FIT: &str = "exact fit: the parts touch, and have no room to move";
+
 /// `1 patch`, `2 patches`.
 pub(crate) fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })

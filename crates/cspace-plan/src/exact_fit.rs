@@ -30,42 +30,15 @@ pub fn fits_exactly(space: &PairSpace, at: Coordinates) -> Result<bool, QueryErr
     if matches!(space, PairSpace::Lower(_)) || space.locate(at)? != Location::Blocked {
         return Ok(false);
     }
-    ExactFits::of(space)?.has(space, at)
+    let scene = Scene::of(space)?;
+    let touch = touching_distance(space.fixed(), space.moving());
+    // A contact beside free space is none of an exact fit.
+    Ok(scene.touches(scene.numbers(at)?, touch) && space.contacts(at, touch)?.is_empty())
 }
 
-/// Parts of a pair, prepared for many questions whether they fit exactly.
-#[derive(Debug, Clone)]
-pub struct ExactFits {
-    scene: Scene,
-    touch: f64,
-}
-
-impl ExactFits {
-    /// The parts of a pair.
-    ///
-    /// # Errors
-    /// For a lower pair, whose parts are in permanent contact.
-    pub fn of(space: &PairSpace) -> Result<Self, QueryError> {
-        Ok(Self {
-            scene: Scene::of(space)?,
-            touch: Self::touch(space.fixed(), space.moving()),
-        })
-    }
-
-    /// The distance within which two parts touch, in the model's unit of length: a little more than contacts are known to.
-    pub fn touch(fixed: &Part, moving: &Part) -> f64 {
-        TOUCHING * fixed.size().max(moving.size())
-    }
-
-    /// Whether the parts touch at a configuration and overlap by no more than rounding, and none of the contacts beside free space is there:
-    /// at one at which the space is blocked they fit exactly, as [`fits_exactly`] says.
-    ///
-    /// # Errors
-    /// If the coordinates are not those of the pair's class.
-    pub fn has(&self, space: &PairSpace, at: Coordinates) -> Result<bool, QueryError> {
-        let touches = self.scene.touches(self.scene.numbers(at)?, self.touch);
-        Ok(touches && space.contacts(at, self.touch)?.is_empty())
-    }
+/// The distance within which two parts touch, in the model's unit of length: a little more than contacts are known to.
+pub fn touching_distance(fixed: &Part, moving: &Part) -> f64 {
+    TOUCHING * fixed.size().max(moving.size())
 }
 
 /// A part that fits exactly into another, smaller by a gap all around, and the gap, in the model's unit of length: a millionth of the size

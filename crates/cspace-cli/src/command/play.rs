@@ -15,7 +15,7 @@ use crate::args::{Format, PlayArgs};
 use crate::failure::Failure;
 use crate::output;
 use crate::subject::{Chosen, FeaturePair, Subject, texts, touching};
-use crate::wording::{degrees, length};
+use crate::wording::{EXACT_FIT, degrees, length};
 
 use super::regions;
 
@@ -292,7 +292,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
     };
     let is = match answer.result {
         "blocked" => "blocked: the parts overlap",
-        "exact-fit" => "exact fit: the parts touch, and have no room to move",
+        "exact-fit" => EXACT_FIT,
         result => result,
     };
     writeln!(

@@ -26,23 +26,19 @@ pub(crate) fn read(bytes: &[u8], source: &Source) -> Result<Drawing, DrawingErro
         DrawingError::file(message, "save the drawing again in UTF-8")
     })?;
     let text = text.trim_start_matches('\u{feff}');
-    let whole;
-    let mended;
-    let text = match xml::parse(text) {
-        // Drawing programs write comments with two hyphens, and read them.
-        Err(Error::InvalidComment(_)) => {
-            mended = xml::with_plain_comments(text);
-            &mended
-        }
-        _ => text,
-    };
-    let document = match xml::parse(text) {
-        Err(Error::UnknownNamespace(..)) => {
-            whole = xml::declared(text);
-            xml::parse(whole.as_deref().unwrap_or(text))
-        }
-        parsed => parsed,
-    };
+    let (plain, whole);
+    let mut text = text;
+    let mut document = xml::parse(text);
+    // Drawing programs write comments with two hyphens, and read them.
+    if matches!(document, Err(Error::InvalidComment(_))) {
+        plain = xml::with_plain_comments(text);
+        text = &plain;
+        document = xml::parse(text);
+    }
+    if matches!(document, Err(Error::UnknownNamespace(..))) {
+        whole = xml::declared(text);
+        document = xml::parse(whole.as_deref().unwrap_or(text));
+    }
     let document = document.map_err(|e| DrawingError::File {
         line: Some(e.pos().row as usize),
         message: format!("the file is no XML: {e}"),

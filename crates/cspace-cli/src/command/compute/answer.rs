@@ -13,7 +13,7 @@ use cspace_plan::fits_exactly;
 use crate::command::regions;
 
 use crate::subject::Chosen;
-use crate::wording::{count, degrees, length};
+use crate::wording::{EXACT_FIT, count, degrees, length};
 
 /// Regions that are listed; of more the first are.
 const MOST_LISTED: usize = 12;
@@ -65,9 +65,7 @@ fn as_drawn_is(
             )
         }
         Ok(Location::Contact) => "in contact".to_owned(),
-        Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => {
-            "exact fit: the parts touch, and have no room to move".to_owned()
-        }
+        Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => EXACT_FIT.to_owned(),
         Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
         Ok(Location::Outside) | Err(_) => "outside of what was computed".to_owned(),
     };

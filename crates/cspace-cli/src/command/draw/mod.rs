@@ -17,7 +17,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject, pair_of};
-use crate::wording::length;
+use crate::wording::{EXACT_FIT, length};
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -162,9 +162,7 @@ fn mark_contacts(
             )
         }
         Ok(Location::Contact) => "in contact".to_owned(),
-        Ok(Location::Blocked) if fits_exactly(&space, at).unwrap_or(false) => {
-            "exact fit: the parts touch, and have no room to move".to_owned()
-        }
+        Ok(Location::Blocked) if fits_exactly(&space, at).unwrap_or(false) => EXACT_FIT.to_owned(),
         Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
         Ok(Location::Outside) => return Err(unanswered(QueryError::Outside)),
         Err(_) => "joined".to_owned(),

@@ -11,7 +11,7 @@ use std::time::Instant;
 use cspace::{Coordinates, Vector};
 use cspace_io::shown;
 use cspace_plan::legs::Scene;
-use cspace_plan::{Checked, Clearance, ExactFits, PlanError, Planner, Wishes, check};
+use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touching_distance};
 
 use crate::args::{Format, PlanArgs};
 use crate::command::draw::as_drawn;
@@ -228,7 +228,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
     let ends = [rows.configurations.first(), rows.configurations.last()];
     let touches = |at: &Coordinates| {
         let numbers = scene.numbers(*at).ok();
-        numbers.is_some_and(|n| scene.touches(n, ExactFits::touch(pair.fixed(), pair.moving())))
+        numbers.is_some_and(|n| scene.touches(n, touching_distance(pair.fixed(), pair.moving())))
     };
     if !matches!(found, Checked::Free(_))
         && ends.into_iter().flatten().any(touches)
