@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
-use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Vertex};
+use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Vector, Vertex};
 use cspace_oracle::{Oracle, effort};
 use cspace_plan::legs::Scene;
 use cspace_plan::{Answer, Clearance, Planner, Verdict, Wishes};
@@ -171,6 +171,30 @@ fn a_tilted_peg_goes_into_a_slot_up_to_two_points() {
                 other => panic!("{length}: {other:?}"),
             }
         }
+    }
+}
+
+/// A square that is wedged between the four walls of a square hole is let go by a turn alone, whatever point legs are about: the rates
+/// of its gaps by the turn depend on that point.
+#[test]
+fn a_wedged_square_lets_go_about_any_point() {
+    // Its corners are all off the walls by this, which counts as contact.
+    let (theta, play) = (0.3_f64, 1e-11);
+    let half = theta.cos() + theta.sin() + play;
+    let sides = |r: f64| [(-r, -r), (r, -r), (r, r), (-r, r)].map(|(x, y)| Vertex::line(x, y));
+    let frame = Part::new("frame", vec![sides(3.0).into(), sides(half).into()]).unwrap();
+    let square = Part::new("square", vec![sides(1.0).into()]).unwrap();
+    let space = space(&frame, &square, None);
+    for about in [(0.0, 0.0), (3.0, 40.0), (-2.0, -40.0), (60.0, 5.0)] {
+        let planner = Planner::with_about(&space, Vector::new(about.0, about.1)).unwrap();
+        let answer = planner
+            .plan(at(0.0, 0.0, theta), at(0.1, 0.1, 0.0), &Wishes::default())
+            .unwrap();
+        assert!(
+            matches!(answer.verdict, Verdict::Path(_)),
+            "about {about:?}: {:?}",
+            answer.verdict
+        );
     }
 }
 
