@@ -23,6 +23,7 @@ mod planner;
 mod push;
 mod route;
 pub mod slide;
+mod straight;
 mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
@@ -32,4 +33,5 @@ pub use farthest::farthest;
 pub use off_contact::off_contacts;
 pub use path::Prefer;
 pub use planner::{Clearance, PlanError, Planner, Wishes};
+pub use straight::straight;
 pub use widest::{grown, shrunk};

@@ -56,7 +56,12 @@ impl Part {
 
     /// Whether a point is in the part or on its outline.
     fn contains(&self, x: f64, y: f64) -> bool {
-        self.part.contains(Point::new(x, y))
+        /// Points this near to the outline, as a share of the coordinates' and the part's size, are on it: their own coordinates are
+        /// rounded.
+        const ON: f64 = 16.0 * f64::EPSILON;
+        let p = Point::new(x, y);
+        let on = ON * (self.part.size() + x.abs() + y.abs());
+        self.part.contains(p) || self.part.edges().any(|edge| edge.distance(p) <= on)
     }
 
     /// The outline in points no farther than `tolerance` from it: for each loop a list of (x, y).

@@ -111,11 +111,16 @@ pub(crate) fn _assembly<'py>(
     told.set_item("gap", gap)?;
     let mut steps = Vec::new();
     for step in apart.steps {
-        let path = step.path.configurations.into_iter().map(numbers).collect();
+        let path = step.path.straight().map_err(error)?;
+        let path = path.into_iter().map(numbers).collect();
+        let legs = (step.path.configurations.into_iter())
+            .map(numbers)
+            .collect();
         steps.push((
             names(&step.moving),
             names(&step.staying),
             matrix(py, path)?,
+            matrix(py, legs)?,
             step.path.narrowest.clearance,
             pythonize::pythonize(py, &step.kind).map_err(error)?,
             (step.path.about.x, step.path.about.y),

@@ -1,5 +1,8 @@
 //! Configurations as rows of numbers.
 
+use core::f64::consts::TAU;
+use std::time::{Duration, Instant};
+
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -12,8 +15,11 @@ use crate::work;
 /// Rows that one thread asks about in a row.
 const TOGETHER: usize = 4096;
 
-/// Rows after which it is asked whether the user has pressed Ctrl-C.
-const BLOCK: usize = 1 << 16;
+/// Rows of the first block, after which it is asked whether the user has pressed Ctrl-C. Blocks grow while they take less than this.
+const BLOCK: usize = 1 << 12;
+const LISTEN: Duration = Duration::from_millis(50);
+/// Orientations beyond this may be meant in degrees, which `cspace._arrays` says.
+const FAR: f64 = 2.0 * TAU;
 
 /// One configuration, or many.
 pub(crate) enum Asked<'py> {
@@ -48,7 +54,7 @@ pub(crate) fn numbers(at: Coordinates) -> Vec<f64> {
 
 /// Three or two numbers in a list or a tuple, the quick way.
 fn listed(q: &Bound<'_, PyAny>, width: usize) -> Option<Coordinates> {
-    let mut row = [0.0; 3];
+    let mut row = [0.0_f64; 3];
     let row = &mut row[..width];
     if let Ok(tuple) = q.cast::<PyTuple>() {
         if tuple.len() != width {
@@ -66,7 +72,7 @@ fn listed(q: &Bound<'_, PyAny>, width: usize) -> Option<Coordinates> {
             *x = item.extract().ok()?;
         }
     }
-    Some(coordinates(row))
+    (width < 3 || row[2].abs() <= FAR).then(|| coordinates(row))
 }
 
 /// Configurations given by a caller: one, or rows of them.
@@ -108,7 +114,12 @@ pub(crate) fn each<T: Send>(
     let numbers = array.as_slice()?;
     let pool = work::pool()?;
     let mut all = Vec::with_capacity(numbers.len() / width);
-    for (first, block) in (0..).step_by(BLOCK).zip(numbers.chunks(BLOCK * width)) {
+    let (mut rest, mut rows) = (numbers, BLOCK);
+    while !rest.is_empty() {
+        let begin = Instant::now();
+        let block;
+        (block, rest) = rest.split_at(rest.len().min(rows * width));
+        let first = all.len();
         let one = |(i, row): (usize, &[f64])| answer(coordinates(row)).map_err(|e| (first + i, e));
         let found: Result<Vec<T>, (usize, QueryError)> = work::here(py, || {
             Ok(if block.len() <= TOGETHER * width {
@@ -124,6 +135,10 @@ pub(crate) fn each<T: Send>(
         })?;
         all.extend(found.map_err(|(i, e)| error(format_args!("row {i}: {e}")))?);
         py.check_signals()?;
+        rows = match begin.elapsed() < LISTEN {
+            true => 2 * rows,
+            false => (rows / 2).max(1),
+        };
     }
     Ok(all)
 }

@@ -11,7 +11,7 @@ use cspace_classifier::Classifier;
 use cspace_design::{Motion, displace, free_range, pair_of, texts};
 use cspace_io::model::Coordinate;
 use cspace_io::write::mesh::{Mesh, MeshOptions};
-use cspace_plan::{Clearance, Planner, Prefer, Verdict, Wishes};
+use cspace_plan::{Clearance, Planner, Prefer, Verdict, Wishes, fits_exactly, straight, with_gap};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -72,6 +72,8 @@ impl Known {
 pub(crate) struct Space {
     pair: Pair,
     known: OnceLock<Known>,
+    /// The space with the moving part smaller by a gap, for questions where the parts fit exactly, and the gap.
+    roomy: OnceLock<Option<(Arc<PairSpace>, f64)>>,
 }
 
 fn code(class: Classification) -> u8 {
@@ -98,6 +100,7 @@ impl Space {
         Self {
             pair,
             known: OnceLock::new(),
+            roomy: OnceLock::new(),
         }
     }
 
@@ -111,16 +114,50 @@ impl Space {
         if let Some(known) = self.known.get() {
             return Ok(known);
         }
+        let space = self.with_moving(py, self.pair.moving.clone())?;
+        Ok(self.known.get_or_init(|| Known::new(space)))
+    }
+
+    /// The space with a moving part in place of the pair's.
+    fn with_moving(&self, py: Python<'_>, moving: cspace::Part) -> PyResult<PairSpace> {
         let pair = self.pair.clone();
-        let space = work::run(py, move |progress| {
+        work::run(py, move |progress| {
             let options = Options {
                 window: pair.window,
                 ..Options::default()
             };
-            PairSpace::compute_with(&pair.fixed, &pair.moving, pair.relation, &options, progress)
+            PairSpace::compute_with(&pair.fixed, &moving, pair.relation, &options, progress)
                 .map_err(|e| e.to_string())
-        })?;
-        Ok(self.known.get_or_init(|| Known::new(space)))
+        })
+    }
+
+    /// The space in which a question about some configurations is answered, and the gap by which the moving part is smaller in it, where
+    /// the parts fit exactly at one of them.
+    fn with_room(
+        &self,
+        py: Python<'_>,
+        at: impl IntoIterator<Item = Coordinates>,
+    ) -> PyResult<(Arc<PairSpace>, Option<f64>)> {
+        let space = &self.known(py)?.space;
+        // What cannot be asked there is told where it is asked.
+        let fits = |at: Coordinates| fits_exactly(space, at).unwrap_or(false);
+        if !at.into_iter().any(fits) {
+            return Ok((Arc::clone(space), None));
+        }
+        let roomy = match self.roomy.get() {
+            Some(roomy) => roomy,
+            None => {
+                let roomy = match with_gap(&self.pair.fixed, &self.pair.moving) {
+                    Some((smaller, gap)) => Some((Arc::new(self.with_moving(py, smaller)?), gap)),
+                    None => None,
+                };
+                self.roomy.get_or_init(|| roomy)
+            }
+        };
+        Ok(match roomy {
+            Some((space, gap)) => (Arc::clone(space), Some(*gap)),
+            None => (Arc::clone(space), None),
+        })
     }
 
     /// The space itself.
@@ -230,7 +267,7 @@ impl Space {
         }
     }
 
-    /// The number of the free region; -1 where the configuration is not free.
+    /// The number of the free region; where the configuration is not free None of one, and -1 of many.
     fn region<'py>(&self, py: Python<'py>, q: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         let space = &self.known(py)?.space;
         let answer = |at| {
@@ -241,7 +278,10 @@ impl Space {
             })
         };
         match asked(q, space)? {
-            Asked::One(at) => answer(at).map_err(error)?.into_bound_py_any(py),
+            Asked::One(at) => {
+                let region = answer(at).map_err(error)?;
+                (region >= 0).then_some(region).into_bound_py_any(py)
+            }
             Asked::Many(rows) => Ok(each(py, &rows, answer)?.into_pyarray(py).into_any()),
         }
     }
@@ -348,7 +388,7 @@ impl Space {
     }
 
     /// A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
-    /// what touches there.
+    /// what touches there, and the gap that was taken.
     #[expect(clippy::type_complexity, reason = "Python makes a record of it")]
     fn _move(
         &self,
@@ -356,31 +396,36 @@ impl Space {
         start: &Bound<'_, PyAny>,
         by: &Bound<'_, PyAny>,
         about: (f64, f64),
-    ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>)> {
+    ) -> PyResult<(&'static str, f64, Vec<f64>, Vec<[String; 2]>, Option<f64>)> {
         let space = &self.known(py)?.space;
         let (from, by) = (one(start, space, "start")?, one(by, space, "by")?);
+        let (space, gap) = self.with_room(py, [from])?;
         let about = Vector::new(about.0, about.1);
-        let done = displace(space, &Motion::new(from, by).about(about)).map_err(error)?;
-        let touching = done.features.into_iter().map(|p| texts(space, p));
+        let done = displace(&space, &Motion::new(from, by).about(about)).map_err(error)?;
+        let touching = done.features.into_iter().map(|p| texts(&space, p));
         Ok((
             done.outcome.name(),
             done.fraction,
             numbers(done.at),
             touching.collect(),
+            gap,
         ))
     }
 
     /// For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
-    /// infinite where nothing stops it.
+    /// infinite where nothing stops it. With the gap that was taken.
     #[expect(clippy::type_complexity, reason = "Python makes records of it")]
     fn _play(
         &self,
         py: Python<'_>,
         q: &Bound<'_, PyAny>,
-    ) -> PyResult<Vec<(&'static str, [f64; 2], [Vec<[String; 2]>; 2])>> {
-        let space = Arc::clone(&self.known(py)?.space);
-        let at = one(q, &space, "q")?;
-        work::run(py, move |_| {
+    ) -> PyResult<(
+        Vec<(&'static str, [f64; 2], [Vec<[String; 2]>; 2])>,
+        Option<f64>,
+    )> {
+        let at = one(q, &self.known(py)?.space, "q")?;
+        let (space, gap) = self.with_room(py, [at])?;
+        let found = work::run(py, move |_| {
             let all: &[Coordinate] = match width(&space) {
                 2 => &[Coordinate::U, Coordinate::V],
                 _ => &[Coordinate::X, Coordinate::Y, Coordinate::Theta],
@@ -398,7 +443,8 @@ impl Space {
                 Ok((of.name(), found, features))
             };
             all.iter().map(of).collect()
-        })
+        })?;
+        Ok((found, gap))
     }
 
     /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary. An infinite clearance asks for the widest path.
@@ -412,9 +458,10 @@ impl Space {
         about: Option<(f64, f64)>,
         prefer: &str,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let space = Arc::clone(&self.known(py)?.space);
-        let from = one(start, &space, "start")?;
-        let to = goal.map(|goal| one(goal, &space, "goal")).transpose()?;
+        let space = &self.known(py)?.space;
+        let from = one(start, space, "start")?;
+        let to = goal.map(|goal| one(goal, space, "goal")).transpose()?;
+        let (space, gap) = self.with_room(py, [from].into_iter().chain(to))?;
         if let Some(least) = clearance.filter(|c| *c != f64::INFINITY) {
             check("clearance", least)?;
         }
@@ -438,7 +485,7 @@ impl Space {
         };
         let about = about.map(|(x, y)| Vector::new(x, y));
         let asked = Arc::clone(&space);
-        let answer = work::run(py, move |progress| {
+        let (answer, dense) = work::run(py, move |progress| {
             let planner = match about {
                 Some(about) => Planner::with_about(&asked, about),
                 None => Planner::new(&asked),
@@ -448,7 +495,16 @@ impl Space {
                 Some(to) => planner.plan_with(from, to, &wishes, progress),
                 None => (planner.plan_out(from, &wishes, progress)).map(|out| out.1),
             };
-            answer.map_err(|e| e.to_string())
+            let answer = answer.map_err(|e| e.to_string())?;
+            let rows = match &answer.verdict {
+                Verdict::Path(path) => {
+                    let scene = planner.scene().clone().with_about(path.about);
+                    let rows = straight(&scene, &path.configurations);
+                    rows.map_err(|e| e.to_string())?
+                }
+                _ => Vec::new(),
+            };
+            Ok((answer, rows))
         })?;
         let told = PyDict::new(py);
         let names = |p: &cspace_design::FeaturePair| texts(&space, *p);
@@ -464,6 +520,8 @@ impl Space {
                 let is_planar = matches!(*space, PairSpace::Planar(_));
                 told.set_item("about", is_planar.then_some((path.about.x, path.about.y)))?;
                 let rows: Vec<Vec<f64>> = path.configurations.into_iter().map(numbers).collect();
+                told.set_item("legs", matrix(py, rows)?)?;
+                let rows = dense.into_iter().map(numbers).collect();
                 told.set_item("path", matrix(py, rows)?)?;
                 told.set_item("clearance", path.narrowest.clearance)?;
                 "path"
@@ -491,6 +549,7 @@ impl Space {
             }
         };
         told.set_item("verdict", verdict)?;
+        told.set_item("gap", gap)?;
         Ok(told)
     }
 

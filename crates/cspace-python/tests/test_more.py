@@ -101,7 +101,7 @@ def test_an_assembly_is_the_commands(command):
     found = cs.Model.load(model).assembly()
     assert found.verdict == told["verdict"] and len(found.steps) == len(told["steps"])
     for step, expected in zip(found.steps, told["steps"]):
-        assert step.moving == expected["moving"] and len(step.path) == len(expected["path"])
+        assert step.moving == expected["moving"] and len(step.legs) == len(expected["path"])
 
 
 def product(a, b, seed):

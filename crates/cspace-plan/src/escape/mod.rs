@@ -38,6 +38,8 @@ use search::{Bracket, Question};
 const WITHIN: f64 = 2e-3;
 /// Or this near, as a share of the energy itself.
 const SHARE: f64 = 0.03;
+/// A way is no higher than at its ends within this share of how near bounds are.
+const LEVEL: f64 = 1e-6;
 /// Where no single pass lies between bounds they are brought so much nearer, twice at most.
 const NEARER: f64 = 0.25;
 
@@ -260,6 +262,11 @@ impl<'a> Escape<'a> {
         // Each place at which the least energy can be: the ends, and the passes between the bounds.
         let mut at: Vec<Pass> = Vec::new();
         let ends = [Some(question.from), question.to.map(|t| t.0)];
+        let is_end = |at: Coordinates| {
+            ends.iter()
+                .flatten()
+                .any(|&end| self.scene.coordinates(end) == at)
+        };
         for end in ends.into_iter().flatten() {
             at.push(Pass {
                 at: self.scene.coordinates(end),
@@ -283,6 +290,8 @@ impl<'a> Escape<'a> {
         at.sort_by(|a, b| a.energy.total_cmp(&b.energy));
         at.dedup_by(|a, b| (a.energy - b.energy).abs() <= slack);
         let energy = match at.as_slice() {
+            // That a way is nowhere higher than at its ends is known of a way alone, and not of passes.
+            [pass] if is_end(pass.at) && most - pass.energy > LEVEL * question.within => None,
             [pass] if bracket.is_closed => Some(pass.energy),
             _ => None,
         };

@@ -1,6 +1,8 @@
 """Configurations as arrays."""
 
 import itertools
+import math
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -29,6 +31,10 @@ def rows(q: Any, width: int, names: str) -> tuple[NDArray[np.float64], bool]:
     array = np.ascontiguousarray(array)
     if single:
         array = array.reshape(1, width)
+    if width == 3:
+        far = np.abs(array[:, 2]) > 2 * math.tau
+        if far.any():
+            angle("theta", array[int(np.argmax(far)), 2])
     return array, single
 
 
@@ -43,15 +49,26 @@ def window(theta: Sequence[float] | None) -> tuple[float, float] | None:
     return lo, hi
 
 
-def number(name: str, value: Any, least: float = -np.inf) -> float:
-    """A finite number, at least `least`."""
+def number(name: str, value: Any, least: float = -np.inf, most: float = np.inf) -> float:
+    """A finite number, at least `least` and at most `most`."""
     try:
         found = float(value)
     except (TypeError, ValueError, OverflowError):
         raise Error(f"`{name}` is {value!r} where a number is expected") from None
-    if not np.isfinite(found) or found < least:
-        wanted = "a finite number" if least == -np.inf else f"a finite number of {least:g} or more"
-        raise Error(f"`{name}` is {value!r} where {wanted} is expected")
+    if not np.isfinite(found) or not least <= found <= most:
+        bounds = "" if least == -np.inf else f" of {least:g} or more" if most == np.inf else f" from {least:g} to {most:g}"
+        raise Error(f"`{name}` is {value!r} where a finite number{bounds} is expected")
+    return found
+
+
+def angle(name: str, value: Any) -> float:
+    """An orientation in radians; one of more than two turns may be meant in degrees, which is said."""
+    found = number(name, value)
+    if abs(found) > 2 * math.tau:
+        warnings.warn(
+            f"`{name}` is {found:g}, which is more than two turns: orientations are in radians (math.radians makes them of degrees)",
+            stacklevel=3,
+        )
     return found
 
 

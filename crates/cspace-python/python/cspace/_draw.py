@@ -1,5 +1,6 @@
 """Loops as pictures: SVG, and patches of matplotlib."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from . import _arcs
@@ -28,7 +29,7 @@ def _svg_path(loop: Any) -> str:
     return "".join(data) + "Z"
 
 
-def svg(loops: list[list[tuple[float, float, float]]], bounds: tuple[float, float, float, float]) -> str:
+def svg(loops: Sequence[list[tuple[float, float, float]]], bounds: tuple[float, float, float, float]) -> str:
     """Loops as an SVG document that shows their bounds (x, y, x, y): points as dots, slits as lines."""
     x0, y0, x1, y1 = bounds
     size = max(x1 - x0, y1 - y0) or 1.0
@@ -47,7 +48,7 @@ def svg(loops: list[list[tuple[float, float, float]]], bounds: tuple[float, floa
     )
 
 
-def bezier_path(loops: list[list[tuple[float, float, float]]]) -> Any:
+def bezier_path(loops: Sequence[list[tuple[float, float, float]]]) -> Any:
     """Loops as a path of matplotlib: lines, and arcs as cubic Béziers."""
     path = optional("matplotlib.path").Path
     places: list[complex] = []
@@ -69,7 +70,7 @@ def bezier_path(loops: list[list[tuple[float, float, float]]]) -> Any:
     return path([(p.real, p.imag) for p in places], codes)
 
 
-def plot(loops: list[list[tuple[float, float, float]]], ax: Any, style: dict[str, Any]) -> Any:
+def plot(loops: Sequence[list[tuple[float, float, float]]], ax: Any, style: dict[str, Any]) -> Any:
     """Draws loops on axes, or on the current ones; points as dots, slits as lines."""
     patch = optional("matplotlib.patches").PathPatch
     style = optional("matplotlib.cbook").normalize_kwargs(style, patch)

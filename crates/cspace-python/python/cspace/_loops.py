@@ -2,19 +2,19 @@
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _arcs, _draw
-from ._arrays import number
+from ._arrays import angle, number
 from ._errors import Error
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Loops(list[list[tuple[float, float, float]]]):
-    """A list of closed loops, each a list of vertices (x, y, bulge).
+class Loops(Sequence[list[tuple[float, float, float]]]):
+    """A sequence of closed loops, each a list of vertices (x, y, bulge).
 
     The bulge of the edge to the next vertex is tan of a quarter of the angle by which it turns, positive to the left, 0 of a line. What
     is blocked, or material, is on the left. A loop of one vertex is a point, and a loop of two with bulge 0 a slit, which is travelled
@@ -31,7 +31,26 @@ class Loops(list[list[tuple[float, float, float]]]):
     outside_blocked: bool = False
 
     def __init__(self, loops: Any = ()) -> None:
-        super().__init__(_vertices(i, loop) for i, loop in enumerate(loops))
+        self._loops = [_vertices(i, loop) for i, loop in enumerate(loops)]
+
+    def __len__(self) -> int:
+        return len(self._loops)
+
+    def __getitem__(self, index: Any) -> Any:
+        if not isinstance(index, slice):
+            return self._loops[index]
+        some = Loops(self._loops[index])
+        some.doubtful, some.outside_blocked = self.doubtful, self.outside_blocked
+        return some
+
+    def __eq__(self, other: object) -> bool:
+        return self._loops == (other._loops if isinstance(other, Loops) else other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def tolist(self) -> list[list[tuple[float, float, float]]]:
+        """The loops as a list of lists of vertices."""
+        return [list(loop) for loop in self._loops]
 
     def _edges(self) -> Iterator[tuple[complex, complex, float]]:
         for loop in self:
@@ -90,7 +109,7 @@ class Loops(list[list[tuple[float, float, float]]]):
 
     def moved(self, x: float, y: float, theta: float = 0.0) -> "Loops":
         """The loops turned about the origin by `theta`, and then moved by x and y: those of a part in a configuration."""
-        turned, by = cmath.rect(1, number("theta", theta)), complex(number("x", x), number("y", y))
+        turned, by = cmath.rect(1, angle("theta", theta)), complex(number("x", x), number("y", y))
         places = [[(by + turned * complex(*v[:2]), v[2]) for v in loop] for loop in self]
         moved = Loops([(p.real, p.imag, bulge) for p, bulge in loop] for loop in places)
         moved.doubtful, moved.outside_blocked = self.doubtful, self.outside_blocked

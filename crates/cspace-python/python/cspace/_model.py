@@ -115,6 +115,8 @@ class Model:
                     failures.append((i, name, value))
         for k, name in enumerate(measures):
             columns[name] = np.array([np.nan if isinstance(row[k], str) else row[k] for row in found])
+        if failures and len(failures) == len(found) * len(measures):
+            raise Error(f"no row has an answer; the first ends with {failures[0][2]}")
         return Table(columns, failures)
 
     def solve(

@@ -37,6 +37,8 @@ def _orientations(theta: ArrayLike) -> tuple[list[float], bool]:
         raise Error(f"`theta` is no number: {error}") from None
     if thetas.ndim > 1:
         raise Error("`theta` is an array of more than one dimension")
+    if thetas.size:
+        _arrays.angle("theta", thetas.flat[int(np.argmax(np.abs(thetas)))])
     return np.atleast_1d(thetas).tolist(), thetas.ndim == 0
 
 

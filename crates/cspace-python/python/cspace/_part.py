@@ -94,10 +94,12 @@ class Part:
 
     @classmethod
     def from_points(cls, points: ArrayLike, name: str = "part") -> "Part":
-        """A polygon: one loop of points, n×2."""
+        """A polygon: one loop of points, n×2; the first may be repeated at the end."""
         plain = _plain(points)
         if not isinstance(plain, list) or any(not isinstance(point, list) or len(point) != 2 for point in plain):
             raise Error("`points` are not n×2: with bulges, give Part([loop])")
+        if len(plain) > 1 and plain[0] == plain[-1]:
+            plain = plain[:-1]
         return cls([plain], name=name)
 
     @classmethod

@@ -6,6 +6,27 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._arrays import number
+from ._errors import Error
+
+
+def _along(plan: "Plan", shares: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Configurations at shares of a path, on whose legs a point of the part goes straight."""
+    if plan.legs is None:
+        raise Error(f"there is no path: the verdict is {plan.verdict!r}")
+    legs, places = plan.legs, shares * (len(plan.legs) - 1)
+
+    def between(column: NDArray[np.float64]) -> NDArray[np.float64]:
+        return np.interp(places, np.arange(len(legs)), column)
+
+    if plan.about is None:
+        return np.column_stack([between(column) for column in legs.T])
+    about = complex(*plan.about)
+    points = legs[:, 0] + 1j * legs[:, 1] + np.exp(1j * legs[:, 2]) * about
+    theta = between(legs[:, 2])
+    at = between(points.real) + 1j * between(points.imag) - np.exp(1j * theta) * about
+    return np.column_stack([at.real, at.imag, theta])
+
 
 @dataclass(frozen=True)
 class Region:
@@ -34,7 +55,7 @@ class Nearest:
     distance: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Contact:
     """The contact function of a patch: `value`, the distance of the two features along their common normal, a length, 0 in contact; its
     `gradient` and `hessian` by the coordinates; and where they touch in the fixed part's frame, `at`, with the outward unit `normal` of
@@ -67,7 +88,7 @@ class Pass:
     touching: list[Any]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Escape:
     """How a part leaves a place against gravity, loads and springs.
 
@@ -86,17 +107,19 @@ class Escape:
     region: int | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Step:
     """A step of taking a mechanism apart: the parts that move together, those that stay, the path, and its smallest clearance.
 
-    `kind` is "leaves", or "moves" of a part that makes room and stays among the others. Rows of the path are (x, y, theta) to where the
-    parts are before the step, joined by motions along which their point `about` goes straight; of a part on an axis (0, v).
+    `kind` is "leaves", or "moves" of a part that makes room and stays among the others. Rows of `path` are (x, y, theta) to where the
+    parts are before the step, of a part on an axis (0, v), and free as they stand: between two of them all coordinates change evenly.
+    `legs` are the same way in few rows, between which the point `about` of the parts goes straight.
     """
 
     moving: list[str]
     staying: list[str]
     path: NDArray[np.float64]
+    legs: NDArray[np.float64]
     clearance: float
     kind: str
     about: tuple[float, float]
@@ -127,6 +150,7 @@ class Motion:
     fraction: float
     at: tuple[float, ...]
     touching: list[Any]
+    gap: float | None = None
 
 
 @dataclass(frozen=True)
@@ -137,6 +161,7 @@ class Play:
     lower: float
     upper: float
     touching: tuple[Any, ...]
+    gap: float | None = None
 
     @property
     def length(self) -> float:
@@ -144,18 +169,20 @@ class Play:
         return self.upper - self.lower
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Plan:
     """The answer to the question for a path.
 
-    `verdict` is "path", "no-path" (proved), "too-narrow", "from-blocked", "to-blocked" or "unknown"; `path` are its configurations,
-    joined by motions of constant rates at which the point `about` of a moving part in the plane goes straight, and `clearance` the smallest distance of the parts on it. `bottleneck` is the clearance and the
-    configuration where the widest path is narrowest. `touching` are the features of the fixed and the moving part that are nearest at the
+    `verdict` is "path", "no-path" (proved), "too-narrow", "from-blocked", "to-blocked" or "unknown". Rows of `path` are free as they
+    stand: between two of them all coordinates change evenly. `legs` are the same way in few rows, between which the point `about` of a
+    moving part in the plane goes straight; on them `clearance` is the smallest distance of the parts, and on `path` nine tenths of it are
+    left. `bottleneck` is the clearance and the configuration where the widest path is narrowest. `touching` are the features of the fixed and the moving part that are nearest at the
     bottleneck, or that enclose a region which is not left.
     """
 
     verdict: str
     path: NDArray[np.float64] | None = None
+    legs: NDArray[np.float64] | None = None
     about: tuple[float, float] | None = None
     clearance: float | None = None
     bottleneck: tuple[Any, ...] | None = None
@@ -163,9 +190,21 @@ class Plan:
     region: int | None = None
     depth: float | None = None
     doubtful: list[Any] = field(default_factory=list)
+    gap: float | None = None
 
     def __bool__(self) -> bool:
         return self.verdict == "path"
+
+    def at(self, share: float) -> NDArray[np.float64]:
+        """The configuration at a share of the path, from 0 to 1: each of `legs` counts alike."""
+        found: NDArray[np.float64] = _along(self, np.array([number("share", share, 0.0, 1.0)]))[0]
+        return found
+
+    def sample(self, count: int) -> NDArray[np.float64]:
+        """So many configurations from the start to the goal, at even shares of the path, as rows."""
+        if not (hasattr(count, "__index__") and count.__index__() > 0):
+            raise Error(f"`count` is {count!r} where a number of configurations is expected")
+        return _along(self, np.linspace(0.0, 1.0, count.__index__()))
 
 
 @dataclass(frozen=True)
@@ -232,7 +271,7 @@ class Solved:
     none: str | None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Simulation:
     """The motion of a mechanism: `coordinates[part]` and `rates[part]` at the times `t`, as arrays of n, or n×3 for a part that moves
     freely; `events` and `contacts` as dictionaries, the `period` if the motion repeats, and a `summary` in words."""
@@ -258,3 +297,7 @@ class Table(dict[str, Any]):
 
     def __reduce__(self) -> Any:
         return Table, (dict(self), self.failures)
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failures)} failures, the first {self.failures[0]}" if self.failures else ""
+        return f"Table({super().__repr__()}{failed})"

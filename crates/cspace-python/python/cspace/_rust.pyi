@@ -8,7 +8,7 @@ class ContactSpace:
 
     def _move(self, start: Any, by: Any, about: Any) -> Any:
         """A motion of constant rates from `start` by the displacement `by`: what becomes of it, how much of it is done, where it ends, and
-        what touches there."""
+        what touches there, and the gap that was taken."""
 
     def _nearest(self, q: Any) -> Any:
         """The nearest configuration in contact: its patch, the configuration, and how far it is."""
@@ -21,7 +21,7 @@ class ContactSpace:
 
     def _play(self, q: Any) -> Any:
         """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
-        infinite where nothing stops it."""
+        infinite where nothing stops it. With the gap that was taken."""
 
     def _regions(self) -> Any:
         """The free regions: for each a free configuration, and whether it is caged, that is, ends everywhere."""
@@ -65,7 +65,7 @@ class ContactSpace:
         """The class of the pair: lower, fixed-axes, symmetric or general."""
 
     def region(self, q: Any) -> Any:
-        """The number of the free region; -1 where the configuration is not free."""
+        """The number of the free region; where the configuration is not free None of one, and -1 of many."""
 
     @property
     def resolution(self) -> Any:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _rust
-from ._arrays import number, position, window
+from ._arrays import angle, number, position, window
 from ._errors import Error
 from ._loops import Loops
 from ._optional import optional
@@ -32,6 +32,9 @@ class ContactSpace:
 
     Configurations are (x, y, theta) of the moving part in the fixed part's frame, or (u, v) of two parts on axes; `q` is one of them, as a
     list, tuple or array, or an array n×3 or n×2 of many. One gives a number, many give an array.
+
+    Parts that fit exactly at a configuration have no room there: `play`, `move` and `plan` take the moving part smaller by a `gap` all
+    around, a millionth of the size, which their records tell.
     """
 
     __slots__ = ("_space",)
@@ -49,7 +52,7 @@ class ContactSpace:
         return self._space.clearance(q)
 
     def region(self, q: ArrayLike) -> Any:
-        """The number of the free region, as in `regions`; -1 where the configuration is not free."""
+        """The number of the free region, as in `regions`: of one configuration None where it is not free, of many -1 there."""
         return self._space.region(q)
 
     @property
@@ -155,8 +158,8 @@ class ContactSpace:
     def move(self, start: ArrayLike, by: ArrayLike, about: tuple[float, float] = (0.0, 0.0)) -> Motion:
         """A motion of constant rates from `start` by the displacement `by`, up to its first contact. The point `about` of the moving part,
         in its frame, moves straight, and the part turns about it."""
-        result, fraction, at, touching = self._space._move(start, by, about)
-        return Motion(result, fraction, tuple(at), touching)
+        result, fraction, at, touching, gap = self._space._move(start, by, about)
+        return Motion(result, fraction, tuple(at), touching, gap)
 
     def crossings(self, start: ArrayLike, by: ArrayLike) -> list[Crossing]:
         """Every contact that a motion of constant rates from `start` by the displacement `by` comes through, also where the parts
@@ -165,10 +168,8 @@ class ContactSpace:
 
     def play(self, q: ArrayLike) -> dict[str, Play]:
         """For each coordinate how far it goes when it alone changes, as a dictionary of `Play`."""
-        return {
-            name: Play(name, lower, upper, tuple(touching))
-            for name, (lower, upper), touching in self._space._play(q)
-        }
+        found, gap = self._space._play(q)
+        return {name: Play(name, lower, upper, tuple(touching), gap) for name, (lower, upper), touching in found}
 
     def plan(
         self,
@@ -183,8 +184,8 @@ class ContactSpace:
         between the convex hulls of the parts.
 
         With `widest` no other path has more clearance; with `clearance` it has at least so much. Legs move the point `about` of the moving
-        part straight, in its frame, and turn the part about it: without it, the part's origin, or the middle of the part where that is drawn
-        beside its origin. `prefer` is what else makes a path good: few "legs", "clearance" all along, or "length".
+        part straight, in its frame, and turn the part about it: without it, the part's origin, the middle of the part where that is drawn
+        beside its origin, or another point about which the way has few legs. Rows of `path` are free as they stand, whatever the point is. `prefer` is what else makes a path good: few "legs", "clearance" all along, or "length".
         """
         if widest and clearance is not None:
             raise Error("`widest` and `clearance` are both given")
@@ -193,7 +194,7 @@ class ContactSpace:
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""
-        vertices, doubtful = self._space.slice(number("theta", theta))
+        vertices, doubtful = self._space.slice(angle("theta", theta))
         loops = Loops(vertices)
         loops.doubtful = doubtful
         return loops
@@ -218,7 +219,7 @@ class ContactSpace:
 
     def svg(self, theta: float = 0.0) -> str:
         """The slice at an orientation as SVG, as the command draws it; of two parts on axes the plane of their motions."""
-        return _rust._svg(self._space, number("theta", theta))
+        return _rust._svg(self._space, angle("theta", theta))
 
     def _repr_svg_(self) -> str | None:
         if self.pair_class == "lower":

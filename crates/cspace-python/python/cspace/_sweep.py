@@ -30,6 +30,9 @@ def _function(sent: bytes) -> Callable[..., Any]:
 def _numbers(answer: Any) -> dict[str, float]:
     """What a function returns, as numbers by name."""
     record = answer if isinstance(answer, dict) else {"value": answer}
+    for key, value in record.items():
+        if isinstance(value, str):
+            raise TypeError(f"the function returns the text {value!r} for {key!r}: give a number")
     return {str(key): float(value) for key, value in record.items()}
 
 
@@ -40,8 +43,16 @@ def _answers(
     answers: list[dict[str, float] | str] = []
     for row in rows:
         try:
-            answers.append(_numbers(function(**dict(zip(names, row)))))
+            answer = function(**dict(zip(names, row)))
+        except (AttributeError, NameError, TypeError):
+            # A slip of the one who wrote the function, in every row alike.
+            raise
         except Exception as error:  # noqa: BLE001  A failure is a record.
+            answers.append(f"{type(error).__name__}: {error}")
+            continue
+        try:
+            answers.append(_numbers(answer))
+        except (TypeError, ValueError) as error:
             answers.append(f"{type(error).__name__}: {error}")
     return answers
 
@@ -65,7 +76,8 @@ def sweep(
 
     `map` is any map(function, iterable): that of an executor of processes, of Dask (`client.get_executor().map`), of Ray
     (`ray.util.multiprocessing.Pool().map`); the built-in one without. The function is sent once with each block of rows, and kept by the
-    workers. What it returns is a number, or a dictionary of numbers; what it raises is told in `failures`.
+    workers. What it returns is a number, or a dictionary of numbers; what it raises is told in `failures`,
+    unless it is a TypeError, AttributeError or NameError, or all rows fail.
 
     >>> sweep(lambda a, b: a * b, a=[1, 2], b=[3, 4])["value"].tolist()
     [3.0, 4.0, 6.0, 8.0]
@@ -89,8 +101,8 @@ def sweep(
         if key in names:
             raise Error(f"the function returns {key!r}, which is also an argument")
         columns[key] = np.array([record.get(key, np.nan) for record in records])
-    if len(failures) == len(records) and "value" not in columns:
-        columns["value"] = np.full(len(records), np.nan)
+    if records and len(failures) == len(records):
+        raise Error(f"no row has an answer; the first ends with {failures[0][2]}")
     return Table(columns, failures)
 
 

@@ -15,8 +15,8 @@ use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touchin
 
 use crate::args::{Format, PlanArgs};
 use crate::command::draw::as_drawn;
-use crate::command::rows::{self, Rows};
-use crate::failure::{Failure, note};
+use crate::command::rows;
+use crate::failure::Failure;
 use crate::input;
 use crate::output;
 use crate::picture::format;
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.theta)?;
-    let told = match &args.check {
+    let (told, scene) = match &args.check {
         Some(path) => checked(args, &pair, path)?,
         None => planned(args, &pair)?,
     };
@@ -60,7 +60,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(format) = picture {
         picture::write(args, &pair, &told, format)?;
     } else if is_csv(output) {
-        output::write(output, &as_csv(&pair, &told)?)?;
+        output::write(output, &as_csv(&pair, &told, &scene)?)?;
     } else {
         return output::write(output, &answer);
     }
@@ -109,7 +109,7 @@ fn start(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Coordinates, Failure> {
     }
 }
 
-fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
+fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure> {
     let from = start(args, pair)?;
     let to = match goal(args) {
         Some(to) => Some(pair.coordinates("--to", to)?),
@@ -181,10 +181,12 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
             told.unproved = Some(NARROW.to_owned());
         }
     }
-    Ok(told)
+    let about = told.about.map_or(Vector::ZERO, |[x, y]| Vector::new(x, y));
+    let scene = planner.scene().clone().with_about(about);
+    Ok((told, scene))
 }
 
-fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Failure> {
+fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Scene), Failure> {
     pair.check_window()?;
     let source = path.display().to_string();
     let help = "give a file as `cspace plan -o PATH.csv` writes it";
@@ -201,17 +203,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
     if let Some(window) = pair.window() {
         scene = scene.with_window(window);
     }
-    let asked = pair.about(&args.about)?;
-    let own = about_in(&source, &rows)?;
-    if let (Some(asked), Some(own)) = (asked, own)
-        && asked != own
-    {
-        note(format_args!(
-            "legs are judged about --about {},{}, not about_x {}, about_y {} of {source}",
-            asked.x, asked.y, own.x, own.y
-        ));
-    }
-    if let Some(about) = asked.or(own) {
+    if let Some(about) = pair.about(&args.about)? {
         scene = scene.with_about(about);
     }
     let begin = Instant::now();
@@ -254,62 +246,24 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<Told, Fail
         seconds,
     );
     told.gap = gap;
-    Ok(told)
+    Ok((told, scene))
 }
 
-/// The columns of the point of the moving part that legs move straight, in its frame.
-const ABOUT: [&str; 2] = ["about_x", "about_y"];
-
-/// The point that legs are about, from the columns that [`as_csv`] writes.
-fn about_in(source: &str, rows: &Rows) -> Result<Option<Vector>, Failure> {
-    let column = |name: &str| rows.header.iter().position(|h| h == name);
-    let (x, y) = match ABOUT.map(column) {
-        [Some(x), Some(y)] => (x, y),
-        [None, None] => return Ok(None),
-        _ => {
-            return Err(Failure::input(format_args!(
-                "{source}, line 1: of about_x and about_y one is missing"
-            ))
-            .help("give both columns, or leave both out for the origin of the moving part"));
-        }
-    };
-    let mut points = rows
-        .records
-        .iter()
-        .map(|row| [x, y].map(|k| row.get(k).unwrap_or_default()));
-    let Some(first) = points.next() else {
-        return Ok(None);
-    };
-    let numbers = first.map(|text| text.parse::<f64>().ok().filter(|n| n.is_finite()));
-    let ([Some(x), Some(y)], true) = (numbers, points.all(|p| p == first)) else {
-        return Err(Failure::input(format_args!(
-            "{source}: about_x and about_y are not the same finite number in all rows"
-        ))
-        .help("give one point of the moving part, or leave the columns out for its origin"));
-    };
-    Ok(Some(Vector::new(x, y)))
-}
-
-/// The configurations of a path, in full precision.
-fn as_csv(pair: &Chosen<'_>, told: &Told) -> Result<Vec<u8>, Failure> {
+/// Rows of a path, in full precision, which are as free as the path where coordinates change straight from row to row.
+fn as_csv(pair: &Chosen<'_>, told: &Told, scene: &Scene) -> Result<Vec<u8>, Failure> {
+    let rows = cspace_plan::straight(scene, &told.path).map_err(Failure::work)?;
     let mut writer = csv::Writer::from_writer(Vec::new());
-    // Legs about the origin are what the coordinates say.
-    let about = told.about.filter(|&about| about != [0.0; 2]);
-    let mut header = match pair.is_on_axes() {
-        true => vec!["u", "v"],
-        false => vec!["x", "y", "theta"],
-    };
-    if about.is_some() {
-        header.extend(ABOUT);
+    match pair.is_on_axes() {
+        true => writer.write_record(["u", "v"]),
+        false => writer.write_record(["x", "y", "theta"]),
     }
-    writer.write_record(header).map_err(Failure::work)?;
-    for at in &told.path {
-        let mut numbers = match *at {
-            Coordinates::Planar(c) => vec![c.x, c.y, c.theta],
-            Coordinates::Axes { u, v } => vec![u, v],
-        };
-        numbers.extend(about.into_iter().flatten());
-        writer.serialize(numbers).map_err(Failure::work)?;
+    .map_err(Failure::work)?;
+    for at in rows {
+        match at {
+            Coordinates::Planar(c) => writer.serialize([c.x, c.y, c.theta]),
+            Coordinates::Axes { u, v } => writer.serialize([u, v]),
+        }
+        .map_err(Failure::work)?;
     }
     writer.into_inner().map_err(Failure::work)
 }
