@@ -30,8 +30,11 @@ pub struct Row {
     /// The truth that is required.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equals: Option<bool>,
-    /// Absent for a requirement without limits.
+    /// Absent for a requirement without limits, and for one that is not decided.
     pub met: Option<bool>,
+    /// Whether the quantity may have a value, which could not be found.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    pub undecided: bool,
     /// How far the value is within its limits; negative outside.
     pub margin: Option<f64>,
     /// The two ends of a play.
@@ -99,6 +102,7 @@ impl Row {
             limits: requirement.limits(),
             equals: requirement.equals(),
             met: checked.is_met(),
+            undecided: checked.is_undecided(),
             margin: checked.margin(),
             range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
             at: match requirement.subject {

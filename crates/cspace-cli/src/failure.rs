@@ -36,6 +36,11 @@ impl Failure {
         }
     }
 
+    /// The question was not answered: exit code 2.
+    pub(crate) fn unanswered(message: impl Display) -> Self {
+        Self::input(message)
+    }
+
     /// Says what to do.
     #[must_use]
     pub(crate) fn help(mut self, help: impl Display) -> Self {

@@ -23,15 +23,23 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// Whether it is met; one without a value is not. `None` of one that only measures.
+    /// Whether it is met; one without a value is not. `None` of one that only measures, and of one that is not decided.
     pub fn is_met(&self) -> Option<bool> {
         let target = self.requirement.target?;
+        if self.is_undecided() {
+            return None;
+        }
         let value = self.measured.as_ref().ok().map(|m| m.value);
         Some(match (target, value) {
             (Target::Limits(lo, hi), Some(Value::Number(x))) => (lo..=hi).contains(&x),
             (Target::Equals(wanted), Some(Value::Truth(found))) => wanted == found,
             _ => false,
         })
+    }
+
+    /// Whether its quantity may have a value, which could not be found ([`Unmeasured::is_undecided`]).
+    pub fn is_undecided(&self) -> bool {
+        self.measured.as_ref().is_err_and(Unmeasured::is_undecided)
     }
 
     /// How far the value is within its limits; negative if it is outside.

@@ -127,6 +127,7 @@ impl Motion {
         Unmeasured::EndsEarly {
             until: self.record.until,
             why,
+            is_known: self.record.status == Status::Jammed,
         }
     }
 

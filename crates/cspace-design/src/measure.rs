@@ -110,6 +110,8 @@ pub enum Unmeasured {
         until: f64,
         /// Why.
         why: &'static str,
+        /// Whether it is known that it does not go on.
+        is_known: bool,
     },
     /// The pair's configuration space cannot be computed, or the motion cannot be followed.
     #[error("{0}")]
@@ -117,6 +119,17 @@ pub enum Unmeasured {
     /// The requirement is not one of the model.
     #[error("the requirement is not one of the model")]
     Unknown,
+}
+
+impl Unmeasured {
+    /// Whether the quantity may have a value, which could not be found: nothing is known of it, not even that it has none.
+    pub fn is_undecided(&self) -> bool {
+        match self {
+            Self::Undecided | Self::Space(_) | Self::Unknown => true,
+            Self::EndsEarly { is_known, .. } => !is_known,
+            _ => false,
+        }
+    }
 }
 
 impl From<QueryError> for Unmeasured {

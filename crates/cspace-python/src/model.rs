@@ -408,6 +408,7 @@ impl Model {
         }
         told.set_item("solutions", solutions)?;
         told.set_item("ranges", found.ranges)?;
+        told.set_item("undecided", found.undecided)?;
         told.set_item("none", found.none)?;
         Ok(told)
     }
@@ -509,6 +510,7 @@ impl Model {
             (checked.requirement.limits()).map(|[lo, hi]| (lo, hi)),
         )?;
         told.set_item("met", checked.is_met())?;
+        told.set_item("undecided", checked.is_undecided())?;
         told.set_item("margin", checked.margin())?;
         told.set_item("range", measured.ok().and_then(|m| m.range))?;
         told.set_item("touching", &checked.touching)?;

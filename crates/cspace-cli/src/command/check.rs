@@ -75,21 +75,22 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     };
     output::write(output, &answer)?;
     let unmet = rows.iter().filter(|r| r.met == Some(false)).count();
-    let unmeasured = rows
-        .iter()
-        .filter(|r| r.met.is_none() && r.failure.is_some())
-        .count();
-    match (unmet, unmeasured) {
-        (0, 0) => Ok(()),
-        (0, n) => Err(Failure::work(format_args!(
+    let open = |is_undecided: bool| {
+        let of = |r: &&Row| r.met.is_none() && r.failure.is_some() && r.undecided == is_undecided;
+        rows.iter().filter(of).count()
+    };
+    let requirements = |n: usize| count(n, "requirement", "requirements");
+    let all = requirements(rows.len());
+    match (unmet, open(true), open(false)) {
+        (0, 0, 0) => Ok(()),
+        (0, 0, n) => Err(Failure::unanswered(format_args!(
             "{} cannot be measured",
-            count(n, "requirement", "requirements")
+            requirements(n)
         ))),
-        (n, _) => Err(Failure::work(format_args!(
-            "{} of {} not met",
-            n,
-            count(rows.len(), "requirement", "requirements")
+        (0, n, _) => Err(Failure::unanswered(format_args!(
+            "{n} of {all} not decided"
         ))),
+        (n, _, _) => Err(Failure::work(format_args!("{n} of {all} not met"))),
     }
 }
 
@@ -130,6 +131,7 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
             Dimension::Length => format!("{}{unit}", length(x)),
         };
         let is = match row.met {
+            None if row.undecided => ": not decided",
             None => "",
             Some(true) => ": met",
             Some(false) => ": not met",

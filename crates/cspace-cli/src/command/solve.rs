@@ -24,6 +24,9 @@ struct Answer {
     /// The ranges of a single parameter in which the condition holds.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     ranges: Vec<[f64; 2]>,
+    /// The ranges of a single parameter in which nothing is known.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    undecided: Vec<[f64; 2]>,
     /// Why there is no solution.
     none: Option<String>,
 }
@@ -108,6 +111,9 @@ fn answer(spans: &[Span], solved: &Solved) -> Answer {
     Answer {
         solutions: solved.solutions.iter().map(named).collect(),
         ranges: solved.ranges.iter().map(|&(lo, hi)| [lo, hi]).collect(),
+        undecided: (solved.undecided.iter())
+            .map(|&(lo, hi)| [lo, hi])
+            .collect(),
         none: solved.none.clone(),
     }
 }
@@ -121,10 +127,15 @@ fn described(spans: &[Span], solved: &Solved) -> String {
             .collect();
         let _ = writeln!(text, "{}", named.join(", "));
     }
-    for (lo, hi) in &solved.ranges {
+    let ranges = solved.ranges.iter().map(|range| ("it is so", range));
+    let undecided = (solved.undecided.iter()).map(|range| ("it could not be decided", range));
+    for (is, &(lo, hi)) in ranges.chain(undecided) {
         let name = &spans[0].parameter;
-        let (lo, hi) = (shown::number(*lo), shown::number(*hi));
-        let _ = writeln!(text, "  it is so with {name} from {lo} to {hi}");
+        let at = match lo == hi {
+            true => format!("at {}", shown::number(lo)),
+            false => format!("from {} to {}", shown::number(lo), shown::number(hi)),
+        };
+        let _ = writeln!(text, "  {is} with {name} {at}");
     }
     if let Some(reason) = &solved.none {
         let _ = writeln!(text, "none: {reason}");

@@ -396,3 +396,115 @@ fn limits_need_not_enclose_the_nominal() {
     let info = printed(&["info", file]);
     assert!(info.contains("within 19.98 to 19.993"), "{info}");
 }
+
+/// A wheel on which a torque may act that nothing stops: what becomes of it then is not determined.
+const UNSTOPPED: &str = r#"
+[parameter]
+torque = 3
+[[part]]
+name = "wheel"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 1, at = [0, 0] }]
+[[part]]
+name = "knob"
+motion = { type = "revolute", center = [20, 0] }
+loops = [{ circle = 1, at = [20, 0] }]
+[[drive]]
+part = "knob"
+rate = 1
+[[load]]
+part = "wheel"
+torque = "max(0, torque)"
+[[requirement]]
+name = "turned"
+measure = "stroke"
+part = "knob"
+time = 1
+limits = [0, 2]
+"#;
+
+#[test]
+fn what_is_not_decided_is_neither_met_nor_not_met() {
+    let (_folder, file) = file(UNSTOPPED);
+    let check = |set: &str| {
+        cspace(&["check", &file, "--format", "json", "--set", set])
+            .output()
+            .unwrap()
+    };
+    let answer = |output: &std::process::Output| -> serde_json::Value {
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let open = check("torque=3");
+    assert_eq!(open.status.code(), Some(2));
+    assert_eq!(answer(&open)[0]["met"], serde_json::Value::Null);
+    assert_eq!(answer(&open)[0]["undecided"], true);
+    let errors = String::from_utf8(open.stderr).unwrap();
+    assert!(
+        errors.contains("1 of 1 requirement not decided"),
+        "{errors}"
+    );
+    let closed = check("torque=-3");
+    assert_eq!(closed.status.code(), Some(0));
+    assert_eq!(answer(&closed)[0]["met"], true);
+    assert!(answer(&closed)[0].get("undecided").is_none());
+    let solved = json(&[
+        "solve",
+        &file,
+        "--vary",
+        "torque=-2:4",
+        "--so-that",
+        "turned >= 0.5",
+    ]);
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let [is, open] = ["ranges", "undecided"].map(|key| &solved[key][0]);
+    assert!(
+        (number(&is[0]) + 2.0).abs() < 1e-9 && number(&is[1]).abs() < 1e-9,
+        "{solved}"
+    );
+    assert!(
+        number(&open[0]).abs() < 1e-9 && (number(&open[1]) - 4.0).abs() < 1e-9,
+        "{solved}"
+    );
+}
+
+/// A latch closes between two angles of its bolt, atan f and its complement to the other side of the strike; ranges and what is not decided
+/// between them leave no gap.
+#[test]
+fn ranges_of_what_happens_in_a_motion_leave_no_gap() {
+    let latch = format!(
+        "{}/tests/models/spring_latch.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let latch = latch.as_str();
+    let so = [
+        "--set",
+        "half=3",
+        "--so-that",
+        "closes <= 1",
+        "--samples",
+        "9",
+    ];
+    let solved = json(&[&["solve", latch, "--vary", "slant=8deg:45deg"], &so[..]].concat());
+    let none = Vec::new();
+    let mut all: Vec<[f64; 2]> = ["ranges", "undecided"]
+        .iter()
+        .flat_map(|key| solved[*key].as_array().unwrap_or(&none))
+        .map(|range| [0, 1].map(|k| range[k].as_f64().unwrap()))
+        .collect();
+    all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    assert!((all[0][0] - 0.2_f64.atan()).abs() < 1e-9, "{solved}");
+    assert!(
+        (all.last().unwrap()[1] - 0.656_056_749_66).abs() < 1e-9,
+        "{solved}"
+    );
+    assert!(
+        all.windows(2).all(|w| (w[1][0] - w[0][1]).abs() < 1e-9),
+        "{solved}"
+    );
+    // Neither is told as not met where it is not decided.
+    let output = cspace(&["check", latch, "--set", "half=3", "--set", "slant=0.34"])
+        .output()
+        .unwrap();
+    let told = String::from_utf8(output.stdout).unwrap();
+    assert!(!told.contains("closes: not met"), "{told}");
+}

@@ -11,7 +11,12 @@ pub(super) struct Found {
     pub(super) breaks: Vec<f64>,
     /// Jumps over the value: where, and how far off it is before and after.
     pub(super) jumps: Vec<(f64, f64, f64)>,
+    /// Where it changes its kind so often that not all changes were looked for.
+    pub(super) left: Vec<(f64, f64)>,
 }
+
+/// Changes of kind between two samples, after which no more are looked for.
+const MOST_BREAKS: usize = 64;
 
 impl Found {
     /// Makes one of stretches that follow each other, and places of those that are narrower.
@@ -71,18 +76,17 @@ impl Line<'_> {
                 _ => {}
             },
             (At::Is(f), At::Is(g)) if f == g => {}
-            (At::None(_), At::None(_)) => {}
-            (At::Is(_), At::Is(_)) => {
-                let (a, b) = self.change(a.clone(), b.clone());
-                found.breaks.push(0.5 * (a.0 + b.0));
-            }
+            (At::None(_), At::None(_)) | (At::Undecided(_), At::Undecided(_)) => {}
+            // What is so at both ends changes between: on both sides of the change the search goes on.
             _ => {
                 let (near_a, near_b) = self.change(a.clone(), b.clone());
                 found.breaks.push(0.5 * (near_a.0 + near_b.0));
-                if matches!(a.1, At::None(_)) {
-                    self.search(&near_b, b, found);
-                } else {
-                    self.search(a, &near_a, found);
+                for (a, b) in [(a, &near_a), (&near_b, b)] {
+                    if found.breaks.len() > MOST_BREAKS {
+                        found.left.push((a.0, b.0));
+                    } else if a.0 < b.0 {
+                        self.search(a, b, found);
+                    }
                 }
             }
         }

@@ -175,6 +175,7 @@ impl Problem<'_> {
             all.stretches.extend(part.stretches);
             all.breaks.extend(part.breaks);
             all.jumps.extend(part.jumps);
+            all.left.extend(part.left);
         }
         all.join(line.place);
         let given = self.given()[0];
@@ -189,6 +190,7 @@ impl Problem<'_> {
             return Solved {
                 solutions: solutions.collect(),
                 ranges: wide.collect(),
+                undecided: self.undecided(span, &all, &known),
                 none: all.stretches.is_empty().then(|| nothing(&known, &all)),
             };
         }
@@ -199,6 +201,7 @@ impl Problem<'_> {
         Solved {
             none: nearest.is_none().then(|| nothing(&known, &all)),
             solutions: nearest.into_iter().map(|p| vec![p]).collect(),
+            undecided: self.undecided(span, &all, &known),
             ranges,
         }
     }
@@ -212,36 +215,60 @@ impl Problem<'_> {
         zero: f64,
     ) -> Vec<(f64, f64)> {
         let ends = found.stretches.iter().flat_map(|&(lo, hi)| [lo, hi]);
-        let mut places: Vec<f64> = (ends.chain(found.breaks.iter().copied()))
-            .chain([span.lo, span.hi])
-            .collect();
-        places.sort_by(f64::total_cmp);
         let mut ranges: Vec<(f64, f64)> = Vec::new();
-        let mut add = |lo: f64, hi: f64| match ranges.last_mut() {
-            Some(last) if last.1 >= lo => last.1 = last.1.max(hi),
-            _ => ranges.push((lo, hi)),
-        };
-        for w in places.windows(2) {
-            let (lo, hi) = (w[0], w[1]);
+        for (lo, hi) in between(span, ends.chain(found.breaks.iter().copied())) {
             // At the value itself the goal is met, also where it is so at one place alone.
             if found.stretches.iter().any(|s| s.0 <= lo && lo <= s.1) {
-                add(lo, lo);
+                add(&mut ranges, (lo, lo));
             }
-            if hi > lo {
-                let middle = 0.5 * (lo + hi);
-                let inner = known.iter().filter(|(p, _)| lo < *p && *p < hi);
-                let sample =
-                    inner.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()));
-                let is_met = match sample {
-                    Some((_, at)) => self.is_met(at, zero),
-                    None => self.is_met(&self.at(&[middle]), zero),
-                };
-                if is_met {
-                    add(lo, hi);
-                }
+            if hi > lo && self.is_met(&self.inside((lo, hi), known), zero) {
+                add(&mut ranges, (lo, hi));
             }
         }
         ranges
+    }
+
+    /// The ranges in which the quantity may have a value, which could not be found.
+    fn undecided(&self, span: &Span, found: &Found, known: &[(f64, At)]) -> Vec<(f64, f64)> {
+        let mut ranges = found.left.clone();
+        if !found.breaks.is_empty() || matches!(known.first(), Some((_, At::Undecided(_)))) {
+            ranges.extend(
+                (between(span, found.breaks.iter().copied()).into_iter())
+                    .filter(|&(lo, hi)| hi > lo)
+                    .filter(|&range| matches!(self.inside(range, known), At::Undecided(_))),
+            );
+        }
+        ranges.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut joined = Vec::new();
+        for range in ranges {
+            add(&mut joined, range);
+        }
+        joined
+    }
+
+    /// The quantity in a range in which it does not change its kind.
+    fn inside(&self, (lo, hi): (f64, f64), known: &[(f64, At)]) -> At {
+        let middle = 0.5 * (lo + hi);
+        let inner = known.iter().filter(|(p, _)| lo < *p && *p < hi);
+        match inner.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs())) {
+            Some((_, at)) => at.clone(),
+            None => self.at(&[middle]),
+        }
+    }
+}
+
+/// The ranges between places of a span, and its ends.
+fn between(span: &Span, places: impl Iterator<Item = f64>) -> Vec<(f64, f64)> {
+    let mut places: Vec<f64> = places.chain([span.lo, span.hi]).collect();
+    places.sort_by(f64::total_cmp);
+    places.windows(2).map(|w| (w[0], w[1])).collect()
+}
+
+/// Adds a range to others, with which it is one where they meet.
+fn add(ranges: &mut Vec<(f64, f64)>, (lo, hi): (f64, f64)) {
+    match ranges.last_mut() {
+        Some(last) if last.1 >= lo => last.1 = last.1.max(hi),
+        _ => ranges.push((lo, hi)),
     }
 }
 
@@ -261,7 +288,7 @@ fn nothing(known: &[(f64, At)], found: &Found) -> String {
     }
     if lo > hi {
         let reason = known.iter().find_map(|(_, at)| match at {
-            At::None(reason) => Some(reason.clone()),
+            At::None(reason) | At::Undecided(reason) => Some(reason.clone()),
             _ => None,
         });
         return reason.unwrap_or_else(|| "it is so nowhere in the range".to_owned());

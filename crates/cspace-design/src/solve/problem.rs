@@ -49,6 +49,8 @@ pub struct Solved {
     pub solutions: Vec<Vec<f64>>,
     /// For one parameter: ranges in which the goal is met.
     pub ranges: Vec<(f64, f64)>,
+    /// For one parameter: ranges in which the quantity could not be found, though it may have a value.
+    pub undecided: Vec<(f64, f64)>,
     /// Why there is no solution.
     pub none: Option<String>,
 }
@@ -65,6 +67,8 @@ pub(super) enum At {
     Is(bool),
     /// It has no value.
     None(String),
+    /// It may have a value, which could not be found.
+    Undecided(String),
 }
 
 pub(super) struct Problem<'a> {
@@ -108,7 +112,11 @@ impl Problem<'_> {
         let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
         let requirement: &Requirement =
             (model.requirements.first()).ok_or("the model has no such requirement")?;
-        let measured = spaces.measure(requirement).map_err(|e| e.to_string())?;
+        let measured = match spaces.measure(requirement) {
+            Ok(measured) => measured,
+            Err(error) if error.is_undecided() => return Ok(At::Undecided(error.to_string())),
+            Err(error) => return Err(error.to_string()),
+        };
         let off = match (measured.value, self.goal.value) {
             (Value::Truth(is), Value::Truth(wanted)) => return Ok(At::Is(is == wanted)),
             (Value::Number(is), Value::Number(wanted)) => is - wanted,
@@ -154,7 +162,7 @@ impl Problem<'_> {
                 Relation::AtMost => off <= zero,
                 Relation::AtLeast => off >= -zero,
             },
-            At::None(_) => false,
+            At::None(_) | At::Undecided(_) => false,
         }
     }
 

@@ -25,6 +25,7 @@ impl Problem<'_> {
         solutions.sort_by(|a, b| change(a).total_cmp(&change(b)));
         solutions.truncate(1);
         Solved {
+            undecided: Vec::new(),
             none: first.err().filter(|_| solutions.is_empty()),
             solutions,
             ranges: Vec::new(),
@@ -36,6 +37,7 @@ impl Problem<'_> {
         let given = self.given();
         let found = self.least_change(&given, &given);
         Solved {
+            undecided: Vec::new(),
             none: found.as_ref().err().cloned(),
             solutions: found.into_iter().collect(),
             ranges: Vec::new(),
@@ -71,7 +73,7 @@ impl Problem<'_> {
                             .to_owned(),
                     );
                 }
-                At::None(reason) => return Err(reason.clone()),
+                At::None(reason) | At::Undecided(reason) => return Err(reason.clone()),
             };
             if step == 0 && start == given && self.is_met(&at, self.zero([&at].into_iter())) {
                 return Ok(place(&x));

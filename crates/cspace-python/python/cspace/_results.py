@@ -210,13 +210,15 @@ class Plan:
 @dataclass(frozen=True)
 class Checked:
     """A requirement that was measured: `value` is a number in the model's unit, radians or seconds, true or false, or None with a
-    `failure`. `sensitivities` are derivatives by parameters, for smaller and for larger values of each."""
+    `failure`; `met` is None of one that only measures, and where it is `undecided`: there may be a value, which could not be found.
+    `sensitivities` are derivatives by parameters, for smaller and for larger values of each."""
 
     name: str
     measure: str
     value: Any
     limits: tuple[float, float] | None
     met: bool | None
+    undecided: bool
     margin: float | None
     range: tuple[Any, ...] | None
     touching: list[Any]
@@ -264,10 +266,12 @@ class Modes:
 
 @dataclass(frozen=True)
 class Solved:
-    """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`."""
+    """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`; in the ranges
+    `undecided` nothing is known."""
 
     solutions: list[Any]
     ranges: list[Any]
+    undecided: list[Any]
     none: str | None
 
 

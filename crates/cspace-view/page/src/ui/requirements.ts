@@ -127,8 +127,8 @@ export class Requirements {
     if (!row) return;
     const kind = row.met === null ? "" : row.met ? " met" : " unmet";
     mark.className = `mark${kind}`;
-    say(mark, row.met === null ? "·" : row.met ? "✓" : "✗");
-    mark.title = row.met === null ? "measured alone" : row.met ? "met" : "not met";
+    say(mark, row.undecided ? "?" : row.met === null ? "·" : row.met ? "✓" : "✗");
+    mark.title = row.undecided ? "not decided" : row.met === null ? "measured alone" : row.met ? "met" : "not met";
     const is = row.value === null ? (row.failure ?? "none") : this.#text(row, row.value);
     const ask = row.limits ? ` of ${this.#text(row, row.limits[0])} to ${this.#text(row, row.limits[1])}` : "";
     say(value, `${is}${ask}`);

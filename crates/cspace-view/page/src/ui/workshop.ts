@@ -36,6 +36,7 @@ export interface CheckRow {
   met: boolean | null;
   margin: number | null;
   failure?: string;
+  undecided?: boolean;
 }
 
 /** A contact that is dragged: where a straight motion first meets it, one coordinate is to have a value. */
