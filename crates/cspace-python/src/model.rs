@@ -251,20 +251,9 @@ impl Model {
         samples: u64,
         seed: u64,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (template, mut model, mut set) = (
-            Arc::clone(&self.template),
-            Arc::clone(&self.model),
-            self.set.clone(),
-        );
-        let middles = cspace_io::model::middles_of_limits(&model.parameters);
-        if !middles.is_empty() {
-            set.extend(middles);
-            let host = Host {
-                set: &set,
-                ..Host::default()
-            };
-            model = Arc::new(template.model(&host).map_err(error)?);
-        }
+        let template = Arc::clone(&self.template);
+        let model = cspace_io::Model::clone(&self.model);
+        let (set, model) = (template.about_middles(&self.set, model)).map_err(error)?;
         let options = cspace_design::ToleranceOptions {
             samples,
             seed,

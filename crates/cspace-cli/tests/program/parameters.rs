@@ -382,16 +382,26 @@ fn sweeps_are_pictures() {
 fn limits_need_not_enclose_the_nominal() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("fit.toml");
-    let text = "[parameter]\nbore = { value = 20, plus = 0.021, minus = 0 }\nshaft = { value = 20, limits = [19.980, 19.993] }\n\
-        [[part]]\nname = \"hub\"\nloops = [[[-20, -20], [20, -20], [20, 20], [-20, 20]], { circle = \"bore/2\", at = [0, 0] }]\n\
-        [[part]]\nname = \"shaft\"\nloops = [{ circle = \"shaft/2\", at = [0, 0] }]\n\
-        [[requirement]]\nname = \"fit\"\nmeasure = \"play\"\nof = \"x\"\nlimits = [0, 0.05]\n";
-    std::fs::write(&file, text).unwrap();
+    // H7 and g6 of 20 mm, in three forms.
+    for (bore, shaft) in [
+        ("plus = 0.021, minus = 0", "limits = [19.980, 19.993]"),
+        ("limits = [20, 20.021]", "plus = -0.007, minus = 0.020"),
+        ("tol = \"H7\"", "tol = \"g6\""),
+    ] {
+        let text = format!(
+            "unit = \"mm\"\n[parameter]\nbore = {{ value = 20, {bore} }}\nshaft = {{ value = 20, {shaft} }}\n\
+            [[part]]\nname = \"hub\"\nloops = [[[-20, -20], [20, -20], [20, 20], [-20, 20]], {{ circle = \"bore/2\", at = [0, 0] }}]\n\
+            [[part]]\nname = \"shaft\"\nloops = [{{ circle = \"shaft/2\", at = [0, 0] }}]\n\
+            [[requirement]]\nname = \"fit\"\nmeasure = \"play\"\nof = \"x\"\nlimits = [0, 0.05]\n"
+        );
+        std::fs::write(&file, text).unwrap();
+        let file = file.to_str().unwrap();
+        let found = &json(&["tolerances", file])[0];
+        let value = |end: &str| found["exact"][end]["value"].as_f64().unwrap();
+        assert!((value("lo") - 0.007).abs() < 1e-9, "{found}");
+        assert!((value("hi") - 0.041).abs() < 1e-9, "{found}");
+    }
     let file = file.to_str().unwrap();
-    let found = &json(&["tolerances", file])[0];
-    let value = |end: &str| found["exact"][end]["value"].as_f64().unwrap();
-    assert!((value("lo") - 0.007).abs() < 1e-9, "{found}");
-    assert!((value("hi") - 0.041).abs() < 1e-9, "{found}");
     // As drawn the value counts.
     let info = printed(&["info", file]);
     assert!(info.contains("within 19.98 to 19.993"), "{info}");

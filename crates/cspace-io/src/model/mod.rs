@@ -9,6 +9,7 @@ mod dynamics;
 mod entry;
 mod error;
 mod expression;
+mod fit;
 mod forces;
 mod locate;
 mod loops;
@@ -40,7 +41,7 @@ pub(crate) use read::no_json;
 
 pub(crate) use drawings::Files;
 pub use error::ModelError;
-pub use parameters::{Parameter, Setting, middles_of_limits};
+pub use parameters::{Parameter, Setting};
 pub use read::{MOST_PARTS, Model, Template, from_json, from_toml, read};
 pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
 pub use requirements::{

@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 
 use cspace::{Ball, Dual, Real};
+use cspace_drawing::Unit;
 use cspace_mechanism::Mechanism;
 
 use super::error::ModelError;
@@ -79,6 +80,8 @@ pub struct Parameter {
     pub is_set: bool,
     /// Largest deviations below and above the value, if the model gives them; one of them is below 0 if the value is outside its limits.
     pub deviations: Option<(f64, f64)>,
+    /// Whether the limits are given themselves, and stay as they are whatever the value is set to.
+    pub has_limits: bool,
     /// Distribution of the value within its tolerance, if the model gives one.
     pub distribution: Option<Distribution>,
     /// Position tolerance of the point of which it is a coordinate, if it has one.
@@ -100,14 +103,14 @@ impl Parameter {
     }
 }
 
-/// Settings of the middles of limits, of parameters whose values are outside of them and not set for this reading, as the nominal size of a
-/// shaft is for most fits: tolerances are about the middle then.
-pub fn middles_of_limits(parameters: &[Parameter]) -> Vec<Setting> {
-    let middle = |p: &Parameter| {
-        let (below, above) = p.deviations.filter(|_| !p.is_set)?;
-        (below < 0.0 || above < 0.0).then(|| p.deviated(0.5 * (above - below)))
+/// Settings of the middles of limits, of parameters whose values are outside of them, as the nominal size of a shaft is for most fits:
+/// tolerances are about the middle then. A value that is set beside limits of its own stays.
+pub(super) fn middles_of_limits(parameters: &[Parameter]) -> Vec<(usize, Setting)> {
+    let middle = |(i, p): (usize, &Parameter)| {
+        let (below, above) = p.deviations.filter(|_| !(p.is_set && p.has_limits))?;
+        (below < 0.0 || above < 0.0).then(|| (i, p.deviated(0.5 * (above - below))))
     };
-    parameters.iter().filter_map(middle).collect()
+    parameters.iter().enumerate().filter_map(middle).collect()
 }
 
 /// A value for a parameter in place of the file's: its name, and a number or an expression.
@@ -261,6 +264,7 @@ impl Parameters {
         place: &Place,
         set: &[Setting],
         variation: Option<&Variation<'_>>,
+        unit: Option<Unit>,
     ) -> Result<Self> {
         const HELP: &str = "give parameters as [parameter] with lines such as pin = 6.0";
         let mut this = Self::default();
@@ -357,6 +361,7 @@ impl Parameters {
                 is_angle,
                 is_set: setting.is_some(),
                 deviations: None,
+                has_limits: false,
                 distribution: None,
                 position: None,
                 used_by: Vec::new(),
@@ -412,7 +417,7 @@ impl Parameters {
             }
         }
         for (i, table, tolerance, is_text) in tolerances {
-            this.tolerate(i, &table, tolerance, is_text)?;
+            this.tolerate(i, &table, tolerance, is_text, unit)?;
         }
         Ok(this)
     }
@@ -424,6 +429,7 @@ impl Parameters {
         table: &Table<'_>,
         tolerance: Tolerance,
         is_text: bool,
+        unit: Option<Unit>,
     ) -> Result<()> {
         let parameter = &self.all[i];
         let deviations = tolerance.deviations(
@@ -432,6 +438,7 @@ impl Parameters {
                 value: parameter.value,
                 is_set: parameter.is_set,
                 may_be_angle: is_text,
+                unit,
             },
         )?;
         if let Some(Position { with, .. }) = &tolerance.position {
@@ -450,6 +457,7 @@ impl Parameters {
         }
         let parameter = &mut self.all[i];
         parameter.deviations = deviations;
+        parameter.has_limits = tolerance.has_limits();
         parameter.distribution = tolerance.distribution;
         parameter.position = tolerance.position;
         Ok(())

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cspace::{Ball, Dual};
+use cspace_drawing::Unit;
 use cspace_mechanism::Mechanism;
 
 use super::drawings::{DRAWINGS, Files, Setting};
@@ -10,7 +11,7 @@ use super::dynamics::read_dynamics;
 use super::error::ModelError;
 use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml};
 use super::node::Node;
-use super::parameters::{self, Entry, Parameter, Parameters, Variation};
+use super::parameters::{self, Entry, Parameter, Parameters, Variation, middles_of_limits};
 use super::parts::read_parts;
 use super::place::Place;
 use super::profile::add_parameters;
@@ -261,6 +262,35 @@ impl Template {
         Ok(model)
     }
 
+    /// A model of this text with each parameter that is outside its limits in their middle, about which its tolerance is, and the settings
+    /// that put it there, beside those with which the model was read. The nominal size of a shaft is outside its limits for most fits.
+    ///
+    /// # Errors
+    /// If the text is no model with these values.
+    pub fn about_middles(
+        &self,
+        set: &[parameters::Setting],
+        model: Model,
+    ) -> core::result::Result<(Vec<parameters::Setting>, Model), ModelError> {
+        let mut set = set.to_vec();
+        let middles = middles_of_limits(&model.parameters);
+        if middles.is_empty() {
+            return Ok((set, model));
+        }
+        set.extend(middles.iter().map(|(_, setting)| setting.clone()));
+        let host = Host {
+            set: &set,
+            ..Host::default()
+        };
+        let mut moved = self.model(&host)?;
+        for (i, _) in middles {
+            let half =
+                (model.parameters[i].deviations).map(|(a, b)| (0.5 * (a + b), 0.5 * (a + b)));
+            moved.parameters[i].deviations = half;
+        }
+        Ok((set, moved))
+    }
+
     /// The text with other values for parameters, where it is TOML; `None` of other text, and where a value stands in no place of its own.
     ///
     /// ```
@@ -366,7 +396,13 @@ impl Template {
         add_parameters(&mut tree)?;
         let given = taken(&mut tree);
         let place = Place::default().key("parameter");
-        let mut parameters = Parameters::read(given.as_ref(), &place, host.set, Some(variation))?;
+        let mut parameters = Parameters::read(
+            given.as_ref(),
+            &place,
+            host.set,
+            Some(variation),
+            unit_of(&tree),
+        )?;
         parameters.replace(&mut tree);
         Ok(tree)
     }
@@ -507,6 +543,17 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
+/// The model's unit of length, where it is a known one.
+fn unit_of(tree: &Node) -> Option<Unit> {
+    match tree {
+        Node::Table(entries) => match entries.get("unit")? {
+            Node::Text(label) => Unit::of_label(label),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// The parameters in a tree, taken out of it.
 fn taken(tree: &mut Node) -> Option<Node> {
     match tree {
@@ -520,7 +567,8 @@ fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError
     let place = Place::default().key("parameter");
     add_parameters(&mut tree)?;
     let given = taken(&mut tree);
-    let mut parameters = Parameters::read(given.as_ref(), &place, files.host.set, None)?;
+    let mut parameters =
+        Parameters::read(given.as_ref(), &place, files.host.set, None, unit_of(&tree))?;
     let failures = parameters.replace(&mut tree);
     let explained = |error: ModelError| {
         let explained = failures.iter().find_map(|f| f.explains(&error));

@@ -1,5 +1,8 @@
 //! Tolerance of a parameter: its largest deviations, and its distribution.
 
+use cspace_drawing::Unit;
+
+use super::fit::Fit;
 use super::node::Node;
 use super::suggest::nearest;
 use super::table::{Result, Table, angle_of, number};
@@ -47,6 +50,8 @@ enum Extent {
     Deviations(f64, f64),
     /// Smallest and largest value.
     Limits(f64, f64),
+    /// Deviations of a tolerance class, about the value as nominal size.
+    Fit(Fit),
 }
 
 impl Tolerance {
@@ -82,12 +87,21 @@ impl Tolerance {
             Some(Node::List(all)) => all.iter().any(|node| matches!(node, Node::Text(_))),
             node => matches!(node, Some(Node::Text(_))),
         };
+        let angle = match extent {
+            Some(Extent::Fit(_)) => None,
+            _ => EXTENTS.into_iter().find(is_angle),
+        };
         Ok(Self {
             extent,
-            angle: EXTENTS.into_iter().find(is_angle),
+            angle,
             distribution,
             position,
         })
+    }
+
+    /// Whether the limits are the same, whatever the value is set to.
+    pub(super) fn has_limits(&self) -> bool {
+        matches!(self.extent, Some(Extent::Limits(..)))
     }
 
     /// Largest deviations of the parameter below and above its value.
@@ -101,11 +115,12 @@ impl Tolerance {
             let help = "give both with a unit of angle, value = \"30deg\", or none";
             return Err(table.error(key, message).with_help(help));
         }
-        let (below, above) = match self.extent {
+        // The value may be outside, as a shaft's nominal size often is: one of the two is below 0 then.
+        let (below, above) = match &self.extent {
             None => return Ok(None),
-            Some(Extent::Deviations(below, above)) => (below, above),
-            // The value may be outside, as a shaft's nominal size often is: one of the two is below 0 then.
+            Some(Extent::Deviations(below, above)) => (*below, *above),
             Some(Extent::Limits(lo, hi)) => (value - lo, hi - value),
+            Some(Extent::Fit(fit)) => of_fit(fit, table, of)?,
         };
         if let Some(Distribution::Table(rows)) = self.distribution.as_ref().filter(|_| !of.is_set) {
             let beyond = |x: f64| {
@@ -135,6 +150,8 @@ pub(super) struct Written {
     pub(super) is_set: bool,
     /// Whether the file has an angle, or an expression.
     pub(super) may_be_angle: bool,
+    /// The model's unit of length, if it is a known one.
+    pub(super) unit: Option<Unit>,
 }
 
 /// Keys that say how far a parameter may be from its value.
@@ -146,34 +163,83 @@ pub(super) const LARGEST: f64 = 1e12;
 /// Values that differ by less, relative to them, are one.
 const ROUNDING: f64 = 1e-12;
 
+/// The deviations of a tolerance class, in the model's unit.
+fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
+    let Some(unit) = of.unit else {
+        return Err(table
+            .error("tol", "a tolerance class needs the model's unit of length")
+            .with_help(
+                "say unit = \"mm\" at the top of the file, or another unit, or give plus and minus",
+            ));
+    };
+    let millimetres = unit.ratio(Unit::Millimetre);
+    let Some([lower, upper]) = fit.deviations(of.value * millimetres) else {
+        let message = format!(
+            "ISO 286 has no such class for the size {} mm",
+            shown::number(of.value * millimetres)
+        );
+        let help = "give another class, or plus and minus: sizes go to 500 mm, and classes that are not in use have no deviations";
+        return Err(table.error("tol", message).with_help(help));
+    };
+    // No zero is negative.
+    Ok((0.0 - lower / millimetres, upper / millimetres))
+}
+
 fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
-    let of = |key: &str| {
+    let of = |key: &str, least: f64, expected: &str| {
         let Some(node) = table.get(key) else {
             return Ok(None);
         };
-        let help = "give how far the parameter may be from its value: 0.02, or \"0.5deg\"";
-        match angle_of(node).filter(|x| *x >= 0.0) {
-            Some(value) if value <= LARGEST => Ok(Some(value)),
+        let help = match key {
+            "tol" => {
+                "give how far the parameter may be from its value, 0.02 or \"0.5deg\", or a tolerance class, \"H7\""
+            }
+            _ => "give how far the parameter may be from its value: 0.02, or \"0.5deg\"",
+        };
+        match angle_of(node).filter(|x| *x >= least) {
+            Some(value) if value.abs() <= LARGEST => Ok(Some(value)),
             Some(_) => Err(table
                 .error(key, format!("`{key}` is more than {LARGEST:e}"))
                 .with_help(help)),
-            None => Err(table.wrong(key, node, "a number of 0 or more, or an angle", help)),
+            None => Err(table.wrong(key, node, expected, help)),
         }
     };
-    let both = of("tol")?;
-    let (above, below) = (of("plus")?, of("minus")?);
+    let (above, below) = {
+        let signed = |key| of(key, f64::NEG_INFINITY, "a number or an angle");
+        (signed("plus")?, signed("minus")?)
+    };
+    let fit = match table.get("tol") {
+        Some(Node::Text(text)) => Fit::parse(text),
+        _ => None,
+    };
+    let both = match &fit {
+        Some(_) => None,
+        None => of(
+            "tol",
+            0.0,
+            "a number of 0 or more, an angle, or a tolerance class",
+        )?,
+    };
     let limits = limits(table)?;
     let one_sided = above.is_some() || below.is_some();
-    match (both, limits) {
-        (Some(_), _) if one_sided => Err(table
+    if let (Some(above), Some(below)) = (above, below)
+        && -below > above
+    {
+        return Err(table
+            .error("minus", "`minus` and `plus` leave nothing between them")
+            .with_help("`minus` counts downwards: limits of -0.007 and -0.020 are plus = -0.007, minus = 0.020"));
+    }
+    match (both.is_some() || fit.is_some(), limits) {
+        (true, _) if one_sided => Err(table
             .error("tol", "`tol` is given beside `plus` or `minus`")
             .with_help("keep `tol`, or `plus` and `minus`")),
-        (_, Some(_)) if one_sided || both.is_some() => Err(table
+        (has_tol, Some(_)) if one_sided || has_tol => Err(table
             .error("limits", "`limits` are given beside another tolerance")
             .with_help("keep `limits`, or `tol`, or `plus` and `minus`")),
-        (Some(tol), _) => Ok(Some(Extent::Deviations(tol, tol))),
-        (None, Some((lo, hi))) => Ok(Some(Extent::Limits(lo, hi))),
-        (None, None) => {
+        (_, Some((lo, hi))) => Ok(Some(Extent::Limits(lo, hi))),
+        (_, None) if fit.is_some() => Ok(fit.map(Extent::Fit)),
+        (_, None) if both.is_some() => Ok(both.map(|tol| Extent::Deviations(tol, tol))),
+        (_, None) => {
             Ok(one_sided.then(|| Extent::Deviations(below.unwrap_or(0.0), above.unwrap_or(0.0))))
         }
     }

@@ -7,7 +7,6 @@ mod text;
 mod zones;
 
 use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
-use cspace_io::model::middles_of_limits;
 
 use crate::args::{Format, TolerancesArgs};
 use crate::failure::Failure;
@@ -29,7 +28,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
-    let (mut template, mut model) = input::template(&args.file, &args.values)?;
+    let (template, mut model) = input::template(&args.file, &args.values)?;
     let file = args.file.display();
     if model.requirements.is_empty() {
         return Err(super::check::no_requirements(&args.file));
@@ -42,14 +41,10 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     }
     // What is outside its limits has its tolerance about their middle.
     let mut values = args.values.clone();
-    let middles = middles_of_limits(&model.parameters);
-    if !middles.is_empty() {
-        values.set.extend(middles);
-        (template, model) = input::template(&args.file, &values)?;
-    }
+    (values.set, model) = (template.about_middles(&values.set, model)).map_err(Failure::input)?;
     let variations = Variations::of(&model);
     let outside = (model.parameters.iter())
-        .find(|p| p.is_set && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
+        .find(|p| p.has_limits && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
     if let Some(outside) = outside {
         let name = cspace_io::shown::quoted(&outside.name);
         let (below, above) = outside.deviations.unwrap_or_default();

@@ -3,6 +3,7 @@
 mod arcs;
 mod dynamics;
 mod errors;
+mod fits;
 mod paper;
 mod profile;
 mod round_trip;
