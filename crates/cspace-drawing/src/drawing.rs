@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use cspace::Point;
+use cspace::part::tolerance::MAX_COORDINATE;
 use cspace::part::{Bounds, Edge};
 
 use crate::curve::Curve;
@@ -239,6 +240,26 @@ pub struct Problem {
 }
 
 impl Drawing {
+    /// Adds a path, or the problem that its coordinates are beyond those of a part: fitting it would take for ever.
+    pub(crate) fn add(&mut self, origin: Origin, path: Path) {
+        let bounds = path.bounds();
+        let far = [bounds.min, bounds.max].into_iter().find(|p| {
+            // Not a number is beyond, too.
+            !(p.x.abs().max(p.y.abs()) <= MAX_COORDINATE && p.x.is_finite() && p.y.is_finite())
+        });
+        match far {
+            None => self.entities.push(Entity { origin, path }),
+            Some(far) => self.problems.push(Problem {
+                origin,
+                with: Vec::new(),
+                at: Some(far),
+                to: None,
+                reason: format!("a coordinate is beyond {MAX_COORDINATE:e}"),
+                help: "check the coordinates, and the unit of length".to_owned(),
+            }),
+        }
+    }
+
     /// Number of entities of each type.
     pub fn counts(&self) -> BTreeMap<String, usize> {
         let mut counts = BTreeMap::new();

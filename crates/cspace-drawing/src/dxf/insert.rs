@@ -257,7 +257,7 @@ impl Flat<'_> {
     }
 
     fn draw(&mut self, origin: Origin, path: crate::drawing::Path) {
-        self.drawing.entities.push(Entity { origin, path });
+        self.drawing.add(origin, path);
     }
 
     fn ignore(&mut self, origin: Origin, reason: &'static str) {

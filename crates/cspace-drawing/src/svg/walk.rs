@@ -16,7 +16,7 @@ use super::shapes::shape;
 use super::style::{Sheet, Style};
 use super::xml::{INKSCAPE, XLINK};
 use crate::affine::Affine;
-use crate::drawing::{Drawing, Entity, Ignored, Origin, Problem};
+use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::source::{OTHER_COLOR, Source};
 
@@ -251,10 +251,7 @@ impl<'d, 'i> Walk<'d, 'i> {
                         self.ignore(node, ground, INSIDE);
                         continue;
                     }
-                    self.drawing.entities.push(Entity {
-                        origin: origin.clone(),
-                        path: path.mapped(&ground.map),
-                    });
+                    self.drawing.add(origin.clone(), path.mapped(&ground.map));
                 }
             }
             Err(reason) => self.problem(node, ground, reason, MEND),
