@@ -1,6 +1,6 @@
 //! `cspace simulate`.
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
 
 /// A block that is pushed to the end of its range.
 pub(crate) const JAM: &str = r#"
@@ -289,5 +289,23 @@ fn joined_parts_that_go_through_each_other_are_told() {
     assert!(
         said.contains("base") && said.contains("arm") && said.contains(&time),
         "{said} {time}"
+    );
+}
+
+/// In large steps a pin is pushed into the plug by more than it moves in a step: that is no motion.
+#[test]
+fn steps_that_let_parts_overlap_are_told() {
+    let model = format!(
+        "{}/tests/models/tumbler_pin.toml",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let answer = json_beside_notes(&[
+        "simulate", &model, "--time", "0.1", "--scheme", "stepping", "--step", "0.0005",
+    ]);
+    assert_eq!(answer["status"], "undetermined");
+    let reason = answer["reason"].as_str().unwrap();
+    assert!(
+        reason.contains("overlap by") && reason.contains("shorter steps"),
+        "{reason}"
     );
 }

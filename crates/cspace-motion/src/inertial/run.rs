@@ -104,7 +104,14 @@ pub(crate) fn run(
         ),
         Ended::Stuck { .. } if scheme != Scheme::Events => (
             Status::Undetermined,
-            Some("a pair left its space, or joints cannot hold; take shorter steps".to_owned()),
+            Some(match &motion.ended {
+                Ended::Stuck { contacts } if !contacts.is_empty() => format!(
+                    "contacts do not keep parts apart, which overlap by {:.1e}; take shorter steps: {}",
+                    motion.open,
+                    list(contacts)
+                ),
+                _ => "a pair left its space, or joints cannot hold; take shorter steps".to_owned(),
+            }),
         ),
         Ended::Stuck { contacts } => {
             let names = list(contacts);

@@ -47,7 +47,11 @@ struct Summary<'a> {
     doubtful_orientations: Option<&'a [(f64, f64)]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     statistics: Option<Statistic>,
+    /// How long this run took for it.
     seconds: Seconds,
+    /// Whether the space was computed before, and read.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    cached: bool,
 }
 
 /// The degrees of freedom of a pair without orientations: two axes, or a joint.
@@ -176,7 +180,15 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
     let summaries: Vec<Summary<'_>> = pairs
         .iter()
         .zip(&spaces)
-        .map(|(pair, (space, seconds))| summary(pair, space, *seconds))
+        .map(|(pair, (space, seconds))| {
+            let mut summary = summary(pair, space, *seconds);
+            // The stages that are read with a space are those of an earlier run.
+            if !matches!(space, Space::Computed(_)) {
+                summary.cached = true;
+                summary.seconds = Seconds::Total { total: *seconds };
+            }
+            summary
+        })
         .collect();
     Ok(match common.result.format() {
         Format::Json => Answer::Json(super::json(&summaries)?),
@@ -231,6 +243,7 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
         doubtful_orientations: None,
         statistics: None,
         seconds: Seconds::Total { total: seconds },
+        cached: false,
     };
     match space {
         PairSpace::Lower(lower) => {

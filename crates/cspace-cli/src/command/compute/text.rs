@@ -78,10 +78,9 @@ pub(super) fn describe(
         "  exact to       {:.1e}{unit}; a clearance below {:.1e}{unit} counts as none",
         s.resolution, s.least_clearance
     )?;
-    let computed = match (pair.is_saved(), &s.seconds) {
-        (true, Seconds::Stages(_)) => " when it was computed",
-        (true, Seconds::Total { .. }) => " to look at it",
-        _ => "",
+    let computed = match s.cached {
+        true => " to read it: it was computed before",
+        false => "",
     };
     writeln!(
         text,

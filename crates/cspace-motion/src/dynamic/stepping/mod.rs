@@ -31,6 +31,11 @@ use sweeps::Impulses;
 
 /// Contacts are searched within this multiple of the penetration plus the displacement in a step.
 const FARTHER: f64 = 2.0;
+/// Parts that overlap by more than this multiple of the farthest displacement in a step are not kept apart by their contacts: what is met
+/// is as deep as one displacement, and curved contacts drift.
+const DEEPER: f64 = 2.0;
+/// And by more than this share of the size of what moves.
+const DEEP: f64 = 0.01;
 /// Times within this share of a step are one.
 const SAME_TIME: f64 = 1e-6;
 
@@ -53,6 +58,7 @@ pub fn step_through<W: World + ?Sized>(
         known: HashMap::new(),
         story: Story::default(),
         open: 0.0,
+        fastest: 0.0,
         work: Work::default(),
     };
     let mut first = start.clone();
@@ -106,6 +112,8 @@ struct Stepping<'a, W: World + ?Sized> {
     known: HashMap<usize, [f64; 2]>,
     story: Story,
     open: f64,
+    /// The largest speed so far.
+    fastest: f64,
     work: Work,
 }
 
@@ -208,9 +216,14 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         let found = world.overlapping(middle.t, &middle.q, self.way(middle));
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
+        self.fastest = self.fastest.max(world.speed(middle));
+        let deepest = (DEEPER * self.h * self.fastest).max(DEEP * world.size());
         for contact in found {
             let touch = world.touch(contact, middle.t, &middle.q);
             self.open = self.open.max(-touch.gap);
+            if -touch.gap > deepest {
+                return Err(stuck(vec![contact]));
+            }
             active.push(Active {
                 contact,
                 opening: touch.opening(&middle.v),
