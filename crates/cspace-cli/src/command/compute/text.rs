@@ -8,7 +8,7 @@ use cspace::{Axis, AxisMotion, PairClass, PairSpace, Part};
 use crate::subject::Chosen;
 use crate::wording::{angle, count, length, symmetry};
 
-use super::{Counts, MotionSpace, Seconds, Statistic, Summary, answer};
+use super::{Counts, MotionSpace, Statistic, Summary, answer};
 
 /// The answer first, then counts; with `verbose` also the numbers that show how certain the structure is.
 pub(super) fn describe(
