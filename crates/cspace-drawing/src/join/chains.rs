@@ -1,6 +1,6 @@
 //! Closed chains of pieces are loops; open ones are problems.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use cspace::Point;
 use rstar::RTree;
@@ -8,6 +8,7 @@ use rstar::primitives::GeomWithData;
 
 use super::bridges::Bridges;
 use super::joined::{Chain, ChainPiece, Joined, origin_of};
+use super::loose::Outlined;
 use super::pieces::{End, Pieces, ROUND, Segment, Shape, end, of_end};
 use crate::drawing::{Drawing, Problem};
 use crate::shown;
@@ -27,7 +28,7 @@ pub(super) fn collect<'d>(
     joined: &mut Joined<'d>,
 ) {
     let mut is_done = vec![false; pieces.segments.len()];
-    let mut open: Vec<[End; 2]> = Vec::new();
+    let mut open: Vec<([End; 2], usize)> = Vec::new();
     let alive = |i: &usize| !pieces.segments[*i].is_removed;
     // Open chains first, from their ends: what is left then is closed.
     for i in (0..pieces.segments.len()).filter(alive) {
@@ -48,7 +49,7 @@ pub(super) fn collect<'d>(
         let last = chain[chain.len() - 1];
         let ends = [end(i, side), last ^ 1];
         if !ends.iter().any(|&e| ambiguous.contains(&of_end(e).0)) {
-            open.push(ends);
+            open.push((ends, joined.open.len() - 1));
         }
     }
     for i in (0..pieces.segments.len()).filter(alive) {
@@ -111,7 +112,7 @@ fn piece<'d>(pieces: &Pieces<'d>, entered: End) -> ChainPiece<'d> {
 fn tell_open(
     pieces: &Pieces<'_>,
     drawing: &Drawing,
-    open: &[[End; 2]],
+    open: &[([End; 2], usize)],
     [size, reach]: [f64; 2],
     joined: &mut Joined<'_>,
 ) {
@@ -122,7 +123,7 @@ fn tell_open(
     };
     let tree: RTree<Near> = RTree::bulk_load(
         open.iter()
-            .flatten()
+            .flat_map(|(ends, _)| ends)
             .map(|&e| Near::new(at(e), e))
             .collect(),
     );
@@ -133,16 +134,34 @@ fn tell_open(
     /// Gaps smaller than that share of the drawing may be meant to be closed.
     const SMALL: f64 = 0.01;
     let mut small: Vec<(usize, f64)> = Vec::new();
-    for ends in open {
-        let nearest = |e: End| {
-            (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
-                .map(|n| pieces.point(e).distance(pieces.point(n.data)))
+    let outlined = Outlined::of(&joined.loops, reach);
+    let other_end: HashMap<End, End> = (open.iter())
+        .flat_map(|&([a, b], _)| [(a, b), (b, a)])
+        .collect();
+    let (mut loose, mut problems, known) = (Vec::new(), Vec::new(), joined.problems.len());
+    for &(ends, chain) in open {
+        let nearest = |e: End, own: &[End]| {
+            let mut near = tree.nearest_neighbor_iter(at(e));
+            near.find(|n| !own.contains(&n.data)).map(|n| n.data)
         };
-        let [first, last] = ends.map(nearest);
+        let far = |e: End, to: Option<End>| {
+            to.map_or(f64::INFINITY, |to| {
+                pieces.point(e).distance(pieces.point(to))
+            })
+        };
+        let apart = ends.map(|e| far(e, nearest(e, &[e])));
+        // The ends of other chains, and both ends of one if they are its.
+        let others = ends.map(|e| nearest(e, &ends));
+        let off = far(ends[0], others[0]).min(far(ends[1], others[1]));
+        let beside = match others {
+            [Some(a), Some(b)] if other_end.get(&a) == Some(&b) => {
+                Some([a, b].map(|e| pieces.point(e)))
+            }
+            _ => None,
+        };
+        let chain = &joined.open[chain];
         // The end whose gap is wider decides whether the chain closes.
-        let gap = first
-            .unwrap_or(f64::INFINITY)
-            .max(last.unwrap_or(f64::INFINITY));
+        let gap = apart[0].max(apart[1]);
         let [a, b] = ends.map(|e| of_end(e).0);
         let [from, to] = ends.map(|e| pieces.point(e));
         let mut with = Vec::new();
@@ -172,7 +191,12 @@ fn tell_open(
             }
         }
         ways.dedup();
-        joined.problems.push(Problem {
+        // What would close the chain on another layer is another reading.
+        if ways.is_empty() && outlined.leaves_out(chain, off, SMALL * size, beside) {
+            loose.extend(chain.pieces.iter().map(|p| p.entity));
+            continue;
+        }
+        problems.push(Problem {
             origin: origin_of(drawing, pieces.segments[a].entity).clone(),
             with,
             at: Some(from),
@@ -187,13 +211,15 @@ fn tell_open(
                 ways.join("; ")
             } else if gap < SMALL * size {
                 // What closes all such gaps is known after the last.
-                small.push((joined.problems.len(), gap));
+                small.push((known + problems.len(), gap));
                 String::new()
             } else {
                 "close it in the drawing; if it is no outline, remove it, or read the other layers alone with --layer".to_owned()
             },
         });
     }
+    joined.loose = loose;
+    joined.problems.extend(problems);
     let widest = small.iter().fold(0.0, |most: f64, s| most.max(s.1));
     let what = match small.len() {
         1 => "close the gap in the drawing, or join it",

@@ -70,6 +70,20 @@ pub(super) fn join(
             continue;
         }
         let ends: Vec<End> = [a, b].into_iter().chain(rivals).collect();
+        // Of lines that go nowhere, as the stubs of dimensions do, none belongs to an outline.
+        let goes_nowhere = |&e: &End| {
+            let (piece, other) = (of_end(e).0, e ^ 1);
+            let mut near = tree.locate_within_distance(at_of(pieces, other), reach * reach);
+            pieces.segments[piece].is_line()
+                && pieces.linked(other).is_none()
+                && near.all(|n| n.data == other)
+        };
+        let going: Vec<End> = ends.iter().copied().filter(|e| !goes_nowhere(e)).collect();
+        if let &[c, d] = &going[..] {
+            let apart = pieces.point(c).distance(pieces.point(d));
+            close(pieces, c, d, apart, round, joined);
+            continue;
+        }
         ambiguous.extend(ends.iter().map(|&e| of_end(e).0));
         is_told.extend(&ends);
         joined.problems.push(problem(pieces, drawing, &ends));

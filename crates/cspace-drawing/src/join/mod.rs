@@ -8,11 +8,13 @@ mod bridges;
 mod chains;
 mod ends;
 mod joined;
+mod loose;
 mod overlaps;
 mod paths;
 mod pieces;
 
 pub(crate) use joined::{Chain, ChainPiece, Joined};
+pub(crate) use loose::LOOSE;
 pub(crate) use pieces::{ROUND, Shape};
 
 use crate::drawing::Drawing;

@@ -8,6 +8,7 @@ use cspace::{Part, Point};
 use super::settings::{DEFAULT_JOIN, Settings};
 use crate::drawing::{Entity, Ignored, Origin, Problem};
 use crate::fit::Outline;
+use crate::join::LOOSE;
 use crate::shown;
 use crate::unit::Unit;
 
@@ -68,6 +69,17 @@ impl Outlines {
                 format!("{n} small gaps are closed, as with join {join}: each end has one partner")
             }
         })
+    }
+
+    /// Note that lines were left out that are no outline, though that was not asked for; `None` if none were.
+    pub fn loose_lines(&self) -> Option<String> {
+        match self.ignored.iter().filter(|i| i.reason == LOOSE).count() {
+            0 => None,
+            1 => Some("a line by itself is left out: no outline goes on at its ends".to_owned()),
+            n => Some(format!(
+                "{n} lines by themselves are left out: no outline goes on at their ends"
+            )),
+        }
     }
 
     /// Warning that short pieces were removed because ends close to each other are joined by default, and how long they

@@ -230,11 +230,12 @@ fn centre_lines_and_hidden_edges_are_no_outlines() {
     }
     // The layer's line type is not that of an entity with its own.
     let text = dxf(layers, &(washer + &line("8\nAXES\n6\nCONTINUOUS\n")));
-    assert!(
-        from_text(Format::Dxf, &text, &Source::default())
-            .outlines(&Settings::default())
-            .is_err()
-    );
+    let outlines = (from_text(Format::Dxf, &text, &Source::default()))
+        .outlines(&Settings::default())
+        .unwrap();
+    are(&areas(&outlines), &[area]);
+    let reason = &outlines.ignored[0].reason;
+    assert!(reason.contains("line by itself"), "{reason}");
     let hidden = circle("6\nHIDDEN\n", 0.0, 2.0) + &circle("", 0.0, 10.0);
     let asked = Source {
         linetypes: vec!["hidden".to_owned()],
@@ -433,4 +434,62 @@ fn small_gaps_with_one_partner_are_closed() {
     path.edge_to(Point::new(-3.0, -3.0), 0.0);
     three.entities.push(cspace_drawing::Entity { path, ..stub });
     assert!(three.outlines(&Settings::default()).is_err());
+}
+
+/// A plate of 40 × 20 with a hole of radius 4 about (10, 10), and lines.
+fn plate(lines: &[[f64; 4]]) -> Drawing {
+    let mut entities = "0\nCIRCLE\n8\n0\n10\n10\n20\n10\n40\n4\n".to_owned();
+    let sides = [
+        [0.0, 0.0, 40.0, 0.0],
+        [40.0, 0.0, 40.0, 20.0],
+        [40.0, 20.0, 0.0, 20.0],
+        [0.0, 20.0, 0.0, 0.0],
+    ];
+    for [a, b, c, d] in sides.iter().chain(lines) {
+        entities += &format!("0\nLINE\n8\n0\n10\n{a}\n20\n{b}\n11\n{c}\n21\n{d}\n");
+    }
+    from_text(Format::Dxf, &dxf("", &entities), &Source::default())
+}
+
+#[test]
+fn lines_that_go_nowhere_are_left_out() {
+    let cross = [[4.0, 10.0, 16.0, 10.0], [10.0, 4.0, 10.0, 16.0]];
+    let through = [[-5.0, 10.0, 45.0, 10.0]];
+    // Stubs that begin at corners, where three ends meet.
+    let stubs = [[0.0, 20.0, 0.0, 28.0], [40.0, 20.0, 40.0, 32.0]];
+    for lines in [&cross[..], &through, &stubs] {
+        let read = plate(lines).outlines(&Settings::default()).unwrap();
+        are(&areas(&read), &[800.0 - 16.0 * PI]);
+        assert!(read.loose_lines().unwrap().contains("left out"));
+        let loose = read
+            .ignored
+            .iter()
+            .filter(|i| i.reason.contains("line by itself"));
+        assert_eq!(loose.count(), lines.len());
+    }
+    // Another reading is likely: a rib, the sides of a slot, a rectangle with rounded corners, without its arcs.
+    let rib = [[20.0, 0.0, 20.0, 20.0]];
+    let slot = [[20.0, 4.0, 36.0, 4.0], [20.0, 8.0, 36.0, 8.0]];
+    let round = [
+        [22.0, 5.0, 34.0, 5.0],
+        [36.0, 7.0, 36.0, 13.0],
+        [34.0, 15.0, 22.0, 15.0],
+        [20.0, 13.0, 20.0, 7.0],
+    ];
+    // And an outline that lacks its last side.
+    let open = [
+        [20.0, 4.0, 36.0, 4.0],
+        [36.0, 4.0, 36.0, 16.0],
+        [36.0, 16.0, 20.0, 16.0],
+    ];
+    for lines in [&rib[..], &slot, &round, &open] {
+        assert!(
+            plate(lines).outlines(&Settings::default()).is_err(),
+            "{lines:?}"
+        );
+    }
+    // Nothing else is drawn.
+    let line = "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n40\n21\n0\n";
+    let alone = from_text(Format::Dxf, &dxf("", line), &Source::default());
+    assert!(alone.outlines(&Settings::default()).is_err());
 }

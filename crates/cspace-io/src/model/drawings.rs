@@ -163,8 +163,10 @@ pub(super) fn read_drawing(
             .with_help(help));
     }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
-    if let Some(closed) = outlines.gaps_closed() {
-        setting.notes.push(table.error(key, closed));
+    for note in [outlines.gaps_closed(), outlines.loose_lines()] {
+        setting
+            .notes
+            .extend(note.map(|note| table.error(key, note)));
     }
     if let Some(note) = outlines.short_pieces(&settings) {
         let note = format!("{note}; if they matter, give a smaller `join`");
