@@ -639,6 +639,9 @@ pub(crate) struct TolerancesArgs {
     /// This requirement alone; may be given several times
     #[arg(long, value_name = "NAME")]
     pub(crate) requirement: Vec<String>,
+    /// Leave the extremes as they are found, without the proof that nothing is beyond them
+    #[arg(long, conflicts_with_all = ["allocate", "along", "zones"])]
+    pub(crate) no_proof: bool,
     /// Measure the yield on this many samples by chance
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000))]
     pub(crate) samples: u64,

@@ -19,6 +19,8 @@ pub(crate) struct Bar {
     begin: Instant,
     bar: Mutex<Option<ProgressBar>>,
     stage: Mutex<Option<Stage>>,
+    /// What is told above the bar once it is shown.
+    known: Mutex<Option<String>>,
 }
 
 impl Bar {
@@ -28,6 +30,7 @@ impl Bar {
             begin: Instant::now(),
             bar: Mutex::new(None),
             stage: Mutex::new(None),
+            known: Mutex::new(None),
         }
     }
 
@@ -48,6 +51,11 @@ impl Bar {
         })
     }
 
+    /// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
+    pub(crate) fn tell(&self, known: String) {
+        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(known);
+    }
+
     fn draw(&self) {
         if self.begin.elapsed() < PATIENCE || is_quiet() {
             return;
@@ -55,6 +63,14 @@ impl Bar {
         let stage = *self.stage.lock().unwrap_or_else(PoisonError::into_inner);
         let mut bar = self.bar.lock().unwrap_or_else(PoisonError::into_inner);
         let bar = bar.get_or_insert_with(|| self.open());
+        let known = self
+            .known
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take();
+        if let Some(known) = known {
+            bar.println(known);
+        }
         if let Some(stage) = stage {
             bar.set_position(stage as u64);
             bar.set_message(name(stage));

@@ -60,6 +60,7 @@ pub use sweep::{Row, Sweep, Varied};
 pub use tolerance::{
     Allocation, Band, Cell, ChangeKind, Contribution, Criterion, Extreme, LARGEST_FACTOR, Linear,
     Margin, MonteCarlo, NoZones, Station, Structural, ToleranceOptions, Tolerances, Unallocated,
-    Variation, Variations, Zone, ZoneBand, Zones, allocate, along, area, tolerances, zones,
+    Variation, Variations, Zone, ZoneBand, Zones, allocate, along, area, tolerances,
+    tolerances_with, zones,
 };
 pub use touching::{FeaturePair, pair_of, texts, touching};

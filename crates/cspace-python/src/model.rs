@@ -258,6 +258,7 @@ impl Model {
             samples,
             seed,
             requirements,
+            ..cspace_design::ToleranceOptions::default()
         };
         let variations = cspace_design::Variations::of(&model);
         let found = work::run(py, move |progress| {

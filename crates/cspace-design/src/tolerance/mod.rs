@@ -75,6 +75,8 @@ pub struct ToleranceOptions {
     pub seed: u64,
     /// The names of the requirements that are analysed; all if there are none.
     pub requirements: Vec<String>,
+    /// Whether extremes are left as they are found, without the proof that nothing is beyond them.
+    pub without_proof: bool,
 }
 
 /// Effects of tolerances on one requirement.
@@ -92,12 +94,16 @@ pub struct Tolerances {
     pub margin: Margin,
     /// Result of the samples, if they are asked for.
     pub monte_carlo: Option<MonteCarlo>,
+    /// Whether the progress ended the computation: what needs more than derivatives as drawn is not known then.
+    pub interrupted: bool,
 }
 
 /// Analyses the tolerances of every requirement of a model, which is that of the template with the values set.
 ///
+/// If the progress ends the computation, what is known by then is the answer ([`Tolerances::interrupted`]).
+///
 /// # Errors
-/// If the progress ends the computation.
+/// If the progress ends the computation before anything is known.
 pub fn tolerances(
     template: &Template,
     set: &[Setting],
@@ -105,7 +111,36 @@ pub fn tolerances(
     options: &ToleranceOptions,
     progress: &dyn Progress,
 ) -> Result<Vec<Tolerances>, Interrupted> {
-    Analysis::new(template, set, model, options, progress)?.of(&Variations::of(model))
+    tolerances_with(template, set, model, options, &|_| {}, progress)
+}
+
+/// As [`tolerances`]; `known` is told at once what derivatives as drawn say of each requirement, which is all of an interrupted answer.
+///
+/// # Errors
+/// As there.
+pub fn tolerances_with(
+    template: &Template,
+    set: &[Setting],
+    model: &Model,
+    options: &ToleranceOptions,
+    known: &dyn Fn(&[Tolerances]),
+    progress: &dyn Progress,
+) -> Result<Vec<Tolerances>, Interrupted> {
+    let analysis = Analysis::new(template, set, model, options, progress)?;
+    let variations = Variations::of(model);
+    let checked = analysis.checked();
+    let at_once: Vec<Tolerances> = (checked.iter())
+        .map(|(nominal, by)| analysis.at_once(&variations, nominal, by))
+        .collect();
+    known(&at_once);
+    let all = checked.into_iter().zip(at_once);
+    Ok(all
+        .map(|((nominal, by), at_once)| {
+            let whole =
+                (analysis.go_on()).and_then(|()| analysis.of_any(&variations, nominal, &by));
+            whole.unwrap_or(at_once)
+        })
+        .collect())
 }
 
 /// The requirements that are analysed, with their nominal values.
@@ -141,7 +176,7 @@ impl<'a> Analysis<'a> {
             set,
             model,
             options,
-            proves: true,
+            proves: !options.without_proof,
             spaces,
             progress,
         })
@@ -166,19 +201,53 @@ impl<'a> Analysis<'a> {
 
     /// Effects of these variations on each requirement.
     fn of(&self, variations: &Variations) -> Result<Vec<Tolerances>, Interrupted> {
+        let all = self.checked().into_iter().map(|(nominal, by)| {
+            self.go_on()?;
+            self.of_any(variations, nominal, &by)
+        });
+        all.collect()
+    }
+
+    /// The requirements as drawn, with their derivatives.
+    fn checked(&self) -> Vec<(Checked, Vec<Sensitivity>)> {
         let host = Host {
             set: self.set,
             ..Host::default()
         };
-        let checked = sensitivities_on(&self.spaces, self.template, &host, &self.model);
-        let all = checked.into_iter().map(|(nominal, by)| {
-            self.go_on()?;
-            if nominal.measured.is_err() {
-                return Ok(unmeasured(nominal));
+        sensitivities_on(&self.spaces, self.template, &host, &self.model)
+    }
+
+    /// What derivatives as drawn say of a requirement, and nothing else.
+    fn at_once(
+        &self,
+        variations: &Variations,
+        nominal: &Checked,
+        by: &[Sensitivity],
+    ) -> Tolerances {
+        let mut known = unmeasured(nominal.clone());
+        if let Ok(measured) = &nominal.measured {
+            if let Value::Number(_) = measured.value {
+                known.linear = self.study(variations, &nominal.requirement).linear(by);
             }
-            self.of_one(variations, nominal, &by)
-        });
-        all.collect()
+            known.interrupted = true;
+            known.margin = Margin {
+                factor: None,
+                what: "not known: the computation was interrupted".to_owned(),
+            };
+        }
+        known
+    }
+
+    fn of_any(
+        &self,
+        variations: &Variations,
+        nominal: Checked,
+        by: &[Sensitivity],
+    ) -> Result<Tolerances, Interrupted> {
+        match nominal.measured.is_err() {
+            true => Ok(unmeasured(nominal)),
+            false => self.of_one(variations, nominal, by),
+        }
     }
 
     fn of_one(
@@ -214,6 +283,7 @@ impl<'a> Analysis<'a> {
         let margin = study.margin([ends[0].as_ref(), ends[1].as_ref()], &structure);
         let samples =
             (self.options.samples > 0).then(|| self.sampled(&study, self.options.samples));
+        self.go_on()?;
         Ok(Tolerances {
             nominal,
             linear,
@@ -221,6 +291,7 @@ impl<'a> Analysis<'a> {
             structure,
             margin,
             monte_carlo: samples.transpose()?,
+            interrupted: false,
         })
     }
 
@@ -243,5 +314,6 @@ fn unmeasured(nominal: Checked) -> Tolerances {
             what: "it has no value as drawn".to_owned(),
         },
         monte_carlo: None,
+        interrupted: false,
     }
 }

@@ -1,9 +1,11 @@
 //! Tolerances of designs whose answers are known, and of random ones against configuration spaces.
 
-use cspace::{Configuration, Relation, Silent, overlap_as_drawn};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use cspace::{ComputeError, Configuration, Progress, Relation, Silent, Stage, overlap_as_drawn};
 use cspace_design::{
     Allocation, ChangeKind, Criterion, ToleranceOptions, Tolerances, Unmeasured, Value, Variations,
-    allocate, along, check, tolerances, zones,
+    allocate, along, check, tolerances, tolerances_with, zones,
 };
 use cspace_io::Host;
 use cspace_io::model::{Coordinate, Subject, Template};
@@ -837,4 +839,50 @@ fn flush_parts_need_no_space() {
         samples.computed == 0.0 && samples.failures.is_empty(),
         "{samples:?}"
     );
+}
+
+/// Progress that ends a computation once something is known.
+struct UntilKnown(AtomicBool);
+
+impl Progress for UntilKnown {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        match self.0.load(Ordering::Relaxed) {
+            true => Err(ComputeError::Interrupted),
+            false => Ok(()),
+        }
+    }
+}
+
+#[test]
+fn what_is_known_at_once_is_kept() {
+    let template = Template::from_text(PEG.to_owned(), "peg.toml").unwrap();
+    let model = template.model(&Host::default()).unwrap();
+    let options = ToleranceOptions::default();
+    let whole = tolerances(&template, &[], &model, &options, &Silent).unwrap();
+    let progress = UntilKnown(AtomicBool::new(false));
+    let known = |known: &[Tolerances]| {
+        assert!(known.iter().all(|of| of.interrupted && of.exact.is_none()));
+        progress.0.store(true, Ordering::Relaxed);
+    };
+    let cut = tolerances_with(&template, &[], &model, &options, &known, &progress).unwrap();
+    for (cut, whole) in cut.iter().zip(&whole) {
+        let (a, b) = (cut.linear.as_ref().unwrap(), whole.linear.as_ref().unwrap());
+        assert!(cut.interrupted && !whole.interrupted && a.worst == b.worst && a.rss == b.rss);
+    }
+    let options = ToleranceOptions {
+        without_proof: true,
+        ..options
+    };
+    let found = tolerances(&template, &[], &model, &options, &Silent).unwrap();
+    for (found, whole) in found.iter().zip(&whole) {
+        let (found, whole) = (found.exact.as_ref().unwrap(), whole.exact.as_ref().unwrap());
+        for (found, proved) in found.iter().zip(whole) {
+            assert!(proved.certified && !found.certified);
+            near(
+                *found.value.as_ref().unwrap(),
+                *proved.value.as_ref().unwrap(),
+                1e-9,
+            );
+        }
+    }
 }

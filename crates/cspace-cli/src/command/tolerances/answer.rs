@@ -30,6 +30,9 @@ pub(crate) struct Row {
     margin: Option<f64>,
     /// The condition that fails at that factor.
     fails: String,
+    /// Whether the computation was interrupted: what needs more than derivatives as drawn is not known then.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    interrupted: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     monte_carlo: Option<Samples>,
 }
@@ -156,6 +159,7 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
         structure: of.structure.iter().map(change).collect(),
         margin: of.margin.factor,
         fails: of.margin.what.clone(),
+        interrupted: of.interrupted,
         monte_carlo: of.monte_carlo.as_ref().map(samples),
     }
 }

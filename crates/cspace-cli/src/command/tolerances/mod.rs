@@ -6,12 +6,12 @@ pub(crate) mod answer;
 mod text;
 mod zones;
 
-use cspace_design::{ToleranceOptions, Variations, allocate, tolerances};
+use cspace_design::{ToleranceOptions, Tolerances, Variations, allocate, tolerances_with};
 
 use crate::args::{Format, TolerancesArgs};
 use crate::failure::Failure;
 use crate::input;
-use crate::interrupt::catch_interrupts;
+use crate::interrupt::{self, catch_interrupts};
 use crate::output;
 use crate::progress::Bar;
 use crate::subject::set_threads;
@@ -60,6 +60,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         samples: args.samples,
         seed: args.seed,
         requirements: chosen.iter().map(|&name| name.to_owned()).collect(),
+        without_proof: args.no_proof,
     };
     let unit = model.mechanism.unit.as_ref();
     let unit = unit.map_or(String::new(), |u| format!(" {u}"));
@@ -103,14 +104,22 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         };
         return output::write(output, &answer);
     }
+    interrupt::keep();
     let found = bar
-        .watch(|bar| tolerances(&template, &values.set, &model, &options, bar))
-        .map_err(Failure::work)?;
+        .watch(|bar| {
+            let known = |known: &[Tolerances]| bar.tell(text::at_once(&variations, known, &unit));
+            tolerances_with(&template, &values.set, &model, &options, &known, bar)
+        })
+        .map_err(Failure::unanswered)?;
     let answer = match args.result.format() {
         Format::Json => super::json(&answer::rows(&variations, &found))?,
         Format::Text => text::described(&variations, &found, &unit).into_bytes(),
     };
-    output::write(output, &answer)
+    output::write(output, &answer)?;
+    if found.iter().any(|of| of.interrupted) {
+        return Err(Failure::unanswered("interrupted: what is known is written"));
+    }
+    Ok(())
 }
 
 /// The cost of each variation's tolerance: 1 unless given.

@@ -34,6 +34,28 @@ pub(super) fn described(variations: &Variations, found: &[Tolerances], unit: &st
     text
 }
 
+/// What derivatives as drawn say, while the rest is computed.
+pub(super) fn at_once(variations: &Variations, known: &[Tolerances], unit: &str) -> String {
+    let mut text = String::new();
+    for of in known {
+        let (Some(linear), name) = (&of.linear, &of.nominal.requirement.name) else {
+            continue;
+        };
+        let dimension = of.nominal.requirement.dimension;
+        let [worst, rss] = [linear.worst, linear.rss].map(|both| {
+            let [lo, hi] = both.map(|x| number(dimension, unit, x));
+            format!("{lo} to {hi}")
+        });
+        let _ = writeln!(text, "{name}: linear {worst}, rss {rss}");
+    }
+    let parameters = variations.len();
+    let _ = write!(
+        text,
+        "extremes within the tolerances of {parameters} parameters are sought and proved; --no-proof finds them alone, Ctrl-C keeps what is known"
+    );
+    text
+}
+
 impl Words<'_> {
     fn number(&self, x: f64) -> String {
         number(self.dimension, self.unit, x)
@@ -104,6 +126,7 @@ impl Words<'_> {
     /// The first line: whether the requirement holds within the tolerances, and the parameter that matters most.
     fn summary(&self, of: &Tolerances) -> String {
         let fails = match of.margin.factor {
+            _ if of.interrupted => "interrupted".to_owned(),
             Some(0.0) => "not met as drawn".to_owned(),
             Some(factor) if factor < 1.0 => {
                 let happens = of.structure.iter().find(|c| c.share == factor);
