@@ -19,7 +19,7 @@ pub(crate) struct Bar {
     begin: Instant,
     bar: Mutex<Option<ProgressBar>>,
     stage: Mutex<Option<Stage>>,
-    /// What is told above the bar once it is shown.
+    /// Words that are told above the bar once it is shown.
     known: Mutex<Option<String>>,
 }
 

@@ -217,7 +217,7 @@ impl<'a> Analysis<'a> {
         sensitivities_on(&self.spaces, self.template, &host, &self.model)
     }
 
-    /// What derivatives as drawn say of a requirement, and nothing else.
+    /// Effects of tolerances as far as derivatives as drawn say.
     fn at_once(
         &self,
         variations: &Variations,

@@ -34,7 +34,7 @@ pub(super) fn described(variations: &Variations, found: &[Tolerances], unit: &st
     text
 }
 
-/// What derivatives as drawn say, while the rest is computed.
+/// Describes what derivatives as drawn say, while the rest is computed.
 pub(super) fn at_once(variations: &Variations, known: &[Tolerances], unit: &str) -> String {
     let mut text = String::new();
     for of in known {
