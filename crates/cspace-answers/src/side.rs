@@ -10,11 +10,13 @@ use crate::rounded::rounded;
 
 /// Lengths that differ by less than this share of the part's size are the same: drawings have six digits and more.
 const SAME: f64 = 1e-6;
+/// Edges whose directions differ by less than this sine join smoothly: drawings have six digits and more.
+const SMOOTH: f64 = 1e-5;
 /// A direction within this of that of an axis is called by it alone, radians.
 const ALONG: f64 = PI / 6.0;
 
 /// Where on a part a feature is: "left side" if nothing of the part is farther left, "left wall of a recess, at 3, -2" if something is,
-/// "left wall of the hole about 0, 0", "circle of radius 2 about 0, 0", "corner at 1, 2". Directions and places are those of the part as
+/// "left wall of the hole about 0, 0", "circle of radius 2 about 0, 0", also of a vertex on it, "corner at 1, 2". Directions and places are those of the part as
 /// it is drawn, in its own frame. There is none of a feature that the part does not have.
 ///
 /// ```
@@ -30,13 +32,29 @@ pub fn place_on_part(part: &Part, feature: FeatureName) -> Option<String> {
     let index = feature.index as usize;
     if feature.kind == FeatureKind::Vertex {
         let at = outline.vertices().get(index)?.point();
-        return Some(format!("corner at {}", place(at)));
+        let [before, after] = beside(outline, index)?;
+        let (into, out) = (before.end_direction(), after.start_direction());
+        // Where edges join smoothly is no corner: it is on the one that is round.
+        let is_smooth =
+            into.dot(out) > 0.0 && into.cross(out).abs() <= SMOOTH * into.length() * out.length();
+        return Some(match [before, after].iter().find(|edge| !edge.is_line()) {
+            Some(edge) if is_smooth => arc(part, outline, edge),
+            _ => format!("corner at {}", place(at)),
+        });
     }
     let edge = outline.edges().find(|edge| edge.index == index)?;
     Some(match edge.is_line() {
         true => line(part, outline, &edge),
         false => arc(part, outline, &edge),
     })
+}
+
+/// The edges that end and begin at a vertex.
+fn beside(outline: &Loop, index: usize) -> Option<[Edge; 2]> {
+    let edges: Vec<Edge> = outline.edges().collect();
+    let after = edges.iter().position(|edge| edge.index == index)?;
+    let before = after.checked_sub(1).unwrap_or(edges.len() - 1);
+    Some([edges[before], edges[after]])
 }
 
 fn line(part: &Part, outline: &Loop, edge: &Edge) -> String {

@@ -71,12 +71,14 @@ impl Ring {
         ROUND * self.size()
     }
 
-    /// Vertices and the middles of edges, of very many some.
+    /// Vertices, the middles of edges, and places between, of very many some: a circle in its square lies on it at all of the first two.
     pub(crate) fn places(&self) -> impl Iterator<Item = Point> {
         /// Number of edges that are sampled; loops that cross are found after few.
         const MOST: usize = 256;
+        /// A share of an edge at which nothing is that is drawn evenly: the golden section.
+        const BETWEEN: f64 = 0.618_033_988_749_894_9;
         let step = self.edges.len().div_ceil(MOST).max(1);
-        (self.edges.iter().step_by(step)).flat_map(|e| [e.start, e.at(0.5)])
+        (self.edges.iter().step_by(step)).flat_map(|e| [e.start, e.at(0.5), e.at(BETWEEN)])
     }
 
     /// Whether another loop is within this one; it may touch it. Loops that cross, as parts of an assembly do, are not

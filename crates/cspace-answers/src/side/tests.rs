@@ -89,6 +89,7 @@ fn circles_holes_and_rounds() -> Result<(), PartError> {
     let ring = Part::new("ring", vec![circle(1.0, 5.0), circle(2.0, 1.5)])?;
     let outside = named(&ring, ConvexArc, 0, 1);
     assert_eq!(outside, "circle of radius 5 about 1, 0");
+    assert_eq!(named(&ring, FeatureKind::Vertex, 0, 0), outside);
     let inside = named(&ring, ConcaveArc, 1, 0);
     assert_eq!(inside, "hole of radius 1.5 about 2, 0");
     // A plate with a half round to the right, beyond its straight side, and a half round hollow at the top.

@@ -224,7 +224,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             energy(pass.energy)
         )?;
         for &features in &pass.features {
-            writeln!(text, "  {}", pair.touch(features))?;
+            writeln!(text, "  {}", pair.touches(features))?;
         }
     }
     if !told.path.is_empty() {

@@ -319,7 +319,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
             Stop::Contact => {
                 /// More are counted.
                 const MOST: usize = 2;
-                let shown = d.features.iter().take(MOST).map(|&f| pair.touch(f));
+                let shown = d.features.iter().take(MOST).map(|&f| pair.touches(f));
                 let touches = shown.collect::<Vec<_>>().join(" and ");
                 match d.features.len().saturating_sub(MOST) {
                     0 => format!(", to where {touches}"),

@@ -493,3 +493,19 @@ fn lines_that_go_nowhere_are_left_out() {
     let alone = from_text(Format::Dxf, &dxf("", line), &Source::default());
     assert!(alone.outlines(&Settings::default()).is_err());
 }
+
+/// A circle in a square of its diameter touches it, wherever it is begun: that is no hole, and no part within another.
+#[test]
+fn a_hole_that_touches_its_outline_is_refused() {
+    let square = "0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n10\n0\n20\n0\n10\n20\n20\n0\n10\n20\n20\n20\n10\n0\n20\n20\n";
+    for (x, y, radius) in [(10, 10, 10), (5, 10, 5), (10, 16, 4)] {
+        let circle = format!("0\nCIRCLE\n8\n0\n10\n{x}\n20\n{y}\n40\n{radius}\n");
+        let drawing = from_text(
+            Format::Dxf,
+            &dxf("", &(square.to_owned() + &circle)),
+            &Source::default(),
+        );
+        let error = drawing.outlines(&Settings::default()).unwrap_err();
+        assert!(error.to_string().contains("touch"), "{error}");
+    }
+}

@@ -44,7 +44,14 @@ impl Run<'_> {
     fn jammed(&mut self, time: f64, q: &[f64], obstacles: Vec<(Bound, f64)>) {
         let list: Vec<String> = obstacles.iter().map(|(b, _)| self.text(b)).collect();
         let reason = if list.is_empty() {
-            "the drives contradict the joints".to_owned()
+            match time > 0.0 {
+                // What has gone on so far comes to where the joints let it go no farther.
+                true => {
+                    "the joints are at a dead point: what is driven can go no farther with them"
+                        .to_owned()
+                }
+                false => "the drives contradict the joints".to_owned(),
+            }
         } else {
             format!("what is driven cannot go on: {}", list.join("; "))
         };
