@@ -64,9 +64,9 @@ fn a_block_in_a_ring() {
     goes(&answer, "turn - about its middle", turned);
     let text = printed(&["play", path, "--at=-1.4,-1.7,0"]);
     assert!(text.contains("caged: block cannot leave it"), "{text}");
-    assert!(text.contains(
-        "+x                       0.400000 mm, to where line 1 of loop 1 of ring ("
-    ));
+    assert!(
+        text.contains("+x                       0.400000 mm, to where line 1 of loop 1 of ring (")
+    );
 }
 
 #[test]

@@ -344,7 +344,8 @@ fn features_have_their_names() {
         let at = ["--at", "1,0,0"];
         assert!(printed(&[&["contacts", file][..], &at].concat()).contains("right wall of ring"));
         assert!(
-            printed(&[&["play", file][..], &at].concat()).contains("right wall of ring (right wall of ")
+            printed(&[&["play", file][..], &at].concat())
+                .contains("right wall of ring (right wall of ")
         );
         assert!(
             printed(&[&["draw", file][..], &at].concat()).contains(">right wall of ring touches")

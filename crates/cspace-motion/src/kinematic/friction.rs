@@ -120,6 +120,10 @@ pub(super) fn states(pairs: &Pairs, bounds: &[Bound], before: &[Bound]) -> Vec<V
         });
         states = extended.collect();
     }
-    states.sort_by_key(|(state, changes)| if few { state.len() } else { *changes });
+    let sticking = |state: &[Bound]| state.iter().filter(|b| grip(b) == Grip::Sticks).count();
+    states.sort_by_key(|(state, changes)| match few {
+        true => (state.len(), sticking(state)),
+        false => (*changes, 0),
+    });
     states.into_iter().map(|s| s.0).collect()
 }

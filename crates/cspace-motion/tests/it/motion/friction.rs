@@ -450,3 +450,43 @@ fn a_sleeve_hangs_on_its_pole_by_friction() {
     assert_eq!(record.status, Status::Undetermined);
     assert!(record.reason.unwrap().starts_with("nothing stops"));
 }
+
+/// A drawer of depth L in its cabinet that is pushed beside its middle by e touches at two points, and jams if and only if these are less
+/// than 2 μ e apart along it. Beyond that it may also be held by pressing the two against each other, which nothing does: it goes home.
+#[test]
+fn a_drawer_goes_home_where_it_can() {
+    let (friction, beside) = (0.1, 25.0);
+    let mut jams = 0;
+    for depth in [4.0, 4.5, 5.0, 5.25, 5.5, 6.0, 6.5, 7.5, 10.0] {
+        let (_, record) = run(
+            &read(&format!(
+                r#"
+friction = {friction}
+[[part]]
+name = "cabinet"
+motion = {{ type = "fixed" }}
+loops = [[[50.0005, 0], [70, 0], [70, -320], [-70, -320], [-70, 0], [-50.0005, 0], [-50.0005, -300], [50.0005, -300]]]
+[[part]]
+name = "drawer"
+loops = [[[-50, -{depth:?}], [50, -{depth:?}], [50, 350], [-50, 350]]]
+[[load]]
+part = "drawer"
+force = [0, -10000]
+at = [{beside}, 340]
+"#
+            )),
+            1.0,
+            0.5,
+        );
+        assert_eq!(record.status, Status::Done, "{depth}: {:?}", record.reason);
+        let down = -record.samples.last().unwrap().coordinates[1];
+        let apart = depth + down;
+        if apart < 2.0 * friction * beside {
+            jams += 1;
+        } else {
+            // The end of the cabinet.
+            near(&format!("{depth}"), apart, 300.0, 1e-2);
+        }
+    }
+    assert_eq!(jams, 2);
+}
