@@ -261,6 +261,11 @@ impl Model {
             ..cspace_design::ToleranceOptions::default()
         };
         let variations = cspace_design::Variations::of(&model);
+        if variations.is_empty() {
+            return Err(error(
+                "no parameter has a tolerance: give one in [parameter], such as pin = { value = 6.0, tol = 0.02 }",
+            ));
+        }
         let found = work::run(py, move |progress| {
             cspace_design::tolerances(&template, &set, &model, &options, progress)
                 .map_err(|e| e.to_string())

@@ -1,12 +1,18 @@
 """Paths as they are read: rows, places along them, and what is said of what is no path."""
 
+import concurrent.futures
+import importlib.util
 import math
+import pathlib
 import warnings
 
 import numpy as np
 import pytest
 
 import cspace as cs
+
+
+ROOT = pathlib.Path(__file__).parents[3]
 
 
 @pytest.fixture(scope="module")
@@ -136,3 +142,23 @@ def test_an_exact_fit_has_a_way_with_a_gap():
     plan, play = space.plan((0, 0, 0)), space.play((0, 0, 0))
     assert plan and 0 < plan.gap < 1e-4 and 0 < play["x"].length < 4 * plan.gap and play["x"].gap == plan.gap
     assert space.move((0, 0, 0), (0, 20, 0)).result == "free" and space.plan((9, 9, 0), (30, 0, 0)).gap is None
+
+
+def test_functions_without_a_name_are_sent_or_refused():
+    with concurrent.futures.ThreadPoolExecutor(1) as executor:
+        def sweep():
+            return cs.sweep(lambda a: 2 * a, map=executor.map, a=[1, 2])
+
+        if importlib.util.find_spec("cloudpickle"):
+            assert sweep()["value"].tolist() == [2, 4]
+        else:
+            with pytest.raises(cs.Error, match="cloudpickle"):
+                sweep()
+    assert cs.sweep(lambda a: 2 * a, map=map, a=[1, 2])["value"].tolist() == [2, 4]
+
+
+def test_nothing_to_vary_is_told(space):
+    model = cs.Model.load(ROOT / "models/peg_hole.toml")
+    with pytest.raises(cs.Error, match="tolerance"):
+        model.tolerances()
+    assert space.patches is space.patches and space.regions is space.regions

@@ -37,10 +37,12 @@ class ContactSpace:
     around, a millionth of the size, which their records tell.
     """
 
-    __slots__ = ("_space",)
+    __slots__ = ("_patches", "_regions", "_space")
 
     def __init__(self, space: _rust.ContactSpace) -> None:
         self._space = space
+        self._patches: list[Patch] | None = None
+        self._regions: list[Region] | None = None
 
     def classify(self, q: ArrayLike) -> Any:
         """0 (`cspace.FREE`) where the configuration is free, 1 (`BLOCKED`) where the parts overlap, 2 (`CONTACT`) in contact: an integer for
@@ -103,12 +105,16 @@ class ContactSpace:
     @property
     def regions(self) -> list[Region]:
         """The free regions, by their numbers."""
-        return [Region(tuple(sample), caged) for sample, caged in self._space._regions()]
+        if self._regions is None:
+            self._regions = [Region(tuple(sample), caged) for sample, caged in self._space._regions()]
+        return self._regions
 
     @property
     def patches(self) -> list[Patch]:
         """The contact patches, by their numbers."""
-        return [Patch(*patch) for patch in self._space._patches()]
+        if self._patches is None:
+            self._patches = [Patch(*patch) for patch in self._space._patches()]
+        return self._patches
 
     def links(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
         """Links between patches as four arrays: first patch, second patch, and the smallest and largest orientation at which they meet;

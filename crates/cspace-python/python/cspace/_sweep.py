@@ -1,5 +1,7 @@
 """Any function over many values, here or on a cluster."""
 
+import builtins
+import importlib
 import inspect
 import os
 import pickle
@@ -25,6 +27,20 @@ def _function(sent: bytes) -> Callable[..., Any]:
     """The function that was sent, read once in each worker."""
     function: Callable[..., Any] = pickle.loads(sent)
     return function
+
+
+def _sent(function: Callable[..., Any]) -> bytes:
+    """A function as workers receive it: one without a name by cloudpickle, where that is installed."""
+    try:
+        return pickle.dumps(function)
+    except (AttributeError, TypeError, pickle.PicklingError) as error:
+        try:
+            sent: bytes = importlib.import_module("cloudpickle").dumps(function)
+            return sent
+        except ImportError:
+            raise Error(
+                f"`function` cannot be sent to workers ({error}): define it with a name in a module, or install cloudpickle"
+            ) from None
 
 
 def _numbers(answer: Any) -> dict[str, float]:
@@ -85,10 +101,10 @@ def sweep(
     if not callable(function):
         raise Error(f"`function` is {function!r}, which cannot be called")
     names, table = _table(rows, values)
-    if map is None:
+    if map is None or map is builtins.map:
         answers = _answers(function, names, table)
     else:
-        sent, process = pickle.dumps(function), os.getpid()
+        sent, process = _sent(function), os.getpid()
         blocks = range(0, len(table), _TOGETHER)
         tasks = [(i, process, sent, names, table[i : i + _TOGETHER]) for i in blocks]
         # Maps that do not keep the order are put in order.
