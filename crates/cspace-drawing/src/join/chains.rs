@@ -1,14 +1,14 @@
 //! Closed chains of pieces are loops; open ones are problems.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use cspace::Point;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
 use super::bridges::Bridges;
+use super::centre_lines::Centres;
 use super::joined::{Chain, ChainPiece, Joined, origin_of};
-use super::loose::Outlined;
 use super::pieces::{End, Pieces, ROUND, Segment, Shape, end, of_end};
 use crate::drawing::{Drawing, Problem};
 use crate::shown;
@@ -134,34 +134,23 @@ fn tell_open(
     /// Gaps smaller than that share of the drawing may be meant to be closed.
     const SMALL: f64 = 0.01;
     let mut small: Vec<(usize, f64)> = Vec::new();
-    let outlined = Outlined::of(&joined.loops, reach);
-    let other_end: HashMap<End, End> = (open.iter())
-        .flat_map(|&([a, b], _)| [(a, b), (b, a)])
-        .collect();
+    let centres = Centres::of(&joined.loops, reach);
     let (mut loose, mut problems, known) = (Vec::new(), Vec::new(), joined.problems.len());
     for &(ends, chain) in open {
-        let nearest = |e: End, own: &[End]| {
-            let mut near = tree.nearest_neighbor_iter(at(e));
-            near.find(|n| !own.contains(&n.data)).map(|n| n.data)
-        };
-        let far = |e: End, to: Option<End>| {
-            to.map_or(f64::INFINITY, |to| {
-                pieces.point(e).distance(pieces.point(to))
-            })
-        };
-        let apart = ends.map(|e| far(e, nearest(e, &[e])));
-        // The ends of other chains, and both ends of one if they are its.
-        let others = ends.map(|e| nearest(e, &ends));
-        let off = far(ends[0], others[0]).min(far(ends[1], others[1]));
-        let beside = match others {
-            [Some(a), Some(b)] if other_end.get(&a) == Some(&b) => {
-                Some([a, b].map(|e| pieces.point(e)))
-            }
-            _ => None,
-        };
         let chain = &joined.open[chain];
+        if centres.has_line(chain) {
+            loose.extend(chain.pieces.iter().map(|p| p.entity));
+            continue;
+        }
+        let nearest = |e: End| {
+            (tree.nearest_neighbor_iter(at(e)).find(|n| n.data != e))
+                .map(|n| pieces.point(e).distance(pieces.point(n.data)))
+        };
+        let [first, last] = ends.map(nearest);
         // The end whose gap is wider decides whether the chain closes.
-        let gap = apart[0].max(apart[1]);
+        let gap = first
+            .unwrap_or(f64::INFINITY)
+            .max(last.unwrap_or(f64::INFINITY));
         let [a, b] = ends.map(|e| of_end(e).0);
         let [from, to] = ends.map(|e| pieces.point(e));
         let mut with = Vec::new();
@@ -191,11 +180,6 @@ fn tell_open(
             }
         }
         ways.dedup();
-        // What would close the chain on another layer is another reading.
-        if ways.is_empty() && outlined.leaves_out(chain, off, SMALL * size, beside) {
-            loose.extend(chain.pieces.iter().map(|p| p.entity));
-            continue;
-        }
         problems.push(Problem {
             origin: origin_of(drawing, pieces.segments[a].entity).clone(),
             with,
@@ -218,7 +202,7 @@ fn tell_open(
             },
         });
     }
-    joined.loose = loose;
+    joined.centre_lines = loose;
     joined.problems.extend(problems);
     let widest = small.iter().fold(0.0, |most: f64, s| most.max(s.1));
     let what = match small.len() {

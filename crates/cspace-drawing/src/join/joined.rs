@@ -66,8 +66,8 @@ pub(crate) struct Joined<'d> {
     pub(crate) largest_removed: f64,
     /// The entities of chains that are not closed.
     pub(crate) unused: Vec<u32>,
-    /// The entities of lines that are no outline, which are among them.
-    pub(crate) loose: Vec<u32>,
+    /// The entities of centre lines, which are among them.
+    pub(crate) centre_lines: Vec<u32>,
     /// The distance at which joining ends closes all that is open, where all gaps are small.
     pub(crate) closes: Option<f64>,
     /// How many problems are small gaps.

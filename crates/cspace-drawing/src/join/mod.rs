@@ -5,16 +5,17 @@
 //! loops ([`chains`]). If a piece is missing that another layer has, this is reported ([`bridges`]).
 
 mod bridges;
+mod centre_lines;
 mod chains;
 mod ends;
 mod joined;
-mod loose;
+
 mod overlaps;
 mod paths;
 mod pieces;
 
+pub(crate) use centre_lines::CENTRE_LINE;
 pub(crate) use joined::{Chain, ChainPiece, Joined};
-pub(crate) use loose::LOOSE;
 pub(crate) use pieces::{ROUND, Shape};
 
 use crate::drawing::Drawing;

@@ -19,7 +19,7 @@ use super::trace;
 use crate::drawing::{Drawing, Ignored, Origin, Problem};
 use crate::error::DrawingError;
 use crate::fit::{self, NotFitted, Outline, Sided};
-use crate::join::{self, Chain, Joined, LOOSE};
+use crate::join::{self, CENTRE_LINE, Chain, Joined};
 use crate::nest::{Ring, nest, sheet};
 use crate::shown;
 use crate::source::OFFERED;
@@ -116,11 +116,11 @@ impl<'d> Making<'d> {
     /// Lists the entities of open chains; their ends are listed already.
     fn leave_out_chains(&mut self) {
         self.unused = core::mem::take(&mut self.joined.unused);
-        let mut loose = self.joined.loose.clone();
+        let mut loose = self.joined.centre_lines.clone();
         loose.dedup();
         self.ignored.extend(loose.into_iter().map(|entity| Ignored {
             origin: self.drawing.entities[entity as usize].origin.clone(),
-            reason: LOOSE.into(),
+            reason: CENTRE_LINE.into(),
         }));
         if !self.settings.partial {
             return;

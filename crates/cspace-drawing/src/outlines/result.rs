@@ -8,7 +8,7 @@ use cspace::{Part, Point};
 use super::settings::{DEFAULT_JOIN, Settings};
 use crate::drawing::{Entity, Ignored, Origin, Problem};
 use crate::fit::Outline;
-use crate::join::LOOSE;
+use crate::join::CENTRE_LINE;
 use crate::shown;
 use crate::unit::Unit;
 
@@ -71,13 +71,20 @@ impl Outlines {
         })
     }
 
-    /// Note that lines were left out that are no outline, though that was not asked for; `None` if none were.
-    pub fn loose_lines(&self) -> Option<String> {
-        match self.ignored.iter().filter(|i| i.reason == LOOSE).count() {
+    /// Note that centre lines were left out, though that was not asked for; `None` if none were.
+    pub fn centre_lines(&self) -> Option<String> {
+        match self
+            .ignored
+            .iter()
+            .filter(|i| i.reason == CENTRE_LINE)
+            .count()
+        {
             0 => None,
-            1 => Some("a line by itself is left out: no outline goes on at its ends".to_owned()),
+            1 => {
+                Some("a centre line is left out: it goes through the centre of a circle".to_owned())
+            }
             n => Some(format!(
-                "{n} lines by themselves are left out: no outline goes on at their ends"
+                "{n} centre lines are left out: they go through centres of circles"
             )),
         }
     }

@@ -235,7 +235,7 @@ fn centre_lines_and_hidden_edges_are_no_outlines() {
         .unwrap();
     are(&areas(&outlines), &[area]);
     let reason = &outlines.ignored[0].reason;
-    assert!(reason.contains("line by itself"), "{reason}");
+    assert!(reason.contains("centre line"), "{reason}");
     let hidden = circle("6\nHIDDEN\n", 0.0, 2.0) + &circle("", 0.0, 10.0);
     let asked = Source {
         linetypes: vec!["hidden".to_owned()],
@@ -452,22 +452,22 @@ fn plate(lines: &[[f64; 4]]) -> Drawing {
 }
 
 #[test]
-fn lines_that_go_nowhere_are_left_out() {
+fn centre_lines_are_left_out() {
     let cross = [[4.0, 10.0, 16.0, 10.0], [10.0, 4.0, 10.0, 16.0]];
     let through = [[-5.0, 10.0, 45.0, 10.0]];
-    // Stubs that begin at corners, where three ends meet.
-    let stubs = [[0.0, 20.0, 0.0, 28.0], [40.0, 20.0, 40.0, 32.0]];
-    for lines in [&cross[..], &through, &stubs] {
+    let slanted = [[7.0, 6.0, 16.0, 18.0]];
+    for lines in [&cross[..], &through, &slanted] {
         let read = plate(lines).outlines(&Settings::default()).unwrap();
         are(&areas(&read), &[800.0 - 16.0 * PI]);
-        assert!(read.loose_lines().unwrap().contains("left out"));
-        let loose = read
+        assert!(read.centre_lines().unwrap().contains("left out"));
+        let left_out = read
             .ignored
             .iter()
-            .filter(|i| i.reason.contains("line by itself"));
-        assert_eq!(loose.count(), lines.len());
+            .filter(|i| i.reason.contains("centre line"));
+        assert_eq!(left_out.count(), lines.len());
     }
-    // Another reading is likely: a rib, the sides of a slot, a rectangle with rounded corners, without its arcs.
+    // A rib, the sides of a slot, a rectangle with rounded corners without its arcs, an outline that lacks a side, a stub, a line beside
+    // the centre, and one that ends there.
     let rib = [[20.0, 0.0, 20.0, 20.0]];
     let slot = [[20.0, 4.0, 36.0, 4.0], [20.0, 8.0, 36.0, 8.0]];
     let round = [
@@ -476,22 +476,32 @@ fn lines_that_go_nowhere_are_left_out() {
         [34.0, 15.0, 22.0, 15.0],
         [20.0, 13.0, 20.0, 7.0],
     ];
-    // And an outline that lacks its last side.
     let open = [
         [20.0, 4.0, 36.0, 4.0],
         [36.0, 4.0, 36.0, 16.0],
         [36.0, 16.0, 20.0, 16.0],
     ];
-    for lines in [&rib[..], &slot, &round, &open] {
+    let stub = [[0.0, 20.0, 0.0, 28.0]];
+    let beside = [[4.0, 10.1, 16.0, 10.1]];
+    let ends = [[10.0, 10.0, 30.0, 10.0]];
+    for lines in [&rib[..], &slot, &round, &open, &stub, &beside, &ends] {
         assert!(
             plate(lines).outlines(&Settings::default()).is_err(),
             "{lines:?}"
         );
     }
-    // Nothing else is drawn.
-    let line = "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n40\n21\n0\n";
-    let alone = from_text(Format::Dxf, &dxf("", line), &Source::default());
-    assert!(alone.outlines(&Settings::default()).is_err());
+    // The sides of a plate with round corners, whose arcs are missing, around a hole.
+    let mut entities = "0\nCIRCLE\n8\n0\n10\n20\n20\n15\n40\n4\n".to_owned();
+    for [a, b, c, d] in [
+        [6, 0, 34, 0],
+        [40, 6, 40, 24],
+        [34, 30, 6, 30],
+        [0, 24, 0, 6],
+    ] {
+        entities += &format!("0\nLINE\n8\n0\n10\n{a}\n20\n{b}\n11\n{c}\n21\n{d}\n");
+    }
+    let open = from_text(Format::Dxf, &dxf("", &entities), &Source::default());
+    assert!(open.outlines(&Settings::default()).is_err());
 }
 
 /// A circle in a square of its diameter touches it, wherever it is begun: that is no hole, and no part within another.

@@ -163,7 +163,7 @@ pub(super) fn read_drawing(
             .with_help(help));
     }
     let outlines = drawing.outlines(&settings).map_err(|e| wrong(&e))?;
-    for note in [outlines.gaps_closed(), outlines.loose_lines()] {
+    for note in [outlines.gaps_closed(), outlines.centre_lines()] {
         setting
             .notes
             .extend(note.map(|note| table.error(key, note)));
