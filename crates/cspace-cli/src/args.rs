@@ -1477,7 +1477,8 @@ Examples:
 
 Requirements are [[requirement]] tables of the model: what is measured, and what
 it must be. Each is printed with its value, its limits, and what touches there.
-The exit code is 1 if one is not met or cannot be measured.
+The exit code is 1 if one is not met, and 2 if one is not decided or cannot be
+measured.
 ";
 
 const TOLERANCES: &str = "\

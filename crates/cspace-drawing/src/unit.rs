@@ -188,9 +188,9 @@ impl Unit {
 
     /// The unit of a label.
     pub fn of_label(label: &str) -> Option<Self> {
+        let of = |label: &str| UNITS.iter().find(|e| e.3.contains(&label)).map(|e| e.0);
         let label = label.trim();
-        let entry = UNITS.iter().find(|e| e.3.contains(&label));
-        entry.map(|e| e.0)
+        of(label).or_else(|| of(&label.to_lowercase()))
     }
 
     /// Number in DXF's `$INSUNITS`; 0 if there is none.

@@ -135,10 +135,12 @@ pub fn tolerances_with(
     known(&at_once);
     let all = checked.into_iter().zip(at_once);
     Ok(all
-        .map(|((nominal, by), at_once)| {
-            let whole =
-                (analysis.go_on()).and_then(|()| analysis.of_any(&variations, nominal, &by));
-            whole.unwrap_or(at_once)
+        .map(|((nominal, by), mut known)| {
+            let is_whole = analysis.go_on().is_ok()
+                && (nominal.measured.is_err()
+                    || analysis.of_one(&variations, &by, &mut known).is_ok());
+            known.interrupted = !is_whole;
+            known
         })
         .collect())
 }
@@ -244,28 +246,36 @@ impl<'a> Analysis<'a> {
         nominal: Checked,
         by: &[Sensitivity],
     ) -> Result<Tolerances, Interrupted> {
-        match nominal.measured.is_err() {
-            true => Ok(unmeasured(nominal)),
-            false => self.of_one(variations, nominal, by),
+        let mut known = self.at_once(variations, &nominal, by);
+        if nominal.measured.is_ok() {
+            self.of_one(variations, by, &mut known)?;
         }
+        known.interrupted = false;
+        Ok(known)
     }
 
+    /// Adds to what is known at once of a requirement, as far as the progress lets it.
     fn of_one(
         &self,
         variations: &Variations,
-        nominal: Checked,
         by: &[Sensitivity],
-    ) -> Result<Tolerances, Interrupted> {
+        known: &mut Tolerances,
+    ) -> Result<(), Interrupted> {
+        let nominal = &known.nominal;
         let mut study = self.study(variations, &nominal.requirement);
         let measured = nominal.measured.as_ref().map(|m| m.value);
         let is_number = matches!(measured, Ok(Value::Number(_)));
-        let linear = is_number.then(|| study.linear(by)).flatten();
+        // It is known already, and by it the study knows where to look.
+        if is_number {
+            study.linear(by);
+        }
         study.know();
         self.go_on()?;
         let structure = study.all_changes();
+        self.go_on()?;
+        known.structure.clone_from(&structure);
         let fails = |c: &&Structural| c.kind != ChangeKind::Contact && c.share < 1.0;
         let failure = structure.iter().find(fails);
-        self.go_on()?;
         let mut ends = [None, None];
         let exact = is_number.then(|| {
             [(-1.0, 0), (1.0, 1)].map(|(sign, i)| {
@@ -279,20 +289,14 @@ impl<'a> Analysis<'a> {
         // Where parts jam within the tolerances, there is no smallest value.
         let without =
             |failure: &Structural| Extreme::none(failure.what.clone(), failure.at.clone());
-        let exact = exact.map(|[lo, hi]| [failure.map_or(lo, without), hi]);
+        known.exact = exact.map(|[lo, hi]| [failure.map_or(lo, without), hi]);
         let margin = study.margin([ends[0].as_ref(), ends[1].as_ref()], &structure);
-        let samples =
-            (self.options.samples > 0).then(|| self.sampled(&study, self.options.samples));
         self.go_on()?;
-        Ok(Tolerances {
-            nominal,
-            linear,
-            exact,
-            structure,
-            margin,
-            monte_carlo: samples.transpose()?,
-            interrupted: false,
-        })
+        known.margin = margin;
+        if self.options.samples > 0 {
+            known.monte_carlo = Some(self.sampled(&study, self.options.samples)?);
+        }
+        Ok(())
     }
 
     fn sampled(&self, study: &Study<'_>, samples: u64) -> Result<MonteCarlo, Interrupted> {

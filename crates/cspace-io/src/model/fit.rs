@@ -14,12 +14,16 @@ const FINE: [f64; 25] = [
     180.0, 200.0, 225.0, 250.0, 280.0, 315.0, 355.0, 400.0, 450.0, 500.0,
 ];
 
+/// Sizes that differ by this share are one.
+const ROUNDING: f64 = 1e-12;
 /// A column of a table without a value at some sizes.
 const NONE: f64 = f64::NAN;
 
-/// Standard tolerances of the grades 1 to 18 (table 1), by [`MAIN`] sizes.
+/// Standard tolerances of the grades 01, 0 and 1 to 18 (table 1), by [`MAIN`] sizes.
 #[rustfmt::skip]
-const GRADES: [[f64; 13]; 18] = [
+const GRADES: [[f64; 13]; 20] = [
+    [0.3, 0.4, 0.4, 0.5, 0.6, 0.6, 0.8, 1.0, 1.2, 2.0, 2.5, 3.0, 4.0],
+    [0.5, 0.6, 0.6, 0.8, 1.0, 1.0, 1.2, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0],
     [0.8, 1.0, 1.0, 1.2, 1.5, 1.5, 2.0, 2.5, 3.5, 4.5, 6.0, 7.0, 8.0],
     [1.2, 1.5, 1.5, 2.0, 2.5, 2.5, 3.0, 4.0, 5.0, 7.0, 8.0, 9.0, 10.0],
     [2.0, 2.5, 2.5, 3.0, 4.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 13.0, 15.0],
@@ -99,7 +103,13 @@ pub(super) struct Fit {
     /// The letters in lower case.
     letters: String,
     is_hole: bool,
-    grade: usize,
+    /// −1 for 01.
+    grade: i8,
+}
+
+/// The standard tolerance of a grade.
+fn standard(grade: i8, main: usize) -> f64 {
+    GRADES[(grade + 1) as usize][main]
 }
 
 impl Fit {
@@ -112,11 +122,13 @@ impl Fit {
         let is_shaft = letters.chars().all(|c| c.is_ascii_lowercase());
         let lower = letters.to_ascii_lowercase();
         let known = (CLEAR.iter().chain(&TIGHT).map(|row| row.0)).chain(["j", "js", "k"]);
-        let grade = number.parse().ok()?;
-        let is_class = (is_hole || is_shaft)
-            && !number.starts_with('0')
-            && (1..=GRADES.len()).contains(&grade)
-            && known.into_iter().any(|name| name == lower);
+        let grade = match number {
+            "01" => -1,
+            "0" => 0,
+            _ if number.starts_with('0') => return None,
+            _ => number.parse().ok().filter(|grade| *grade <= 18)?,
+        };
+        let is_class = (is_hole || is_shaft) && known.into_iter().any(|name| name == lower);
         is_class.then_some(Self {
             letters: lower,
             is_hole,
@@ -129,14 +141,16 @@ impl Fit {
         if nominal.is_nan() || nominal <= 0.0 {
             return None;
         }
-        let main = MAIN.iter().position(|&to| nominal <= to)?;
-        let fine = FINE.iter().position(|&to| nominal <= to)?;
+        // A size that is computed misses the end of a range by rounding.
+        let is_in = |to: &f64| nominal <= to * (1.0 + ROUNDING);
+        let main = MAIN.iter().position(is_in)?;
+        let fine = FINE.iter().position(is_in)?;
         // Sizes to 1 mm have no coarse grades, and no very loose fits.
         let is_tiny = nominal <= 1.0;
         if is_tiny && (self.grade >= 14 || ["a", "b"].contains(&&*self.letters)) {
             return None;
         }
-        let width = GRADES[self.grade - 1][main];
+        let width = standard(self.grade, main);
         let row = |table: &[(&str, [f64; 25])]| {
             let row = table.iter().find(|row| row.0 == self.letters);
             row.map(|row| row.1[fine])
@@ -177,11 +191,11 @@ impl Fit {
     fn upper_of_hole(&self, main: usize, tight: Option<f64>, is_tiny: bool) -> Option<f64> {
         let delta = match (main, self.grade) {
             (0, _) => 0.0,
-            (_, 3..=8) => GRADES[self.grade - 1][main] - GRADES[self.grade - 2][main],
+            (_, 3..=8) => standard(self.grade, main) - standard(self.grade - 1, main),
             _ => NONE,
         };
         match (&*self.letters, self.grade) {
-            ("j", 6..=8) => Some(J_HOLE[self.grade - 6][main]),
+            ("j", 6..=8) => Some(J_HOLE[(self.grade - 6) as usize][main]),
             ("j", _) => None,
             ("k", ..=8) => Some(-K[main] + delta),
             ("k", _) => (main == 0).then_some(0.0),

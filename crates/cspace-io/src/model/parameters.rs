@@ -438,6 +438,7 @@ impl Parameters {
                 value: parameter.value,
                 is_set: parameter.is_set,
                 may_be_angle: is_text,
+                is_angle: parameter.is_angle,
                 unit,
             },
         )?;

@@ -150,6 +150,8 @@ pub(super) struct Written {
     pub(super) is_set: bool,
     /// Whether the file has an angle, or an expression.
     pub(super) may_be_angle: bool,
+    /// Whether the value is an angle.
+    pub(super) is_angle: bool,
     /// The model's unit of length, if it is a known one.
     pub(super) unit: Option<Unit>,
 }
@@ -165,6 +167,13 @@ const ROUNDING: f64 = 1e-12;
 
 /// The deviations of a tolerance class, in the model's unit.
 fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
+    if of.is_angle {
+        let error = table.error(
+            "tol",
+            "a tolerance class is of lengths, and the value is an angle",
+        );
+        return Err(error.with_help("give how far the angle may be off: \"0.5deg\""));
+    }
     let Some(unit) = of.unit else {
         return Err(table
             .error("tol", "a tolerance class needs the model's unit of length")
@@ -182,7 +191,7 @@ fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
         return Err(table.error("tol", message).with_help(help));
     };
     // No zero is negative.
-    Ok((0.0 - lower / millimetres, upper / millimetres))
+    Ok((0.0 - lower / millimetres, 0.0 + upper / millimetres))
 }
 
 fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
@@ -222,12 +231,10 @@ fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
     };
     let limits = limits(table)?;
     let one_sided = above.is_some() || below.is_some();
-    if let (Some(above), Some(below)) = (above, below)
-        && -below > above
-    {
+    if (above.is_some() || below.is_some()) && -below.unwrap_or(0.0) > above.unwrap_or(0.0) {
         return Err(table
             .error("minus", "`minus` and `plus` leave nothing between them")
-            .with_help("`minus` counts downwards: limits of -0.007 and -0.020 are plus = -0.007, minus = 0.020"));
+            .with_help("`minus` counts downwards, and each is 0 where it is left out: limits of -0.007 and -0.020 are plus = -0.007, minus = 0.020"));
     }
     match (both.is_some() || fit.is_some(), limits) {
         (true, _) if one_sided => Err(table

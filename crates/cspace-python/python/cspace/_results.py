@@ -203,7 +203,7 @@ class Plan:
     def sample(self, count: int) -> NDArray[np.float64]:
         """So many configurations from the start to the goal, at even shares of the path, as rows."""
         if not (hasattr(count, "__index__") and count.__index__() > 0):
-            raise Error(f"`count` is {count!r} where a number of configurations is expected")
+            raise Error(f"`count` is {count!r} where a whole number of 1 or more is expected")
         return _along(self, np.linspace(0.0, 1.0, count.__index__()))
 
 

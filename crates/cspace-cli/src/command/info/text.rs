@@ -25,16 +25,18 @@ fn parameters(text: &mut String, all: &[ParameterInfo]) -> fmt::Result {
     let valued = values.iter().map(String::len).max().unwrap_or(0);
     for (p, value) in all.iter().zip(values) {
         write!(text, "  {:named$} = {value:valued$}", p.name)?;
+        // Sums and differences of what is written, which are rounded.
+        let shown = |x: f64| shown::number(digits(x));
         match p.deviations {
-            Some([below, above]) if below == above => write!(text, " ± {}", shown::number(above))?,
+            Some([below, above]) if below == above => write!(text, " ± {}", shown(above))?,
             Some([below, above]) if below < 0.0 || above < 0.0 => write!(
                 text,
                 " within {} to {}",
-                shown::number(p.value - below),
-                shown::number(p.value + above)
+                shown(p.value - below),
+                shown(p.value + above)
             )?,
             Some([below, above]) => {
-                write!(text, " +{} −{}", shown::number(above), shown::number(below))?;
+                write!(text, " +{} −{}", shown(above), shown(below))?;
             }
             None => {}
         }
@@ -172,4 +174,9 @@ fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::R
             }
         }
     }
+}
+
+/// A number with twelve digits: what is beyond comes of adding.
+fn digits(x: f64) -> f64 {
+    format!("{x:.11e}").parse().unwrap_or(x)
 }

@@ -326,6 +326,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     if let Some(b) = &told.bottleneck {
         write!(text, "bottleneck {}{unit}: ", length(b.clearance))?;
         match b.most {
+            Some(_) if told.gap.is_some() => writeln!(
+                text,
+                "the parts fit exactly, and no way has more than the gap"
+            )?,
             Some(most) => writeln!(
                 text,
                 "no way has more than {}{unit}, so much may {} grow all round",

@@ -52,6 +52,9 @@ fn classes_have_the_limits_of_the_tables() {
         (-1.0, "H7", f64::NAN, f64::NAN),
         (10.0, "j9", f64::NAN, f64::NAN),
         (10.0, "K9", f64::NAN, f64::NAN),
+        (20.0, "H0", 0.0, 1.0),
+        (20.0, "h01", -0.6, 0.0),
+        (3.000_000_000_000_000_4, "H7", 0.0, 10.0),
     ] {
         let found = parameter(
             "unit = \"mm\"",
@@ -66,7 +69,7 @@ fn classes_have_the_limits_of_the_tables() {
             }
         }
     }
-    for other in ["7H", "H", "h19", "H0", "hH7", "i6", "", "H07"] {
+    for other in ["7H", "H", "h19", "hH7", "i6", "", "H07", "H00", "H001"] {
         let refused = parameter("unit = \"mm\"", &format!("value = 20, tol = \"{other}\""));
         assert!(refused.is_err(), "{other}");
     }
@@ -91,6 +94,12 @@ fn deviations_have_either_sign() {
     assert_eq!(above.deviations, Some((-0.043, 0.059)));
     let crossed = parameter("", "value = 20, plus = -0.007, minus = -0.020").unwrap_err();
     assert!(crossed.contains("nothing between"), "{crossed}");
+    for alone in ["plus = -0.01", "minus = -0.01"] {
+        let crossed = parameter("", &format!("value = 20, {alone}")).unwrap_err();
+        assert!(crossed.contains("nothing between"), "{crossed}");
+    }
+    let angle = parameter("unit = \"MM\"", "value = \"30deg\", tol = \"H7\"").unwrap_err();
+    assert!(angle.contains("angle"), "{angle}");
     let both = parameter("unit = \"mm\"", "value = 20, tol = \"g6\", plus = 0.1").unwrap_err();
     assert!(both.contains("beside"), "{both}");
 }
