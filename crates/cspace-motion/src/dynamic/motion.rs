@@ -43,6 +43,11 @@ pub enum Ended {
     /// Joints that leave no freedom come to a configuration from which parts can go on in more than one direction, or
     /// in none.
     Folded,
+    /// Steps are too long for how fast parts move: one may come through another in a step.
+    Coarse {
+        /// The displacement in a step.
+        displacement: f64,
+    },
     /// Steps are too many, because forces are too stiff or rates too large.
     TooMany,
     /// The observer wants no more.

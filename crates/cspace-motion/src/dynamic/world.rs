@@ -205,6 +205,11 @@ pub trait World {
     /// Unit of length: contacts are closed to [`CLOSED`](super::CLOSED) times this.
     fn size(&self) -> f64;
 
+    /// The thinnest thing there is: what moves farther in a step may come through it unseen. Default: none is thin.
+    fn thinnest(&self) -> f64 {
+        f64::INFINITY
+    }
+
     /// Largest displacement by a change of the coordinates, or by their rates; angles may count by lengths.
     fn reach(&self, change: &DVector<f64>) -> f64 {
         change.amax()

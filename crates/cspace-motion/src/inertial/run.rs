@@ -129,6 +129,12 @@ pub(crate) fn run(
                     .to_owned(),
             ),
         ),
+        Ended::Coarse { displacement } => (
+            Status::Undetermined,
+            Some(format!(
+                "parts move by {displacement:.1e} in a step, and may come through each other unseen; take shorter steps"
+            )),
+        ),
         Ended::TooMany => (
             Status::Undetermined,
             Some(

@@ -466,6 +466,15 @@ impl World for Mechanical<'_> {
         self.bodies.system.size()
     }
 
+    fn thinnest(&self) -> f64 {
+        let parts = self.bodies.system.mechanism().parts.iter();
+        let sides = parts.map(|p| {
+            let bounds = p.part.bounds();
+            (bounds.max.x - bounds.min.x).min(bounds.max.y - bounds.min.y)
+        });
+        sides.fold(f64::INFINITY, f64::min)
+    }
+
     fn reach(&self, change: &DVector<f64>) -> f64 {
         let lengths = self.bodies.system.lengths();
         let free = self.bodies.system.free();

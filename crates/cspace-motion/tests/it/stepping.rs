@@ -344,3 +344,32 @@ fn steps_make_sense() {
     // A step longer than the time is one step.
     is_done(&ball.stepping(&settings, 5.0).unwrap());
 }
+
+/// An arm that turns a quarter in two steps comes through a post, which no step sees.
+#[test]
+fn steps_in_which_parts_come_through_each_other_are_refused() {
+    let arm = model(
+        r#"
+[[part]]
+name = "post"
+motion = { type = "fixed" }
+loops = [{ circle = 1, at = [0, 15] }]
+[[part]]
+name = "arm"
+motion = { type = "revolute", center = [0, 0] }
+mass = 1
+loops = [[[-1, -1], [20, -1], [20, 1], [-1, 1]]]
+[[drive]]
+part = "arm"
+rate = "360deg"
+"#,
+    );
+    let coarse = arm.stepping(&settings(0.25), 0.125).unwrap();
+    assert_eq!(coarse.status, Status::Undetermined);
+    assert!(coarse.reason.unwrap().contains("shorter steps"));
+    // The arm's upper side meets the post where 15 cos φ = 2, φ from the vertical.
+    let fine = arm.stepping(&settings(0.25), 1e-4).unwrap();
+    assert_eq!(fine.status, Status::Jammed);
+    let known = (90.0 - 2.0_f64.atan2((225.0_f64 - 4.0).sqrt()).to_degrees()) / 360.0;
+    assert!((fine.until - known).abs() < 2e-3, "{} {known}", fine.until);
+}

@@ -36,6 +36,8 @@ const FARTHER: f64 = 2.0;
 const DEEPER: f64 = 2.0;
 /// And by more than this share of the size of what moves.
 const DEEP: f64 = 0.01;
+/// A step is too long in which parts move by more than this share of the thinnest.
+const COARSE: f64 = 0.5;
 /// Times within this share of a step are one.
 const SAME_TIME: f64 = 1e-6;
 
@@ -217,6 +219,10 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
         self.fastest = self.fastest.max(world.speed(middle));
+        let displacement = self.h * self.fastest;
+        if displacement > COARSE * world.thinnest() {
+            return Err(Ended::Coarse { displacement });
+        }
         let deepest = (DEEPER * self.h * self.fastest).max(DEEP * world.size());
         for contact in found {
             let touch = world.touch(contact, middle.t, &middle.q);
