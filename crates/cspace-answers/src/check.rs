@@ -35,6 +35,9 @@ pub struct Row {
     /// Whether the quantity may have a value, which could not be found.
     #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub undecided: bool,
+    /// The gap by which the moving part is smaller, where the parts fit exactly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
     /// How far the value is within its limits; negative outside.
     pub margin: Option<f64>,
     /// The two ends of a play.
@@ -103,6 +106,7 @@ impl Row {
             equals: requirement.equals(),
             met: checked.is_met(),
             undecided: checked.is_undecided(),
+            gap: checked.gap,
             margin: checked.margin(),
             range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
             at: match requirement.subject {

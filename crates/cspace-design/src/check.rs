@@ -6,6 +6,7 @@ use cspace_io::{Model, ModelError};
 use cspace_mechanism::PairEntry;
 use cspace_mechanism::{Compute, compute_anew};
 
+use crate::exact_fit::measured;
 use crate::in_motion::{Found, Motion};
 use crate::measure::{Measured, Unmeasured, Value, measure};
 
@@ -20,6 +21,8 @@ pub struct Checked {
     pub parts: Option<[usize; 2]>,
     /// Features in contact where the quantity ends, of the two parts, as messages call them.
     pub touching: Vec<[String; 2]>,
+    /// The gap by which the moving part is smaller, where the parts fit exactly and it is measured with one (the model's unit of length).
+    pub gap: Option<f64>,
 }
 
 impl Checked {
@@ -133,7 +136,26 @@ impl Spaces {
     }
 
     fn check_all(&self, model: &Model) -> Vec<Checked> {
-        model.requirements.iter().map(|r| self.check(r)).collect()
+        let all = model.requirements.iter();
+        all.map(|r| self.with_room(self.check(r))).collect()
+    }
+
+    /// A requirement that was checked, and measured with a gap where the parts fit exactly.
+    pub(crate) fn with_room(&self, mut checked: Checked) -> Checked {
+        if checked.measured == Err(Unmeasured::Blocked)
+            && let (Subject::Pair(_, quantity), Some(space)) =
+                (&checked.requirement.subject, self.of(&checked.requirement))
+        {
+            match measured(space, quantity) {
+                Ok((measured, gap)) => {
+                    checked.touching = measured.touching(space);
+                    checked.measured = Ok(measured);
+                    checked.gap = gap;
+                }
+                Err(error) => checked.measured = Err(error),
+            }
+        }
+        checked
     }
 
     /// Measures a requirement, and names what touches.
@@ -143,6 +165,7 @@ impl Spaces {
             measured: Err(Unmeasured::Unknown),
             parts: requirement.subject.parts(),
             touching: Vec::new(),
+            gap: None,
         };
         match self.found(requirement) {
             Ok(On::Pair(space, measured)) => {

@@ -40,6 +40,7 @@ mod check;
 mod displace;
 mod drawing;
 pub mod drawn;
+mod exact_fit;
 mod in_motion;
 mod measure;
 mod motion;

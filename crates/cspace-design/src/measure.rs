@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use cspace::pair::{PairContact, PairMotion};
 use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Location, MotionError, PairSpace, Point,
-    QueryError,
+    QueryError, RegionId,
 };
 use cspace_io::model::{Coordinate, Quantity};
 use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
@@ -88,6 +88,9 @@ pub enum Unmeasured {
     /// Whether a motion leads from one configuration to another is not known.
     #[error("it is not known whether a motion leads there: the space is doubtful on the way")]
     Undecided,
+    /// A configuration in contact is between regions.
+    #[error("the configuration is in contact between two free regions: choose one in either")]
+    Between,
     /// A coordinate of a region goes on without end.
     #[error("the coordinate has no end in the free region: it goes on")]
     Endless,
@@ -163,23 +166,34 @@ pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmea
         Quantity::Angle { at, along, of } => angle(space, at, along, of),
         Quantity::Bottleneck { at, to } => bottleneck(space, at, to),
         Quantity::Extreme { at, of, upper } => extreme(space, at, of, upper),
-        Quantity::Caged { at } => match space.locate(at)? {
-            Location::Free(region) => {
-                let region = space.regions().into_iter().find(|r| r.id == region);
-                Ok(truth(region.is_some_and(|r| !r.unbounded)))
-            }
-            Location::Outside => Err(QueryError::Outside.into()),
-            Location::Contact | Location::Blocked => Err(Unmeasured::Blocked),
-        },
-        Quantity::Connected { at, to } => {
-            for end in [at, to] {
-                match space.locate(end)? {
-                    Location::Free(_) => {}
-                    Location::Outside => return Err(QueryError::Outside.into()),
-                    Location::Contact | Location::Blocked => return Err(Unmeasured::Blocked),
+        Quantity::Caged { at } => {
+            let region = region(space, at)?;
+            let region = space.regions().into_iter().find(|r| r.id == region);
+            Ok(truth(region.is_some_and(|r| !r.unbounded)))
+        }
+        Quantity::Connected { at, to } => Ok(truth(region(space, at)? == region(space, to)?)),
+    }
+}
+
+/// The free region of a configuration; of one in contact, the region that its contacts bound.
+fn region(space: &PairSpace, at: Coordinates) -> Result<RegionId, Unmeasured> {
+    /// Contacts within so many resolutions are those at a configuration.
+    const TOUCHING: f64 = 8.0;
+    match space.locate(at)? {
+        Location::Free(region) => Ok(region),
+        Location::Outside => Err(QueryError::Outside.into()),
+        Location::Blocked => Err(Unmeasured::Blocked),
+        Location::Contact => {
+            let mut found = None;
+            for (patch, _) in space.contacts(at, TOUCHING * space.resolution())? {
+                let region = space.patch(patch)?.region()?;
+                match (found, region) {
+                    (None, Some(region)) => found = Some(region),
+                    (Some(a), Some(b)) if a != b => return Err(Unmeasured::Between),
+                    _ => {}
                 }
             }
-            Ok(truth(space.connected(at, to)?))
+            found.ok_or(Unmeasured::Blocked)
         }
     }
 }
@@ -345,10 +359,10 @@ fn extreme(
     of: Coordinate,
     upper: bool,
 ) -> Result<Measured, Unmeasured> {
-    let (PairSpace::FixedAxes(axes), Location::Free(region)) = (space, space.locate(at)?) else {
+    let PairSpace::FixedAxes(axes) = space else {
         return Err(Unmeasured::Blocked);
     };
-    let region = &axes.regions()[region.index()];
+    let region = &axes.regions()[region(space, at)?.index()];
     let (range, open, around) = match of {
         Coordinate::U => (region.u, region.open_u, region.around_u),
         _ => (region.v, region.open_v, region.around_v),

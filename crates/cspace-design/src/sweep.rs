@@ -217,7 +217,7 @@ impl<'a> Sweep<'a> {
     fn row(&self, design: &Design, values: &[f64]) -> Row {
         let measure = |name: &String| {
             let (requirement, spaces) = self.measured(design, values, name)?;
-            let measured = spaces.measure(&requirement);
+            let measured = spaces.with_room(spaces.check(&requirement)).measured;
             measured.map(|m| m.value).map_err(|e| e.to_string())
         };
         Row {

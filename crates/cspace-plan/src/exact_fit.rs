@@ -3,11 +3,12 @@
 //! They touch and do not overlap, and their contact space has no room there: a configuration of the exact fit alone is free. What a part can
 //! do from there is answered for a part that is smaller by a gap.
 
-use cspace::{Coordinates, Location, PairSpace, Part, QueryError};
+use cspace::{Coordinates, Location, PairError, PairSpace, Part, Progress, QueryError};
 
 use crate::assembly::{GAP, inset};
 use crate::clash::TOUCHING;
 use crate::legs::Scene;
+use crate::widest::with_moving;
 
 /// Whether the parts of a pair touch at a configuration at which its space has no room, and overlap by no more than rounding: they fit
 /// exactly. `false` of a lower pair.
@@ -47,4 +48,23 @@ pub fn with_gap(fixed: &Part, moving: &Part) -> Option<(Part, f64)> {
     let gap = GAP * fixed.size().max(moving.size());
     let smaller = inset(moving, gap).ok().flatten()?;
     Some((smaller, gap))
+}
+
+/// The space of a pair with a moving part that is smaller by a gap, and the gap, where the parts fit exactly at a configuration; `None` where
+/// they do not, and where an edge is too small for it.
+///
+/// # Errors
+/// If the space cannot be computed, or the progress ends that.
+pub fn with_room(
+    space: &PairSpace,
+    at: Coordinates,
+    progress: &dyn Progress,
+) -> Result<Option<(PairSpace, f64)>, PairError> {
+    if !fits_exactly(space, at).unwrap_or(false) {
+        return Ok(None);
+    }
+    let Some((smaller, gap)) = with_gap(space.fixed(), space.moving()) else {
+        return Ok(None);
+    };
+    Ok(with_moving(space, &smaller, progress)?.map(|roomy| (roomy, gap)))
 }

@@ -28,7 +28,7 @@ mod widest;
 
 pub use answer::{Answer, Blocked, Bottleneck, Enclosed, Narrow, Path, Verdict};
 pub use check::{Checked, Meeting, check, touches};
-pub use exact_fit::{fits_exactly, touching_distance, with_gap};
+pub use exact_fit::{fits_exactly, touching_distance, with_gap, with_room};
 pub use farthest::farthest;
 pub use off_contact::off_contacts;
 pub use path::Prefer;

@@ -144,6 +144,10 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
             Some(Told::Truth(false)) => "no".to_owned(),
         };
         writeln!(text, "  {:10} {value}", row.measure)?;
+        if let Some(gap) = row.gap {
+            let what = "the parts fit exactly, and the moving one is smaller by it all around";
+            writeln!(text, "  {:10} {gap:.1e}{unit}: {what}", "gap")?;
+        }
         if let Some(failure) = &row.failure {
             writeln!(text, "  {:10} {failure}", "because")?;
         }

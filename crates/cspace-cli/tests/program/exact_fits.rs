@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{classes, json, printed};
+use crate::helpers::{classes, cspace, json, json_beside_notes, printed};
 
 /// A slot and a key, a plate and a pin, and two pieces of one cut with a bulge: what is right of each is that of parts with a little play.
 const FITS: [(&str, &str, &str, bool); 3] = [
@@ -84,4 +84,71 @@ fn what_is_wider_overlaps_and_what_is_narrower_is_free() {
         assert_eq!(play["result"], result, "{play}");
         assert!(play.get("gap").is_none());
     }
+}
+
+/// H7 and g6 are drawn nominal on nominal: there is no play, and the way out is open.
+#[test]
+fn requirements_hold_at_an_exact_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("slide.toml");
+    let text = r#"
+unit = "mm"
+[parameter]
+bore = { value = 20, tol = "H7" }
+tail = { value = 20, tol = "g6" }
+[[part]]
+name = "bed"
+loops = [[{ mirror = "y", path = [[0, -20], [30, -20], [30, 0], ["bore/2", 0], ["bore/2", -8]] }]]
+[[part]]
+name = "slide"
+loops = [[["-tail/2", -8], ["tail/2", -8], ["tail/2", 10], ["-tail/2", 10]]]
+[[requirement]]
+name = "comes out"
+measure = "connected"
+to = [0, 40, 0]
+equals = true
+[[requirement]]
+name = "free"
+measure = "caged"
+equals = false
+[[requirement]]
+name = "play x"
+measure = "play"
+of = "x"
+limits = [0, 0.05]
+[[requirement]]
+name = "tilt"
+measure = "play"
+of = "theta"
+limits = [0, 0.05]
+[[requirement]]
+name = "gap"
+measure = "clearance"
+limits = [0, 1]
+"#;
+    std::fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    let checked = |tail: &str| json_beside_notes(&["check", file, "--set", tail]);
+    let fits = checked("tail=20");
+    for row in fits.as_array().unwrap() {
+        assert_eq!(row["met"], true, "{row}");
+        assert!(row["gap"].as_f64().unwrap() < 1e-4, "{row}");
+        if row["limits"].is_array() {
+            assert_eq!(row["value"], 0.0, "{row}");
+        }
+    }
+    // It stands on the bottom, in contact, and has its play.
+    let plays = checked("tail=19.99");
+    assert!(
+        (plays[2]["value"].as_f64().unwrap() - 0.01).abs() < 1e-9,
+        "{plays}"
+    );
+    for row in plays.as_array().unwrap() {
+        assert_eq!((&row["met"], row.get("gap")), (&true.into(), None), "{row}");
+    }
+    // It overlaps.
+    let output = cspace(&["check", file, "--set", "tail=20.01"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1));
 }

@@ -9,5 +9,5 @@ mod search;
 mod shrink;
 
 pub use grow::grown;
-pub(crate) use search::{Between, Until, Wider, widen};
+pub(crate) use search::{Between, Until, Wider, widen, with_moving};
 pub use shrink::shrunk;

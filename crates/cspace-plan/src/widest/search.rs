@@ -1,6 +1,6 @@
 //! The largest clearance of a way, by growing the moving part.
 
-use cspace::{Options, PairError, PairSpace, Progress, Relation};
+use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
 
 use crate::legs::{Coords, Scene};
 use crate::path::Legs;
@@ -154,6 +154,15 @@ fn wider(
     let Ok(moving) = grown(space.moving(), radius) else {
         return Ok(None);
     };
+    with_moving(space, &moving, progress)
+}
+
+/// The space of a pair with a moving part in place of its own; `None` of a lower pair.
+pub(crate) fn with_moving(
+    space: &PairSpace,
+    moving: &Part,
+    progress: &dyn Progress,
+) -> Result<Option<PairSpace>, PairError> {
     let (relation, options) = match space {
         PairSpace::Planar(space) => {
             let window = space.window();
@@ -169,7 +178,7 @@ fn wider(
         }
         PairSpace::Lower(_) => return Ok(None),
     };
-    PairSpace::compute_with(space.fixed(), &moving, relation, &options, progress).map(Some)
+    PairSpace::compute_with(space.fixed(), moving, relation, &options, progress).map(Some)
 }
 
 fn clearance(scene: &Scene, places: &[Coords]) -> f64 {
