@@ -164,7 +164,8 @@ impl Motion {
         let is_meant = |event: &&Event| {
             let both = self.parts_of(event);
             let is_of = match (parts, both) {
-                (None, _) => true,
+                // A part that comes to the end of its range, or leaves it, does so alone.
+                (None, both) => both.is_some() || kind == EventKind::Rest,
                 (Some([a, b]), Some([c, d])) => [a, b] == [c, d] || [b, a] == [c, d],
                 (Some(_), None) => false,
             };

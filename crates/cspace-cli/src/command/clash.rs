@@ -68,6 +68,9 @@ pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
     let samples = (args.along.as_ref())
         .map(|file| record::samples(file, &model))
         .transpose()?;
+    if samples.is_none() {
+        super::tell_starts(&model);
+    }
     let begin = Instant::now();
     let assembly = Assembly::new(&model);
     let within = args.within.unwrap_or_else(|| default_within(&model));

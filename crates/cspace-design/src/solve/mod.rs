@@ -286,9 +286,19 @@ fn nothing(known: &[(f64, At)], found: &Found) -> String {
             "the quantity jumps over the value, from {before:+e} off it to {after:+e}, where the parameter is {p}"
         );
     }
+    let open = known
+        .iter()
+        .filter(|k| matches!(k.1, At::Undecided(_)))
+        .count();
+    if open > 0 {
+        return format!(
+            "it is so nowhere that could be decided; {open} of {} values could not",
+            known.len()
+        );
+    }
     if lo > hi {
         let reason = known.iter().find_map(|(_, at)| match at {
-            At::None(reason) | At::Undecided(reason) => Some(reason.clone()),
+            At::None(reason) => Some(reason.clone()),
             _ => None,
         });
         return reason.unwrap_or_else(|| "it is so nowhere in the range".to_owned());

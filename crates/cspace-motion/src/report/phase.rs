@@ -46,6 +46,13 @@ impl<'a> Clock<'a> {
         Some(self.system.mechanism().parts[part].part.name())
     }
 
+    /// Whether the driven part has a range.
+    fn has_range(&self) -> bool {
+        let part = self.driver().map(|i| &self.system.mechanism().parts[i]);
+        part.and_then(|p| p.axis)
+            .is_some_and(|axis| axis.range.is_some())
+    }
+
     /// A time as a number.
     fn number(&self, t: f64) -> String {
         let curve = self.driver.and_then(|(_, i)| {
@@ -54,7 +61,12 @@ impl<'a> Clock<'a> {
         });
         match curve {
             Some(curve) => {
-                let turned = curve.at(t).value.rem_euclid(TAU).to_degrees();
+                let turned = curve.at(t).value;
+                // An angle of a part that does not turn all around is that of its range.
+                let turned = match self.has_range() {
+                    true => turned.to_degrees(),
+                    false => turned.rem_euclid(TAU).to_degrees(),
+                };
                 let shown = plain(turned, 1);
                 // A turn but for rounding is none.
                 if shown == "360.0" {
