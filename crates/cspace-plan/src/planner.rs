@@ -459,7 +459,7 @@ impl<'a> Planner<'a> {
             places.push(core::array::from_fn(|k| to.near[k] + (end[k] - last[k])));
         }
         let legs = Legs::new(&self.scene, places);
-        let simple = legs.simple(kept, wider.most, outside);
+        let simple = legs.simple(kept, wider.most, outside).unwound(kept);
         let legs = match wishes.prefer {
             Prefer::Legs => simple.tidy(kept, outside),
             Prefer::Clearance => legs.clear(kept).or_wider(simple),

@@ -9,6 +9,7 @@ mod simple;
 mod steps;
 mod tidy;
 mod tracks;
+mod unwind;
 
 pub(crate) use legs::Legs;
 pub(crate) use outside::Outside;

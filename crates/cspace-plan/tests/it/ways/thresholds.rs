@@ -1,6 +1,6 @@
 //! Parts that just pass and parts that just do not, by formulas.
 
-use core::f64::consts::{FRAC_PI_2, SQRT_2};
+use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation, Vector, Vertex};
 use cspace_oracle::{Oracle, effort};
@@ -477,4 +477,45 @@ fn a_blocked_start_tells_how_deep_and_where_it_is_free() {
         panic!("{blocked:?}");
     };
     assert!(free.x.abs() < 1e-9 && (free.y - 1.0).abs() < 1e-9);
+}
+
+/// A block that has to turn outside of a bent passage does so by no more than half a turn at once: whole turns lead nowhere.
+#[test]
+fn no_leg_winds() {
+    let bend = Part::polygon(
+        "bend",
+        &[
+            (-60.0, 0.0),
+            (0.0, 0.0),
+            (0.0, -60.0),
+            (10.0, -60.0),
+            (10.0, 10.0),
+            (-60.0, 10.0),
+            (-60.0, 20.0),
+            (20.0, 20.0),
+            (20.0, -70.0),
+            (-70.0, -70.0),
+            (-70.0, 0.0),
+        ],
+    )
+    .unwrap();
+    let block = Part::rectangle("block", (0.0, 0.0), 12.0, 8.0).unwrap();
+    let space = space(&bend, &block, None);
+    for clearance in [Clearance::Half, Clearance::Widest] {
+        let answer = asked(
+            &space,
+            at(-40.0, 5.0, 0.0),
+            at(5.0, -40.0, FRAC_PI_2),
+            clearance,
+        );
+        let Verdict::Path(path) = answer.verdict else {
+            panic!("{:?}", answer.verdict);
+        };
+        for leg in path.configurations.windows(2) {
+            let [Coordinates::Planar(a), Coordinates::Planar(b)] = leg else {
+                panic!("{leg:?}");
+            };
+            assert!((b.theta - a.theta).abs() <= PI * (1.0 + 1e-9), "{leg:?}");
+        }
+    }
 }
