@@ -243,7 +243,7 @@ fn a_flatted_ball_leaves_a_c_by_turning() {
         // Flats above and below after a quarter of a turn.
         let half = 0.5 * thick;
         let reach = (1.5_f64 * 1.5 - half * half).sqrt();
-        let bulge = ((core::f64::consts::PI - 2.0 * (reach / 1.5).asin()) / 4.0).tan();
+        let bulge = ((PI - 2.0 * (reach / 1.5).asin()) / 4.0).tan();
         let ball = Part::new(
             "ball",
             vec![vec![
