@@ -27,10 +27,15 @@ pub(crate) struct ChainPiece<'d> {
 }
 
 impl Chain<'_> {
-    /// The diagonal of the box of all pieces.
-    pub(crate) fn size(&self) -> f64 {
+    /// The box of all pieces.
+    pub(super) fn bounds(&self) -> Bounds {
         let boxes = self.pieces.iter().map(|p| p.shape.bounds(p.start, p.end));
-        boxes.fold(Bounds::EMPTY, Bounds::union).diagonal()
+        boxes.fold(Bounds::EMPTY, Bounds::union)
+    }
+
+    /// The diagonal of that box.
+    pub(crate) fn size(&self) -> f64 {
+        self.bounds().diagonal()
     }
 
     /// Whether the chain goes forth and back on the same path.

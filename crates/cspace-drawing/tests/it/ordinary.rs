@@ -490,6 +490,24 @@ fn centre_lines_are_left_out() {
             "{lines:?}"
         );
     }
+    // A circle that a line divides, and circles at the sides of a square that is not finished.
+    let divided = [[6.0, 10.0, 14.0, 10.0]];
+    assert!(plate(&divided).outlines(&Settings::default()).is_err());
+    for corner in [0.0, 1.0] {
+        let mut entities = String::new();
+        let half = 20.0;
+        for [x, y] in [[0.0, -half], [half, 0.0], [0.0, half], [-half, 0.0]] {
+            entities += &format!("0\nCIRCLE\n8\n0\n10\n{x}\n20\n{y}\n40\n3\n");
+            let side = half + 1.0 - 2.0 * corner;
+            let [a, b, c, d] = match x == 0.0 {
+                true => [-side, y, side, y],
+                false => [x, -side, x, side],
+            };
+            entities += &format!("0\nLINE\n8\n0\n10\n{a}\n20\n{b}\n11\n{c}\n21\n{d}\n");
+        }
+        let square = from_text(Format::Dxf, &dxf("", &entities), &Source::default());
+        assert!(square.outlines(&Settings::default()).is_err(), "{corner}");
+    }
     // The sides of a plate with round corners, whose arcs are missing, around a hole.
     let mut entities = "0\nCIRCLE\n8\n0\n10\n20\n20\n15\n40\n4\n".to_owned();
     for [a, b, c, d] in [
