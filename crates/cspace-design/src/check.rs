@@ -10,6 +10,9 @@ use crate::exact_fit::measured;
 use crate::in_motion::{Found, Motion};
 use crate::measure::{Measured, Unmeasured, Value, measure};
 
+/// Values that are measured with a gap are known to so many resolutions of contacts.
+const KNOWN: f64 = 16.0;
+
 /// A requirement that was measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked {
@@ -23,6 +26,8 @@ pub struct Checked {
     pub touching: Vec<[String; 2]>,
     /// The gap by which the moving part is smaller, where the parts fit exactly and it is measured with one (the model's unit of length).
     pub gap: Option<f64>,
+    /// How well a value that is measured with a gap is known: a limit that is missed by less is met.
+    within: f64,
 }
 
 impl Checked {
@@ -34,7 +39,9 @@ impl Checked {
         }
         let value = self.measured.as_ref().ok().map(|m| m.value);
         Some(match (target, value) {
-            (Target::Limits(lo, hi), Some(Value::Number(x))) => (lo..=hi).contains(&x),
+            (Target::Limits(lo, hi), Some(Value::Number(x))) => {
+                (lo - self.within..=hi + self.within).contains(&x)
+            }
             (Target::Equals(wanted), Some(Value::Truth(found))) => wanted == found,
             _ => false,
         })
@@ -151,6 +158,7 @@ impl Spaces {
                     checked.touching = measured.touching(space);
                     checked.measured = Ok(measured);
                     checked.gap = gap;
+                    checked.within = KNOWN * space.resolution();
                 }
                 Err(error) => checked.measured = Err(error),
             }
@@ -166,6 +174,7 @@ impl Spaces {
             parts: requirement.subject.parts(),
             touching: Vec::new(),
             gap: None,
+            within: 0.0,
         };
         match self.found(requirement) {
             Ok(On::Pair(space, measured)) => {

@@ -1,15 +1,15 @@
 //! Requirements at configurations at which the parts fit exactly, nominal on nominal.
 //!
-//! They touch and do not overlap, and their contact space has no room there. What they can do is measured with the moving part smaller by a
-//! gap, but for a play that the fit ends at once, which is 0.
+//! They touch and do not overlap, and their contact space has no room there. What they can do is measured with the moving part smaller by
+//! a gap g, and by half of it: 2 f(g/2) − f(g) is f(0) but for a square of the gap, which is below what contacts are known to.
 
 use cspace::{Coordinates, PairSpace, Silent};
 use cspace_io::model::{Coordinate, Quantity};
 use cspace_plan::with_room;
 
-use crate::measure::{Measured, Unmeasured, Value, free_range, measure};
+use crate::measure::{Measured, Unmeasured, Value, measure};
 
-/// A play is ended by the fit where it is below this many gaps.
+/// A play is ended by the fit at once where it is below this many gaps.
 const AT_ONCE: f64 = 64.0;
 
 /// Measures a quantity; where the parts fit exactly, with the gap that was taken.
@@ -25,41 +25,36 @@ pub(crate) fn measured(
     let Ok(Some((roomy, gap))) = with_room(space, at, &Silent) else {
         return Err(Unmeasured::Blocked);
     };
-    let found = match *quantity {
-        Quantity::Play { of, at } => play(&roomy, of, at, gap)?,
-        Quantity::Clearance { .. } => Measured::number(0.0),
-        _ => measure(&roomy, quantity)?,
-    };
+    if let Quantity::Clearance { .. } | Quantity::Bottleneck { .. } = quantity {
+        // The way begins without any, if there is one.
+        let mut found = measure(&roomy[0], quantity)?;
+        found.value = Value::Number(0.0);
+        return Ok((found, Some(gap)));
+    }
+    let [whole, half] = [measure(&roomy[0], quantity)?, measure(&roomy[1], quantity)?];
+    let without = |whole: f64, half: f64| 2.0 * half - whole;
+    let mut found = whole;
+    if let (Value::Number(a), Value::Number(b)) = (found.value, half.value) {
+        found.value = Value::Number(without(a, b));
+    }
+    found.range =
+        (found.range.zip(half.range)).map(|(a, b)| (without(a.0, b.0), without(a.1, b.1)));
+    if let (Quantity::Play { of, at }, Some(range)) = (quantity, found.range) {
+        let now = of.of(*at).ok_or(Unmeasured::Blocked)?;
+        let lever = match of {
+            Coordinate::X | Coordinate::Y => 1.0,
+            // A length or an angle: the larger count of gaps.
+            _ => roomy[0].moving().size().min(1.0),
+        };
+        let end = |end: f64| match (end - now).abs() * lever <= AT_ONCE * gap {
+            true => now,
+            false => end,
+        };
+        let range = (end(range.0), end(range.1));
+        found.range = Some(range);
+        found.value = Value::Number(range.1 - range.0);
+    }
     Ok((found, Some(gap)))
-}
-
-/// A play of parts with a gap between them, without it.
-fn play(
-    roomy: &PairSpace,
-    of: Coordinate,
-    at: Coordinates,
-    gap: f64,
-) -> Result<Measured, Unmeasured> {
-    let now = of.of(at).ok_or(Unmeasured::Blocked)?;
-    let lever = match (of, roomy) {
-        (Coordinate::X | Coordinate::Y, _) => 1.0,
-        (Coordinate::Theta, _) => roomy.moving().size(),
-        // On axes a coordinate may be a length or an angle: the larger count of gaps.
-        _ => 1.0_f64.min(roomy.moving().size()),
-    };
-    let [Some((lo, first)), Some((hi, second))] = free_range(roomy, of, at)? else {
-        return Err(Unmeasured::Unlimited);
-    };
-    let end = |end: f64| match (end - now).abs() * lever <= AT_ONCE * gap {
-        true => now,
-        false => end,
-    };
-    let (lo, hi) = (end(lo), end(hi));
-    Ok(Measured {
-        value: Value::Number(hi - lo),
-        range: Some((lo, hi)),
-        stops: vec![first, second],
-    })
 }
 
 /// The configuration at which a quantity is measured.

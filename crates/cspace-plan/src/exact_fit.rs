@@ -45,13 +45,17 @@ pub fn touching_distance(fixed: &Part, moving: &Part) -> f64 {
 /// A part that fits exactly into another, smaller by a gap all around, and the gap, in the model's unit of length: a millionth of the size
 /// of the two. `None` if an edge is too small for it.
 pub fn with_gap(fixed: &Part, moving: &Part) -> Option<(Part, f64)> {
-    let gap = GAP * fixed.size().max(moving.size());
+    with_share_of_gap(fixed, moving, 1.0)
+}
+
+fn with_share_of_gap(fixed: &Part, moving: &Part, share: f64) -> Option<(Part, f64)> {
+    let gap = share * GAP * fixed.size().max(moving.size());
     let smaller = inset(moving, gap).ok().flatten()?;
     Some((smaller, gap))
 }
 
-/// The space of a pair with a moving part that is smaller by a gap, and the gap, where the parts fit exactly at a configuration; `None` where
-/// they do not, and where an edge is too small for it.
+/// The spaces of a pair with a moving part that is smaller by a gap, and by half of it, and the gap, where the parts fit exactly at a
+/// configuration; `None` where they do not, and where an edge is too small for it. What the two differ by is what the gap does.
 ///
 /// # Errors
 /// If the space cannot be computed, or the progress ends that.
@@ -59,12 +63,18 @@ pub fn with_room(
     space: &PairSpace,
     at: Coordinates,
     progress: &dyn Progress,
-) -> Result<Option<(PairSpace, f64)>, PairError> {
+) -> Result<Option<([PairSpace; 2], f64)>, PairError> {
     if !fits_exactly(space, at).unwrap_or(false) {
         return Ok(None);
     }
-    let Some((smaller, gap)) = with_gap(space.fixed(), space.moving()) else {
+    let smaller = |share| with_share_of_gap(space.fixed(), space.moving(), share);
+    let (Some((whole, gap)), Some((half, _))) = (smaller(1.0), smaller(0.5)) else {
         return Ok(None);
     };
-    Ok(with_moving(space, &smaller, progress)?.map(|roomy| (roomy, gap)))
+    let roomy = [&whole, &half].map(|part| with_moving(space, part, progress));
+    Ok(match roomy {
+        [Ok(Some(whole)), Ok(Some(half))] => Some(([whole, half], gap)),
+        [Err(error), _] | [_, Err(error)] => return Err(error),
+        _ => None,
+    })
 }

@@ -152,3 +152,45 @@ limits = [0, 1]
         .unwrap();
     assert_eq!(output.status.code(), Some(1));
 }
+
+/// A gap is no part of what is measured: a slider that is flush with its floor goes 20 and touches both ends, as one a little higher does.
+#[test]
+fn values_at_an_exact_fit_are_without_the_gap() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("flush.toml");
+    let text = r#"
+[parameter]
+floor = 0
+[[part]]
+name = "rail"
+motion = { type = "fixed" }
+loops = [[[-20, -5], [20, -5], [20, 10], [15, 10], [15, "floor"], [-15, "floor"], [-15, 10], [-20, 10]]]
+[[part]]
+name = "slider"
+motion = { type = "prismatic", direction = [1, 0] }
+loops = [[[-5, 0], [5, 0], [5, 5], [-5, 5]]]
+[[requirement]]
+name = "way"
+measure = "play"
+of = "v"
+limits = [0, 20]
+[[requirement]]
+name = "end"
+measure = "extreme"
+of = "v"
+limits = [9, 10]
+"#;
+    std::fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    for floor in ["floor=0", "floor=-0.001"] {
+        let rows = json_beside_notes(&["check", file, "--set", floor]);
+        for (row, value) in rows.as_array().unwrap().iter().zip([20.0, 10.0]) {
+            assert_eq!(row["met"], true, "{floor}: {row}");
+            assert!(
+                (row["value"].as_f64().unwrap() - value).abs() < 1e-9,
+                "{row}"
+            );
+            assert_eq!(row.get("gap").is_some(), floor == "floor=0", "{row}");
+        }
+    }
+}

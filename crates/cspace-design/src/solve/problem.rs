@@ -112,7 +112,7 @@ impl Problem<'_> {
         let spaces = Spaces::compute(&model, self.progress).map_err(|e| e.to_string())?;
         let requirement: &Requirement =
             (model.requirements.first()).ok_or("the model has no such requirement")?;
-        let measured = match spaces.measure(requirement) {
+        let measured = match spaces.with_room(spaces.check(requirement)).measured {
             Ok(measured) => measured,
             Err(error) if error.is_undecided() => return Ok(At::Undecided(error.to_string())),
             Err(error) => return Err(error.to_string()),
