@@ -210,6 +210,11 @@ pub trait World {
         f64::INFINITY
     }
 
+    /// How far things are apart that may meet, at a configuration. Default: not at all.
+    fn clearance(&self, _t: f64, _q: &DVector<f64>) -> f64 {
+        0.0
+    }
+
     /// Largest displacement by a change of the coordinates, or by their rates; angles may count by lengths.
     fn reach(&self, change: &DVector<f64>) -> f64 {
         change.amax()

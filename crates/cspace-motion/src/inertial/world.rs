@@ -466,6 +466,16 @@ impl World for Mechanical<'_> {
         self.bodies.system.size()
     }
 
+    fn clearance(&self, t: f64, q: &DVector<f64>) -> f64 {
+        let q = self.bodies.coordinates(t, q);
+        let pairs = self.pairs.list().iter();
+        let each = pairs.map(|pair| {
+            let at = pair.coordinates(&self.bodies.system, &q);
+            pair.space.clearance(at).unwrap_or(0.0)
+        });
+        each.fold(f64::INFINITY, f64::min)
+    }
+
     fn thinnest(&self) -> f64 {
         let parts = self.bodies.system.mechanism().parts.iter();
         let sides = parts.map(|p| {

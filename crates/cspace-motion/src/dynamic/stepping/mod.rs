@@ -219,8 +219,10 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
         self.fastest = self.fastest.max(world.speed(middle));
-        let displacement = self.h * self.fastest;
-        if displacement > COARSE * world.thinnest() {
+        let displacement = self.h * world.speed(middle);
+        if displacement > COARSE * world.thinnest()
+            && world.clearance(middle.t, &middle.q) <= FARTHER * displacement
+        {
             return Err(Ended::Coarse { displacement });
         }
         let deepest = (DEEPER * self.h * self.fastest).max(DEEP * world.size());
