@@ -15,9 +15,9 @@ use crate::drawing::edge;
 
 /// A centre line goes beyond the centre by this share of the radius at least, on both sides.
 const LEAST: f64 = 0.1;
-/// Of a circle's own it ends within this many radii of the centre,
+/// Radii of a circle within which its own centre line ends,
 const OWN: f64 = 3.0;
-/// and of the part's within this share of its outline's box outside of that.
+/// and the share of the box of the outline around it by which a part's goes beyond that.
 const OUTSIDE: f64 = 0.25;
 /// Arcs whose sweep is at least this have a centre line.
 const SWEEP: f64 = 0.99 * core::f64::consts::PI;
