@@ -194,3 +194,38 @@ limits = [9, 10]
         }
     }
 }
+
+/// A slot that is drawn as wide as its key, and made up to 0.021 wider: the play goes from 0 to 0.021, and the way as drawn is none that
+/// overlaps.
+#[test]
+fn tolerances_begin_at_an_exact_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("key.toml");
+    let text = r#"
+[parameter]
+wider = { value = 0, plus = 0.021, minus = 0 }
+[[part]]
+name = "hub"
+loops = [[[-20, -20], [20, -20], [20, 20], ["5 + wider/2", 20], ["5 + wider/2", 0], ["-5 - wider/2", 0], ["-5 - wider/2", 20], [-20, 20]]]
+[[part]]
+name = "key"
+loops = [[[-5, 0], [5, 0], [5, 20], [-5, 20]]]
+[[requirement]]
+name = "play"
+measure = "play"
+of = "x"
+at = { y = 1 }
+limits = [0, 0.03]
+"#;
+    std::fs::write(&file, text).unwrap();
+    let found = json_beside_notes(&["tolerances", file.to_str().unwrap()]);
+    let of = &found[0];
+    assert_eq!(of["nominal"], 0.0, "{of}");
+    for (end, value) in [("lo", 0.0), ("hi", 0.021)] {
+        assert!(
+            (of["exact"][end]["value"].as_f64().unwrap() - value).abs() < 1e-9,
+            "{of}"
+        );
+    }
+    assert!(of["margin"].as_f64().unwrap() > 1.0, "{of}");
+}

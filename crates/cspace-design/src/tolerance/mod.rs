@@ -216,7 +216,10 @@ impl<'a> Analysis<'a> {
             set: self.set,
             ..Host::default()
         };
-        sensitivities_on(&self.spaces, self.template, &host, &self.model)
+        let all = sensitivities_on(&self.spaces, self.template, &host, &self.model);
+        (all.into_iter())
+            .map(|(nominal, by)| (self.spaces.with_room(nominal), by))
+            .collect()
     }
 
     /// Effects of tolerances as far as derivatives as drawn say.

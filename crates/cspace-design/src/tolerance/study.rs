@@ -306,7 +306,7 @@ impl<'a> Study<'a> {
                 reason: "the computation was interrupted".to_owned(),
             });
         };
-        match spaces.measure(&requirement) {
+        match spaces.with_room(spaces.check(&requirement)).measured {
             Err(error) => none(Failure::of(&error)),
             Ok(measured) => Point {
                 value: Ok(match measured.value {
