@@ -1341,7 +1341,7 @@ in the fixed part's frame. Angles are radians; a string such as 18deg is
 accepted too. Lengths are in the model's unit.
 
 Data goes to standard output, everything else to standard error. Exit codes: 0
-done, 1 the work could not be done, 2 bad input or usage.";
+done, 1 the work could not be done, 2 bad input or usage, or not decided.";
 
 const INFO: &str = "\
 Examples:

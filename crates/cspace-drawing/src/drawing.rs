@@ -245,7 +245,7 @@ impl Drawing {
         let bounds = path.bounds();
         let far = [bounds.min, bounds.max].into_iter().find(|p| {
             // Not a number is beyond, too.
-            !(p.x.abs().max(p.y.abs()) <= MAX_COORDINATE && p.x.is_finite() && p.y.is_finite())
+            !(p.x.abs() <= MAX_COORDINATE && p.y.abs() <= MAX_COORDINATE)
         });
         match far {
             None => self.entities.push(Entity { origin, path }),

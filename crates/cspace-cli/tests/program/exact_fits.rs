@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{classes, cspace, json, json_beside_notes, printed};
+use crate::helpers::{classes, cspace, file, json, json_beside_notes, printed};
 
 /// A slot and a key, a plate and a pin, and two pieces of one cut with a bulge: what is right of each is that of parts with a little play.
 const FITS: [(&str, &str, &str, bool); 3] = [
@@ -28,14 +28,12 @@ const FITS: [(&str, &str, &str, bool); 3] = [
 
 #[test]
 fn exact_fits_touch_and_do_not_overlap() {
-    let folder = tempfile::tempdir().unwrap();
     for (name, fixed, moving, comes_out) in FITS {
-        let file = folder.path().join(format!("{name}.toml"));
         let text = format!(
             "unit = \"mm\"\n[[part]]\nname = \"plate\"\nloops = {fixed}\n[[part]]\nname = \"part\"\nloops = {moving}\n"
         );
-        std::fs::write(&file, text).unwrap();
-        let file = file.to_str().unwrap();
+        let (_folder, file) = file(&text);
+        let file = file.as_str();
         let computed = printed(&["compute", file]);
         assert!(computed.contains("as drawn       exact fit"), "{computed}");
         let here = [vec![0.0; 3], vec![0.0, -0.01, 0.0], vec![0.0, 50.0, 0.0]];
@@ -72,15 +70,13 @@ fn exact_fits_touch_and_do_not_overlap() {
 /// With a hundredth too little they overlap, and with a hundredth of play they are free.
 #[test]
 fn what_is_wider_overlaps_and_what_is_narrower_is_free() {
-    let folder = tempfile::tempdir().unwrap();
     for (half, result) in [(5.01, "blocked"), (4.99, "contact")] {
-        let file = folder.path().join("key.toml");
         let text = format!(
             "[[part]]\nname = \"plate\"\nloops = {}\n[[part]]\nname = \"key\"\nloops = [[[-{half},-10],[{half},-10],[{half},5],[-{half},5]]]\n",
             FITS[0].1
         );
-        std::fs::write(&file, text).unwrap();
-        let play = &json(&["play", file.to_str().unwrap()])[0];
+        let (_folder, file) = file(&text);
+        let play = &json(&["play", &file])[0];
         assert_eq!(play["result"], result, "{play}");
         assert!(play.get("gap").is_none());
     }
@@ -89,8 +85,6 @@ fn what_is_wider_overlaps_and_what_is_narrower_is_free() {
 /// H7 and g6 are drawn nominal on nominal: there is no play, and the way out is open.
 #[test]
 fn requirements_hold_at_an_exact_fit() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("slide.toml");
     let text = r#"
 unit = "mm"
 [parameter]
@@ -126,8 +120,8 @@ name = "gap"
 measure = "clearance"
 limits = [0, 1]
 "#;
-    std::fs::write(&file, text).unwrap();
-    let file = file.to_str().unwrap();
+    let (_folder, file) = file(text);
+    let file = file.as_str();
     let checked = |tail: &str| json_beside_notes(&["check", file, "--set", tail]);
     let fits = checked("tail=20");
     for row in fits.as_array().unwrap() {
@@ -156,8 +150,6 @@ limits = [0, 1]
 /// A gap is no part of what is measured: a slider that is flush with its floor goes 20 and touches both ends, as one a little higher does.
 #[test]
 fn values_at_an_exact_fit_are_without_the_gap() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("flush.toml");
     let text = r#"
 [parameter]
 floor = 0
@@ -180,8 +172,8 @@ measure = "extreme"
 of = "v"
 limits = [9, 10]
 "#;
-    std::fs::write(&file, text).unwrap();
-    let file = file.to_str().unwrap();
+    let (_folder, file) = file(text);
+    let file = file.as_str();
     for floor in ["floor=0", "floor=-0.001"] {
         let rows = json_beside_notes(&["check", file, "--set", floor]);
         for (row, value) in rows.as_array().unwrap().iter().zip([20.0, 10.0]) {
@@ -199,8 +191,6 @@ limits = [9, 10]
 /// overlaps.
 #[test]
 fn tolerances_begin_at_an_exact_fit() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("key.toml");
     let text = r#"
 [parameter]
 wider = { value = 0, plus = 0.021, minus = 0 }
@@ -217,8 +207,8 @@ of = "x"
 at = { y = 1 }
 limits = [0, 0.03]
 "#;
-    std::fs::write(&file, text).unwrap();
-    let found = json_beside_notes(&["tolerances", file.to_str().unwrap()]);
+    let (_folder, file) = file(text);
+    let found = json_beside_notes(&["tolerances", &file]);
     let of = &found[0];
     assert_eq!(of["nominal"], 0.0, "{of}");
     for (end, value) in [("lo", 0.0), ("hi", 0.021)] {

@@ -184,3 +184,12 @@ pub(crate) fn classes(args: &[&str], header: &str, rows: &[Vec<f64>]) -> Vec<Str
         .map(|(line, given)| line.strip_prefix(&format!("{given},")).unwrap().to_owned())
         .collect()
 }
+
+/// A model file of a text, in a folder of its own.
+pub(crate) fn file(text: &str) -> (tempfile::TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.toml");
+    std::fs::write(&path, text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (folder, path)
+}

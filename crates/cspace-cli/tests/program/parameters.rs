@@ -1,6 +1,6 @@
 //! `--set`, on every command that takes a model, and parameters in `info`.
 
-use crate::helpers::{cspace, json_beside_notes as json, printed};
+use crate::helpers::{cspace, file, json_beside_notes as json, printed};
 
 const MODEL: &str = r#"
 name = "peg in a slot"
@@ -21,14 +21,6 @@ name = "peg"
 loops = [[["-peg/2", -18], ["peg/2", -18], ["peg/2", 4], ["-peg/2", 4]]]
 motion = { type = "prismatic", direction = [1, 0] }
 "#;
-
-fn file(text: &str) -> (tempfile::TempDir, String) {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("m.toml");
-    std::fs::write(&file, text).unwrap();
-    let name = file.to_str().unwrap().to_owned();
-    (folder, name)
-}
 
 fn model() -> (tempfile::TempDir, String) {
     file(MODEL)

@@ -1,6 +1,6 @@
 //! `cspace simulate`.
 
-use crate::helpers::{cspace, fails, json, json_beside_notes, model, printed};
+use crate::helpers::{cspace, fails, file, json, json_beside_notes, model, printed};
 
 /// A block that is pushed to the end of its range.
 pub(crate) const JAM: &str = r#"
@@ -18,14 +18,6 @@ loops = [ [[3, -1], [5, -1], [5, 1], [3, 1]] ]
 part = "pusher"
 rate = 1
 "#;
-
-fn file(text: &str) -> (tempfile::TempDir, String) {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("model.toml");
-    std::fs::write(&path, text).unwrap();
-    let path = path.to_str().unwrap().to_owned();
-    (folder, path)
-}
 
 /// Both written forms hold the same numbers, and the wheel steps by 60 degrees.
 #[test]

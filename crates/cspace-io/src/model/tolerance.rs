@@ -231,7 +231,7 @@ fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
     };
     let limits = limits(table)?;
     let one_sided = above.is_some() || below.is_some();
-    if (above.is_some() || below.is_some()) && -below.unwrap_or(0.0) > above.unwrap_or(0.0) {
+    if one_sided && -below.unwrap_or(0.0) > above.unwrap_or(0.0) {
         return Err(table
             .error("minus", "`minus` and `plus` leave nothing between them")
             .with_help("`minus` counts downwards, and each is 0 where it is left out: limits of -0.007 and -0.020 are plus = -0.007, minus = 0.020"));

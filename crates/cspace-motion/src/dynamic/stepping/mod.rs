@@ -61,6 +61,7 @@ pub fn step_through<W: World + ?Sized>(
         story: Story::default(),
         open: 0.0,
         fastest: 0.0,
+        coarse: COARSE * world.thinnest(),
         work: Work::default(),
     };
     let mut first = start.clone();
@@ -116,6 +117,8 @@ struct Stepping<'a, W: World + ?Sized> {
     open: f64,
     /// The largest speed so far.
     fastest: f64,
+    /// A step in which parts move by more than this is too long where they may meet.
+    coarse: f64,
     work: Work,
 }
 
@@ -207,20 +210,21 @@ impl<W: World + ?Sized> Stepping<'_, W> {
         })
     }
 
-    /// Largest distance from contact, in the middle of a step, of parts that count as closed.
-    fn way(&self, middle: &State) -> f64 {
-        FARTHER * (self.open + self.h * self.world.speed(middle))
+    /// Largest distance from contact, in the middle of a step, of parts that count as closed, given the speed there.
+    fn way(&self, speed: f64) -> f64 {
+        FARTHER * (self.open + self.h * speed)
     }
 
     /// The contacts that are closed in the middle of a step.
     fn active(&mut self, middle: &State, free: &DVector<f64>) -> Result<Vec<Active>, Ended> {
         let world = self.world;
-        let found = world.overlapping(middle.t, &middle.q, self.way(middle));
+        let speed = world.speed(middle);
+        let found = world.overlapping(middle.t, &middle.q, self.way(speed));
         let found = found.ok_or_else(|| stuck(Vec::new()))?;
         let mut active = Vec::new();
-        self.fastest = self.fastest.max(world.speed(middle));
-        let displacement = self.h * world.speed(middle);
-        if displacement > COARSE * world.thinnest()
+        self.fastest = self.fastest.max(speed);
+        let displacement = self.h * speed;
+        if displacement > self.coarse
             && world.clearance(middle.t, &middle.q) <= FARTHER * displacement
         {
             return Err(Ended::Coarse { displacement });
@@ -303,7 +307,7 @@ impl<W: World + ?Sized> Stepping<'_, W> {
             q: middle.q.clone(),
             v: (&from.v + &to.v) * 0.5,
         };
-        let way = self.way(middle);
+        let way = self.way(self.world.speed(middle));
         // A contact that goes on by itself is no other's.
         let goes_on = |a: usize| contacts.iter().any(|c| c.0 == a && c.1 != 0.0);
         let is_same = |a: usize, b: usize| {
