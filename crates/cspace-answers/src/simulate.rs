@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use cspace_mechanism::Mechanism;
 use cspace_motion::{
-    ContactInterval, Cycle, Energy, Event, Forces, Obstacle, PartCoordinates, Record, Report,
-    Sample, Status, System, Trajectory,
+    ContactInterval, Cycle, Energy, Event, Forces, Gap, Obstacle, PartCoordinates, Record, Report,
+    Sample, Simulation, Status, System, Trajectory,
 };
 use serde::Serialize;
 
@@ -33,6 +33,9 @@ pub struct Told {
     /// Obstacles that stopped it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
+    /// The parts that fit exactly at the start, and by how much they are smaller.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gaps: Vec<Gap>,
     /// The time of the last state (s).
     pub until: f64,
     /// Parts that can move.
@@ -176,11 +179,12 @@ impl Told {
     /// If the model cannot be written as JSON, which plain data always can.
     pub fn of(
         model: &Mechanism,
-        system: &System,
+        simulation: &Simulation,
         (record, report): (&Record, &Report),
         wanted: Wanted,
         seconds: f64,
     ) -> serde_json::Result<Self> {
+        let system = simulation.system();
         let by_name = |all: &[f64]| -> BTreeMap<String, Numbers> {
             moving(model, system)
                 .map(|(name, part)| (name.to_owned(), Numbers::of(&all[part.indices()])))
@@ -196,6 +200,7 @@ impl Told {
         Ok(Self {
             status: record.status,
             reason: record.reason.clone(),
+            gaps: simulation.gaps().to_vec(),
             obstacles: record.obstacles.clone(),
             until: record.until,
             parts: moving(model, system).map(|(n, _)| n.to_owned()).collect(),

@@ -54,7 +54,7 @@ impl Motion {
         });
         match found {
             Ok((simulation, record)) => {
-                let report = Report::of(simulation.system(), &record);
+                let report = Report::of(&simulation, &record);
                 Ok(Ok(Self {
                     simulation,
                     record,

@@ -71,17 +71,15 @@ pub enum SimulateError {
         /// Penetration depth, along or about the axis if both parts are on axes, otherwise by translation.
         depth: f64,
     },
-    /// Two parts slide along each other without a gap, as drawn.
+    /// Two parts fit exactly at the start, and neither can be made smaller by a gap.
     #[error(
-        "{fixed} and {moving} touch without a gap wherever their axes take them, and contact on axes cannot be told from overlap then; leave the pair out by listing the others as `[[pair]]`, or draw a gap of {gap:.0e} between the parts"
+        "{fixed} and {moving} fit exactly at the start, and {moving} has edges too short to be made smaller by a gap; draw a gap between them"
     )]
-    Flush {
+    ExactFit {
         /// Name of the fixed part.
         fixed: String,
         /// Name of the moving part.
         moving: String,
-        /// A gap that is enough, in the model's unit of length.
-        gap: f64,
     },
     /// A pair starts where its space was not computed.
     #[error(

@@ -63,6 +63,7 @@ mod dormand_prince;
 mod drive;
 pub mod dynamic;
 mod error;
+mod exact_fit;
 mod forces;
 mod hand;
 mod inertial;
@@ -77,6 +78,7 @@ mod system;
 
 pub use drive::{DriveCurve, Driven};
 pub use error::SimulateError;
+pub use exact_fit::Gap;
 pub use forces::has_forces;
 pub use hand::{Dragged, Ending, Hand, Stopper, Target};
 pub use pairs::{MovingPair, Pairs, Touch};

@@ -9,6 +9,7 @@ use cspace_mechanism::{Compute, compute_anew};
 use crate::assemble::assemble;
 use crate::contact::check_start;
 use crate::error::SimulateError;
+use crate::exact_fit::{Gap, with_room};
 use crate::forces::has_forces;
 use crate::inertial::{self, Scheme};
 use crate::kinematic::run;
@@ -43,6 +44,7 @@ pub struct Simulation {
     system: System,
     pairs: Pairs,
     start: Vec<f64>,
+    gaps: Vec<Gap>,
     /// Time and rates of the sample from which the motion is restarted.
     taken_up: Option<(f64, Vec<f64>)>,
 }
@@ -104,6 +106,20 @@ impl Simulation {
     /// As [`new`](Self::new); and what `compute` returns.
     pub fn new_by(mechanism: &Mechanism, compute: &Compute<'_>) -> Result<Self, SimulateError> {
         mechanism.check()?;
+        let drawn = Self::prepared(mechanism, compute)?;
+        let simulation = match with_room(&drawn.system, &drawn.pairs, &drawn.start)? {
+            None => drawn,
+            Some((roomy, gaps)) => Self {
+                gaps,
+                ..Self::prepared(&roomy, compute)?
+            },
+        };
+        check_start(&simulation.system, &simulation.pairs, &simulation.start)?;
+        Ok(simulation)
+    }
+
+    /// A mechanism with the spaces of its pairs, where its joints hold.
+    fn prepared(mechanism: &Mechanism, compute: &Compute<'_>) -> Result<Self, SimulateError> {
         let system = System::new(mechanism);
         if system.count() == 0 {
             return Err(SimulateError::NothingMoves);
@@ -114,11 +130,11 @@ impl Simulation {
             return Err(system.open_joint(&system.start()));
         };
         check_ranges(&system, &start)?;
-        check_start(&system, &pairs, &start)?;
         Ok(Self {
             system,
             pairs,
             start,
+            gaps: Vec::new(),
             taken_up: None,
         })
     }
@@ -212,6 +228,11 @@ impl Simulation {
     /// The coordinates.
     pub fn system(&self) -> &System {
         &self.system
+    }
+
+    /// The parts that are smaller than drawn, because they fit exactly into another at the start and would have no room to move.
+    pub fn gaps(&self) -> &[Gap] {
+        &self.gaps
     }
 
     /// The pairs.

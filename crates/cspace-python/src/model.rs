@@ -417,20 +417,20 @@ impl Model {
         every: Option<f64>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let model = Arc::clone(&self.model);
-        let (record, report, columns) = work::run(py, move |progress| {
+        let (record, report, columns, gaps) = work::run(py, move |progress| {
             let simulation = Simulation::new_with(&model.mechanism, progress);
             let simulation = simulation.map_err(|e| e.to_string())?;
             let settings = Settings { time, every };
             let record = simulation.follow_with(&settings, progress);
             let record = record.map_err(|e| e.to_string())?;
             let system = simulation.system();
-            let report = Report::of(system, &record);
+            let report = Report::of(&simulation, &record);
             let columns: Vec<(String, core::ops::Range<usize>)> =
                 (model.mechanism.parts.iter().zip(system.parts()))
                     .map(|(entry, part)| (entry.part.name().to_owned(), part.indices()))
                     .filter(|(_, indices)| !indices.is_empty())
                     .collect();
-            Ok((record, report, columns))
+            Ok((record, report, columns, simulation.gaps().to_vec()))
         })?;
         let told = PyDict::new(py);
         let times: Vec<f64> = record.samples.iter().map(|s| s.t).collect();
@@ -465,6 +465,7 @@ impl Model {
             "contacts",
             pythonize::pythonize(py, &report.contacts).map_err(error)?,
         )?;
+        told.set_item("gaps", pythonize::pythonize(py, &gaps).map_err(error)?)?;
         told.set_item("period", report.cycle.as_ref().map(|c| c.period))?;
         told.set_item("summary", report.summary)?;
         Ok(told)

@@ -268,14 +268,13 @@ fn answer(
     record: &Record,
     seconds: f64,
 ) -> serde_json::Result<simulate::Told> {
-    let system = simulation.system();
-    let report = Report::of(system, record);
+    let report = Report::of(simulation, record);
     let wanted = simulate::Wanted {
         rates: false,
         forces: false,
         states: true,
     };
-    simulate::Told::of(model, system, (record, &report), wanted, seconds)
+    simulate::Told::of(model, simulation, (record, &report), wanted, seconds)
 }
 
 /// An error of a model, and what to do.

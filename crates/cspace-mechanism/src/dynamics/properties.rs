@@ -57,4 +57,29 @@ impl Mechanism {
         let entry = self.parts.get(part)?;
         self.dynamics.part(part).mass_properties(&entry.part)
     }
+
+    /// The mechanism with another outline of a part, which keeps the mass, the centre of mass and the inertia that it has.
+    ///
+    /// # Panics
+    /// If no part has this index.
+    #[must_use]
+    pub fn with_outline(mut self, part: usize, outline: Part) -> Self {
+        let center = self
+            .dynamics
+            .part(part)
+            .center_of_mass(&self.parts[part].part);
+        let properties = self.mass_properties(part);
+        let kept = self.dynamics.part_mut(part);
+        // A load without a point acts at the centre of mass, also of a part without mass.
+        kept.center_of_mass = Some(center);
+        if let Some(properties) = properties {
+            kept.mass = Some(Mass::Total(properties.mass));
+            kept.inertia = Some(properties.inertia);
+        }
+        let entry = &mut self.parts[part];
+        // What is declared was checked of the outline as drawn; it is detected of this one.
+        entry.symmetry = None;
+        entry.part = outline;
+        self
+    }
 }

@@ -1,6 +1,6 @@
 //! Check of the start configuration.
 
-use cspace::{Classification, PairSpace, QueryError, Slice};
+use cspace::{Classification, PairSpace, QueryError};
 
 use crate::error::SimulateError;
 use crate::pairs::{MovingPair, Pairs};
@@ -29,10 +29,6 @@ fn check_pair(
     let [fixed, moving] = names(pair, system);
     match is_held(system, pairs, index, q) {
         Ok(true) => Ok(()),
-        Ok(false) if is_flush(pair, system, q) => {
-            let gap = pair.touch;
-            Err(SimulateError::Flush { fixed, moving, gap })
-        }
         Ok(false) => Err(SimulateError::Overlap {
             fixed,
             moving,
@@ -46,7 +42,8 @@ fn check_pair(
     }
 }
 
-fn names(pair: &MovingPair, system: &System) -> [String; 2] {
+/// Names of the fixed and of the moving part of a pair.
+pub(crate) fn names(pair: &MovingPair, system: &System) -> [String; 2] {
     let parts = &system.mechanism().parts;
     [pair.fixed, pair.moving].map(|i| parts[i].part.name().to_owned())
 }
@@ -88,16 +85,4 @@ fn is_held(system: &System, pairs: &Pairs, index: usize, q: &[f64]) -> Result<bo
     }
     let touches = pair.touches(index, system, q, pair.touch)?;
     Ok(!touches.is_empty() || !pinching(system, pairs, index, q).is_empty())
-}
-
-/// Whether parts on axes that are classified as blocked only touch: a part that slides along another one without a gap
-/// stays in contact.
-fn is_flush(pair: &MovingPair, system: &System, q: &[f64]) -> bool {
-    if !matches!(pair.space, PairSpace::FixedAxes(_)) {
-        return false;
-    }
-    let relative = system.relative(pair.fixed, pair.moving, q);
-    let slice = Slice::compute(pair.space.fixed(), pair.space.moving(), relative.theta);
-    let here = relative.position();
-    (slice.nearest(here)).is_some_and(|(_, there)| there.distance(here) <= pair.touch)
 }

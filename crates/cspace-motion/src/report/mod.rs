@@ -15,7 +15,7 @@ pub use drops::{Drop, Swing};
 pub use trajectory::Trajectory;
 
 use crate::record::Record;
-use crate::system::System;
+use crate::simulate::Simulation;
 
 /// Report on a motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Reports on a recorded motion of a system.
+    /// Reports on a recorded motion of a mechanism.
     ///
     /// ```
     /// use cspace::{Part, Vertex};
@@ -48,11 +48,12 @@ impl Report {
     /// mechanism.dynamics.drives.push(Drive { part: 0, motion });
     /// let simulation = Simulation::new(&mechanism)?;
     /// let record = simulation.kinematic(&Settings { time: 2.0, every: None })?;
-    /// let report = Report::of(simulation.system(), &record);
+    /// let report = Report::of(&simulation, &record);
     /// assert!((report.cycle.ok_or("no cycle")?.period - 1.0).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(system: &System, record: &Record) -> Self {
+    pub fn of(simulation: &Simulation, record: &Record) -> Self {
+        let system = simulation.system();
         let trajectory = Trajectory::of(record);
         let contacts = contacts::intervals(record);
         let cycle = cycle::find(system, record, &trajectory);
@@ -64,7 +65,9 @@ impl Report {
             cycle: cycle.as_ref(),
             drops: &drops,
         };
-        let summary = summary::sentences(system, record, &trajectory, &found);
+        let gaps = summary::gaps(system.mechanism(), simulation.gaps());
+        let motion = summary::sentences(system, record, &trajectory, &found);
+        let summary = gaps.chain(motion).collect();
         Self {
             contacts,
             cycle,

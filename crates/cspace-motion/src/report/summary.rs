@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::AxisMotion;
+use cspace_mechanism::Mechanism;
 
 use super::contacts::{ContactInterval, together};
 use super::cycle::{Cycle, PartCycle};
@@ -11,6 +12,7 @@ use super::forces;
 use super::number::{bare_length, brief, degrees, length, percent, plain, with_unit};
 use super::phase::Clock;
 use super::trajectory::Trajectory;
+use crate::exact_fit::Gap;
 use crate::record::Record;
 use crate::system::{PartCoordinates, System};
 
@@ -30,6 +32,17 @@ pub(super) struct Found<'a> {
     pub(super) contacts: &'a [ContactInterval],
     pub(super) cycle: Option<&'a Cycle>,
     pub(super) drops: &'a [Drop],
+}
+
+/// Sentences on the parts that are smaller than drawn.
+pub(super) fn gaps<'a>(
+    mechanism: &'a Mechanism,
+    gaps: &'a [Gap],
+) -> impl Iterator<Item = String> + 'a {
+    gaps.iter().map(|Gap { part, gap }| {
+        let gap = with_unit(mechanism, &format!("{gap:.1e}"));
+        format!("gap {gap}: the parts fit exactly, and {part} is smaller by it all around")
+    })
 }
 
 /// Sentences of the report: the cycle, the motion of each part in it, drops, contacts, forces.

@@ -278,7 +278,7 @@ class Solved:
 @dataclass(frozen=True, eq=False)
 class Simulation:
     """The motion of a mechanism: `coordinates[part]` and `rates[part]` at the times `t`, as arrays of n, or n×3 for a part that moves
-    freely; `events` and `contacts` as dictionaries, the `period` if the motion repeats, and a `summary` in words."""
+    freely; `events` and `contacts` as dictionaries, `gaps` of parts that fit exactly at the start, the `period` if the motion repeats, and a `summary` in words."""
 
     t: NDArray[np.float64]
     coordinates: dict[str, Any]
@@ -288,6 +288,7 @@ class Simulation:
     reason: str | None
     events: list[Any]
     contacts: list[Any]
+    gaps: list[Any]
     period: float | None
     summary: list[Any]
 

@@ -90,8 +90,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
             freedom.equations
         ));
     }
-    let system = simulation.system();
-    let report = Report::of(system, &record);
+    let report = Report::of(&simulation, &record);
     let wanted = Wanted {
         rates: args.rates,
         forces: args.forces,
@@ -99,7 +98,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     };
     let told = Told::of(
         &model,
-        system,
+        &simulation,
         (&record, &report),
         wanted,
         begin.elapsed().as_secs_f64(),

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use cspace::pair::Joint;
 use cspace::{Part, Point, Vector};
 use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
-use cspace_mechanism::{Load, LoadKind, PartPosition};
-use cspace_motion::{EventKind, SimulateError, Simulation, Status};
+use cspace_mechanism::{Load, LoadKind, Mass, PartPosition};
+use cspace_motion::{EventKind, Settings, SimulateError, Simulation, Status};
 
-use crate::motion::helpers::{at, driven, mechanism, polygon, run};
+use crate::motion::helpers::{at, driven, judge, mechanism, polygon, run};
 
 /// A rod is pushed beside its middle: v = u ρ²/(ρ² + b²) and ω = u b/(ρ² + b²), ρ its radius of gyration.
 #[test]
@@ -186,25 +186,77 @@ fn what_cannot_start_is_told() {
     assert!((depth - 0.5).abs() < 1e-9);
 }
 
-/// A slider that is drawn flush on its rail does not overlap it, and the error names a gap that is enough.
+/// A slider that is drawn flush on its rail, and a key that is drawn in its slot to size, move: they are smaller by a gap, and keep their
+/// mass. What overlaps by more than rounding is refused.
 #[test]
-fn a_flush_slider_is_no_overlap() {
-    let drawn = |gap: f64| {
+fn exact_fits_move() {
+    let slider = |overlap: f64| {
         let mechanism = mechanism(vec![
             PartEntry::fixed(Part::rectangle("rail", (10.0, -0.5), 20.0, 1.0).unwrap()),
             PartEntry::prismatic(
-                Part::rectangle("slider", (3.0, 1.0 + gap), 2.0, 2.0).unwrap(),
+                Part::rectangle("slider", (3.0, 1.0 - overlap), 2.0, 2.0).unwrap(),
                 (1.0, 0.0),
             ),
         ]);
-        Simulation::new(&driven(mechanism, 1, 5.0)).map(drop)
+        driven(mechanism, 1, 5.0)
     };
-    let Err(SimulateError::Flush { gap, .. }) = drawn(0.0) else {
-        panic!("flush")
+    let (simulation, record) = run(&slider(0.0), 1.0, 0.1);
+    let [gap] = simulation.gaps() else {
+        panic!("{:?}", simulation.gaps())
     };
-    assert!(gap < 1e-8, "{gap}");
-    assert!(drawn(gap).is_ok());
-    assert!(matches!(drawn(-1e-6), Err(SimulateError::Overlap { .. })));
+    assert_eq!(gap.part, "slider");
+    assert!(gap.gap > 0.0 && gap.gap < 1e-4, "{gap:?}");
+    assert_eq!(record.status, Status::Done);
+    assert!((record.samples.last().unwrap().coordinates[0] - 5.0).abs() < 1e-9);
+    let error = Simulation::new(&slider(1e-6)).unwrap_err();
+    assert!(matches!(&error, SimulateError::Overlap { .. }), "{error}");
+
+    let slot = [
+        (-9.0, -9.0),
+        (9.0, -9.0),
+        (9.0, 0.0),
+        (5.0, 0.0),
+        (5.0, -5.0),
+        (-5.0, -5.0),
+        (-5.0, 0.0),
+        (-9.0, 0.0),
+    ];
+    let mut keyed = mechanism(vec![
+        PartEntry::fixed(Part::polygon("slot", &slot).unwrap()),
+        PartEntry::planar(Part::rectangle("key", (0.0, 0.0), 10.0, 10.0).unwrap()),
+    ]);
+    let force = |x: f64, y: f64| LoadKind::Force {
+        force: Vector::new(x, y),
+        at: None,
+    };
+    keyed.dynamics.loads.push(Load {
+        part: 1,
+        kind: force(0.0, 3.0),
+    });
+    keyed.dynamics.part_mut(1).mass = Some(Mass::Density(0.01));
+    let dynamic = |keyed: &Mechanism| {
+        let simulation = Simulation::new(keyed).unwrap();
+        let settings = Settings {
+            time: 2.0,
+            every: None,
+        };
+        let record = simulation.dynamic(&settings).unwrap();
+        judge(&simulation, &record);
+        (simulation, record)
+    };
+    let (simulation, record) = dynamic(&keyed);
+    assert_eq!(simulation.gaps()[0].part, "key");
+    // It slides out by ½ (3 / 1) 2² with the mass of the drawn outline.
+    let last = &record.samples.last().unwrap().coordinates;
+    assert!(
+        (last[1] - 6.0).abs() < 1e-9 && last[0].abs() < 1e-9,
+        "{last:?}"
+    );
+    keyed.dynamics.loads[0].kind = force(0.0, -3.0);
+    let (simulation, record) = dynamic(&keyed);
+    let gap = simulation.gaps()[0].gap;
+    let last = &record.samples.last().unwrap().coordinates;
+    assert!((last[1] + gap).abs() < 1e-9 && last[0].abs() < 1e-9, "{last:?}");
 }
 
 /// Two halves that a rigid joint makes one are pushed as one, and a part on a prismatic joint slides along another that turns.

@@ -96,7 +96,7 @@ fn an_escape_wheel_goes_on_by_a_tooth() {
 fn gears_have_the_ratio_of_their_teeth() {
     for every in [None, Some(1.0), Some(0.0317)] {
         let (simulation, record) = run(&model("gears_on_shafts"), 1.0, every);
-        let report = Report::of(simulation.system(), &record);
+        let report = Report::of(&simulation, &record);
         let cycle = report.cycle.as_ref().unwrap();
         assert!((cycle.period - 1.0 / 12.0).abs() < 1e-12, "{every:?}");
         assert!((cycle.ratio(1).unwrap() + 1.2).abs() < 1e-12);
@@ -135,7 +135,7 @@ fn nothing_is_said_without_a_cycle() {
     let motion = DriveMotion::Rate(1.0);
     mechanism.dynamics.drives.push(Drive { part: 0, motion });
     let (simulation, record) = run(&mechanism, 5.0, None);
-    let report = Report::of(simulation.system(), &record);
+    let report = Report::of(&simulation, &record);
     assert_eq!(report.cycle, None);
     assert_eq!(report.summary, ["a and b touch from 2.000 s on"]);
 }
@@ -158,7 +158,7 @@ fn rest_is_a_cycle_of_what_goes_on() {
     let motion = DriveMotion::Rate(TAU);
     mechanism.dynamics.drives.push(Drive { part: 0, motion });
     let (simulation, record) = run(&mechanism, 3.0, None);
-    let report = Report::of(simulation.system(), &record);
+    let report = Report::of(&simulation, &record);
     let cycle = report.cycle.as_ref().unwrap();
     assert!((cycle.period - 1.0).abs() < 1e-12);
     assert_eq!(part(cycle, 1).advance, [0.0]);
@@ -206,7 +206,7 @@ fn forces_are_told_where_they_are_known() {
         impacts: 0.0,
         drift: 0.0,
     });
-    let report = Report::of(simulation.system(), &record);
+    let report = Report::of(&simulation, &record);
     says(
         &report,
         "gear and pinion press on each other with at most 80.00 kg·mm/s² at the samples, at 180.0 deg of the gear",

@@ -26,5 +26,5 @@ fn run(mechanism: &Mechanism, time: f64, every: Option<f64>) -> (Simulation, Rec
 /// Report on a shipped model.
 fn told(name: &str, time: f64) -> Report {
     let (simulation, record) = run(&model(name), time, None);
-    Report::of(simulation.system(), &record)
+    Report::of(&simulation, &record)
 }

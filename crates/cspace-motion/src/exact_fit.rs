@@ -1,0 +1,62 @@
+//! Parts that fit exactly at the start: nominal on nominal, as a key in its slot is drawn first.
+//!
+//! Their contact space has no room there. The motion is that of the mechanism in which one of the two is smaller by a gap.
+
+use cspace::Part;
+use cspace_mechanism::Mechanism;
+use cspace_plan::{fits_exactly, with_gap};
+use serde::Serialize;
+
+use crate::contact::{depth, names};
+use crate::error::SimulateError;
+use crate::pairs::Pairs;
+use crate::system::System;
+
+/// A part that is smaller than drawn, all around, because it fits exactly into another.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Gap {
+    /// Name of the part.
+    pub part: String,
+    /// How much smaller it is, in the model's unit of length.
+    pub gap: f64,
+}
+
+/// The mechanism with room where parts fit exactly at a position, and the parts that are smaller for it; `None` where none do.
+///
+/// Of two parts the one that moves in the frame of the other is smaller, unless one of them is smaller already.
+///
+/// # Errors
+/// If a part that has to be smaller has edges too short for it.
+pub(crate) fn with_room(
+    system: &System,
+    pairs: &Pairs,
+    q: &[f64],
+) -> Result<Option<(Mechanism, Vec<Gap>)>, SimulateError> {
+    let mut smaller: Vec<(usize, Part, f64)> = Vec::new();
+    for pair in pairs.list() {
+        let done = (smaller.iter()).any(|(i, ..)| [pair.fixed, pair.moving].contains(i));
+        if done || depth(pair, system, q)?.is_none() {
+            continue;
+        }
+        if fits_exactly(&pair.space, pair.coordinates(system, q)).unwrap_or(false) {
+            let Some((part, gap)) = with_gap(pair.space.fixed(), pair.space.moving()) else {
+                let [fixed, moving] = names(pair, system);
+                return Err(SimulateError::ExactFit { fixed, moving });
+            };
+            smaller.push((pair.moving, part, gap));
+        }
+    }
+    if smaller.is_empty() {
+        return Ok(None);
+    }
+    let mut mechanism = system.mechanism().clone();
+    let mut gaps = Vec::with_capacity(smaller.len());
+    for (index, part, gap) in smaller {
+        gaps.push(Gap {
+            part: part.name().to_owned(),
+            gap,
+        });
+        mechanism = mechanism.with_outline(index, part);
+    }
+    Ok(Some((mechanism, gaps)))
+}
