@@ -15,7 +15,7 @@ use crate::input;
 use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::progress::Bar;
-use crate::subject::set_threads;
+use crate::subject::{placed_by_name, set_threads};
 use crate::wording::{count, degrees, length};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
@@ -69,7 +69,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         Format::Text => {
             let mut text = String::new();
             let unit = (model.mechanism.unit.as_ref()).map_or(String::new(), |u| format!(" {u}"));
-            describe(&mut text, &rows, &unit).map_err(Failure::work)?;
+            describe(&mut text, &model, &rows, &unit).map_err(Failure::work)?;
             text.into_bytes()
         }
     };
@@ -117,7 +117,7 @@ pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure>
     Ok(())
 }
 
-fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
+fn describe(text: &mut String, model: &Model, rows: &[Row], unit: &str) -> fmt::Result {
     /// More pairs of features are counted.
     const MOST: usize = 2;
     for (i, row) in rows.iter().enumerate() {
@@ -200,7 +200,9 @@ fn describe(text: &mut String, rows: &[Row], unit: &str) -> fmt::Result {
         }
         let parts = row.pair.iter().cycle();
         for ([a, b], [fixed, moving]) in row.touching.iter().take(MOST).zip(parts) {
-            writeln!(text, "  {:10} {a} of {fixed}, {b} of {moving}", "touching")?;
+            let a = placed_by_name(&model.mechanism, fixed, a);
+            let b = placed_by_name(&model.mechanism, moving, b);
+            writeln!(text, "  {:10} {a}, {b}", "touching")?;
         }
         if let Some(more) = row.touching.len().checked_sub(MOST).filter(|n| *n > 0) {
             writeln!(text, "  {:10} {more} more", "")?;

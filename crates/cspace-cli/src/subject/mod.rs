@@ -23,7 +23,7 @@ use crate::traces::{self, OTHER, quoted};
 use crate::wording::count;
 pub(crate) use cspace_design::{FeaturePair, pair_of, texts, touching};
 pub(crate) use named::named_pair;
-pub(crate) use place::placed;
+pub(crate) use place::{placed, placed_by_name};
 pub(crate) use space::Space;
 
 /// The file a command was given.

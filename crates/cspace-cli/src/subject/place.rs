@@ -4,6 +4,7 @@ use cspace::{Configuration, Coordinates, FeatureName, PairClass, Part, QueryErro
 use cspace_answers::place_on_part;
 use cspace_design::FeaturePair;
 use cspace_io::shown;
+use cspace_mechanism::Mechanism;
 
 use super::Chosen;
 use crate::angle;
@@ -156,4 +157,15 @@ pub(crate) fn placed(part: &Part, feature: FeatureName) -> String {
         Some(place) => format!("{name} ({place})"),
         None => name,
     }
+}
+
+/// A feature of a part, both by name, as [`placed`].
+pub(crate) fn placed_by_name(model: &Mechanism, part: &str, feature: &str) -> String {
+    let found = model.parts.iter().map(|entry| &entry.part);
+    let found = { found }.find(|p| p.name() == part);
+    let text = match found.and_then(|part| Some((part, part.feature_called(feature)?))) {
+        Some((part, feature)) => placed(part, feature),
+        None => format!("{feature} of {part}"),
+    };
+    shown::text(&text).into_owned()
 }

@@ -353,6 +353,27 @@ impl Part {
         }
     }
 
+    /// The feature that is called so, as [`feature_text`](Self::feature_text) does; `None` if there is none.
+    pub fn feature_called(&self, text: &str) -> Option<FeatureName> {
+        const KINDS: [FeatureKind; 4] = [
+            FeatureKind::Vertex,
+            FeatureKind::Line,
+            FeatureKind::ConvexArc,
+            FeatureKind::ConcaveArc,
+        ];
+        let places = (0..).zip(self.loops());
+        let places =
+            places.flat_map(|(l, outline)| (0..).zip(outline.vertices()).map(move |(i, _)| (l, i)));
+        let mut all = places.flat_map(|(loop_index, index)| {
+            KINDS.map(|kind| FeatureName {
+                kind,
+                loop_index,
+                index,
+            })
+        });
+        all.find(|&name| self.feature_text(name) == text)
+    }
+
     /// The outline of one of its features in its own frame, with material on the left; `None` if it has no such feature.
     pub fn feature_shape(&self, name: FeatureName) -> Option<FeatureShape<f64>> {
         let outline = self.loops().get(name.loop_index as usize)?;

@@ -6,6 +6,7 @@ use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_motion::{Energy, Event, EventKind, Status, What};
 
+use crate::subject::placed_by_name;
 use crate::wording::{count, degrees, length};
 
 use cspace_answers::simulate::{Numbers, Told};
@@ -56,7 +57,7 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt
     }
     writeln!(text, "{}", count(told.events.len(), "event", "events"))?;
     for event in told.events.iter().take(MOST) {
-        describe_event(text, event)?;
+        describe_event(text, model, event)?;
     }
     if told.events.len() > MOST {
         let more = told.events.len() - MOST;
@@ -99,7 +100,7 @@ pub(super) fn kind(event: &Event) -> &'static str {
     }
 }
 
-fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
+fn describe_event(text: &mut String, model: &Mechanism, event: &Event) -> fmt::Result {
     write!(text, "  {:.6} s {:7} ", event.t, kind(event))?;
     match &event.what {
         What::Contact {
@@ -107,8 +108,9 @@ fn describe_event(text: &mut String, event: &Event) -> fmt::Result {
             moving,
             features: [f, m],
         } => {
-            let [fixed, moving, f, m] = [fixed, moving, f, m].map(|t| shown::text(t));
-            writeln!(text, "{f} of {fixed} and {m} of {moving}")
+            let f = placed_by_name(model, fixed, f);
+            let m = placed_by_name(model, moving, m);
+            writeln!(text, "{f} and {m}")
         }
         What::Part { part } => writeln!(text, "{}", shown::text(part)),
         What::Limit { part, limit } => writeln!(text, "{limit} end of {}", shown::text(part)),

@@ -3,6 +3,7 @@
 use std::fmt::{Display, Write};
 
 use cspace_design::{Allocation, Criterion, Unallocated, Variations};
+use cspace_mechanism::Mechanism;
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
@@ -66,7 +67,7 @@ pub(super) fn text(
     criterion: Criterion,
     (given, costs): (&Variations, &[f64]),
     found: &Allocation,
-    unit: &str,
+    (model, unit): (&Mechanism, &str),
 ) -> String {
     let mut text = match criterion {
         Criterion::Worst => {
@@ -112,6 +113,6 @@ pub(super) fn text(
         text,
         "  cost {before:.4} as given, {after:.4} as allocated\n"
     );
-    text += &text::described(&found.variations, &found.tolerances, unit);
+    text += &text::described(model, &found.variations, &found.tolerances, unit);
     text
 }

@@ -99,7 +99,8 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         let answer = match args.result.format() {
             Format::Json => super::json(&allocation::answer(criterion, &costs, &found))?,
             Format::Text => {
-                allocation::text(criterion, (&variations, &costs), &found, &unit).into_bytes()
+                let given = (&variations, costs.as_slice());
+                allocation::text(criterion, given, &found, (&model.mechanism, &unit)).into_bytes()
             }
         };
         return output::write(output, &answer);
@@ -113,7 +114,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         .map_err(Failure::unanswered)?;
     let answer = match args.result.format() {
         Format::Json => super::json(&answer::rows(&variations, &found))?,
-        Format::Text => text::described(&variations, &found, &unit).into_bytes(),
+        Format::Text => text::described(&model.mechanism, &variations, &found, &unit).into_bytes(),
     };
     output::write(output, &answer)?;
     if found.iter().any(|of| of.interrupted) {

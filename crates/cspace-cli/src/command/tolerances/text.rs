@@ -4,7 +4,9 @@ use std::fmt::{self, Write};
 
 use cspace_design::{ChangeKind, Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
 use cspace_io::model::{Dimension, Target};
+use cspace_mechanism::Mechanism;
 
+use crate::subject::placed_by_name;
 use crate::wording::{degrees, length};
 
 /// A column of labels is so wide.
@@ -12,18 +14,25 @@ const LABEL: usize = 10;
 
 /// Formats the numbers of a requirement: by its dimension, with the unit.
 struct Words<'a> {
+    model: &'a Mechanism,
     variations: &'a Variations,
     dimension: Dimension,
     unit: &'a str,
 }
 
-pub(super) fn described(variations: &Variations, found: &[Tolerances], unit: &str) -> String {
+pub(super) fn described(
+    model: &Mechanism,
+    variations: &Variations,
+    found: &[Tolerances],
+    unit: &str,
+) -> String {
     let mut text = String::new();
     for (i, of) in found.iter().enumerate() {
         if i > 0 {
             text.push('\n');
         }
         let words = Words {
+            model,
             variations,
             dimension: of.nominal.requirement.dimension,
             unit,
@@ -73,7 +82,11 @@ impl Words<'_> {
             Err(error) => format!("none: {error}"),
         };
         writeln!(text, "  {:LABEL$} {nominal}", "nominal")?;
-        for [a, b] in &of.nominal.touching {
+        let name = |i: usize| self.model.parts[i].part.name();
+        for ([a, b], parts) in (of.nominal.touching.iter()).zip(of.nominal.parts.iter().cycle()) {
+            let [fixed, moving] = parts.map(name);
+            let a = placed_by_name(self.model, fixed, a);
+            let b = placed_by_name(self.model, moving, b);
             writeln!(text, "  {:LABEL$} {a}, {b}", "touching")?;
         }
         match requirement.target {

@@ -256,7 +256,10 @@ fn exact_fits_move() {
     let (simulation, record) = dynamic(&keyed);
     let gap = simulation.gaps()[0].gap;
     let last = &record.samples.last().unwrap().coordinates;
-    assert!((last[1] + gap).abs() < 1e-9 && last[0].abs() < 1e-9, "{last:?}");
+    assert!(
+        (last[1] + gap).abs() < 1e-9 && last[0].abs() < 1e-9,
+        "{last:?}"
+    );
 }
 
 /// Two halves that a rigid joint makes one are pushed as one, and a part on a prismatic joint slides along another that turns.
