@@ -185,6 +185,7 @@ impl Spaces {
                 checked.measured = Ok(Measured::number(found.value));
                 checked.parts = found.parts.or(checked.parts);
                 checked.touching = found.features;
+                checked.gap = found.gap;
             }
             Err(error) => checked.measured = Err(error),
         }

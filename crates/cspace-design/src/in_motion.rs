@@ -24,6 +24,8 @@ pub(crate) struct Found {
     pub(crate) parts: Option<[usize; 2]>,
     /// Their features, as messages call them.
     pub(crate) features: Vec<[String; 2]>,
+    /// The largest gap by which parts that fit exactly at the start are smaller.
+    pub(crate) gap: Option<f64>,
 }
 
 impl Found {
@@ -32,6 +34,7 @@ impl Found {
             value,
             parts: None,
             features: Vec::new(),
+            gap: None,
         }
     }
 }
@@ -71,6 +74,12 @@ impl Motion {
     /// # Errors
     /// If it has no value.
     pub(crate) fn measure(&self, quantity: MotionQuantity) -> Result<Found, Unmeasured> {
+        let gaps = self.simulation.gaps().iter().map(|gap| gap.gap);
+        let gap = gaps.reduce(f64::max);
+        self.found(quantity).map(|found| Found { gap, ..found })
+    }
+
+    fn found(&self, quantity: MotionQuantity) -> Result<Found, Unmeasured> {
         match quantity {
             MotionQuantity::Event {
                 happens,

@@ -61,7 +61,7 @@ pub enum SimulateError {
     },
     /// Two parts overlap at the start.
     #[error(
-        "{fixed} and {moving} overlap at the start, by {depth:.3e}; give one of them another `start`, or draw them apart"
+        "{fixed} and {moving} overlap at the start, {depth:.3e} from where they would only touch; give one of them another `start`, draw them apart, or one of them smaller"
     )]
     Overlap {
         /// Name of the fixed part.

@@ -7,7 +7,7 @@ use cspace_mechanism::Mechanism;
 use cspace_plan::{fits_exactly, with_gap};
 use serde::Serialize;
 
-use crate::contact::{depth, names};
+use crate::contact::{names, overlap_at_start, overlap_error};
 use crate::error::SimulateError;
 use crate::pairs::Pairs;
 use crate::system::System;
@@ -26,25 +26,33 @@ pub struct Gap {
 /// Of two parts the one that moves in the frame of the other is smaller, unless one of them is smaller already.
 ///
 /// # Errors
-/// If a part that has to be smaller has edges too short for it.
+/// If parts overlap and do not fit exactly, or a part that has to be smaller has edges too short for it.
 pub(crate) fn with_room(
     system: &System,
     pairs: &Pairs,
     q: &[f64],
 ) -> Result<Option<(Mechanism, Vec<Gap>)>, SimulateError> {
+    // All pairs as they are drawn, before one is given room: that would hide how others overlap.
+    let mut exact = Vec::new();
+    for (index, pair) in pairs.list().iter().enumerate() {
+        let Some(depth) = overlap_at_start(system, pairs, index, q)? else {
+            continue;
+        };
+        if !fits_exactly(&pair.space, pair.coordinates(system, q)).unwrap_or(false) {
+            return Err(overlap_error(system, pairs, index, depth));
+        }
+        exact.push(pair);
+    }
     let mut smaller: Vec<(usize, Part, f64)> = Vec::new();
-    for pair in pairs.list() {
-        let done = (smaller.iter()).any(|(i, ..)| [pair.fixed, pair.moving].contains(i));
-        if done || depth(pair, system, q)?.is_none() {
+    for pair in exact {
+        if (smaller.iter()).any(|(i, ..)| [pair.fixed, pair.moving].contains(i)) {
             continue;
         }
-        if fits_exactly(&pair.space, pair.coordinates(system, q)).unwrap_or(false) {
-            let Some((part, gap)) = with_gap(pair.space.fixed(), pair.space.moving()) else {
-                let [fixed, moving] = names(pair, system);
-                return Err(SimulateError::ExactFit { fixed, moving });
-            };
-            smaller.push((pair.moving, part, gap));
-        }
+        let Some((part, gap)) = with_gap(pair.space.fixed(), pair.space.moving()) else {
+            let [fixed, moving] = names(pair, system);
+            return Err(SimulateError::ExactFit { fixed, moving });
+        };
+        smaller.push((pair.moving, part, gap));
     }
     if smaller.is_empty() {
         return Ok(None);

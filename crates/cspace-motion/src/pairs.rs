@@ -129,7 +129,9 @@ impl Pairs {
             let moving = MovingPair::of(mechanism, &pair, space);
             MovingPair { order, ..moving }
         });
-        let (list, apart): (Vec<_>, Vec<_>) = all.partition(|p| p.space.patch_count() > 0);
+        // A space without contact is free everywhere, or blocked everywhere: overlap, or an exact fit.
+        let meet = |p: &MovingPair| p.space.patch_count() > 0 || p.space.region_count() == 0;
+        let (list, apart): (Vec<_>, Vec<_>) = all.partition(meet);
         Self {
             list,
             apart: apart.iter().map(|p| (p.fixed, p.moving)).collect(),

@@ -107,15 +107,12 @@ impl Simulation {
     pub fn new_by(mechanism: &Mechanism, compute: &Compute<'_>) -> Result<Self, SimulateError> {
         mechanism.check()?;
         let drawn = Self::prepared(mechanism, compute)?;
-        let simulation = match with_room(&drawn.system, &drawn.pairs, &drawn.start)? {
-            None => drawn,
-            Some((roomy, gaps)) => Self {
-                gaps,
-                ..Self::prepared(&roomy, compute)?
-            },
+        let Some((roomy, gaps)) = with_room(&drawn.system, &drawn.pairs, &drawn.start)? else {
+            return Ok(drawn);
         };
+        let simulation = Self::prepared(&roomy, compute)?;
         check_start(&simulation.system, &simulation.pairs, &simulation.start)?;
-        Ok(simulation)
+        Ok(Self { gaps, ..simulation })
     }
 
     /// A mechanism with the spaces of its pairs, where its joints hold.

@@ -43,7 +43,7 @@ pub fn touching_distance(fixed: &Part, moving: &Part) -> f64 {
 }
 
 /// A part that fits exactly into another, smaller by a gap all around, and the gap, in the model's unit of length: a millionth of the size
-/// of the two. `None` if an edge is too small for it.
+/// of the larger. `None` if an edge is too small for it.
 pub fn with_gap(fixed: &Part, moving: &Part) -> Option<(Part, f64)> {
     with_share_of_gap(fixed, moving, 1.0)
 }

@@ -13,32 +13,51 @@ use super::pinch::pinching;
 /// # Errors
 /// If parts overlap, or a pair's space was not computed at this configuration.
 pub(crate) fn check_start(system: &System, pairs: &Pairs, q: &[f64]) -> Result<(), SimulateError> {
-    (0..pairs.list().len()).try_for_each(|index| check_pair(system, pairs, index, q))
+    (0..pairs.list().len()).try_for_each(|index| match overlap_at_start(system, pairs, index, q)? {
+        None => Ok(()),
+        Some(depth) => Err(overlap_error(system, pairs, index, depth)),
+    })
 }
 
-fn check_pair(
+/// The distance to the nearest contact of a pair that overlaps, and does not only touch; `None` of others.
+///
+/// # Errors
+/// If the pair's space was not computed at this configuration.
+pub(crate) fn overlap_at_start(
     system: &System,
     pairs: &Pairs,
     index: usize,
     q: &[f64],
-) -> Result<(), SimulateError> {
+) -> Result<Option<f64>, SimulateError> {
     let pair = &pairs.list()[index];
     let Some(depth) = depth(pair, system, q)? else {
-        return Ok(());
+        return Ok(None);
     };
-    let [fixed, moving] = names(pair, system);
     match is_held(system, pairs, index, q) {
-        Ok(true) => Ok(()),
-        Ok(false) => Err(SimulateError::Overlap {
-            fixed,
-            moving,
-            depth,
-        }),
-        Err(error) => Err(SimulateError::Query {
-            fixed,
-            moving,
-            error,
-        }),
+        Ok(is_held) => Ok((!is_held).then_some(depth)),
+        Err(error) => {
+            let [fixed, moving] = names(pair, system);
+            Err(SimulateError::Query {
+                fixed,
+                moving,
+                error,
+            })
+        }
+    }
+}
+
+/// The error of a pair that overlaps.
+pub(crate) fn overlap_error(
+    system: &System,
+    pairs: &Pairs,
+    index: usize,
+    depth: f64,
+) -> SimulateError {
+    let [fixed, moving] = names(&pairs.list()[index], system);
+    SimulateError::Overlap {
+        fixed,
+        moving,
+        depth,
     }
 }
 

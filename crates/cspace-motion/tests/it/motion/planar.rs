@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use cspace::pair::Joint;
-use cspace::{Part, Point, Vector};
+use cspace::{Part, Point, Vector, Vertex};
 use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
 use cspace_mechanism::{Load, LoadKind, Mass, PartPosition};
 use cspace_motion::{EventKind, Settings, SimulateError, Simulation, Status};
@@ -260,6 +260,47 @@ fn exact_fits_move() {
         (last[1] + gap).abs() < 1e-9 && last[0].abs() < 1e-9,
         "{last:?}"
     );
+}
+
+/// A square shaft that fits its hub exactly follows it, though the space of the two has no contact; where they overlap they are refused,
+/// also beside an exact fit.
+#[test]
+fn a_space_without_contact_is_no_free_one() {
+    let hub = |hole: f64| {
+        let square = |half: f64| {
+            let corners = [(-half, -half), (half, -half), (half, half), (-half, half)];
+            corners.map(|(x, y)| Vertex::line(x, y)).to_vec()
+        };
+        let rim = vec![Vertex::new(-10.0, 0.0, 1.0), Vertex::new(10.0, 0.0, 1.0)];
+        let hub = Part::new("hub", vec![rim, square(hole)]).unwrap();
+        let shaft = Part::new("shaft", vec![square(3.0)]).unwrap();
+        mechanism(vec![
+            PartEntry::revolute(hub, (0.0, 0.0)),
+            PartEntry::revolute(shaft, (0.0, 0.0)),
+        ])
+    };
+    let (simulation, record) = run(&driven(hub(3.0), 0, TAU), 1.0, 0.1);
+    assert_eq!(simulation.gaps().len(), 1);
+    let last = &record.samples.last().unwrap().coordinates;
+    assert!((last[1] - TAU).abs() < 1e-4, "{last:?}");
+    let error = Simulation::new(&driven(hub(3.0 - 1e-6), 0, TAU)).unwrap_err();
+    assert!(matches!(&error, SimulateError::Overlap { .. }), "{error}");
+    let part = |name: &str, x: f64, w: f64| Part::rectangle(name, (x, 0.0), w, 4.0).unwrap();
+    let mut row = mechanism(vec![
+        PartEntry::fixed(part("left", -2.0, 4.0)),
+        PartEntry::planar(part("middle", 2.0, 4.0)),
+        PartEntry::fixed(part("right", 6.0, 4.0)),
+        PartEntry::planar(part("cap", 10.0 - 1e-6, 4.0)),
+    ]);
+    row.dynamics.loads.push(Load {
+        part: 3,
+        kind: LoadKind::Torque(1.0),
+    });
+    let error = Simulation::new(&row).unwrap_err();
+    let SimulateError::Overlap { fixed, moving, .. } = &error else {
+        panic!("{error}")
+    };
+    assert_eq!((fixed.as_str(), moving.as_str()), ("right", "cap"));
 }
 
 /// Two halves that a rigid joint makes one are pushed as one, and a part on a prismatic joint slides along another that turns.
