@@ -7,6 +7,8 @@ use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
+use crate::frame::Outcome;
+
 /// A requirement, measured.
 #[derive(Debug, Serialize)]
 pub struct Row {
@@ -32,6 +34,8 @@ pub struct Row {
     pub equals: Option<bool>,
     /// Absent for a requirement without limits, and for one that is not decided.
     pub met: Option<bool>,
+    /// How it came out.
+    pub outcome: Outcome,
     /// Whether the quantity may have a value, which could not be found.
     #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub undecided: bool,
@@ -105,6 +109,13 @@ impl Row {
             limits: requirement.limits(),
             equals: requirement.equals(),
             met: checked.is_met(),
+            outcome: match (checked.is_met(), measured) {
+                _ if checked.is_undecided() => Outcome::open("undecided"),
+                (Some(true), _) => Outcome::yes("met"),
+                (Some(false), _) => Outcome::no("not-met"),
+                (None, Some(_)) => Outcome::yes("measured"),
+                (None, None) => Outcome::open("no-value"),
+            },
             undecided: checked.is_undecided(),
             gap: checked.gap,
             margin: checked.margin(),

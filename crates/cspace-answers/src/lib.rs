@@ -3,6 +3,7 @@
 //! The schemas are in the folder `docs/answers` of the project's repository.
 
 pub mod check;
+mod frame;
 mod leg;
 mod made_of;
 pub mod plan;
@@ -12,6 +13,7 @@ mod side;
 pub mod simulate;
 mod twin;
 
+pub use frame::{Answer, Is, Outcome, PairAnswer, Pairs, Units};
 pub use leg::{legs_in_words, motion_in_words};
 pub use made_of::MadeOf;
 pub use rest::Rest;

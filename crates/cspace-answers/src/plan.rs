@@ -78,6 +78,8 @@ pub enum Name {
     Path,
     /// No path.
     NoPath,
+    /// The given path meets a contact.
+    Blocked,
     /// The parts overlap at the start.
     FromBlocked,
     /// The parts overlap at the goal.
@@ -294,7 +296,7 @@ impl Told {
             Checked::Free(_) => Name::Path,
             Checked::FromBlocked => Name::FromBlocked,
             Checked::ToBlocked => Name::ToBlocked,
-            Checked::Meets(_) => Name::NoPath,
+            Checked::Meets(_) => Name::Blocked,
         };
         let mut told = Self::new(verdict, seconds);
         let overlap = |at: Option<&Coordinates>| {

@@ -48,7 +48,7 @@ pub(crate) fn parse_window(text: &str) -> Result<(f64, f64), String> {
     }
     if hi - lo > cspace::LONGEST_WINDOW {
         return Err(
-            "the angles are more than a turn apart; leave --theta out for all orientations"
+            "the angles are more than a turn apart; leave --window out for all orientations"
                 .to_owned(),
         );
     }

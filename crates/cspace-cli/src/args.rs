@@ -1,6 +1,6 @@
 //! The command line.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
@@ -43,24 +43,15 @@ pub(crate) enum Command {
     /// Classify each configuration on standard input as free, blocked or in contact
     #[command(after_long_help = CLASSIFY)]
     Classify(ClassifyArgs),
-    /// List the features that touch or nearly touch at a configuration
-    #[command(after_long_help = CONTACTS)]
-    Contacts(ContactsArgs),
-    /// Move from a configuration by a displacement, to the first contact
-    #[command(after_long_help = MOVE)]
-    Move(MoveArgs),
     /// Find a path from one configuration to another, or show that there is none
     #[command(after_long_help = PLAN)]
     Plan(PlanArgs),
-    /// Bound the minimum energy with which the moving part gets out, or show that none is enough
-    #[command(after_long_help = ESCAPE)]
-    Escape(EscapeArgs),
     /// Take the parts of a model apart: find the order and the motions, or the parts that lock each other
-    #[command(after_long_help = ASSEMBLY)]
-    Assembly(AssemblyArgs),
-    /// List the parts that overlap, touch or come near each other, as drawn or over a simulation
-    #[command(after_long_help = CLASH)]
-    Clash(ClashArgs),
+    #[command(after_long_help = DISASSEMBLE)]
+    Disassemble(DisassembleArgs),
+    /// Report the smallest gap of every two parts, or what overlaps, as drawn or over a simulation
+    #[command(after_long_help = CLEARANCE)]
+    Clearance(ClearanceArgs),
     /// List the operating modes of three parts on axes: the connected free configurations of all three
     #[command(after_long_help = MODES)]
     Modes(ModesArgs),
@@ -79,7 +70,7 @@ pub(crate) enum Command {
     /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
-    /// Measure how far the parts can move from a configuration in each direction
+    /// Report what touches or is near at a configuration, and how far the parts go in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
     /// Draw the parts of a model, or a pair at a configuration, as a picture
@@ -189,6 +180,14 @@ pub(crate) struct CacheArgs {
     pub(crate) no_cache: bool,
 }
 
+/// How many threads compute.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub(crate) struct ThreadsArg {
+    /// Number of threads; 0 for one per processor. Results do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    pub(crate) threads: u16,
+}
+
 /// Arguments common to the commands that take a file.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct Common {
@@ -218,70 +217,87 @@ pub(crate) struct Common {
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
 
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
-/// Where the result goes, and how it is printed.
-#[derive(Debug, Clone, Args)]
-pub(crate) struct ResultArgs {
-    /// How to print the result [default: text; json if OUT ends in .json]
-    #[arg(long, value_enum)]
-    format: Option<Format>,
+/// How the answer is printed.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub(crate) struct FormArgs {
+    /// Print the answer as JSON; errors are printed so, too
+    #[arg(long)]
+    json: bool,
 
-    /// Write the result to this file instead of standard output (-); whole or not at all
+    /// The other name of --json
+    #[arg(long, value_enum, hide = true, conflicts_with = "json")]
+    format: Option<Format>,
+}
+
+impl FormArgs {
+    /// How the answer is printed.
+    pub(crate) fn format(self) -> Format {
+        match self.json {
+            true => Format::Json,
+            false => self.format.unwrap_or(Format::Text),
+        }
+    }
+}
+
+/// How the answer is printed, and which file is written beside it.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct ResultArgs {
+    #[command(flatten)]
+    form: FormArgs,
+
+    /// Write a file beside the answer, of the kind that its name says; whole or not at all
     #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
 }
 
 impl ResultArgs {
-    /// As it was asked for, or as the file's name says.
+    /// How the answer is printed.
     pub(crate) fn format(&self) -> Format {
-        let named_json = (self.output.as_deref())
-            .and_then(crate::output::extension)
-            .is_some_and(|e| e.eq_ignore_ascii_case("json"));
-        self.format.unwrap_or(if named_json {
-            Format::Json
-        } else {
-            Format::Text
-        })
+        self.form.format()
     }
 
-    /// Refuses to print an answer into a file that is named as a picture or a mesh.
-    pub(crate) fn check_answer(&self) -> Result<(), Failure> {
-        let Some(path) = self.output.as_deref() else {
-            return Ok(());
-        };
-        let extension = path
-            .extension()
-            .map(|e| e.to_string_lossy().to_ascii_lowercase());
-        let written_by = match extension.as_deref() {
-            Some("svg" | "png" | "pdf") => "`cspace draw`, `slice` and `export` write pictures",
-            Some("ply" | "obj" | "stl" | "glb" | "gltf") => "`cspace export` writes meshes",
-            Some("html") => "`cspace export` writes pages",
-            Some("jpg" | "jpeg" | "gif") => "nothing writes such files",
-            _ => return Ok(()),
-        };
-        Err(Failure::input(format_args!(
-            "{}: the answer is text or JSON, and the name says otherwise",
-            path.display()
-        ))
-        .help(format_args!(
-            "let the name end in .txt or .json; {written_by}"
-        )))
+    /// The file to write, whose name ends in one of these extensions.
+    ///
+    /// # Errors
+    /// If it ends in another one.
+    pub(crate) fn artefact(&self, known: &[&str]) -> Result<Option<&Path>, Failure> {
+        artefact(self.output.as_deref(), known)
     }
+}
 
-    /// Refuses `--format` where the file's name says what is written.
-    pub(crate) fn refuse_format(&self) -> Result<(), Failure> {
-        match self.format {
-            None => Ok(()),
-            Some(_) => Err(Failure::input(
-                "--format is about answers, and here the name after -o says what is written",
-            )
-            .help("leave --format out; for data let the name end in .json")),
-        }
+/// Extensions of pictures.
+pub(crate) const PICTURES: [&str; 3] = ["svg", "png", "pdf"];
+
+/// The file to write, whose name ends in one of these extensions.
+///
+/// # Errors
+/// If it ends in another one.
+pub(crate) fn artefact<'a>(
+    path: Option<&'a Path>,
+    known: &[&str],
+) -> Result<Option<&'a Path>, Failure> {
+    let Some(path) = path else {
+        return Ok(None);
+    };
+    let extension = crate::output::extension(path).unwrap_or_default();
+    if known.iter().any(|k| k.eq_ignore_ascii_case(extension)) {
+        return Ok(Some(path));
     }
+    let wrong = Failure::new(format_args!(
+        "-o {}: this command writes no such file",
+        path.display()
+    ));
+    Err(match known {
+        [] => wrong.help("leave -o out: the answer goes to standard output, with --json for programs; `cspace draw`, `slice` and `export` write pictures, meshes and spaces"),
+        known => wrong.help(format_args!(
+            "let the name end in .{}; the answer goes to standard output",
+            known.join(", .")
+        )),
+    })
 }
 
 /// The window of orientations.
@@ -289,7 +305,7 @@ impl ResultArgs {
 pub(crate) struct WindowArg {
     /// Compute only these orientations: two angles, in radians or such as 18deg, at most 1e6 rad from 0
     #[arg(long, value_name = "LO,HI", value_parser = angle::parse_window, allow_hyphen_values = true)]
-    pub(crate) theta: Option<(f64, f64)>,
+    pub(crate) window: Option<(f64, f64)>,
 }
 
 #[derive(Debug, Args)]
@@ -375,20 +391,6 @@ pub(crate) enum Column {
     Touching,
 }
 
-#[derive(Debug, Args)]
-pub(crate) struct ContactsArgs {
-    #[command(flatten)]
-    pub(crate) common: Common,
-    #[command(flatten)]
-    pub(crate) window: WindowArg,
-    /// The configuration: x,y,theta, or u,v of a pair on fixed axes
-    #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) at: String,
-    /// How far apart features may be, in the model's unit [default: a hundredth of the smaller part's size]
-    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
-    pub(crate) within: Option<f64>,
-}
-
 /// The point that legs and turns are about.
 #[derive(Debug, Args)]
 pub(crate) struct AboutArg {
@@ -414,6 +416,12 @@ pub(crate) struct PlayArgs {
     /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<String>,
+    /// Move from there by this displacement, in the same coordinates, at constant rates, to the first contact
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    pub(crate) by: Option<String>,
+    /// How far apart features may be that are near, in the model's unit [default: a hundredth of the smaller part's size]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    pub(crate) touch: Option<f64>,
 }
 
 #[derive(Debug, Args)]
@@ -440,22 +448,6 @@ pub(crate) enum DxfChoice {
     R12,
     /// R2000
     R2000,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct MoveArgs {
-    #[command(flatten)]
-    pub(crate) common: Common,
-    #[command(flatten)]
-    pub(crate) window: WindowArg,
-    #[command(flatten)]
-    pub(crate) about: AboutArg,
-    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
-    #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) from: String,
-    /// The displacement, in the same coordinates, at constant rates
-    #[arg(long, value_name = "D", allow_hyphen_values = true)]
-    pub(crate) by: String,
 }
 
 /// The property by which a path is chosen among those with the requested clearance.
@@ -494,10 +486,10 @@ pub(crate) struct PlanArgs {
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
     /// The path whose smallest clearance is largest, and its bottleneck
-    #[arg(long, conflicts_with_all = ["clearance", "check"])]
+    #[arg(long, conflicts_with_all = ["clearance", "verify"])]
     pub(crate) widest: bool,
     /// A path with at least this clearance, in the model's unit [default: half of what is possible]
-    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "check")]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, conflicts_with = "verify")]
     pub(crate) clearance: Option<f64>,
     /// Property by which the path is chosen among those with that clearance
     #[arg(
@@ -505,47 +497,46 @@ pub(crate) struct PlanArgs {
         value_enum,
         value_name = "WHAT",
         default_value = "legs",
-        conflicts_with = "check"
+        conflicts_with = "verify"
     )]
     pub(crate) prefer: PreferChoice,
     /// No leg turns by more than this, in radians or such as 18deg
-    #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "check")]
+    #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "verify")]
     pub(crate) turn: Option<f64>,
     /// No leg moves along a coordinate by more than this, in the model's unit
-    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "check")]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify")]
     pub(crate) travel: Option<f64>,
-    /// How deep the surface of a proof lies in blocked space, in the model's unit [default: as deep as can be]
-    #[arg(long, value_name = "D", value_parser = length, allow_negative_numbers = true, conflicts_with = "check")]
+    /// With --proof: how deep its surface lies in blocked space, in the model's unit [default: as deep as can be]
+    #[arg(long, value_name = "D", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify")]
     pub(crate) depth: Option<f64>,
     /// Judge the path in this file instead: configurations in rows, with the columns x,y,theta or u,v
     #[arg(long, value_name = "PATH.csv", conflicts_with_all = ["from", "to"])]
-    pub(crate) check: Option<PathBuf>,
+    pub(crate) verify: Option<PathBuf>,
+    /// Write the proof that there is no path to this file, which `cspace-check` verifies
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["verify", "energy"])]
+    pub(crate) proof: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) energy: EnergyArgs,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
 }
 
+/// The least energy that lets the moving part out.
 #[derive(Debug, Args)]
-pub(crate) struct EscapeArgs {
-    #[command(flatten)]
-    pub(crate) common: Common,
-    #[command(flatten)]
-    pub(crate) window: WindowArg,
-    /// The configuration to begin at: x,y,theta, or u,v of a pair on fixed axes
-    #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) from: String,
-    /// The configuration to come to; out, to where circles around the parts are apart, unless given
-    #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) to: Option<String>,
-    /// The acceleration of gravity, unit/s², in place of the model's
-    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true)]
+pub(crate) struct EnergyArgs {
+    /// Bound the least energy with which the moving part gets out, or comes to --to, against gravity, loads and springs
+    #[arg(long, conflicts_with_all = ["widest", "clearance", "prefer", "turn", "travel", "depth", "verify", "about"])]
+    pub(crate) energy: bool,
+    /// With --energy: the acceleration of gravity, unit/s², in place of the model's
+    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, requires = "energy")]
     pub(crate) gravity: Option<[f64; 2]>,
-    /// How near the bounds of the energy are brought, kg·unit²/s² [default: 3 % of it]
-    #[arg(long, value_name = "E", value_parser = energy, allow_negative_numbers = true)]
-    pub(crate) within: Option<f64>,
+    /// With --energy: how near its bounds are brought, kg·unit²/s² [default: 3 % of it]
+    #[arg(long, value_name = "E", value_parser = energy, allow_negative_numbers = true, requires = "energy")]
+    pub(crate) accuracy: Option<f64>,
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct AssemblyArgs {
+pub(crate) struct DisassembleArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -557,13 +548,12 @@ pub(crate) struct AssemblyArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct ClashArgs {
+pub(crate) struct ClearanceArgs {
     /// A model (.toml, .json); - is standard input
     pub(crate) file: PathBuf,
     #[command(flatten)]
@@ -574,6 +564,9 @@ pub(crate) struct ClashArgs {
     /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of the parts as drawn
     #[arg(long, value_name = "RECORD")]
     pub(crate) along: Option<PathBuf>,
+    /// As drawn
+    #[arg(long, conflicts_with = "along")]
+    pub(crate) drawn: bool,
     /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts a tenth of the
     /// largest part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
@@ -583,9 +576,8 @@ pub(crate) struct ClashArgs {
     pub(crate) touch: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 #[derive(Debug, Args)]
@@ -604,9 +596,8 @@ pub(crate) struct ModesArgs {
     pub(crate) picture: SheetArgs,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 #[derive(Debug, Args)]
@@ -625,9 +616,8 @@ pub(crate) struct CheckArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 #[derive(Debug, Args)]
@@ -664,12 +654,11 @@ pub(crate) struct TolerancesArgs {
     pub(crate) zones: bool,
     /// The orientation of --zones of a pair in the plane [default: that at which the requirement is measured]
     #[arg(long, value_name = "A", value_parser = angle::parse, allow_hyphen_values = true)]
-    pub(crate) theta: Option<f64>,
+    pub(crate) at: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
 }
@@ -698,27 +687,12 @@ pub(crate) struct SweepArgs {
     /// arguments must be the same
     #[arg(long, conflicts_with = "changes")]
     pub(crate) resume: bool,
-    /// Print CSV or JSON [default: csv; json if OUT ends in .json]
-    #[arg(long, value_enum)]
-    pub(crate) format: Option<TableFormat>,
-    /// Write the result to this file instead of standard output (-); a name in .svg, .png or .pdf makes a picture of it, a curve over
-    /// what is varied last for each combination of the others, with --changes marked in red
-    #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: Option<PathBuf>,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
-}
-
-/// How a table is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TableFormat {
-    /// A line for each row
-    Csv,
-    /// A list of objects
-    Json,
 }
 
 /// A range of values.
@@ -760,9 +734,8 @@ pub(crate) struct SolveArgs {
     pub(crate) samples: u32,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 /// A parameter and its smallest and largest value.
@@ -881,9 +854,8 @@ pub(crate) struct SimulateArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 /// The model of motion: with or without inertia.
@@ -944,9 +916,8 @@ pub(crate) struct SiteArgs {
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
 
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 impl SiteArgs {
@@ -958,10 +929,7 @@ impl SiteArgs {
             pair: None,
             general: false,
             snap: false,
-            result: ResultArgs {
-                format: None,
-                output: None,
-            },
+            result: ResultArgs::default(),
             cache: self.cache,
             threads: self.threads,
         }
@@ -983,7 +951,7 @@ pub(crate) struct ViewArgs {
     #[command(flatten)]
     pub(crate) window: WindowArg,
 
-    /// An answer of `cspace plan`, `assembly` or `simulate` in JSON, to be played; may be given several times
+    /// An answer of `cspace plan`, `disassemble` or `simulate` in JSON, to be played; may be given several times
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) with: Vec<PathBuf>,
 
@@ -1016,9 +984,8 @@ pub(crate) struct ViewArgs {
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
 
-    /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
 }
 
 impl ViewArgs {
@@ -1030,10 +997,7 @@ impl ViewArgs {
             pair: self.pair.clone(),
             general: self.general,
             snap: self.snap,
-            result: ResultArgs {
-                format: None,
-                output: None,
-            },
+            result: ResultArgs::default(),
             cache: self.cache,
             threads: self.threads,
         }
@@ -1126,8 +1090,8 @@ pub(crate) struct ImportArgs {
     pub(crate) output: Option<PathBuf>,
 
     /// How to print what was done
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[command(flatten)]
+    pub(crate) form: FormArgs,
 
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
@@ -1245,15 +1209,45 @@ fn position(text: &str) -> Result<(f64, f64), String> {
         .ok_or_else(|| "give two numbers with a comma between, such as 10,-2.5".into())
 }
 
+/// A finite number of which something is true, or advice.
+fn number(text: &str, is_right: impl Fn(f64) -> bool, advice: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    let right = number.filter(|&x| x.is_finite() && is_right(x));
+    right.ok_or_else(|| advice.to_owned())
+}
+
 fn distance(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| t.is_finite() && *t >= 0.0)
-        .ok_or_else(|| "give a length, 0 or more".to_owned())
+    number(text, |x| x >= 0.0, "give a length, 0 or more")
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0, "give a positive length")
 }
 
 fn energy(text: &str) -> Result<f64, String> {
-    length(text).map_err(|_| "give a positive energy".to_owned())
+    number(text, |x| x > 0.0, "give a positive energy")
+}
+
+fn duration(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0, "give a positive time in seconds")
+}
+
+fn offset(text: &str) -> Result<f64, String> {
+    number(
+        text,
+        |_| true,
+        "give a length, below 0 to make parts smaller",
+    )
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    let is_right = |x| (1e-9..=1e9).contains(&x);
+    number(text, is_right, "give a number from 1e-9 to 1e9")
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let is_right = |x| (1e-6..=0.5).contains(&x);
+    number(text, is_right, "give a number from 1e-6 to 0.5")
 }
 
 fn pair_of_numbers(text: &str) -> Result<[f64; 2], String> {
@@ -1276,20 +1270,6 @@ fn turn(text: &str) -> Result<f64, String> {
     })
 }
 
-fn duration(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| t.is_finite() && *t > 0.0)
-        .ok_or_else(|| "give a positive time in seconds".to_owned())
-}
-
-fn length(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| t.is_finite() && *t > 0.0)
-        .ok_or_else(|| "give a positive length".to_owned())
-}
-
 fn pick(text: &str) -> Result<Pick, String> {
     let (name, points) = match text.rsplit_once('=') {
         Some((name, points)) if name.trim().is_empty() => {
@@ -1309,27 +1289,6 @@ fn pick(text: &str) -> Result<Pick, String> {
     }
 }
 
-fn offset(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| t.is_finite())
-        .ok_or_else(|| "give a length, below 0 to make parts smaller".to_owned())
-}
-
-fn scale(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| (1e-9..=1e9).contains(t))
-        .ok_or_else(|| "give a number from 1e-9 to 1e9".to_owned())
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    text.parse::<f64>()
-        .ok()
-        .filter(|t| (1e-6..=0.5).contains(t))
-        .ok_or_else(|| "give a number from 1e-6 to 0.5".to_owned())
-}
-
 const OVERVIEW: &str = "\
 Start with a model that the project ships:
   cspace info models/ratchet_pawl.toml
@@ -1340,28 +1299,32 @@ A configuration (x, y, theta) takes the moving part's point q to (x, y) + R q
 in the fixed part's frame. Angles are radians; a string such as 18deg is
 accepted too. Lengths are in the model's unit.
 
-Data goes to standard output, everything else to standard error. Exit codes: 0
-done, 1 the work could not be done, 2 bad input or usage, or not decided.";
+The answer goes to standard output, with --json as one object whose schema is
+in docs/answers; -o OUT writes a file beside it. Messages go to standard error.
+
+Exit codes:
+  0  the question was answered, and the answer is yes or a value
+  1  it was answered, and the answer is no: not met, overlap, no path, jammed
+  2  it was not answered: bad input or usage, undecided, failed, interrupted";
 
 const INFO: &str = "\
 Examples:
   cspace info models/ratchet_pawl.toml
-  cspace info models/geneva.toml --format json
+  cspace info models/geneva.toml --json
 
 A model of one part is shown as well; the other commands need two.
 
 The class is what the motions and joints of the model make of a pair: lower,
 fixed-axes or general; symmetric is a general pair of which a part is mapped to
 itself by a rotation about its centre. Symmetry is found from the outlines.
-With --theta the window is shown that would be computed, and the class that the
-pair has in it; pairs without orientations are shown as they are. Features are
+With --window the class is shown that the pair has in those orientations; pairs without orientations are shown as they are. Features are
 lines, arcs and vertices that are not smooth joints.";
 
 const COMPUTE: &str = "\
 Examples:
   cspace compute models/ratchet_pawl.toml
-  cspace compute models/ratchet_pawl.toml --theta=-10deg,10deg
-  cspace compute models/fixture_plate.toml --format json -o summary.json
+  cspace compute models/ratchet_pawl.toml --window=-10deg,10deg
+  cspace compute models/fixture_plate.toml --json
   cspace compute models/ratchet_mechanism.toml --pair driver,link
 
 All pairs of the file are computed, or the one that --pair names. The class in
@@ -1372,7 +1335,7 @@ orientations was computed and the others are copies; else `general`. `slices`
 are the bands that were computed. `cspace info` shows the class of the pair
 itself.
 
---theta is for the pairs that have orientations; the others are computed as if
+--window is for the pairs that have orientations; the others are computed as if
 it were not given, and a note on standard error says so. It is an error if
 --pair names one of them.
 
@@ -1383,24 +1346,25 @@ const SLICE: &str = "\
 Examples:
   cspace slice models/ratchet_pawl.toml --theta 5deg
   cspace slice models/ratchet_mechanism.toml --pair driver,link -o rocking.svg
-  cspace slice models/snap_fastener.toml --theta=-0.02 --format json
+  cspace slice models/snap_fastener.toml --theta=-0.02 --json
   cspace slice models/ratchet_pawl.toml --theta 0 -o slice.svg
 
 Each loop is one closed piece of the boundary of free space: blocked space on
 the left of travel, free space on the right. Features are named by the loop and
 vertex of the part as given, counted from 0. At a critical orientation the
 slice just above it is shown. A pair with fixed axes has no orientation to
-choose: the plane of its two motions (u, v) is shown. With -o OUT.svg, .png or
-.pdf a picture is written, with the parts beside it to scale at the position
---at; any other OUT gets the text or JSON.";
+choose: the plane of its two motions (u, v) is shown. -o OUT.svg, .png or .pdf
+is a picture, with the parts beside it to scale at the position --at; .dxf the
+loops as lines and arcs, .json the answer.";
 
 const PLAN: &str = "\
 Examples:
   cspace plan models/peg_hole.toml --from 40,30,90deg --to 0,2,0
   cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 --widest
-  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0
+  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0 --proof proof.json
   cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 -o path.csv
-  cspace plan models/peg_hole.toml --check path.csv --format json
+  cspace plan models/peg_hole.toml --verify path.csv --json
+  cspace plan models/peg_hole.toml --from 0,-10,0 --energy --gravity=0,-9810
 
 The answer is a path of motions of constant rates, each of them checked, or
 no-path: start and goal are in different free regions, with what encloses the
@@ -1411,39 +1375,31 @@ where rounding hides a path. The path has at least half the clearance that is
 possible; --widest and --clearance ask for more. Angles run on, not modulo a
 turn.
 
-With -o OUT.json or --depth the answer no-path holds a proof that start and
-goal are in different regions, which the program cspace-check verifies from the
-file alone; or it says in `unproved` why there is none: there is a path, but
-with less than --clearance, or the pair is on fixed axes.
+--proof FILE writes the proof of no-path, that start and goal are in different
+regions, which the program cspace-check verifies from the file alone; or
+`unproved` says why there is none: there is a path, but with less than
+--clearance, or the pair is on fixed axes.
 
--o OUT writes the path as .csv, the whole answer as .json, or a picture of the
-path as .svg, .png or .pdf; the answer is printed as well, but for .json.
---check judges a path by the two outlines alone, without their contact space;
-blocked: it meets a contact (in JSON no-path).";
+-o OUT writes the path as .csv, whose rows are joined straight, the answer as
+.json, or a picture of the path as .svg, .png or .pdf. --verify judges a path by
+the two outlines alone, without their contact space; blocked: it meets a
+contact.
 
-const ESCAPE: &str = "\
+With --energy the answer is the least energy with which the moving part gets
+from --from to --to, or out, while the fixed part stays: over the lowest pass,
+where contacts balance gravity, loads and springs of the model; `cage` if no
+energy is enough. The bounds are certain: no path needs less than `least`, and
+the path printed needs no more than `most`. `energy` is that of the one pass
+between them, to rounding; it is null where there are several or the bounds stay
+far apart. Energies are counted from that at --from. Without a mass in the model
+the part weighs as 1 kg.";
+
+const DISASSEMBLE: &str = "\
 Examples:
-  cspace escape models/peg_hole.toml --from 0,-10,0 --gravity=0,-9810
-  cspace escape models/ball_in_c.toml --from 0,0,0 --gravity=0,-1
-
-The minimum energy with which the moving part gets from --from to --to, or out,
-while the fixed part stays: over the lowest pass, where contacts balance
-gravity, loads and springs of the model. `cage` if no energy is enough.
-
-The bounds are certain: no path needs less than `least`, and the path printed
-needs no more than `most`. `energy` is that of the one pass between them, to
-rounding; it is null where there are several or the bounds stay far apart.
-Energies are counted from that at --from. Without a mass in the model the part
-weighs as 1 kg.
-
--o OUT writes the answer, by extension as text or .json.";
-
-const ASSEMBLY: &str = "\
-Examples:
-  cspace assembly models/latch_box.toml
-  cspace assembly models/latch_box.toml --gap 0.01 --format json
-  cspace assembly models/latch_box.toml -o steps.svg
-  cspace assembly models/latch_box.toml -o apart.json
+  cspace disassemble models/latch_box.toml
+  cspace disassemble models/latch_box.toml --gap 0.01 --json
+  cspace disassemble models/latch_box.toml -o steps.svg
+  cspace disassemble models/latch_box.toml -o apart.json
   cspace view models/latch_box.toml --with apart.json
 
 One part, or a group as one, moves at a time, while the others stay. Where none
@@ -1465,15 +1421,14 @@ taken to lie in one plane, whichever pairs the model lists. Parts may touch as
 drawn: every boundary is moved inward by half of --gap. Parts that overlap by
 more are an error.
 
--o OUT writes the answer as text or .json, or a picture with a frame for each
-step as .svg, .png or .pdf; then the answer is printed as well. `cspace view
---with OUT.json` plays it, with all parts.";
+-o OUT writes the answer as .json, which `cspace view --with OUT.json` plays
+with all parts, or a picture with a frame for each step as .svg, .png or .pdf.";
 
 const CHECK: &str = "\
 Examples:
   cspace check models/ratchet_pawl.toml
   cspace check models/ratchet_pawl.toml --set tip=50.02
-  cspace check models/ratchet_pawl.toml --format json
+  cspace check models/ratchet_pawl.toml --json
 
 Requirements are [[requirement]] tables of the model: what is measured, and what
 it must be. Each is printed with its value, its limits, and what touches there.
@@ -1501,11 +1456,12 @@ const SWEEP: &str = "\
 Examples:
   cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5
   cspace sweep models/ratchet_pawl.toml --vary tip=49:50:5 --vary root=43:45:3
-  cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o sizes_measured.csv
+  cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o measured.csv
 
 A column for each name and each measure, and the column failure: an empty field
-has its reason there. Angles are in radians. Ctrl-C ends it and keeps the rows
-that are done.
+has its reason there. Angles are in radians. -o OUT.csv or .json writes the table
+as well, -o OUT.svg, .png or .pdf a curve over what is varied last. Ctrl-C ends it
+and keeps the rows that are done.
 ";
 
 const SOLVE: &str = "\
@@ -1526,7 +1482,7 @@ radians, unless they have a unit.
 const MODES: &str = "\
 Examples:
   cspace modes models/shift_interlock.toml
-  cspace modes models/shift_interlock.toml --at u=8 --format json
+  cspace modes models/shift_interlock.toml --at u=8 --json
   cspace modes models/shift_interlock.toml -o modes.svg
 
 Three parts that each turn or slide on an axis have three coordinates u, v, w.
@@ -1544,25 +1500,26 @@ sums of whole multiples of these.
 
 Other parts of the model are not considered; neither are drives and springs.
 
-With -o modes.svg, .png or .pdf it is a picture: for each mode a row with the
+-o modes.svg, .png or .pdf is a picture: for each mode a row with the
 planes of the three pairs, in which the mode's projection is coloured.
 ";
 
-const CLASH: &str = "\
+const CLEARANCE: &str = "\
 Examples:
-  cspace clash models/latch_box.toml
-  cspace clash models/ratchet_mechanism.toml --within 2
+  cspace clearance models/peg_hole.toml
+  cspace clearance models/ratchet_mechanism.toml --within 2
   cspace simulate models/geneva.toml --time 2 -o run.csv
-  cspace clash models/geneva.toml --along run.csv --format json
+  cspace clearance models/geneva.toml --along run.csv --json
 
 Every two parts as they are drawn, the worst first. No contact space is
 computed.
 
-  overlap   with the depth: the length of the shortest translation of the
-            second part that separates the two, neither of them turned
+  overlaps  with the depth: the length of the shortest translation of the
+            second part that separates the two, neither of them turned; and by
+            how much smaller it would be clear, where that is less
   meets     with --along: the boundaries meet between two samples at which the
             parts are apart
-  touching  the gap or the depth is --touch or less
+  touches   the gap or the depth is --touch or less
   clear     with the gap: the minimum distance
   joined    a joint connects the two, so they may overlap: they are not judged
 
@@ -1575,13 +1532,13 @@ With --along the gap is the minimum over the whole motion, with its time:
 between two samples all coordinates are taken to change at constant rates, and
 the gap is bounded there, not sampled. Depths are those at the samples.
 
-All findings are answers, so the exit code is 0. See docs/clash.md.";
+The exit code is 1 if parts overlap. See docs/clearance.md.";
 
 const SIMULATE: &str = "\
 Examples:
   cspace simulate models/geneva.toml --time 2
   cspace simulate models/ratchet_mechanism.toml --time 3 --every 0.01 -o run.csv
-  cspace simulate models/gears_on_shafts.toml --time 1 --rates --format json
+  cspace simulate models/gears_on_shafts.toml --time 1 --rates --json
   cspace simulate models/escapement.toml --time 3 -o run.svg
 
 The answer reports whether the motion repeats, what each part does in a cycle,
@@ -1600,17 +1557,20 @@ every instant; other parts go only where contacts push them.
 
 Events are contacts that come (touch) and go (release), ends of ranges that are
 reached (limit), and balances that end (snap). Their times do not depend on
---every. All are answers, so the exit code is 0.
+--every. The exit code is 1 if it jams, and 2 if it is undetermined.
 
 -o OUT.csv writes the samples: t, then NAME.u of each part that turns or
 slides, NAME.x, NAME.y, NAME.theta of others, and with --rates NAME.du or
-NAME.vx, NAME.vy, NAME.omega. OUT.txt or .json gets the answer.";
+NAME.vx, NAME.vy, NAME.omega. OUT.json gets the record, which --resume goes on
+with and `cspace view --with` plays.";
 
 const PLAY: &str = "\
 Examples:
   cspace play latch.toml
   cspace play models/peg_hole.toml --at=0,-10,0
-  cspace play models/gears_on_shafts.toml --at 5deg,-7deg --format json
+  cspace play models/peg_hole.toml --at 0,60,0 --by 0,-80,0
+  cspace play models/cam_tappet.toml --at 30deg,0 --touch 2
+  cspace play models/gears_on_shafts.toml --at 5deg,-7deg --json
 
 Of every pair, or of that of --pair: how far the moving part goes along x and y
 of the fixed part's frame, and how far it turns about its own origin and about
@@ -1618,7 +1578,16 @@ the middle of its box, until something touches, and what; on fixed axes, how
 far each part goes on its axis while the other is held, to a contact or to its
 limit. From contact a direction that is blocked has distance 0. The answer
 begins with the place of the configuration: free and in which region, in
-contact, or blocked.";
+contact, or blocked, which is exit code 1.
+
+near: the features that face each other and are no farther apart than --touch
+(less than 0 where they overlap, by as much), where, and in JSON the outward
+normal of the fixed part there, in its frame.
+
+--by D moves by that displacement at constant rates: free (nothing touches all
+the way), contact (with the share of the displacement and what touches), blocked
+or leaves (the window of orientations, or the range of a part's motion). Angles
+run on and are not taken modulo a turn.";
 
 const DRAW: &str = "\
 Examples:
@@ -1664,26 +1633,6 @@ adds those of --columns, which the input may not have:
 FILE may be a saved contact space, so that many lists are classified without
 computing it again.";
 
-const CONTACTS: &str = "\
-Examples:
-  cspace contacts models/peg_hole.toml --at 0,0,0
-  cspace contacts models/cam_tappet.toml --at 30deg,0 --within 2
-
-Of each pair of features that face each other: how far they are apart (less
-than 0 where they overlap, by as much), the points of the two that are nearest
-to each other and the outward normal of the fixed part there, in the fixed
-part's frame. The nearest pair is as far apart as the parts are.";
-
-const MOVE: &str = "\
-Examples:
-  cspace move models/peg_hole.toml --from 0,60,0 --by 0,-80,0
-  cspace move models/geneva.toml --from 0,0 --by 0,1turn --format json
-
-The result is free (nothing touches all the way), contact (with the share of
-the displacement and what touches), blocked (the parts overlap where the motion
-begins) or leaves (the window of orientations, or the range of a part's motion).
-Angles run on and are not taken modulo a turn.";
-
 const EXPORT: &str = "\
 Examples:
   cspace export models/ratchet_pawl.toml -o pawl.json
@@ -1700,8 +1649,8 @@ Formats, by the extension of OUT:
           docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
           The model's `name` and `unit` are written with it
   .html   one page to look at and drag, with all pairs or that of --pair, which
-          works without a network; --with adds what `cspace plan`, `assembly` or
-          `simulate` printed as JSON, to be played
+          works without a network; --with adds what `cspace plan`, `disassemble`
+          or `simulate` wrote with -o OUT.json, to be played
   .svg, .png, .pdf
           pictures of slices at even steps of orientation, free regions
           numbered, blocked space grey; of a pair with fixed axes of the plane
@@ -1759,8 +1708,8 @@ model is saved by the browser, or its contact spaces are shown at once. The
 options for drawings are those of `cspace import`. A model or a drawing that is
 dropped onto the page is opened in it, also in a page that was exported.
 
---with has what `cspace plan`, `cspace assembly` or `cspace simulate` printed
-with --format json.
+--with has what `cspace plan`, `cspace disassemble` or `cspace simulate` wrote
+with -o OUT.json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
 
 const EVALUATE: &str = "\

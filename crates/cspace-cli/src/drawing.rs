@@ -27,7 +27,7 @@ pub(crate) fn read_with_bytes(
 
 /// The failure of a command whose drawing is rejected: the reason, and how to fix it.
 pub(crate) fn failed(path: &Path, error: &DrawingError) -> Failure {
-    Failure::input(format_args!("{}: {error}", path.display())).help(error.help())
+    Failure::new(format_args!("{}: {error}", path.display())).help(error.help())
 }
 
 fn source(args: &DrawingArgs) -> Source {
@@ -70,7 +70,7 @@ pub(crate) fn check_option<'p>(
     };
     if is_given && !drawings.clone().any(is_of) {
         let first = drawings.next().unwrap_or(Path::new(""));
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{option} is about {} drawings, and {} is none",
             format.to_uppercase(),
             first.display()
@@ -145,7 +145,7 @@ pub(crate) fn of_model(
         return Ok(first.map(|u| u.label().to_owned()));
     };
     if let (Some(first), Some(other)) = (first, named.find(|u| Some(*u) != first)) {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "one drawing is in {:?}, another in {:?}, and --scale multiplies both by the same",
             first.label(),
             other.label()

@@ -7,7 +7,16 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstyle::AnsiColor;
+use cspace_answers::{Is, Outcome};
 use cspace_io::{ModelError, shown};
+use serde::Serialize;
+
+use crate::output;
+
+/// Exit code of a question that was answered with no.
+const NO: u8 = 1;
+/// Exit code of a question that was not answered.
+pub(crate) const UNANSWERED: u8 = 2;
 
 /// An error of a command: its exit code, its message, and how to fix it.
 #[derive(Debug)]
@@ -15,30 +24,48 @@ pub(crate) struct Failure {
     code: u8,
     message: String,
     help: Option<String>,
+    place: Place,
+}
+
+/// Where bad input is.
+#[derive(Debug, Default, Serialize)]
+struct Place {
+    file: Option<String>,
+    line: Option<usize>,
+    column: Option<usize>,
+}
+
+/// An error as JSON.
+#[derive(Serialize)]
+struct Told<'a> {
+    message: &'a str,
+    help: Option<&'a str>,
+    #[serde(flatten)]
+    place: &'a Place,
 }
 
 impl Failure {
-    /// The input or the usage is wrong: exit code 2.
-    pub(crate) fn input(message: impl Display) -> Self {
+    /// The question was not answered, because the input or the usage is wrong, or the work could not be done: exit code 2.
+    pub(crate) fn new(message: impl Display) -> Self {
         Self {
-            code: 2,
+            code: UNANSWERED,
             message: message.to_string(),
             help: None,
+            place: Place::default(),
         }
     }
 
-    /// The work could not be done: exit code 1.
-    pub(crate) fn work(message: impl Display) -> Self {
-        Self {
-            code: 1,
-            message: message.to_string(),
-            help: None,
-        }
-    }
-
-    /// The question was not answered: exit code 2.
-    pub(crate) fn unanswered(message: impl Display) -> Self {
-        Self::input(message)
+    /// The exit code of an answer that is printed: an error only if that is no or open.
+    pub(crate) fn of(outcome: Outcome) -> Result<(), Self> {
+        let code = match outcome.is {
+            Is::Yes => return Ok(()),
+            Is::No => NO,
+            Is::Open => UNANSWERED,
+        };
+        Err(Self {
+            code,
+            ..Self::new("")
+        })
     }
 
     /// Says what to do.
@@ -50,14 +77,14 @@ impl Failure {
 
     /// A file cannot be written.
     pub(crate) fn writing(path: &Path, error: &std::io::Error) -> Self {
-        Self::work(format_args!(
+        Self::new(format_args!(
             "{}: cannot be written: {error}",
             path.display()
         ))
         .help("choose another place with -o; nothing was written")
     }
 
-    /// Whether it is reported rather than another one: bad input comes before work that could not be done.
+    /// Whether it is reported rather than another one: what was not answered comes before what is answered with no.
     pub(crate) fn is_worse_than(&self, other: &Self) -> bool {
         self.code > other.code
     }
@@ -94,11 +121,32 @@ impl Failure {
 
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
-        // An empty one has been said.
-        if !self.message.is_empty() {
-            say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        // An empty one has been said, or is an answer.
+        if self.message.is_empty() {
+            return;
         }
+        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        self.tell();
     }
+
+    /// Prints it as JSON, where that is asked for and no answer is printed.
+    fn tell(&self) {
+        if !JSON.load(Ordering::Relaxed) || output::is_answered() {
+            return;
+        }
+        let error = Told {
+            message: &self.message,
+            help: self.help.as_deref(),
+            place: &self.place,
+        };
+        let told = serde_json::json!({ "error": error });
+        let _ = output::printed(writeln!(std::io::stdout(), "{told:#}"));
+    }
+}
+
+/// Tells as JSON what is wrong with the command line, where JSON is asked for.
+pub(crate) fn tell(message: &str) {
+    Failure::new(message.trim_end()).tell();
 }
 
 /// Prints an entry of a list to stderr, below a message that it belongs to.
@@ -112,6 +160,14 @@ pub(crate) fn list(entry: impl Display) {
 
 /// Whether nothing but errors is said.
 static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Whether an error is told as JSON, too.
+static JSON: AtomicBool = AtomicBool::new(false);
+
+/// Lets errors be told as JSON on standard output as well, where no answer is.
+pub(crate) fn set_json(json: bool) {
+    JSON.store(json, Ordering::Relaxed);
+}
 
 /// Lets notes, warnings and progress be silent.
 pub(crate) fn set_quiet(quiet: bool) {
@@ -170,7 +226,12 @@ impl From<ModelError> for Failure {
     fn from(error: ModelError) -> Self {
         Self {
             help: error.help().map(str::to_owned),
-            ..Self::input(error)
+            place: Place {
+                file: Some(error.file().to_owned()),
+                line: error.line(),
+                column: error.column(),
+            },
+            ..Self::new(error)
         }
     }
 }

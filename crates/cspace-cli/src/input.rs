@@ -37,7 +37,7 @@ pub(crate) fn host(values: &SetArgs) -> Host<'_> {
 /// The model that FILE names, and its text, of which the parameters may be given other values.
 pub(crate) fn template(file: &Path, values: &SetArgs) -> Result<(Template, Model), Failure> {
     if file == Path::new(STANDARD) {
-        return Err(Failure::input(
+        return Err(Failure::new(
             "the model is read several times, which standard input cannot be",
         )
         .help("give the name of a file"));
@@ -77,7 +77,7 @@ pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Docume
         }
         Document::Space(_) if values.set.is_empty() => {}
         Document::Space(_) => {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: --set is about parameters of models, and the file is a saved contact space",
                 path.display()
             ))
@@ -121,8 +121,7 @@ pub(crate) fn drawing_bytes(path: &Path) -> Result<Result<Vec<u8>, DrawingError>
 ///
 /// A pipe might never say anything, a device might never end.
 pub(crate) fn bytes(path: &Path, limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
-    let wrong =
-        |what: String| Failure::input(format_args!("{}: {what}", path.display())).help(help);
+    let wrong = |what: String| Failure::new(format_args!("{}: {what}", path.display())).help(help);
     let unreadable = |e: std::io::Error| wrong(format!("it cannot be read: {e}"));
     output::before_reading(path)?;
     let meta = std::fs::metadata(path).map_err(unreadable)?;
@@ -151,7 +150,7 @@ const GZIP: [u8; 2] = [0x1f, 0x8b];
 /// The bytes of standard input, of at most `limit`; `help` says what to do if there are more.
 pub(crate) fn stdin(limit: u64, help: &str) -> Result<Vec<u8>, Failure> {
     output::before_reading_stdin()?;
-    let wrong = |what: String| Failure::input(format_args!("{STDIN}: {what}"));
+    let wrong = |what: String| Failure::new(format_args!("{STDIN}: {what}"));
     let too_large = || wrong(format!("it is too large: at most {limit} bytes are read")).help(help);
     taken(std::io::stdin().lock(), limit)
         .map_err(|e| wrong(e.to_string()))?

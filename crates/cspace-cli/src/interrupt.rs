@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+use crate::failure::UNANSWERED;
 use crate::output;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -46,13 +47,6 @@ pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Ends the process as an interrupt does where nothing catches it, so that a shell stops what it does next; returns where the system
-/// knows no such end.
-pub(crate) fn end() {
-    let _until_the_end = output::abandon();
-    system::end();
-}
-
 fn interrupted() {
     /// A stage may take much longer than somebody who wants to stop likes to wait.
     const GRACE: Duration = Duration::from_millis(300);
@@ -74,21 +68,13 @@ fn interrupted() {
     // The bar may stand on the line.
     let line_break = if err.is_terminal() { "\n" } else { "" };
     let _ = writeln!(err, "{line_break}error: interrupted");
-    system::end();
-    std::process::exit(1);
+    std::process::exit(i32::from(UNANSWERED));
 }
 
 #[cfg(unix)]
 mod system {
-    use core::ffi::c_int;
-    use core::sync::atomic::{AtomicI32, Ordering};
-
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
-    use signal_hook::low_level::emulate_default_handler;
-
-    /// The signal that came last.
-    static LAST: AtomicI32 = AtomicI32::new(SIGINT);
 
     /// Calls `interrupted` for every signal, on a thread of its own.
     pub(super) fn listen(interrupted: fn()) {
@@ -96,18 +82,8 @@ mod system {
         let Ok(mut signals) = Signals::new([SIGINT, SIGTERM, SIGHUP]) else {
             return;
         };
-        let listening = move || {
-            for signal in &mut signals {
-                LAST.store(c_int::from(signal), Ordering::Relaxed);
-                interrupted();
-            }
-        };
+        let listening = move || signals.forever().for_each(|_| interrupted());
         let _ = std::thread::Builder::new().spawn(listening);
-    }
-
-    /// Ends the process by the signal that came last.
-    pub(super) fn end() {
-        let _ = emulate_default_handler(LAST.load(Ordering::Relaxed));
     }
 }
 
@@ -139,7 +115,4 @@ mod system {
         };
         let _ = std::thread::Builder::new().spawn(listening);
     }
-
-    /// Processes end by no signals here.
-    pub(super) fn end() {}
 }

@@ -51,9 +51,12 @@ pub fn modes_answer(
     ))
 }
 
-/// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 done, 1 the work could not be
-/// done, 2 bad input.
+/// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 where the answer
+/// is yes or a value, 1 where it is no, 2 where there is none.
 pub fn main(arguments: &[OsString]) -> u8 {
+    let wants_json = |argument: &OsString| argument == "--json" || argument == "--format=json";
+    let two = [OsString::from("--format"), OsString::from("json")];
+    failure::set_json(arguments.iter().any(wants_json) || arguments.windows(2).any(|w| w == two));
     finish(match Cli::try_parse_from(arguments) {
         Ok(cli) => run(cli),
         Err(error) => return usage(arguments, &error),
@@ -65,9 +68,6 @@ fn finish(result: Result<(), Failure>) -> u8 {
         Ok(()) => 0,
         Err(failure) => {
             failure.print();
-            if interrupt::is_interrupted() {
-                interrupt::end();
-            }
             failure.code()
         }
     }
@@ -85,8 +85,10 @@ fn usage(arguments: &[OsString], error: &clap::Error) -> u8 {
         .then(|| Cli::try_parse_from(arguments.iter().map(plain)).err())
         .flatten();
     // Where nobody listens nothing can be done.
-    let _ = again.as_ref().unwrap_or(error).print();
-    2
+    let error = again.as_ref().unwrap_or(error);
+    let _ = error.print();
+    failure::tell(&error.to_string());
+    failure::UNANSWERED
 }
 
 fn run(mut cli: Cli) -> Result<(), Failure> {
@@ -106,7 +108,7 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         _ => {
             if let Some(color) = colors.first() {
                 let message = format_args!("--color {color}: colours are chosen of drawings");
-                return Err(Failure::input(message).help("give auto, always or never"));
+                return Err(Failure::new(message).help("give auto, always or never"));
             }
         }
     }
@@ -115,14 +117,11 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Compute(args) => command::compute::run(&args),
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
-        Command::Contacts(args) => command::contacts::run(&args),
         Command::Draw(args) => command::draw::run(&args),
-        Command::Move(args) => command::motion::run(&args),
         Command::Plan(args) => command::plan::run(&args),
-        Command::Escape(args) => command::escape::run(&args),
-        Command::Assembly(args) => command::assembly::run(&args),
+        Command::Disassemble(args) => command::disassemble::run(&args),
         Command::Check(args) => command::check::run(&args),
-        Command::Clash(args) => command::clash::run(&args),
+        Command::Clearance(args) => command::clearance::run(&args),
         Command::Modes(args) => command::modes::run(&args),
         Command::Sweep(args) => command::sweep::run(&args),
         Command::Tolerances(args) => command::tolerances::run(&args),

@@ -6,6 +6,7 @@ pub(crate) use folder::Folder;
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use flate2::Compression;
@@ -50,17 +51,26 @@ pub(crate) fn extension(path: &Path) -> Option<&str> {
     name.extension()?.to_str()
 }
 
+/// Whether something was printed to standard output.
+static ANSWERED: AtomicBool = AtomicBool::new(false);
+
+/// Whether something was printed to standard output.
+pub(crate) fn is_answered() -> bool {
+    ANSWERED.load(Ordering::Relaxed)
+}
+
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
     printed(std::io::stdout().write_all(bytes))
 }
 
 /// Flushes standard output after `result` of writing to it; a reader that closed the pipe is no error.
 pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
+    ANSWERED.store(true, Ordering::Relaxed);
     match result.and_then(|()| std::io::stdout().flush()) {
         Ok(()) => Ok(()),
         // The reader has what it wanted, as `head` does.
         Err(e) if e.kind() == ErrorKind::BrokenPipe => Ok(()),
-        Err(e) => Err(Failure::work(format_args!("standard output: {e}"))),
+        Err(e) => Err(Failure::new(format_args!("standard output: {e}"))),
     }
 }
 
@@ -135,13 +145,13 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
     };
     if path.is_dir() {
         return Err(
-            Failure::input(format_args!("{}: is a directory", path.display()))
+            Failure::new(format_args!("{}: is a directory", path.display()))
                 .help("give the path of a file after -o"),
         );
     }
     let directory = directory(path);
     if !directory.is_dir() {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: there is no directory {}",
             path.display(),
             directory.display()
@@ -153,7 +163,7 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
         let writable = std::fs::File::options().write(true).open(path);
         if replaced.permissions().readonly() || writable.is_err() {
             let message = format_args!("{}: the file is read-only", path.display());
-            return Err(Failure::input(message).help(
+            return Err(Failure::new(message).help(
                 "give another path after -o, or allow writing to the file; nothing was written",
             ));
         }
@@ -222,7 +232,7 @@ fn check_apart(path: &Path) -> Result<(), Failure> {
         return Ok(());
     };
     let message = format_args!("{}: {what}", path.display());
-    Err(Failure::input(message).help(ANOTHER))
+    Err(Failure::new(message).help(ANOTHER))
 }
 
 /// The reason why an output is refused, and what to do.

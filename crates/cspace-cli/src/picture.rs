@@ -90,7 +90,7 @@ impl PictureArgs {
             Plane::Motions => ((self.u, self.v), [self.x, self.y], "--u and --v"),
         };
         if unused.iter().any(Option::is_some) {
-            return Err(Failure::input(match plane {
+            return Err(Failure::new(match plane {
                 Plane::Positions => {
                     "--u and --v are about the plane of two motions, and this picture has x and y"
                 }
@@ -149,7 +149,7 @@ impl SheetArgs {
 fn refuse(given: Option<&str>) -> Result<(), Failure> {
     match given {
         None => Ok(()),
-        Some(option) => Err(Failure::input(format_args!("{option} is about pictures"))
+        Some(option) => Err(Failure::new(format_args!("{option} is about pictures"))
             .help("let the name after -o end in .svg, .png or .pdf, or leave the option out")),
     }
 }
@@ -166,7 +166,7 @@ pub(crate) fn write(
     scene: &Scene,
 ) -> Result<(), Failure> {
     let bytes = (format.write(scene)).map_err(|e| {
-        Failure::input(format_args!("--size: {e}")).help("give a smaller --size, or write .svg")
+        Failure::new(format_args!("--size: {e}")).help("give a smaller --size, or write .svg")
     })?;
     output::write(path, &bytes)
 }

@@ -4,24 +4,23 @@ use std::fmt::{self, Write};
 use std::path::Path;
 
 use cspace_answers::check::{Row, Told};
+use cspace_answers::{Answer, Is, Outcome};
 use cspace_design::Sensitivity;
 use cspace_io::model::Dimension;
 use cspace_io::{Document, Model};
+use serde::Serialize;
 
-use crate::args::{CheckArgs, Format};
+use crate::args::CheckArgs;
 use crate::cache;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::catch_interrupts;
-use crate::output;
 use crate::progress::Bar;
 use crate::subject::{placed_by_name, set_threads};
 use crate::wording::{count, degrees, length};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
-    args.result.check_answer()?;
-    let output = args.result.output.as_deref();
-    output::check(output)?;
+    args.result.artefact(&[])?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, mut model, template) = if args.sensitivities {
@@ -30,7 +29,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     } else {
         let (path, document) = input::document(&args.file, &args.values)?;
         let Document::Model(model) = document else {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: the file is a saved contact space of two parts",
                 path.display()
             ))
@@ -49,7 +48,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     let rows: Vec<Row> = match &template {
         None => bar
             .watch(|bar| cspace_design::check_by(&model, &cache::compute(keeps, bar), bar))
-            .map_err(Failure::work)?
+            .map_err(Failure::new)?
             .iter()
             .map(|c| Row::of(&model, c, None))
             .collect(),
@@ -59,45 +58,49 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
                 let compute = cache::compute(keeps, bar);
                 cspace_design::sensitivities_by(template, &host, &model, &compute, bar)
             })
-            .map_err(Failure::work)?
+            .map_err(Failure::new)?
             .into_iter()
             .map(|(c, by)| Row::of(&model, &c, Some(by)))
             .collect(),
     };
-    let answer = match args.result.format() {
-        Format::Json => super::json(&rows)?,
-        Format::Text => {
-            let mut text = String::new();
-            let unit = (model.mechanism.unit.as_ref()).map_or(String::new(), |u| format!(" {u}"));
-            describe(&mut text, &model, &rows, &unit).map_err(Failure::work)?;
-            text.into_bytes()
+    let outcome = Outcome::worst(rows.iter().map(|row| row.outcome));
+    let answer = Answer::new(
+        "check",
+        model.mechanism.unit.as_deref(),
+        outcome,
+        Requirements {
+            requirements: &rows,
+        },
+    );
+    let unit = (model.mechanism.unit.as_ref()).map_or(String::new(), |u| format!(" {u}"));
+    super::print(&args.result, &answer, |text| {
+        describe(text, &model, &rows, &unit)?;
+        summary(text, &rows)
+    })
+}
+
+/// The requirements of a model, each measured.
+#[derive(Serialize)]
+struct Requirements<'a> {
+    requirements: &'a [Row],
+}
+
+/// How many of several requirements are not met, and not decided.
+fn summary(text: &mut String, rows: &[Row]) -> fmt::Result {
+    let of = |is: Is| rows.iter().filter(|row| row.outcome.is == is).count();
+    let all = count(rows.len(), "requirement", "requirements");
+    for (n, are) in [(of(Is::No), "not met"), (of(Is::Open), "not decided")] {
+        if n > 0 && rows.len() > 1 {
+            write!(text, "\n{n} of {all} {are}\n")?;
         }
-    };
-    output::write(output, &answer)?;
-    let unmet = rows.iter().filter(|r| r.met == Some(false)).count();
-    let open = |is_undecided: bool| {
-        let of = |r: &&Row| r.met.is_none() && r.failure.is_some() && r.undecided == is_undecided;
-        rows.iter().filter(of).count()
-    };
-    let requirements = |n: usize| count(n, "requirement", "requirements");
-    let all = requirements(rows.len());
-    match (unmet, open(true), open(false)) {
-        (0, 0, 0) => Ok(()),
-        (0, 0, n) => Err(Failure::unanswered(format_args!(
-            "{} cannot be measured",
-            requirements(n)
-        ))),
-        (0, n, _) => Err(Failure::unanswered(format_args!(
-            "{n} of {all} not decided"
-        ))),
-        (n, _, _) => Err(Failure::work(format_args!("{n} of {all} not met"))),
     }
+    Ok(())
 }
 
 /// A model without requirements.
 pub(super) fn no_requirements(file: &Path) -> Failure {
     let error = format_args!("{}: the model has no requirements", file.display());
-    Failure::input(error)
+    Failure::new(error)
         .help("add [[requirement]] tables with name, measure and limits: see docs/design.md")
 }
 
@@ -107,7 +110,7 @@ pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure>
         .iter()
         .find(|n| model.requirements.iter().all(|r| r.name != **n))
     {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--requirement {}: the model has no such requirement",
             cspace_io::shown::quoted(unknown)
         ))
@@ -130,13 +133,11 @@ fn describe(text: &mut String, model: &Model, rows: &[Row], unit: &str) -> fmt::
             Dimension::Number | Dimension::Truth => length(x),
             Dimension::Length => format!("{}{unit}", length(x)),
         };
-        let is = match row.met {
-            None if row.undecided => ": not decided",
-            None => "",
-            Some(true) => ": met",
-            Some(false) => ": not met",
-        };
-        writeln!(text, "{}{is}", row.name)?;
+        match row.outcome.word {
+            "measured" | "no-value" => writeln!(text, "{}", row.name)?,
+            "undecided" => writeln!(text, "{}: not decided", row.name)?,
+            word => writeln!(text, "{}: {}", row.name, word.replace('-', " "))?,
+        }
         let value = match row.value {
             None => "none".to_owned(),
             Some(Told::Number(x)) => number(x),

@@ -49,19 +49,18 @@ const EXTENSIONS: &str = ".json, .html, .svg, .png, .pdf, .ply, .obj, .stl or .g
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
     let Some(path) = common.result.output.as_deref() else {
-        return Err(Failure::input("export needs a file to write")
+        return Err(Failure::new("export needs a file to write")
             .help(format_args!("give -o OUT with an extension: {EXTENSIONS}")));
     };
     let kind = kind(path)?;
-    common.result.refuse_format()?;
     refuse_unused(args, kind, path)?;
     if kind == Kind::Page {
         let page = page::bundled(Page::bundled())?;
-        let file = page::file(&page, common, args.window.theta, &args.with)?;
+        let file = page::file(&page, common, args.window.window, &args.with)?;
         return output::write(Some(path), &file);
     }
     let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.theta)?;
+    let pair = subject.one_pair(common, args.window.window)?;
     let mut said = None;
     let bytes = match kind {
         // Written above: it is of all pairs.
@@ -77,7 +76,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
             };
             let space = pair.contact_space("a surface")?;
             let mesh = Mesh::new(&space, &options).map_err(|e| {
-                Failure::work(format_args!("{}: {e}", path.display()))
+                Failure::new(format_args!("{}: {e}", path.display()))
                     .help("give a larger --tolerance; of a saved space, compute it again")
             })?;
             let theta_scale = args.theta_scale.unwrap_or_else(|| match kind {
@@ -144,7 +143,7 @@ fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failu
     ];
     match unused.into_iter().find(|u| u.1) {
         None => Ok(()),
-        Some((option, _, what)) => Err(Failure::input(format_args!(
+        Some((option, _, what)) => Err(Failure::new(format_args!(
             "{}: {option} is about {what}",
             path.display()
         ))
@@ -154,7 +153,7 @@ fn refuse_unused(args: &ExportArgs, kind: Kind, path: &Path) -> Result<(), Failu
 
 /// The failure of a mesh that does not fit into the GLB format.
 fn single(path: &Path, error: &GlbError) -> Failure {
-    Failure::work(format_args!("{}: {error}", path.display()))
+    Failure::new(format_args!("{}: {error}", path.display()))
         .help("write .ply, which has double precision and is as long as need be")
 }
 
@@ -172,7 +171,7 @@ fn kind(path: &Path) -> Result<Kind, Failure> {
         Some("obj") => Ok(Kind::Obj),
         Some("stl") => Ok(Kind::Stl),
         Some("glb") => Ok(Kind::Glb),
-        _ => Err(Failure::input(format_args!(
+        _ => Err(Failure::new(format_args!(
             "{}: the extension names no known format",
             path.display()
         ))
@@ -186,7 +185,7 @@ fn picture(args: &ExportArgs, pair: &Chosen<'_>) -> Result<Scene, Failure> {
     if pair.class() == PairClass::FixedAxes && !pair.is_planar() {
         if args.slices.is_some() {
             return Err(
-                Failure::input("--slices: a pair with fixed axes has one plane")
+                Failure::new("--slices: a pair with fixed axes has one plane")
                     .help("leave --slices out, or use --general with the model"),
             );
         }

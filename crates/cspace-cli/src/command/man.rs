@@ -16,7 +16,7 @@ pub(crate) fn run(args: &ManArgs) -> Result<(), Failure> {
         Some(name) => {
             let Some(found) = cspace.find_subcommand(name) else {
                 let names: Vec<&str> = cspace.get_subcommands().map(|c| c.get_name()).collect();
-                let failure = Failure::input(format_args!("there is no command {}", quoted(name)));
+                let failure = Failure::new(format_args!("there is no command {}", quoted(name)));
                 return Err(failure.help(format_args!("the commands are {}", names.join(", "))));
             };
             found.clone()
@@ -28,6 +28,6 @@ pub(crate) fn run(args: &ManArgs) -> Result<(), Failure> {
     Man::new(page)
         .title(title)
         .render(&mut text)
-        .map_err(Failure::work)?;
+        .map_err(Failure::new)?;
     output::write(None, &text)
 }

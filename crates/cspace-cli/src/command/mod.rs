@@ -1,21 +1,18 @@
 //! The commands.
 
-pub(crate) mod assembly;
 pub(crate) mod check;
-pub(crate) mod clash;
 pub(crate) mod classify;
+pub(crate) mod clearance;
 pub(crate) mod completions;
 pub(crate) mod compute;
-pub(crate) mod contacts;
+pub(crate) mod disassemble;
 pub(crate) mod draw;
-pub(crate) mod escape;
 pub(crate) mod evaluate;
 pub(crate) mod export;
 pub(crate) mod import;
 pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod modes;
-pub(crate) mod motion;
 pub(crate) mod new;
 mod page;
 pub(crate) mod plan;
@@ -32,12 +29,18 @@ pub(crate) mod sweep;
 pub(crate) mod tolerances;
 pub(crate) mod view;
 
+use std::fmt;
+use std::path::Path;
+
+use cspace_answers::Answer;
 use cspace_io::Model;
 use cspace_io::shown::quoted;
 use cspace_mechanism::Mechanism;
 use serde::Serialize;
 
+use crate::args::{Format, ResultArgs};
 use crate::failure::{Failure, note};
+use crate::output;
 
 /// Says of an answer about parts as drawn that some of them start elsewhere.
 fn tell_starts(model: &Mechanism) {
@@ -77,12 +80,40 @@ fn requirements_of(model: &Model) -> String {
 
 /// A name that is varied and was varied before.
 fn varied_twice(name: &str) -> Failure {
-    Failure::input(format_args!("{} is varied twice", quoted(name))).help("name it once")
+    Failure::new(format_args!("{} is varied twice", quoted(name))).help("name it once")
+}
+
+/// Prints an answer, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or leaves the
+/// question open, that is a failure without a message.
+fn print<T: Serialize>(
+    result: &ResultArgs,
+    answer: &Answer<T>,
+    text: impl FnOnce(&mut String) -> fmt::Result,
+) -> Result<(), Failure> {
+    let output = result.output.as_deref();
+    if let Some(path) = output.filter(|path| ends_in(path, "json")) {
+        output::write(Some(path), &json(answer)?)?;
+    }
+    let bytes = match result.format() {
+        Format::Json => json(answer)?,
+        Format::Text => {
+            let mut written = String::new();
+            text(&mut written).map_err(Failure::new)?;
+            written.into_bytes()
+        }
+    };
+    output::write(None, &bytes)?;
+    Failure::of(answer.outcome)
+}
+
+/// Whether the name of a file ends in an extension.
+fn ends_in(path: &Path, extension: &str) -> bool {
+    output::extension(path).is_some_and(|e| e.eq_ignore_ascii_case(extension))
 }
 
 /// Indented JSON with a line break at the end.
 fn json(value: &impl Serialize) -> Result<Vec<u8>, Failure> {
-    let mut bytes = serde_json::to_vec_pretty(value).map_err(Failure::work)?;
+    let mut bytes = serde_json::to_vec_pretty(value).map_err(Failure::new)?;
     bytes.push(b'\n');
     Ok(bytes)
 }

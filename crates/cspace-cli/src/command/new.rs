@@ -22,7 +22,7 @@ fn check_name(path: &Path) -> Result<(), Failure> {
     if is_toml || std::fs::metadata(path).is_ok_and(|m| !m.is_file()) {
         return Ok(());
     }
-    Err(Failure::input(format_args!(
+    Err(Failure::new(format_args!(
         "{}: the model is written as TOML",
         path.display()
     ))

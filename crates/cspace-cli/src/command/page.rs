@@ -17,7 +17,7 @@ use crate::subject::{Chosen, Subject};
 
 /// The page that was bundled with the program, by [`Page::bundled`]; a failure with help if there is none.
 pub(super) fn bundled(found: Result<Page, PageError>) -> Result<Page, Failure> {
-    found.map_err(|e| Failure::work(&e).help(e.help()))
+    found.map_err(|e| Failure::new(&e).help(e.help()))
 }
 
 /// The scene of the page: a subject with these of its pairs. For a model in a file it includes the text, so that the page can change the
@@ -71,7 +71,7 @@ pub(super) fn file(
     let pairs = match &opened.saved {
         Some(space) => {
             let pair = ScenePair::known(&opened.pairs[0], space, 0.0);
-            vec![pair.map_err(Failure::work)?]
+            vec![pair.map_err(Failure::new)?]
         }
         None => (opened.pairs.iter().zip(known))
             .map(|(entry, pair)| pair.unwrap_or_else(|error| opened.unknown(entry).failed(error)))
@@ -79,7 +79,7 @@ pub(super) fn file(
     };
     page.file(&opened.scene_with(pairs))
         .map(String::into_bytes)
-        .map_err(Failure::work)
+        .map_err(Failure::new)
 }
 
 /// All pairs with their spaces, or why they have none.
@@ -93,7 +93,7 @@ fn computed(chosen: &[Chosen<'_>]) -> Result<Vec<Result<ScenePair, String>>, Fai
             Ok(space) => {
                 let seconds = begin.elapsed().as_secs_f64();
                 let pair = ScenePair::known(&entry, &space, seconds);
-                pairs.push(Ok(pair.map_err(Failure::work)?));
+                pairs.push(Ok(pair.map_err(Failure::new)?));
             }
             Err(failure) if interrupt::is_interrupted() => return Err(failure),
             Err(failure) => {

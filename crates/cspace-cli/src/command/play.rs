@@ -5,30 +5,35 @@ use std::fmt::Write;
 
 use cspace::pair::PairMotion;
 use cspace::{
-    Axis, AxisMotion, Configuration, Coordinates, Location, PairSpace, QueryError, RegionId, Vector,
+    Axis, AxisMotion, Configuration, Coordinates, Location, NearFeatures, PairSpace, QueryError,
+    RegionId, Vector,
 };
-use cspace_design::{Motion, reach};
+use cspace_answers::{Answer, Outcome};
+use cspace_design::{Motion, Outcome as Reach, displace, reach};
 use cspace_io::model::Coordinate;
+use cspace_io::shown;
 use serde::Serialize;
 
-use crate::args::{Format, PlayArgs};
+use crate::args::PlayArgs;
 use crate::failure::Failure;
-use crate::output;
-use crate::subject::{Chosen, FeaturePair, Subject, texts, touching};
+use crate::subject::{Chosen, FeaturePair, Subject, pair_of, placed, texts, touching};
 use crate::wording::{EXACT_FIT, degrees, length};
 
+use super::draw::as_drawn;
 use super::regions;
+
+/// Default of `--touch`, as a share of the smaller part's size.
+const NEARBY: f64 = 0.01;
 
 /// The play of a pair.
 #[derive(Serialize)]
-struct Answer {
-    fixed: String,
-    moving: String,
+struct Play {
     class: String,
     /// The configuration asked about.
     at: Coordinates,
     /// free, contact, blocked, exact-fit, or joined of a pair that never parts.
-    result: &'static str,
+    #[serde(skip)]
+    is: Outcome,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<u32>,
     /// The minimum distance of the parts.
@@ -38,9 +43,52 @@ struct Answer {
     #[serde(skip_serializing_if = "Option::is_none")]
     gap: Option<f64>,
     directions: Vec<Direction>,
+    /// The features that touch, or nearly.
+    near: Vec<Near>,
+    /// How far a displacement leads.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    motion: Option<Moved>,
     #[serde(skip)]
     region_is: Option<String>,
 }
+
+/// Two features that touch, or nearly.
+#[derive(Serialize)]
+struct Near {
+    /// Features of the fixed and of the moving part.
+    features: [String; 2],
+    #[serde(skip)]
+    names: FeaturePair,
+    /// How far the features are apart; less than 0 by as much as they overlap.
+    distance: f64,
+    /// The nearest point of the fixed part, in its frame.
+    at: [f64; 2],
+    /// The nearest point of the moving part, in the fixed part's frame.
+    on_moving: [f64; 2],
+    /// The outward unit normal of the fixed part.
+    normal: [f64; 2],
+}
+
+/// How far a displacement at constant rates leads.
+#[derive(Serialize)]
+struct Moved {
+    result: &'static str,
+    /// The fraction of the displacement that is travelled.
+    fraction: f64,
+    at: Coordinates,
+    /// Features of the fixed and of the moving part.
+    touching: Vec<[String; 2]>,
+    #[serde(skip)]
+    outcome: Reach,
+    #[serde(skip)]
+    features: Vec<FeaturePair>,
+}
+
+const FREE: Outcome = Outcome::yes("free");
+const CONTACT: Outcome = Outcome::yes("contact");
+const EXACT: Outcome = Outcome::yes("exact-fit");
+const JOINED: Outcome = Outcome::yes("joined");
+const BLOCKED: Outcome = Outcome::no("blocked");
 
 /// How far the parts go in one direction.
 #[derive(Serialize)]
@@ -67,76 +115,123 @@ enum Stop {
 }
 
 pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
-    args.common.result.check_answer()?;
     let common = &args.common;
+    common.result.artefact(&[])?;
     let subject = Subject::open(common)?;
     subject.warn();
-    let pairs = match &args.at {
-        Some(_) => vec![subject.one_pair(common, args.window.theta)?],
-        None => subject.pairs(common, args.window.theta)?,
+    let pairs = match (&args.at, &args.by) {
+        (None, None) => subject.pairs(common, args.window.window)?,
+        _ => vec![subject.one_pair(common, args.window.window)?],
     };
-    let mut answers = Vec::new();
-    let mut text = String::new();
-    for pair in &pairs {
-        let at = match &args.at {
-            Some(at) => pair.coordinates("--at", at)?,
-            None if pair.is_on_axes() => Coordinates::Axes { u: 0.0, v: 0.0 },
-            None => Coordinates::Planar(Configuration::default()),
-        };
-        let (space, gap) = pair.space_with_room(&[at])?;
-        let mut answer = answer(pair, &space, at, pair.about(&args.about)?)
-            .map_err(|e| pair.unanswered("--at", &e))?;
-        if gap.is_some() {
-            answer.gap = gap;
-            answer.result = "exact-fit";
+    let answers = (pairs.iter())
+        .map(|pair| play(args, pair))
+        .collect::<Result<Vec<_>, Failure>>()?;
+    let framed = pairs.iter().zip(&answers);
+    let framed = framed.map(|(pair, play)| pair.answer(play.is, play));
+    let answer = Answer::of_pairs("play", subject.unit(), framed.collect());
+    super::print(&common.result, &answer, |text| {
+        for (i, (pair, play)) in pairs.iter().zip(&answers).enumerate() {
+            if i > 0 {
+                text.push('\n');
+            }
+            describe(text, pair, play)?;
         }
-        if !answers.is_empty() {
-            text.push('\n');
-        }
-        describe(&mut text, pair, &answer).map_err(Failure::work)?;
-        answers.push(answer);
-    }
-    let bytes = match common.result.format() {
-        Format::Json => super::json(&answers)?,
-        Format::Text => text.into_bytes(),
-    };
-    output::write(common.result.output.as_deref(), &bytes)
+        Ok(())
+    })
 }
 
-fn answer(
+fn play(args: &PlayArgs, pair: &Chosen<'_>) -> Result<Play, Failure> {
+    let at = match &args.at {
+        Some(at) => pair.coordinates("--at", at)?,
+        None => as_drawn(pair),
+    };
+    let by = match &args.by {
+        Some(by) => Some(pair.coordinates("--by", by)?),
+        None => None,
+    };
+    let about = pair.about(&args.about)?;
+    let failed = |e: QueryError| pair.unanswered("--at", &e);
+    let (space, gap) = pair.space_with_room(&[at])?;
+    let mut play = at_configuration(pair, &space, at, about).map_err(failed)?;
+    if gap.is_some() {
+        play.gap = gap;
+        play.is = EXACT;
+    }
+    if matches!(*space, PairSpace::Lower(_)) {
+        return Ok(play);
+    }
+    let size = pair.fixed().size().min(pair.moving().size());
+    let within = args.touch.unwrap_or(NEARBY * size);
+    let drawn = pair.space()?;
+    let near = drawn.near_features(at, within).map_err(failed)?;
+    play.near = near.iter().map(|near| Near::of(&drawn, near)).collect();
+    if let Some(by) = by {
+        let motion = Motion::new(at, by).about(about.unwrap_or(Vector::ZERO));
+        let done = displace(&space, &motion).map_err(failed)?;
+        play.motion = Some(Moved {
+            result: done.outcome.name(),
+            fraction: done.fraction,
+            at: done.at,
+            touching: done.features.iter().map(|&f| texts(&space, f)).collect(),
+            outcome: done.outcome,
+            features: done.features,
+        });
+    }
+    Ok(play)
+}
+
+impl Near {
+    fn of(space: &PairSpace, near: &NearFeatures) -> Self {
+        let (p, q, n) = (
+            near.touching.on_fixed,
+            near.touching.on_moving,
+            near.touching.normal,
+        );
+        Self {
+            features: texts(space, pair_of(near)),
+            names: pair_of(near),
+            distance: near.distance,
+            at: [p.x, p.y],
+            on_moving: [q.x, q.y],
+            normal: [n.x, n.y],
+        }
+    }
+}
+
+fn at_configuration(
     pair: &Chosen<'_>,
     space: &PairSpace,
     at: Coordinates,
     about: Option<Vector>,
-) -> Result<Answer, QueryError> {
-    let mut answer = Answer {
-        fixed: pair.fixed().name().to_owned(),
-        moving: pair.moving().name().to_owned(),
+) -> Result<Play, QueryError> {
+    let mut play = Play {
         class: space.class().to_string(),
         at,
-        result: "joined",
+        is: JOINED,
         region: None,
         clearance: None,
         gap: None,
         directions: Vec::new(),
+        near: Vec::new(),
+        motion: None,
         region_is: None,
     };
     if matches!(space, PairSpace::Lower(_)) {
-        return Ok(answer);
+        return Ok(play);
     }
-    answer.result = match space.locate(at)? {
+    play.is = match space.locate(at)? {
         Location::Free(region) => {
-            answer.region = Some(region.0);
-            answer.region_is = Some(region_in_words(pair, space, region.0));
-            "free"
+            play.region = Some(region.0);
+            play.region_is = Some(region_in_words(pair, space, region.0));
+            FREE
         }
-        Location::Contact => "contact",
-        Location::Blocked => "blocked",
+        Location::Contact => CONTACT,
+        Location::Blocked => BLOCKED,
         Location::Outside => return Err(QueryError::Outside),
     };
-    answer.clearance = space.clearance(at).ok();
-    if answer.result != "blocked" {
-        answer.directions = match (space, at) {
+    play.clearance = space.clearance(at).ok();
+    if play.is != BLOCKED {
+        play.directions = match (space, at) {
             (PairSpace::FixedAxes(axes), Coordinates::Axes { .. }) => {
                 on_axes(space, axes.axes(), at)?
             }
@@ -144,7 +239,7 @@ fn answer(
             _ => Vec::new(),
         };
     }
-    Ok(answer)
+    Ok(play)
 }
 
 fn region_in_words(pair: &Chosen<'_>, space: &PairSpace, region: u32) -> String {
@@ -278,35 +373,35 @@ impl Direction {
     }
 }
 
-fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::Result {
+fn describe(text: &mut String, pair: &Chosen<'_>, play: &Play) -> std::fmt::Result {
     let unit = pair.unit();
-    writeln!(text, "{} relative to {}", answer.moving, answer.fixed)?;
-    if answer.result == "joined" {
+    let name = |part: &cspace::Part| shown::text(part.name()).into_owned();
+    let (fixed, moving) = (name(pair.fixed()), name(pair.moving()));
+    writeln!(text, "{moving} relative to {fixed}")?;
+    if play.is == JOINED {
         return writeln!(text, "  joined: their play is that of the joint");
     }
-    let apart = match answer.clearance {
-        Some(clearance) if answer.result == "free" => {
-            format!(", {}{unit} apart", length(clearance))
-        }
+    let apart = match play.clearance {
+        Some(clearance) if play.is == FREE => format!(", {}{unit} apart", length(clearance)),
         _ => String::new(),
     };
-    let is = match answer.result {
-        "blocked" => "blocked: the parts overlap",
-        "exact-fit" => EXACT_FIT,
-        result => result,
+    let is = match play.is {
+        BLOCKED => "blocked: the parts overlap",
+        EXACT => EXACT_FIT,
+        is => is.word,
     };
     writeln!(
         text,
         "  at                       {}: {is}{apart}",
-        pair.place(answer.at)
+        pair.place(play.at)
     )?;
-    if let Some(gap) = answer.gap {
+    if let Some(gap) = play.gap {
         writeln!(text, "  {}", pair.gap_in_words(gap))?;
     }
-    if let (Some(region), Some(words)) = (answer.region, &answer.region_is) {
+    if let (Some(region), Some(words)) = (play.region, &play.region_is) {
         writeln!(text, "  {:24} {words}", pair.region(RegionId(region)))?;
     }
-    for d in &answer.directions {
+    for d in &play.directions {
         let far = match d.distance {
             None if d.is_turn => "turns for ever".to_owned(),
             None => "no limit".to_owned(),
@@ -328,6 +423,46 @@ fn describe(text: &mut String, pair: &Chosen<'_>, answer: &Answer) -> std::fmt::
             }
         };
         writeln!(text, "  {:24} {far}{to}", d.direction)?;
+    }
+    describe_near(text, pair, &play.near)?;
+    (play.motion.as_ref()).map_or(Ok(()), |motion| describe_motion(text, pair, motion))
+}
+
+fn describe_near(text: &mut String, pair: &Chosen<'_>, near: &[Near]) -> std::fmt::Result {
+    /// More are for programs.
+    const MOST: usize = 12;
+    let unit = pair.unit();
+    for near in near.iter().take(MOST) {
+        let [x, y] = near.at.map(length);
+        writeln!(
+            text,
+            "  {:24} {}{unit} apart at ({x}, {y}): {} and {}",
+            "near",
+            length(near.distance),
+            placed(pair.fixed(), near.names.0),
+            placed(pair.moving(), near.names.1),
+        )?;
+    }
+    match near.len().saturating_sub(MOST) {
+        0 => Ok(()),
+        more => writeln!(text, "  {:24} {more} more; --json has all", ""),
+    }
+}
+
+fn describe_motion(text: &mut String, pair: &Chosen<'_>, motion: &Moved) -> std::fmt::Result {
+    let percent = 100.0 * motion.fraction;
+    let led = match motion.outcome {
+        Reach::Free => "free: nothing touches all the way".to_owned(),
+        Reach::Blocked => "blocked: the parts overlap where it begins".to_owned(),
+        Reach::Contact => format!("contact after {percent:.6} % of the way"),
+        Reach::Leaves => format!(
+            "leaves the window of orientations or the range of a motion after {percent:.6} % of the way"
+        ),
+    };
+    writeln!(text, "  {:24} {led}", "displaced")?;
+    writeln!(text, "  {:24} at {}", "", pair.place(motion.at))?;
+    for &features in &motion.features {
+        writeln!(text, "  {:24} {}", "", pair.touches(features))?;
     }
     Ok(())
 }

@@ -16,15 +16,15 @@ const LARGEST: u64 = 1 << 27;
 
 /// A record that is wrong.
 pub(super) fn wrong(file: &Path, what: &str, help: &str) -> Failure {
-    Failure::input(format_args!("{}: {what}", file.display())).help(help)
+    Failure::new(format_args!("{}: {what}", file.display())).help(help)
 }
 
-/// An answer of `cspace simulate`, or of `cspace plan` or `cspace assembly` where these are wanted too, as JSON about the parts of a model.
+/// An answer of `cspace simulate`, or of `cspace plan` or `cspace disassemble` where these are wanted too, as JSON about the parts of a model.
 pub(super) fn json(file: &Path, model: &Mechanism, with_ways: bool) -> Result<Value, Failure> {
     let (commands, help) = match with_ways {
         true => (
-            "`plan`, `assembly` or `simulate`",
-            "give what `cspace plan`, `cspace assembly` or `cspace simulate` writes with -o OUT.json",
+            "`plan`, `disassemble` or `simulate`",
+            "give what `cspace plan`, `cspace disassemble` or `cspace simulate` writes with -o OUT.json",
         ),
         false => (
             "`simulate`",

@@ -72,7 +72,7 @@ pub(crate) fn read(
                 number.ok_or_else(|| format!("{} is no number", shown::quoted(text)))
             };
             value.map_err(|why| {
-                Failure::input(format_args!(
+                Failure::new(format_args!(
                     "{source}, line {line}, column {}: {why}",
                     header.get(at).unwrap_or_default()
                 ))
@@ -93,14 +93,14 @@ pub(crate) fn read(
         if let (Some((lo, hi)), Coordinates::Planar(c)) = (window, c) {
             let turned = c.theta + TAU * ((lo - c.theta) / TAU).ceil();
             if turned > hi {
-                return Err(Failure::input(format_args!(
+                return Err(Failure::new(format_args!(
                     "{source}, line {line}: theta {} is outside the orientations from {} to {} of the pair {}",
                     shown::number(c.theta),
                     shown::number(lo),
                     shown::number(hi),
                     pair.names()
                 ))
-                .help("leave the row out, or choose other orientations with --theta LO,HI"));
+                .help("leave the row out, or choose other orientations with --window LO,HI"));
             }
         }
         configurations.push(c);
@@ -119,11 +119,11 @@ fn unreadable(source: &str, error: &csv::Error) -> Failure {
         csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
         _ => error.to_string(),
     };
-    Failure::input(format_args!("{source}, line {line}: {message}")).help(ONE_IN_A_ROW)
+    Failure::new(format_args!("{source}, line {line}: {message}")).help(ONE_IN_A_ROW)
 }
 
 fn unequal(source: &str, line: u64, found: usize, named: usize) -> Failure {
-    Failure::input(format_args!(
+    Failure::new(format_args!(
         "{source}, line {line}: {found} values, where the first row names {named} columns"
     ))
     .help(ONE_IN_A_ROW)
@@ -137,7 +137,7 @@ fn no_answers(source: &str, header: &csv::StringRecord, answers: &[Column]) -> R
         .iter()
         .find(|a| header.iter().any(|name| name == a.name()));
     if let Some(answer) = twice {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{source}, line 1: there is a column `{}`, which the answer adds",
             answer.name()
         ))
@@ -147,7 +147,7 @@ fn no_answers(source: &str, header: &csv::StringRecord, answers: &[Column]) -> R
 }
 
 fn named_twice(source: &str, name: &str) -> Failure {
-    Failure::input(format_args!(
+    Failure::new(format_args!(
         "{source}, line 1: the column {} is named twice",
         shown::cut(name)
     ))
@@ -192,7 +192,7 @@ fn columns(
             } else {
                 ""
             };
-            let failure = Failure::input(format_args!(
+            let failure = Failure::new(format_args!(
                 "{source}, line 1: the columns are {}, and a configuration of the {class} pair {}{method} is {wanted}",
                 shown::quoted(&found.join(",")),
                 pair.names()

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use cspace_answers::{Answer as Framed, Outcome};
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::args::{Common, Format};
@@ -14,23 +16,30 @@ pub(super) enum Answer {
     Json(Vec<u8>),
 }
 
+/// The answers for several files, each with the name of its file.
+#[derive(Serialize)]
+struct Files {
+    files: Vec<Value>,
+}
+
 /// Answers for the file of `common` and for more, one after the other. For several files, each text is headed by its file, and JSON is
-/// one list of objects that name theirs. A file without an answer does not hold back the others; the worst failure determines the
+/// one list of answers that name theirs. A file without an answer does not hold back the others; the worst failure determines the
 /// exit code.
 pub(super) fn run(
+    command: &'static str,
     common: &Common,
     more: &[PathBuf],
     answer: impl Fn(&Common) -> Result<Answer, Failure>,
 ) -> Result<(), Failure> {
-    let output = common.result.output.as_deref();
+    common.result.artefact(&[])?;
     if more.is_empty() {
         let bytes = match answer(common)? {
             Answer::Text(text) => text.into_bytes(),
             Answer::Json(bytes) => bytes,
         };
-        return output::write(output, &bytes);
+        return output::write(None, &bytes);
     }
-    let (mut text, mut list) = (String::new(), Vec::new());
+    let (mut text, mut files) = (String::new(), Vec::new());
     let mut worst: Option<Failure> = None;
     for file in [&common.file].into_iter().chain(more) {
         let name = file.display().to_string();
@@ -45,14 +54,9 @@ pub(super) fn run(
                 text += &format!("{between}== {name}\n{of_file}");
             }
             Ok(Answer::Json(bytes)) => {
-                let objects = match serde_json::from_slice(&bytes).map_err(Failure::work)? {
-                    Value::Array(objects) => objects,
-                    object => vec![object],
-                };
-                list.extend(objects.into_iter().map(|mut object| {
-                    object["file"] = json!(name);
-                    object
-                }));
+                let mut framed: Value = serde_json::from_slice(&bytes).map_err(Failure::new)?;
+                framed["file"] = json!(name);
+                files.push(framed);
             }
             Err(failure) => {
                 failure.print();
@@ -65,8 +69,8 @@ pub(super) fn run(
     }
     let bytes = match common.result.format() {
         Format::Text => text.into_bytes(),
-        Format::Json => super::json(&list)?,
+        Format::Json => super::json(&Framed::new(command, None, Outcome::DONE, Files { files }))?,
     };
-    output::write(output, &bytes)?;
+    output::write(None, &bytes)?;
     worst.map_or(Ok(()), |failure| Err(failure.said()))
 }

@@ -6,13 +6,13 @@ use cspace::{
     Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, FixedAxesSpace,
     PairClass, PairSpace, Point, Slice,
 };
+use cspace_answers::{Answer, Outcome};
 use cspace_draw::{PictureFormat, SlicesPicture, slices};
 use cspace_drawing::Drawn;
 
-use super::draw::{at_configuration, check_version, is_dxf, write_outlines};
-use crate::args::{Format, SliceArgs};
+use super::draw::{at_configuration, check_version, write_outlines};
+use crate::args::SliceArgs;
 use crate::failure::Failure;
-use crate::output;
 use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
@@ -22,18 +22,14 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let output = common.result.output.as_deref();
     let format = picture::format(output);
     check_version(args.dxf, output)?;
-    if is_dxf(output) {
-        common.result.refuse_format()?;
-        args.picture.refuse()?;
-        return outline(args);
-    }
-    if format.is_some() {
-        common.result.refuse_format()?;
-    } else {
-        common.result.check_answer()?;
+    common
+        .result
+        .artefact(&["svg", "png", "pdf", "dxf", "json"])?;
+    let is_picture = format.is_some();
+    if !is_picture {
         args.picture.refuse()?;
         if args.at.is_some() {
-            return Err(Failure::input("--at is about pictures").help(
+            return Err(Failure::new("--at is about pictures").help(
                 "let the name after -o end in .svg, .png or .pdf; `cspace classify` shows whether a position is free",
             ));
         }
@@ -44,43 +40,22 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         return plane(args, &pair, format);
     }
     let Some(theta) = args.theta else {
-        return Err(Failure::input("slice needs an orientation")
+        return Err(Failure::new("slice needs an orientation")
             .help("give --theta T, in radians or such as 18deg"));
     };
-    if let Some(format) = format {
-        return picture(args, &pair, theta, format);
-    }
     let slice = pair.slice(theta, args.exact)?;
-    let bytes = match common.result.format() {
-        Format::Json => super::json(&slice)?,
-        Format::Text => {
-            let mut text = String::new();
-            describe(&mut text, &pair, &slice).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    output::write(output, &bytes)
-}
-
-/// The boundary of free space as a drawing.
-fn outline(args: &SliceArgs) -> Result<(), Failure> {
-    let subject = Subject::open(&args.common)?;
-    let pair = subject.one_pair(&args.common, None)?;
-    if !pair.is_planar() {
-        return Err(Failure::input(format_args!(
-            "the plane of two motions, of the pair {}, has curves that are no arcs",
-            pair.names()
-        ))
-        .help("write it as a picture: let the name after -o end in .svg, .png or .pdf"));
+    if let Some(format) = format {
+        picture(args, &pair, theta, format)?;
+    } else if let Some(path) = output.filter(|path| super::ends_in(path, "dxf")) {
+        let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
+        let drawn = Drawn::slice(&name, &slice);
+        write_outlines(Some(path), &[drawn], pair.unit_label(), args.dxf)?;
     }
-    let Some(theta) = args.theta else {
-        return Err(Failure::input("slice needs an orientation")
-            .help("give --theta T, in radians or such as 18deg"));
-    };
-    let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
-    let drawn = Drawn::slice(&name, &pair.slice(theta, args.exact)?);
-    let output = args.common.result.output.as_deref();
-    write_outlines(output, &[drawn], pair.unit_label(), args.dxf)
+    let answers = vec![pair.answer(Outcome::DONE, &slice)];
+    let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
+    super::print(&common.result, &answer, |text| {
+        describe(text, &pair, &slice)
+    })
 }
 
 /// The slice, its regions numbered as `compute` lists them, and the parts beside it.
@@ -132,7 +107,7 @@ fn plane(
 ) -> Result<(), Failure> {
     if args.theta.is_some() {
         let class = pair.class();
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--theta: orientation is no coordinate of the {class} pair {}",
             pair.names()
         ))
@@ -144,34 +119,37 @@ fn plane(
     }
     if args.exact {
         return Err(
-            Failure::input("--exact: the plane of two motions has no slices")
+            Failure::new("--exact: the plane of two motions has no slices")
                 .help("leave --exact out, or use --general with the model"),
         );
     }
     if args.at.is_some() {
         return Err(
-            Failure::input("--at: the plane of two motions is shown without parts")
+            Failure::new("--at: the plane of two motions is shown without parts")
                 .help("`cspace draw --at u,v` shows the parts"),
         );
+    }
+    let output = args.common.result.output.as_deref();
+    if output.is_some_and(|path| super::ends_in(path, "dxf")) {
+        return Err(Failure::new(format_args!(
+            "the plane of two motions, of the pair {}, has curves that are no arcs",
+            pair.names()
+        ))
+        .help("write it as a picture: let the name after -o end in .svg, .png or .pdf"));
     }
     let space = pair.space()?;
     let PairSpace::FixedAxes(space) = &*space else {
         return Err(pair.no_orientation("a slice"));
     };
-    let output = args.common.result.output.as_deref();
     if let Some(format) = format {
         let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
-        return picture::write(output, format, &cspace_draw::plane(space, &options));
+        picture::write(output, format, &cspace_draw::plane(space, &options))?;
     }
-    let bytes = match args.common.result.format() {
-        Format::Json => super::json(space.data())?,
-        Format::Text => {
-            let mut text = String::new();
-            describe_plane(&mut text, pair, space).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    output::write(output, &bytes)
+    let answers = vec![pair.answer(Outcome::DONE, space.data())];
+    let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
+    super::print(&args.common.result, &answer, |text| {
+        describe_plane(text, pair, space)
+    })
 }
 
 fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) -> fmt::Result {

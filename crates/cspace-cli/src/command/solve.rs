@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use cspace_answers::{Answer as Framed, Outcome};
 use cspace_design::{Solved, Span, Value};
 use cspace_io::Model;
 use cspace_io::model::Dimension;
@@ -9,11 +10,10 @@ use cspace_io::shown::{self, quoted};
 use serde::Serialize;
 use serde_json::Map;
 
-use crate::args::{Format, SolveArgs};
+use crate::args::SolveArgs;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted};
-use crate::output;
 use crate::progress::Bar;
 use crate::subject::set_threads;
 
@@ -32,9 +32,7 @@ struct Answer {
 }
 
 pub(crate) fn run(args: &SolveArgs) -> Result<(), Failure> {
-    args.result.check_answer()?;
-    let output = args.result.output.as_deref();
-    output::check(output)?;
+    args.result.artefact(&[])?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (template, model) = input::template(&args.file, &args.values)?;
@@ -52,13 +50,20 @@ pub(crate) fn run(args: &SolveArgs) -> Result<(), Failure> {
         cspace_design::solve(&template, set, &spans, &args.so_that, samples, bar)
     });
     if is_interrupted() {
-        return Err(Failure::work("the computation was interrupted"));
+        return Err(Failure::new("the computation was interrupted"));
     }
-    let bytes = match args.result.format() {
-        Format::Json => super::json(&answer(&spans, &solved))?,
-        Format::Text => described(&spans, &solved).into_bytes(),
+    let found = answer(&spans, &solved);
+    let outcome = match solved.solutions.is_empty() && solved.ranges.is_empty() {
+        false => Outcome::yes("solved"),
+        true if !solved.undecided.is_empty() => Outcome::open("undecided"),
+        true => Outcome::no("none"),
     };
-    output::write(output, &bytes)
+    let unit = model.mechanism.unit.as_deref();
+    let framed = Framed::new("solve", unit, outcome, &found);
+    super::print(&args.result, &framed, |text| {
+        *text = described(&spans, &solved);
+        Ok(())
+    })
 }
 
 /// Refuses names that the model does not have, and values of another kind than the measure.
@@ -67,7 +72,7 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
     for (i, v) in args.vary.iter().enumerate() {
         if model.parameters.iter().all(|p| p.name != v.name) {
             let error = format!("{file}: there is no parameter {}", quoted(&v.name));
-            return Err(Failure::input(error).help(super::parameters_of(model)));
+            return Err(Failure::new(error).help(super::parameters_of(model)));
         }
         if args.vary[..i].iter().any(|w| w.name == v.name) {
             return Err(super::varied_twice(&v.name));
@@ -83,7 +88,7 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
             "{file}: there is no requirement {}",
             quoted(&goal.requirement)
         );
-        return Err(Failure::input(error).help(super::requirements_of(model)));
+        return Err(Failure::new(error).help(super::requirements_of(model)));
     };
     let yes_or_no = requirement.dimension == Dimension::Truth;
     if yes_or_no != matches!(goal.value, Value::Truth(_)) {
@@ -92,7 +97,7 @@ fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
         } else {
             ("a number", "a number such as 0.1 or 0.5deg")
         };
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--so-that: the measure {} is {is}",
             quoted(&goal.requirement)
         ))

@@ -27,7 +27,7 @@ impl Folder {
     pub(crate) fn begin(path: &Path) -> Result<Self, Failure> {
         if path == Path::new(STANDARD) {
             return Err(
-                Failure::input("a site is a folder, which standard output cannot be")
+                Failure::new("a site is a folder, which standard output cannot be")
                     .help("give the path of a folder after -o"),
             );
         }
@@ -36,7 +36,7 @@ impl Folder {
         check(&place)?;
         let parent = directory(&place);
         if place.file_name().is_none() || !parent.is_dir() {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: there is no directory {}",
                 place.display(),
                 parent.display()
@@ -78,7 +78,7 @@ impl Folder {
     /// Copies a file.
     pub(crate) fn copy(&mut self, name: &str, from: &Path) -> Result<(), Failure> {
         let bytes = std::fs::read(from).map_err(|e| {
-            Failure::input(format_args!("{}: it cannot be read: {e}", from.display()))
+            Failure::new(format_args!("{}: it cannot be read: {e}", from.display()))
                 .help("let it be read, or remove the links to it; nothing was written")
         })?;
         self.write(name, &bytes)
@@ -130,7 +130,7 @@ impl Folder {
 /// Checks that a folder is missing, is empty, or holds only files that `cspace site` wrote.
 fn check(place: &Path) -> Result<(), Failure> {
     let unreadable = |e: std::io::Error| {
-        Failure::input(format_args!("{}: it cannot be read: {e}", place.display()))
+        Failure::new(format_args!("{}: it cannot be read: {e}", place.display()))
             .help("give another folder after -o; nothing was written")
     };
     if !place.exists() {
@@ -138,7 +138,7 @@ fn check(place: &Path) -> Result<(), Failure> {
     }
     if !place.is_dir() {
         return Err(
-            Failure::input(format_args!("{}: is no folder", place.display()))
+            Failure::new(format_args!("{}: is no folder", place.display()))
                 .help("give the path of a folder after -o; nothing was written"),
         );
     }
@@ -149,7 +149,7 @@ fn check(place: &Path) -> Result<(), Failure> {
     }
     let list = std::fs::read_to_string(place.join(LIST)).unwrap_or_default();
     let Some(list) = list.strip_prefix(SIGNED) else {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: the folder is not empty, and was not written by `cspace site`",
             place.display()
         ))
@@ -158,7 +158,7 @@ fn check(place: &Path) -> Result<(), Failure> {
     let own: BTreeSet<&str> = list.lines().chain([LIST]).collect();
     match files.iter().find(|name| !own.contains(name.as_str())) {
         None => Ok(()),
-        Some(other) => Err(Failure::input(format_args!(
+        Some(other) => Err(Failure::new(format_args!(
             "{}: the file was not written by `cspace site`, which replaces the whole folder",
             place.join(other).display()
         ))

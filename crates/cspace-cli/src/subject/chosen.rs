@@ -54,7 +54,7 @@ impl Chosen<'_> {
     /// The point that `--about` gives; parts on axes move as these let them, whatever point is given.
     pub(crate) fn about(&self, given: &AboutArg) -> Result<Option<Vector>, Failure> {
         if given.about.is_some() && self.is_on_axes() {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "--about: the parts of the pair {} move on axes",
                 self.names()
             ))

@@ -9,11 +9,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::PairClass;
+use cspace_answers::{Outcome, PairAnswer};
 use cspace_io::model::Parameter;
 use cspace_io::{Document, Model, SavedFile};
 use cspace_mechanism::{Mechanism, PairEntry};
 
-use crate::args::{Common, SetArgs};
+use crate::args::{Common, SetArgs, ThreadsArg};
 use crate::failure::{Failure, note, warning};
 use crate::input;
 use crate::interrupt::catch_interrupts;
@@ -52,7 +53,7 @@ pub(crate) struct Chosen<'a> {
 }
 
 /// Sets the number of threads of all computations; 0 for one per processor.
-pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
+pub(crate) fn set_threads(ThreadsArg { threads }: ThreadsArg) -> Result<(), Failure> {
     /// It is done once, however many files are read.
     static DONE: AtomicBool = AtomicBool::new(false);
     if DONE.swap(true, Ordering::Relaxed) {
@@ -62,7 +63,7 @@ pub(crate) fn set_threads(threads: u16) -> Result<(), Failure> {
         .num_threads(usize::from(threads))
         .build_global()
         .map_err(|e| {
-            Failure::work(format_args!("--threads {threads}: {e}")).help("give a smaller number")
+            Failure::new(format_args!("--threads {threads}: {e}")).help("give a smaller number")
         })
 }
 
@@ -75,7 +76,7 @@ pub(crate) fn read_model(
     let (path, document) = input::document(file, values)?;
     match document {
         Document::Model(model) => Ok((path, Box::new(model.mechanism))),
-        Document::Space(_) => Err(Failure::input(format_args!(
+        Document::Space(_) => Err(Failure::new(format_args!(
             "{}: the file is a saved contact space of two parts",
             path.display()
         ))
@@ -96,6 +97,18 @@ fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
         ));
     }
     Box::new(snapped)
+}
+
+impl Chosen<'_> {
+    /// What is known of the pair, in its frame.
+    pub(crate) fn answer<T>(&self, outcome: Outcome, content: T) -> PairAnswer<T> {
+        PairAnswer {
+            fixed: self.fixed().name().to_owned(),
+            moving: self.moving().name().to_owned(),
+            outcome,
+            content,
+        }
+    }
 }
 
 impl Subject {
@@ -141,7 +154,7 @@ impl Subject {
                 }
             }
             Document::Space(_) if common.snap => {
-                return Err(Failure::input(format_args!(
+                return Err(Failure::new(format_args!(
                     "{}: --snap is about models, and the file is a saved contact space",
                     path.display()
                 ))
@@ -198,7 +211,7 @@ impl Subject {
     }
 
     fn one_part(&self, common: &Common) -> Failure {
-        Failure::input(format_args!(
+        Failure::new(format_args!(
             "{}: the model has one part, and a contact space is of two",
             common.file.display()
         ))
@@ -217,7 +230,7 @@ impl Subject {
         }
         if pairs.is_empty() {
             return Err(self.one_part(common).help(
-                "leave out --theta, or add a second [[part]]: orientations are those of a pair",
+                "leave out --window, or add a second [[part]]: orientations are those of a pair",
             ));
         }
         let mut without = Vec::new();
@@ -231,7 +244,7 @@ impl Subject {
         }
         if !without.is_empty() {
             note(format_args!(
-                "--theta is not used for pairs without orientations: {}",
+                "--window is not used for pairs without orientations: {}",
                 without.join("; ")
             ));
         }
@@ -245,11 +258,11 @@ impl Subject {
             Self::Saved(file) => {
                 let space = &file.space;
                 if window.is_some() {
-                    return Err(Failure::input(format_args!(
+                    return Err(Failure::new(format_args!(
                         "{}: the file is a saved contact space, its orientations are given",
                         common.file.display()
                     ))
-                    .help("leave out --theta, or give the model file"));
+                    .help("leave out --window, or give the model file"));
                 }
                 let (fixed, moving) = (space.fixed().name(), space.moving().name());
                 let name = format!("{fixed},{moving}");
@@ -259,14 +272,14 @@ impl Subject {
                     })
                 };
                 if common.pair.as_ref().is_some_and(|p| !is_it(p)) {
-                    return Err(Failure::input(format_args!(
+                    return Err(Failure::new(format_args!(
                         "{}: the file is the saved contact space of the pair {name}",
                         common.file.display()
                     ))
                     .help("leave out --pair, or give the model file"));
                 }
                 if common.general && space.class() != PairClass::General {
-                    return Err(Failure::input(format_args!(
+                    return Err(Failure::new(format_args!(
                         "{}: the file is the saved configuration space of a {} pair, and nothing is computed again",
                         common.file.display(),
                         space.class()
@@ -311,7 +324,7 @@ impl Subject {
             (Some(pair), 0) => Ok(pair),
             (last, _) => {
                 let names: Vec<String> = pairs.iter().chain(&last).map(Chosen::names).collect();
-                Err(Failure::input(format_args!(
+                Err(Failure::new(format_args!(
                     "{}: the file has {} pairs, and this command takes one",
                     common.file.display(),
                     names.len()

@@ -17,7 +17,7 @@ pub(crate) fn named_pair(
         format!("the parts are {}", list.join(", "))
     };
     if !names.contains(',') {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--pair {names}: two names are needed, with a comma between"
         ))
         .help(known()));
@@ -34,14 +34,14 @@ pub(crate) fn named_pair(
             .map(str::trim)
             .find(|n| model.part_index(n).is_none())
             .unwrap_or(names);
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: there is no part {missing:?}",
             path.display()
         ))
         .help(known()));
     };
     if fixed == moving {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--pair {names}: a pair is of two different parts"
         ))
         .help(known()));

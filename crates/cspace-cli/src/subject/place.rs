@@ -35,7 +35,7 @@ impl Chosen<'_> {
             } else {
                 ""
             };
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{option} {}: a {class} pair{method} takes {} numbers",
                 shown::cut(text),
                 names.len()
@@ -51,7 +51,7 @@ impl Chosen<'_> {
                     .ok_or_else(|| format!("{} is no number", shown::quoted(text)))
             };
             *to = number.map_err(|why| {
-                Failure::input(format_args!("{option}, {name}: {why}")).help(
+                Failure::new(format_args!("{option}, {name}: {why}")).help(
                     "give a finite number; angles are in radians, or have a unit such as 18deg",
                 )
             })?;
@@ -137,7 +137,7 @@ impl Chosen<'_> {
 
     /// The failure for a query that has no answer at the configuration given by `option`.
     pub(crate) fn unanswered(&self, option: &str, error: &QueryError) -> Failure {
-        let failure = Failure::input(format_args!("{option}: pair {}: {error}", self.names()));
+        let failure = Failure::new(format_args!("{option}: pair {}: {error}", self.names()));
         match error {
             QueryError::Outside => {
                 failure.help("choose a configuration within the window and the ranges of motion")

@@ -43,7 +43,7 @@ impl Chosen<'_> {
         if let Some((lo, hi)) = self.window() {
             let turned = theta + TAU * ((lo - theta) / TAU).ceil();
             if turned > hi {
-                return Err(Failure::input(format_args!(
+                return Err(Failure::new(format_args!(
                     "--theta {}: outside the orientations from {} to {} of the pair {}",
                     shown::number(theta),
                     shown::number(lo),
@@ -59,7 +59,7 @@ impl Chosen<'_> {
     /// The failure of a request that needs orientations, for a pair that has none.
     pub(crate) fn no_orientation(&self, what: &str) -> Failure {
         let class = self.class();
-        let failure = Failure::work(format_args!(
+        let failure = Failure::new(format_args!(
             "pair {}: {what} needs a pair with orientations, and this is a {class} pair",
             self.names()
         ));
@@ -95,14 +95,14 @@ impl Chosen<'_> {
     /// The configuration space of the pair with a clearance: with the moving part grown by it all round.
     pub(crate) fn space_with_clearance(&self, clearance: f64) -> Result<Space<'_>, Failure> {
         if self.is_saved() {
-            return Err(Failure::input(
+            return Err(Failure::new(
                 "--clearance: the file is a saved contact space, whose parts are as they were",
             )
             .help("give the model"));
         }
         let grown = cspace_plan::grown(self.moving(), clearance).map_err(|e| {
             let name = shown::text(self.moving().name());
-            Failure::input(format_args!(
+            Failure::new(format_args!(
                 "--clearance {clearance:?}: {name} cannot be grown by it: {e}"
             ))
             .help("give a smaller clearance")
@@ -168,30 +168,26 @@ impl Chosen<'_> {
     }
 
     pub(crate) fn failure(&self, error: &PairError) -> Failure {
-        let failure = |make: fn(core::fmt::Arguments<'_>) -> Failure| {
-            make(format_args!("pair {}: {error}", self.names()))
-        };
-        let input = || failure(|a| Failure::input(a));
+        let failure = || Failure::new(format_args!("pair {}: {error}", self.names()));
         let axis = |error: &AxesError| {
             let part = match error.part() {
                 Role::Fixed => self.fixed(),
                 Role::Moving => self.moving(),
             };
-            Failure::input(format_args!(
+            Failure::new(format_args!(
                 "{}part {:?} of the pair {}: {error}",
                 self.file(),
                 part.name(),
                 self.names()
             ))
         };
-        let work = || failure(|a| Failure::work(a));
         match error {
             PairError::Compute(ComputeError::Window { .. }) => {
-                input().help("give --theta LO,HI with LO < HI, at most a turn apart")
+                failure().help("give --window LO,HI with LO < HI, at most a turn apart")
             }
             PairError::Compute(ComputeError::TooManyEdges { .. } | ComputeError::TooLarge { .. })
             | PairError::Axes(AxesError::TooLarge { .. } | AxesError::TooManyCrossings { .. }) => {
-                work().help(
+                failure().help(
                     "replace runs of short lines by arcs, leave out what cannot touch, or split a part",
                 )
             }
@@ -199,17 +195,17 @@ impl Chosen<'_> {
                 ComputeError::TooManyContacts { .. }
                 | ComputeError::TooManyCrossings { .. }
                 | ComputeError::TooManyPatches { .. },
-            ) => work().help(
-                "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with --theta",
+            ) => failure().help(
+                "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with --window",
             ),
-            PairError::Window { .. } => input().help(
+            PairError::Window { .. } => failure().help(
                 "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
             ),
             PairError::Axes(error @ AxesError::TooFar { .. }) => {
                 axis(error).help("draw the pivot nearer to the parts, or use --general")
             }
             PairError::Axes(error) => axis(error).help("change the part's motion in the model"),
-            _ => work(),
+            _ => failure(),
         }
     }
 }

@@ -30,7 +30,7 @@ impl Cam {
             face,
         } = *self;
         if nose > base {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the nose has a larger radius, {nose}, than the base circle, {base}"
             ))
             .help("give a --nose of at most --base"));
@@ -40,7 +40,7 @@ impl Cam {
         let aside = ((down - (base - nose)) * (down + (base - nose))).sqrt();
         let (nx, ny) = (aside / down, (nose - base) / down);
         if 0.5 * face < aside {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the face, {face} wide, is too narrow: the cam touches it up to {aside:.3} beside the middle"
             ))
             .help(format_args!("give a --face of at least {:.3}", (2e3 * aside).ceil() / 1e3)));

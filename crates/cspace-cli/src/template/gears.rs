@@ -162,14 +162,14 @@ impl Gears {
                 backlash: self.backlash,
             };
             if left < 0.0 {
-                return Err(Failure::input(format_args!(
+                return Err(Failure::new(format_args!(
                     "the tips of {other} teeth would cut into the feet of {teeth} teeth at a pressure angle of {} deg",
                     about(wheel.pressure.to_degrees(), 3)
                 ))
                 .help("give more teeth to the smaller of --gear and --pinion, or a larger --pressure-angle"));
             }
             if wheel.half(wheel.tip) <= 0.0 {
-                return Err(Failure::input(format_args!(
+                return Err(Failure::new(format_args!(
                     "{teeth} teeth at a pressure angle of {} deg come to a point below their tips",
                     about(wheel.pressure.to_degrees(), 3)
                 ))
@@ -185,7 +185,7 @@ impl Gears {
 
     pub(super) fn text(&self) -> Result<String, Failure> {
         if self.backlash > 0.25 * self.module {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "a backlash of {} leaves thin teeth of module {}",
                 self.backlash, self.module
             ))

@@ -41,7 +41,7 @@ impl Geneva {
         let disc = 0.85 * (crank - 0.5 * self.pin);
         let bottom = self.distance - crank - self.play;
         let too_wide = |why: &str| {
-            Failure::input(format_args!(
+            Failure::new(format_args!(
                 "a pin of diameter {} with a play of {} is too wide: {why}",
                 self.pin, self.play
             ))

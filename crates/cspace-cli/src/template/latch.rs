@@ -42,13 +42,13 @@ impl Latch {
             side,
         } = *self;
         if stem >= mouth {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the stem, {stem} wide, does not go through the mouth, {mouth} wide"
             ))
             .help("give a --stem less than --mouth"));
         }
         if stem >= head {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the stem, {stem} wide, is no narrower than the head, {head} wide"
             ))
             .help("give a --stem less than --head"));

@@ -46,7 +46,7 @@ impl Template {
         let of_name = |name: String| {
             let matches = command.clone().try_get_matches_from(["new", &name]);
             let template = matches.and_then(|m| Self::from_arg_matches(&m));
-            Ok((name, template.map_err(Failure::work)?))
+            Ok((name, template.map_err(Failure::new)?))
         };
         names.into_iter().map(of_name).collect()
     }

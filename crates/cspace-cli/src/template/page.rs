@@ -223,7 +223,7 @@ impl Page {
     pub(super) fn finish(self) -> Result<String, Failure> {
         match cspace_io::model::from_toml(&self.text, "the model") {
             Ok(_) => Ok(self.text),
-            Err(error) => Err(Failure::input(format_args!(
+            Err(error) => Err(Failure::new(format_args!(
                 "these dimensions do not go together: {error}"
             ))
             .help("change them towards the defaults, which --help lists")),

@@ -30,7 +30,7 @@ impl Peg {
             chamfer,
         } = *self;
         if chamfer >= depth {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the chamfer, {chamfer}, is as deep as the hole, {depth}"
             ))
             .help("give a --chamfer less than --depth"));

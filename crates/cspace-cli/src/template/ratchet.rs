@@ -33,7 +33,7 @@ impl Ratchet {
         let along = 2.0 * radius * (0.5 * pitch).to_radians().sin();
         let most = (0.5 * along).min(0.2 * radius);
         if height > most {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "teeth of height {height} are too high for {teeth} of them on a radius of {radius}"
             ))
             .help(format_args!(
@@ -42,7 +42,7 @@ impl Ratchet {
             )));
         }
         if play > 0.2 * height {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "the play, {play}, leaves little of teeth of height {height}"
             ))
             .help("give a --play of at most a fifth of --height"));

@@ -6,11 +6,14 @@ use core::f64::consts::TAU;
 use std::path::Path;
 
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
+use cspace_answers::{Answer as Framed, Outcome};
 use cspace_classifier::Classifier;
 use cspace_io::shown;
 use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::{Map, Value};
 
-use crate::args::{ClassifyArgs, Column, Format};
+use crate::args::{ClassifyArgs, Column};
 use crate::command::rows::{Rows, read};
 use crate::failure::Failure;
 use crate::input;
@@ -26,14 +29,14 @@ const MANY: usize = 4096;
 const MOST_BYTES: u64 = 1 << 30;
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
-    args.common.result.check_answer()?;
     let common = &args.common;
+    let output = common.result.artefact(&["csv", "json"])?;
     if common.file == Path::new(output::STANDARD) {
-        let failure = Failure::input("the model and the rows both come from standard input");
+        let failure = Failure::new("the model and the rows both come from standard input");
         return Err(failure.help("give the model as a file, and the rows on standard input"));
     }
     let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.theta)?;
+    let pair = subject.one_pair(common, args.window.window)?;
     let help = "divide the rows, and classify one part after the other";
     let bytes = input::stdin(MOST_BYTES, help)?;
     let columns = columns(args)?;
@@ -46,11 +49,26 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let space = pair.space()?;
     let touch = args.touch.unwrap_or_else(|| space.resolution());
     let answers = answers(&pair, &space, &rows, &columns, touch)?;
-    let bytes = match common.result.format() {
-        Format::Text => as_csv(&rows, &columns, &answers)?,
-        Format::Json => as_json(&rows, &columns, &answers)?,
+    let csv = as_csv(&rows, &columns, &answers)?;
+    if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+        output::write(Some(path), &csv)?;
+    }
+    let answers = Classified {
+        rows: objects(&rows, &columns, &answers),
     };
-    output::write(common.result.output.as_deref(), &bytes)
+    let answers = vec![pair.answer(Outcome::DONE, answers)];
+    let answer = Framed::of_pairs("classify", pair.unit_label(), answers);
+    super::print(&common.result, &answer, |text| {
+        // Rows of text are text.
+        text.push_str(&String::from_utf8_lossy(&csv));
+        Ok(())
+    })
+}
+
+/// The rows with their classes.
+#[derive(Serialize)]
+struct Classified {
+    rows: Vec<Map<String, Value>>,
 }
 
 /// The columns asked for, each once.
@@ -59,15 +77,15 @@ fn columns(args: &ClassifyArgs) -> Result<Vec<Column>, Failure> {
     if let Some(twice) = (1..asked.len()).find(|&i| asked[..i].contains(&asked[i])) {
         let name = asked[twice].name();
         return Err(
-            Failure::input(format_args!("--columns: {name} is asked for twice"))
+            Failure::new(format_args!("--columns: {name} is asked for twice"))
                 .help("name every column once"),
         );
     }
     if args.touch.is_some() && !asked.contains(&Column::Touching) {
-        return Err(Failure::input(
-            "--touch is about the column `touching`, which is not asked for",
-        )
-        .help("add it, as in --columns class,touching"));
+        return Err(
+            Failure::new("--touch is about the column `touching`, which is not asked for")
+                .help("add it, as in --columns class,touching"),
+        );
     }
     Ok(asked.clone())
 }
@@ -120,7 +138,7 @@ fn answers(
                 }
                 let line = rows.records[i].position().map_or(0, csv::Position::line);
                 let why = beyond_range(pair, rows.configurations[i]).unwrap_or(e.to_string());
-                Failure::input(format_args!("standard input, line {line}: {why}"))
+                Failure::new(format_args!("standard input, line {line}: {why}"))
                     .help("leave the row out, or widen the `range` of the motion in the model")
             })
         })
@@ -152,24 +170,24 @@ fn as_csv(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Result<Ve
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header = rows.header.clone();
     header.extend(columns.iter().map(|c| c.name()));
-    writer.write_record(&header).map_err(Failure::work)?;
+    writer.write_record(&header).map_err(Failure::new)?;
     for (record, answers) in rows.records.iter().zip(answers) {
         let mut record = record.clone();
         record.extend(answers.iter().map(Answer::text));
-        writer.write_record(&record).map_err(Failure::work)?;
+        writer.write_record(&record).map_err(Failure::new)?;
     }
-    writer.into_inner().map_err(Failure::work)
+    writer.into_inner().map_err(Failure::new)
 }
 
-/// An array of objects: the columns as given, numbers where they are numbers, and those of the answer.
-fn as_json(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Result<Vec<u8>, Failure> {
+/// The columns of each row as given, numbers where they are numbers, and those of the answer.
+fn objects(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Vec<Map<String, Value>> {
     let value = |text: &str| {
         text.parse::<f64>()
             .ok()
             .and_then(serde_json::Number::from_f64)
-            .map_or_else(|| text.into(), serde_json::Value::Number)
+            .map_or_else(|| text.into(), Value::Number)
     };
-    let objects: Vec<serde_json::Map<String, serde_json::Value>> = (rows.records.iter())
+    (rows.records.iter())
         .zip(answers)
         .map(|(record, answers)| {
             let given = rows.header.iter().map(str::to_owned);
@@ -179,6 +197,5 @@ fn as_json(rows: &Rows, columns: &[Column], answers: &[Vec<Answer>]) -> Result<V
                 .chain(told.zip(answers.iter().map(Answer::json)))
                 .collect()
         })
-        .collect();
-    super::json(&objects)
+        .collect()
 }

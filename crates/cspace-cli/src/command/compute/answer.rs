@@ -9,6 +9,7 @@ use cspace::{
 };
 
 use cspace_plan::fits_exactly;
+use serde::Serialize;
 
 use crate::command::regions;
 
@@ -21,11 +22,64 @@ const MOST_LISTED: usize = 12;
 /// How far from contact an example of the unbounded region is taken, as a share of the larger part.
 const BESIDE: f64 = 0.05;
 
-pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, space: &PairSpace) -> fmt::Result {
-    let Some(drawn) = as_drawn(space) else {
+/// How the parts are at zero motion.
+#[derive(Serialize)]
+pub(super) struct Drawn {
+    outcome: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    region: Option<RegionId>,
+    /// How far the parts are apart where they are free.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
+}
+
+impl Drawn {
+    /// `None` for a lower pair, which is in contact in all configurations.
+    pub(super) fn of(space: &PairSpace) -> Option<Self> {
+        let at = match space {
+            PairSpace::Lower(_) => return None,
+            PairSpace::FixedAxes(_) => Coordinates::Axes { u: 0.0, v: 0.0 },
+            PairSpace::Planar(_) => Coordinates::Planar(Configuration::default()),
+        };
+        let (outcome, region) = match space.locate(at) {
+            Ok(Location::Free(region)) => ("free", Some(region)),
+            Ok(Location::Contact) => ("contact", None),
+            Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => {
+                ("exact-fit", None)
+            }
+            Ok(Location::Blocked) => ("blocked", None),
+            Ok(Location::Outside) | Err(_) => ("outside", None),
+        };
+        Some(Self {
+            outcome,
+            region,
+            clearance: region.and_then(|_| space.clearance(at).ok()),
+        })
+    }
+}
+
+pub(super) fn describe(
+    text: &mut String,
+    pair: &Chosen<'_>,
+    space: &PairSpace,
+    drawn: Option<&Drawn>,
+) -> fmt::Result {
+    let Some(drawn) = drawn else {
         return Ok(());
     };
-    as_drawn_is(text, pair, space, drawn)?;
+    let unit = pair.unit();
+    let is = match (drawn.outcome, drawn.region) {
+        (_, Some(region)) => format!(
+            "{}, {}{unit} apart",
+            pair.is_free(region),
+            length(drawn.clearance.unwrap_or(0.0))
+        ),
+        ("contact", _) => "in contact".to_owned(),
+        ("exact-fit", _) => EXACT_FIT.to_owned(),
+        ("blocked", _) => "blocked: the parts overlap".to_owned(),
+        _ => "outside of what was computed".to_owned(),
+    };
+    writeln!(text, "  as drawn       {is}")?;
     match space {
         PairSpace::Planar(space) => {
             planar_regions(text, pair, space)?;
@@ -37,39 +91,6 @@ pub(super) fn describe(text: &mut String, pair: &Chosen<'_>, space: &PairSpace) 
         }
         PairSpace::Lower(_) => Ok(()),
     }
-}
-
-/// The configuration at zero motion; a lower pair is in contact in all of them.
-fn as_drawn(space: &PairSpace) -> Option<Coordinates> {
-    match space {
-        PairSpace::Lower(_) => None,
-        PairSpace::FixedAxes(_) => Some(Coordinates::Axes { u: 0.0, v: 0.0 }),
-        PairSpace::Planar(_) => Some(Coordinates::Planar(Configuration::default())),
-    }
-}
-
-fn as_drawn_is(
-    text: &mut String,
-    pair: &Chosen<'_>,
-    space: &PairSpace,
-    at: Coordinates,
-) -> fmt::Result {
-    let unit = pair.unit();
-    let is = match space.locate(at) {
-        Ok(Location::Free(region)) => {
-            let clearance = space.clearance(at).unwrap_or(0.0);
-            format!(
-                "{}, {}{unit} apart",
-                pair.is_free(region),
-                length(clearance)
-            )
-        }
-        Ok(Location::Contact) => "in contact".to_owned(),
-        Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => EXACT_FIT.to_owned(),
-        Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
-        Ok(Location::Outside) | Err(_) => "outside of what was computed".to_owned(),
-    };
-    writeln!(text, "  as drawn       {is}")
 }
 
 fn planar_regions(text: &mut String, pair: &Chosen<'_>, space: &ContactSpace) -> fmt::Result {

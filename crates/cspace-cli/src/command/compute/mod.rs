@@ -8,6 +8,7 @@ use std::time::Instant;
 use cspace::fixed_axes::{AxesRegion, AxesStatistics};
 use cspace::pair::{Joint, PermanentContact};
 use cspace::{Axis, Decisions, FreeRegion, PairSpace, StageSeconds, Statistics, Window};
+use cspace_answers::{Answer as Framed, Outcome};
 use serde::Serialize;
 
 use super::several::{self, Answer};
@@ -20,11 +21,10 @@ use crate::subject::{Chosen, Space, Subject};
 struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     model: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unit: Option<&'a str>,
-    fixed: &'a str,
-    moving: &'a str,
     class: &'static str,
+    /// How the parts are at zero motion; absent of a pair that never parts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    drawn: Option<Drawn>,
     features: Features,
     symmetry: PerPart,
     /// Slabs of orientations of which one was computed.
@@ -150,16 +150,19 @@ impl From<&Statistics> for Counts {
     }
 }
 
+use answer::Drawn;
+
 pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
-    args.common.result.check_answer()?;
-    several::run(&args.common, &args.more, |common| answer(common, args))
+    several::run("compute", &args.common, &args.more, |common| {
+        answer(common, args)
+    })
 }
 
 fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
     let subject = Subject::open(common)?;
     subject.warn();
     subject.tell_traces();
-    let pairs = subject.pairs(common, args.window.theta)?;
+    let pairs = subject.pairs(common, args.window.window)?;
     let spaces = pairs
         .iter()
         .map(|pair| {
@@ -191,7 +194,12 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
         })
         .collect();
     Ok(match common.result.format() {
-        Format::Json => Answer::Json(super::json(&summaries)?),
+        Format::Json => {
+            let framed = pairs.iter().zip(&summaries);
+            let framed = framed.map(|(pair, summary)| pair.answer(Outcome::DONE, summary));
+            let framed = Framed::of_pairs("compute", subject.unit(), framed.collect());
+            Answer::Json(super::json(&framed)?)
+        }
         Format::Text => {
             let mut text = String::new();
             for (i, ((pair, (space, _)), summary)) in
@@ -201,7 +209,7 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
                     text.push('\n');
                 }
                 text::describe(&mut text, pair, space, summary, args.verbose)
-                    .map_err(Failure::work)?;
+                    .map_err(Failure::new)?;
             }
             Answer::Text(text)
         }
@@ -212,10 +220,8 @@ fn summary<'a>(pair: &'a Chosen<'_>, space: &'a PairSpace, seconds: f64) -> Summ
     let features = space.features();
     let mut summary = Summary {
         model: pair.model_name(),
-        unit: pair.unit_label(),
-        fixed: pair.fixed().name(),
-        moving: pair.moving().name(),
         class: space.class().name(),
+        drawn: Drawn::of(space),
         features: Features {
             fixed: features.fixed,
             moving: features.moving,

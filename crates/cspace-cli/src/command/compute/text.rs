@@ -19,15 +19,16 @@ pub(super) fn describe(
     verbose: bool,
 ) -> fmt::Result {
     let unit = pair.unit();
+    let (fixed, moving) = (pair.fixed().name(), pair.moving().name());
     writeln!(
         text,
         "{} relative to {} ({} is fixed, {} moves)",
-        s.moving, s.fixed, s.fixed, s.moving
+        moving, fixed, fixed, moving
     )?;
     if let Some(model) = s.model {
         writeln!(text, "  model          {model}")?;
     }
-    answer::describe(text, pair, space)?;
+    answer::describe(text, pair, space, s.drawn.as_ref())?;
     let class = pair.class();
     if pair.is_general() && class != PairClass::General {
         writeln!(

@@ -15,7 +15,7 @@ use crate::wording::count;
 pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure> {
     let file: &Path = &args.common.file;
     let refused = |option: &str| {
-        Err(Failure::input(format_args!(
+        Err(Failure::new(format_args!(
             "{option} is about models, and this is a drawing"
         ))
         .help("make a model of it with `cspace import`"))
@@ -27,7 +27,7 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
         return refused("--pair");
     }
     let failed = |e: cspace_drawing::DrawingError| {
-        Failure::input(format_args!("{}: {e}", file.display())).help(e.help())
+        Failure::new(format_args!("{}: {e}", file.display())).help(e.help())
     };
     let drawing = input::drawing(file, &Source::default())?.map_err(failed)?;
     let settings = Settings::default();

@@ -21,7 +21,6 @@ use crate::wording::{EXACT_FIT, length};
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
-    common.result.refuse_format()?;
     let output = common.result.output.as_deref();
     let is_drawing = cspace_drawing::is_drawing(&common.file);
     check_version(args.dxf, output)?;
@@ -35,7 +34,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
         (Some(path), None) if path.as_os_str() == "-" => PictureFormat::Svg,
         (None, None) => PictureFormat::Svg,
         (Some(path), None) => {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: the extension names no known format",
                 path.display()
             ))
@@ -74,13 +73,13 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
     let output = args.common.result.output.as_deref();
     if is_drawing {
         return Err(
-            Failure::input("the outlines of a drawing are those of the model made of it")
+            Failure::new("the outlines of a drawing are those of the model made of it")
                 .help("make the model with `cspace import`, and draw that"),
         );
     }
     let is_svg = picture::format(output) == Some(PictureFormat::Svg);
     if args.outlines && !is_svg && output.is_some_and(|p| p.as_os_str() != "-") {
-        return Err(Failure::input("--outlines is about SVG")
+        return Err(Failure::new("--outlines is about SVG")
             .help("let the name after -o end in .svg, or in .dxf without --outlines"));
     }
     Ok(())

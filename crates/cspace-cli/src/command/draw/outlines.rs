@@ -20,7 +20,7 @@ pub(crate) fn check_version(dxf: Option<DxfChoice>, path: Option<&Path>) -> Resu
     if dxf.is_none() || is_dxf(path) {
         return Ok(());
     }
-    Err(Failure::input("--dxf is about DXF").help("let the name after -o end in .dxf"))
+    Err(Failure::new("--dxf is about DXF").help("let the name after -o end in .dxf"))
 }
 
 /// Writes outlines as the file's name says.
@@ -48,7 +48,7 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     if let Some(option) = args.picture.given() {
-        return Err(Failure::input(format_args!("{option} is about pictures"))
+        return Err(Failure::new(format_args!("{option} is about pictures"))
             .help("outlines are written to scale: leave the option out"));
     }
     let subject = Subject::open(common)?;

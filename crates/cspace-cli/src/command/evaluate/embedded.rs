@@ -7,5 +7,5 @@ use crate::failure::Failure;
 
 /// A model that is part of the program.
 pub(super) fn embedded(text: &str, name: &str) -> Result<Mechanism, Failure> {
-    model::from_toml(text, name).map_err(Failure::work)
+    model::from_toml(text, name).map_err(Failure::new)
 }

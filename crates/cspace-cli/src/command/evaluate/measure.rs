@@ -106,7 +106,7 @@ fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace
         symmetry,
         ..Options::default()
     };
-    ContactSpace::compute(fixed, moving, &options).map_err(Failure::work)
+    ContactSpace::compute(fixed, moving, &options).map_err(Failure::new)
 }
 
 pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured, Failure> {
@@ -116,7 +116,7 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
     let (fixed, moving) = (part(model.pairs[0].fixed), part(model.pairs[0].moving));
     let exact = space(fixed, moving, Symmetry::Detect)?;
     let general = space(fixed, moving, Symmetry::Ignore)?;
-    let orientations = with_bands(separation, &general.bands()).map_err(Failure::work)?;
+    let orientations = with_bands(separation, &general.bands()).map_err(Failure::new)?;
     let size = fixed.size().max(moving.size());
     let accuracy = ACCURACY * size;
 
@@ -159,7 +159,7 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
     let stack = Stack::new(fixed, moving, &orientations);
     let surface = Surface::new(&stack, accuracy);
     let gaps = errors(&stack, &surface, &general);
-    let plain = evenly(separation).map_err(Failure::work)?;
+    let plain = evenly(separation).map_err(Failure::new)?;
     let plain_stack = Stack::new(fixed, moving, &plain);
     let topology = errors(
         &plain_stack,

@@ -28,7 +28,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
     let chosen = chosen(&args.pairs)?;
     // A wrong separation is reported before anything is measured.
     cspace_baseline::evenly(args.separation).map_err(|e| {
-        Failure::input(format_args!("--separation: {e}")).help("give an angle such as 0.005")
+        Failure::new(format_args!("--separation: {e}")).help("give an angle such as 0.005")
     })?;
     catch_interrupts();
     set_threads(args.threads)?;
@@ -51,7 +51,7 @@ pub(crate) fn run(args: &EvaluateArgs) -> Result<(), Failure> {
         Format::Json => super::json(&evaluation)?,
         Format::Text => {
             let mut text = String::new();
-            text::describe(&mut text, &evaluation).map_err(Failure::work)?;
+            text::describe(&mut text, &evaluation).map_err(Failure::new)?;
             text.into_bytes()
         }
     };
@@ -70,7 +70,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static PaperPair>, Failure> {
         if !all().any(|p| plain(p.name) == plain(name)) {
             let known: Vec<&str> = all().map(|p| p.name).collect();
             return Err(
-                Failure::input(format_args!("--pairs: Figure 5 has no pair {name:?}"))
+                Failure::new(format_args!("--pairs: Figure 5 has no pair {name:?}"))
                     .help(format_args!("the pairs are {}", known.join(", "))),
             );
         }

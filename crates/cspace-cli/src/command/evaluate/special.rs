@@ -69,7 +69,7 @@ pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
                 let runs = (0..repeat).map(|_| {
                     let options = cspace::Options::default();
                     let (seconds, space) = timed(|| PairSpace::compute(fixed, moving, r, &options));
-                    space.map(|_| seconds).map_err(Failure::work)
+                    space.map(|_| seconds).map_err(Failure::new)
                 });
                 runs.collect::<Result<Vec<f64>, Failure>>().map(median)
             });

@@ -9,6 +9,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use cspace::Part;
+use cspace_answers::{Answer, Outcome};
 use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
 use cspace_io::model;
 use cspace_mechanism::{Mechanism, PartEntry};
@@ -63,7 +64,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     }
     let count: usize = imported.iter().map(|o| o.parts.len()).sum();
     if count > model::MOST_PARTS {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{count} outlines make as many parts, more than {}",
             model::MOST_PARTS
         ))
@@ -117,9 +118,10 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         });
     }
     let report = report::Report::new(&mechanism, &imported);
-    let bytes = match args.format {
+    let answer = Answer::new("import", unit.as_deref(), Outcome::DONE, &report);
+    let bytes = match args.form.format() {
         Format::Text => report.text(&args.drawings, &imported).into_bytes(),
-        Format::Json => super::json(&report)?,
+        Format::Json => super::json(&answer)?,
     };
     output::write(None, &bytes)
 }
@@ -134,7 +136,7 @@ fn check_name(path: &Path) -> Result<(), Failure> {
     if is_toml || is_json(path) || path == Path::new(output::STANDARD) || !is_file {
         return Ok(());
     }
-    Err(Failure::input(format_args!(
+    Err(Failure::new(format_args!(
         "{}: a model is written as TOML or JSON",
         path.display()
     ))
@@ -163,14 +165,14 @@ fn outlines(
     };
     let file = path.display();
     let reading = (drawn.reading(&settings))
-        .map_err(|e| Failure::input(format_args!("{file}: {e}")).help(e.help()))?;
+        .map_err(|e| Failure::new(format_args!("{file}: {e}")).help(e.help()))?;
     reading.outlines().map_err(|error| {
         let choice = Choice::of(args, drawn, &reading);
         let problems = match &error {
             DrawingError::Entities(problems) if problems.len() > 1 => problems,
             error => {
                 choice.print(&file);
-                return Failure::input(format_args!("{file}: {error}"))
+                return Failure::new(format_args!("{file}: {error}"))
                     .help(choice.help(error.help()));
             }
         };
@@ -183,7 +185,7 @@ fn outlines(
                     0 => String::new(),
                     n => format!("; and {n} more of this kind"),
                 };
-                Failure::input(format_args!("{file}: {problem}{more}"))
+                Failure::new(format_args!("{file}: {problem}{more}"))
                     .help(&problem.help)
                     .print();
             }
@@ -192,7 +194,7 @@ fn outlines(
                 more => format!(", {more} of which are not shown"),
             };
             choice.print(&file);
-            Failure::input(format_args!(
+            Failure::new(format_args!(
                 "{file}: {} things cannot be used{rest}",
                 problems.len()
             ))
@@ -245,5 +247,5 @@ fn renamed(part: &Part, taken: &HashSet<String>) -> Result<Part, Failure> {
     let loops = (part.loops().iter())
         .map(|l| l.vertices().to_vec())
         .collect();
-    Part::new(name, loops).map_err(Failure::work)
+    Part::new(name, loops).map_err(Failure::new)
 }

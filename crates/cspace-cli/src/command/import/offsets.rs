@@ -20,7 +20,7 @@ pub(super) fn apply(
     for part in &outlines.parts {
         let name = quoted(part.name());
         let made = cspace_drawing::offset(part, by, args.split)
-            .map_err(|e| Failure::input(format_args!("{file}: part {name}: {e}")).help(e.help()))?;
+            .map_err(|e| Failure::new(format_args!("{file}: part {name}: {e}")).help(e.help()))?;
         for change in &made.changes {
             failure::note(format_args!(
                 "{file}: part {name}: with the offset, {change}"
@@ -29,7 +29,7 @@ pub(super) fn apply(
         if args.part.is_some() || args.by_layer {
             parts.push(made.part);
         } else {
-            parts.extend(made.pieces().map_err(Failure::work)?);
+            parts.extend(made.pieces().map_err(Failure::new)?);
         }
     }
     outlines.parts = parts;

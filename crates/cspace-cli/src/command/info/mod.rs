@@ -8,6 +8,7 @@ use core::f64::consts::PI;
 
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairSpace, Part};
+use cspace_answers::{Answer as Framed, Outcome};
 use cspace_io::model::Parameter;
 use serde::Serialize;
 
@@ -120,24 +121,28 @@ struct PairInfo {
 }
 
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
-    args.common.result.check_answer()?;
-    several::run(&args.common, &args.more, |common| answer(common, args))
+    several::run("info", &args.common, &args.more, |common| {
+        answer(common, args)
+    })
 }
 
 fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
     let subject = Subject::open(common)?;
     subject.warn();
     subject.tell_traces();
-    let pairs = subject.pairs_if_any(common, args.window.theta)?;
+    let pairs = subject.pairs_if_any(common, args.window.window)?;
     for pair in &pairs {
         pair.check_window()?;
     }
     let info = gather(&subject, &pairs);
     Ok(match common.result.format() {
-        Format::Json => Answer::Json(super::json(&info)?),
+        Format::Json => {
+            let framed = Framed::new("info", subject.unit(), Outcome::DONE, &info);
+            Answer::Json(super::json(&framed)?)
+        }
         Format::Text => {
             let mut text = String::new();
-            text::describe(&mut text, &info).map_err(Failure::work)?;
+            text::describe(&mut text, &info).map_err(Failure::new)?;
             Answer::Text(text)
         }
     })

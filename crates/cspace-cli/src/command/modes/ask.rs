@@ -39,7 +39,7 @@ pub(super) fn parts(
                 }
                 _ => "give three parts a motion of type revolute or prismatic".to_owned(),
             };
-            Failure::input(format_args!("{}: {error}", path.display())).help(help)
+            Failure::new(format_args!("{}: {error}", path.display())).help(help)
         });
     };
     // Names may have commas in them: whichever commas separate three of them.
@@ -58,7 +58,7 @@ pub(super) fn parts(
         }
     }
     if commas.len() < 2 {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--parts {}: three names are needed, with commas between",
             shown::cut(names)
         ))
@@ -75,12 +75,12 @@ pub(super) fn parts(
             n + 1
         ),
     };
-    Err(Failure::input(format_args!("{}: {message}", path.display())).help(moving(model)))
+    Err(Failure::new(format_args!("{}: {message}", path.display())).help(moving(model)))
 }
 
 /// Why three parts are rejected, with the file.
 pub(super) fn rejected(path: &Path, model: &Mechanism, error: &ModesError) -> Failure {
-    let failure = Failure::input(format_args!("{}: {error}", path.display()));
+    let failure = Failure::new(format_args!("{}: {error}", path.display()));
     match error {
         ModesError::Planar { .. } | ModesError::Still { .. } | ModesError::Joined { .. } => failure
             .help(format_args!(
@@ -102,7 +102,7 @@ pub(super) fn configuration(
     let mut given = [false; 3];
     for entry in text.split(',') {
         let wrong = |why: String| {
-            Failure::input(format_args!("--at {}: {why}", shown::cut(text)))
+            Failure::new(format_args!("--at {}: {why}", shown::cut(text)))
                 .help("give coordinates such as u=18deg,v=0,w=2.5; those left out are as drawn, 0")
         };
         let known = entry.split_once('=').and_then(|(name, value)| {

@@ -6,9 +6,10 @@ mod picture;
 
 use std::time::Instant;
 
+use cspace_answers::{Answer, Outcome};
 use cspace_modes::Modes;
 
-use crate::args::{Format, ModesArgs};
+use crate::args::{ModesArgs, PICTURES};
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
@@ -18,12 +19,10 @@ use crate::subject::{read_model, set_threads};
 pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
     let format = pictures::format(output);
-    if format.is_some() {
-        args.result.refuse_format()?;
-    } else {
-        args.result.check_answer()?;
+    if format.is_none() {
         args.picture.refuse()?;
     }
+    args.result.artefact(&PICTURES)?;
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
@@ -33,18 +32,16 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let begin = Instant::now();
     let modes =
         Modes::compute(&model, parts).map_err(|error| ask::rejected(&path, &model, &error))?;
-    let place = modes.locate(at).map_err(Failure::input)?;
+    let place = modes.locate(at).map_err(Failure::new)?;
     if let Some(format) = format {
         let scene = picture::scene(args, &model, &modes, (at, place));
-        return pictures::write(output, format, &scene);
+        pictures::write(output, format, &scene)?;
     }
     let seconds = begin.elapsed().as_secs_f64();
     let answer = answer::of(&model, &modes, (at, place), seconds);
-    let answer = match args.result.format() {
-        Format::Json => super::json(&answer)?,
-        Format::Text => answer::text(&model, &modes, &answer)
-            .map_err(Failure::work)?
-            .into_bytes(),
-    };
-    output::write(output, &answer)
+    let framed = Answer::new("modes", model.unit.as_deref(), Outcome::DONE, &answer);
+    super::print(&args.result, &framed, |text| {
+        *text = answer::text(&model, &modes, &answer)?;
+        Ok(())
+    })
 }

@@ -1,5 +1,6 @@
 //! `cspace plan`.
 
+mod energy;
 mod hint;
 pub(crate) mod picture;
 mod proof;
@@ -24,8 +25,8 @@ use crate::progress::Bar;
 use crate::subject::{Chosen, Subject};
 use crate::wording::{about_point, angle, count, length};
 
-use cspace_answers::Rest;
 use cspace_answers::plan::{Contact, Name, Parts, Told};
+use cspace_answers::{Answer, Outcome, Rest};
 
 /// Reason for a missing proof: there is a path, but it is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
@@ -35,65 +36,45 @@ const MOST_BYTES: u64 = 1 << 30;
 
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let common = &args.common;
-    let output = common.result.output.as_deref();
+    let output = (common.result).artefact(&["csv", "json", "svg", "png", "pdf"])?;
     let picture = format(output);
     if picture.is_none() {
         args.picture.refuse()?;
-        common.result.check_answer()?;
-        check_name(output)?;
     }
     let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.theta)?;
-    let (told, scene) = match &args.check {
+    let pair = subject.one_pair(common, args.window.window)?;
+    if args.energy.energy {
+        if picture.is_some() || output.is_some_and(|path| super::ends_in(path, "csv")) {
+            return Err(
+                Failure::new("-o: with --energy there is no picture and no table")
+                    .help("let the name end in .json"),
+            );
+        }
+        return energy::run(args, &pair);
+    }
+    let (told, scene) = match &args.verify {
         Some(path) => checked(args, &pair, path)?,
         None => planned(args, &pair)?,
     };
-    let answer = match common.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => {
-            let mut text = String::new();
-            describe(&mut text, &pair, &told).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    // A path and a picture are written beside the answer.
     if let Some(format) = picture {
         picture::write(args, &pair, &told, format)?;
-    } else if is_csv(output) {
-        output::write(output, &as_csv(&pair, &told, &scene)?)?;
-    } else {
-        return output::write(output, &answer);
+    } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+        output::write(Some(path), &as_csv(&pair, &told, &scene)?)?;
     }
-    output::write(None, &answer)
-}
-
-/// Refuses a name that does not say what is written, path or answer.
-fn check_name(path: Option<&Path>) -> Result<(), Failure> {
-    const KNOWN: [&str; 3] = ["csv", "json", "txt"];
-    let Some((path, extension)) = path.and_then(|p| Some((p, p.extension()?))) else {
-        return Ok(());
+    if let (Some(path), Some(proof)) = (&args.proof, &told.proof) {
+        output::write(Some(path), &super::json(proof)?)?;
+    }
+    let outcome = match told.verdict {
+        Name::Path => Outcome::yes("path"),
+        Name::NoPath => Outcome::no("no-path"),
+        Name::Blocked => Outcome::no("blocked"),
+        Name::FromBlocked => Outcome::no("from-blocked"),
+        Name::ToBlocked => Outcome::no("to-blocked"),
+        Name::Unknown => Outcome::open("unknown"),
     };
-    if KNOWN
-        .iter()
-        .any(|known| extension.eq_ignore_ascii_case(known))
-    {
-        return Ok(());
-    }
-    Err(Failure::input(format_args!(
-        "{}: the extension names no known format",
-        path.display()
-    ))
-    .help("let the name end in .csv for the path, in .json or .txt for the answer, or in .svg, .png or .pdf for a picture"))
-}
-
-fn is_csv(path: Option<&Path>) -> bool {
-    (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
-}
-
-/// Whether the answer is written to a file of JSON.
-fn is_json(args: &PlanArgs) -> bool {
-    let output = args.common.result.output.as_deref();
-    (output.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("json"))
+    let answers = vec![pair.answer(outcome, &told)];
+    let answer = Answer::of_pairs("plan", pair.unit_label(), answers);
+    super::print(&common.result, &answer, |text| describe(text, &pair, &told))
 }
 
 /// The goal that is given; none if it is any that is out.
@@ -138,15 +119,13 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure>
         PlanError::To(e) => pair.unanswered("--to", e),
         PlanError::Pair(e) => pair.unanswered("--from", e),
         PlanError::Grown(e) => pair.failure(e),
-        PlanError::NoGoal => {
-            Failure::input("--to is missing: on fixed axes no configuration is out")
-                .help("give the configuration to come to: --to=U,V")
-        }
-        PlanError::TooFar { .. } => Failure::input(&error).help("choose one nearer to the parts"),
+        PlanError::NoGoal => Failure::new("--to is missing: on fixed axes no configuration is out")
+            .help("give the configuration to come to: --to=U,V"),
+        PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
         PlanError::TooManyLegs(_) => {
-            Failure::input(format_args!("--turn, --travel: {error}")).help("give larger ones")
+            Failure::new(format_args!("--turn, --travel: {error}")).help("give larger ones")
         }
-        _ => Failure::work(error),
+        _ => Failure::new(error),
     };
     let begin = Instant::now();
     let planner = match pair.about(&args.about)? {
@@ -174,7 +153,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure>
         begin.elapsed().as_secs_f64(),
     );
     told.gap = gap;
-    if told.verdict == Name::NoPath && (args.depth.is_some() || is_json(args)) {
+    if told.verdict == Name::NoPath && (args.depth.is_some() || args.proof.is_some()) {
         if told.enclosed.is_some() {
             proof::add(&mut told, pair, &space, [from, to], args.depth)?;
         } else {
@@ -194,7 +173,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Sce
     let rows = rows::read((&source, &bytes), pair, Format::Text, &[])?;
     if rows.configurations.is_empty() {
         return Err(
-            Failure::input(format_args!("{source}: there is no configuration"))
+            Failure::new(format_args!("{source}: there is no configuration"))
                 .help("give one configuration in each row, below the names of the columns"),
         );
     }
@@ -210,7 +189,7 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Sce
     let judged = |scene: &Scene| {
         check(scene, &rows.configurations).map_err(|error| match &error {
             PlanError::Pair(e) => pair.unanswered(&source, e),
-            _ => Failure::input(format_args!("{source}: {error}"))
+            _ => Failure::new(format_args!("{source}: {error}"))
                 .help("let the path stay nearer to the parts"),
         })
     };
@@ -251,21 +230,21 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Sce
 
 /// Rows of a path, in full precision, which are as free as the path where coordinates change straight from row to row.
 fn as_csv(pair: &Chosen<'_>, told: &Told, scene: &Scene) -> Result<Vec<u8>, Failure> {
-    let rows = cspace_plan::straight(scene, &told.path).map_err(Failure::work)?;
+    let rows = cspace_plan::straight(scene, &told.path).map_err(Failure::new)?;
     let mut writer = csv::Writer::from_writer(Vec::new());
     match pair.is_on_axes() {
         true => writer.write_record(["u", "v"]),
         false => writer.write_record(["x", "y", "theta"]),
     }
-    .map_err(Failure::work)?;
+    .map_err(Failure::new)?;
     for at in rows {
         match at {
             Coordinates::Planar(c) => writer.serialize([c.x, c.y, c.theta]),
             Coordinates::Axes { u, v } => writer.serialize([u, v]),
         }
-        .map_err(Failure::work)?;
+        .map_err(Failure::new)?;
     }
-    writer.into_inner().map_err(Failure::work)
+    writer.into_inner().map_err(Failure::new)
 }
 
 fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
@@ -302,6 +281,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
         Name::NoPath => writeln!(text, "no-path")?,
         Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
         Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Name::Blocked => writeln!(text, "blocked: the given path meets a contact")?,
         Name::Unknown if told.bottleneck.as_ref().is_some_and(|b| b.most.is_none()) => writeln!(
             text,
             "unknown: no way with that clearance was found, and none is excluded off the contact"

@@ -31,7 +31,7 @@ pub(super) fn write(
     } else {
         // Without a path, what was asked about.
         let to = super::goal(args).map(|text| pair.coordinates("--to", text));
-        let from = args.check.is_none().then(|| super::start(args, pair));
+        let from = args.verify.is_none().then(|| super::start(args, pair));
         from.into_iter().chain(to).collect::<Result<_, _>>()?
     };
     for (k, &at) in shown.iter().enumerate() {

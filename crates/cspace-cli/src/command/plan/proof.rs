@@ -33,7 +33,7 @@ pub(super) fn add(
             told.proof = Some(proof);
         }
         Err(ProofError::Depth(d)) => {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "--depth {d:?}: it has to be positive"
             )));
         }

@@ -113,11 +113,11 @@ fn contacts(
     for (index, pair) in simulation.pairs().list().iter().enumerate() {
         let touches = pair.touches(index, system, q, pair.touch);
         let coordinates = pair.coordinates(system, q);
-        for touch in touches.map_err(Failure::work)? {
+        for touch in touches.map_err(Failure::new)? {
             let place = touch
                 .contact()
                 .touching(coordinates)
-                .map_err(Failure::work)?;
+                .map_err(Failure::new)?;
             let (p, n): (Point, Vector) = (place.on_fixed, place.normal);
             let assembly_from_fixed = at[pair.fixed];
             let [f, m] = [

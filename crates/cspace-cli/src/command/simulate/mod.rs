@@ -16,7 +16,7 @@ use cspace_mechanism::Mechanism;
 use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
 use cspace_plan::clash::{Assembly, Sample};
 
-use crate::args::{Format, Mode, SimulateArgs};
+use crate::args::{Mode, SimulateArgs};
 use crate::cache;
 use crate::failure::{Failure, note, warning};
 use crate::interrupt::{catch_interrupts, keep};
@@ -26,14 +26,16 @@ use crate::progress::Bar;
 use crate::subject::{read_model, set_threads};
 
 use cspace_answers::simulate::{Told, Wanted};
+use cspace_answers::{Answer, Outcome};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
     let drawn = format(output);
     if drawn.is_none() {
         args.picture.refuse()?;
-        check_name(output)?;
     }
+    args.result
+        .artefact(&["csv", "json", "svg", "png", "pdf"])?;
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
@@ -47,7 +49,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let step = scheme::step(args, mode)?;
     check_names(&path, &model)?;
     let begin = Instant::now();
-    let failed = |error: SimulateError| failure(&path, error);
+    let failed = |error: SimulateError| failure(&path, &error);
     let settings = Settings {
         time: args.time,
         every: args.every,
@@ -94,7 +96,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let wanted = Wanted {
         rates: args.rates,
         forces: args.forces,
-        states: output.is_some_and(|o| args.result.format() == Format::Json && !is_csv(Some(o))),
+        states: output.is_some_and(|path| super::ends_in(path, "json")),
     };
     let told = Told::of(
         &model,
@@ -103,30 +105,29 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
         wanted,
         begin.elapsed().as_secs_f64(),
     )
-    .map_err(Failure::work)?;
-    let answer = match args.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => {
-            let mut text = String::new();
-            text::describe(&mut text, &model, &told).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    // A table and a picture are written beside the answer.
+    .map_err(Failure::new)?;
     if let Some(format) = drawn {
         let scene = picture::scene(&simulation, &record, &report, &options)?;
         crate::picture::write(output, format, &scene)?;
-        output::write(None, &answer)?;
-    } else if is_csv(output) {
+    } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
         let csv = table::csv(&model, &simulation, &record, wanted)?;
-        output::write(output, &csv)?;
-        output::write(None, &answer)?;
-    } else {
-        output::write(output, &answer)?;
+        output::write(Some(path), &csv)?;
     }
+    let outcome = match record.status {
+        Status::Done => Outcome::yes("done"),
+        Status::Jammed => Outcome::no("jammed"),
+        Status::Undetermined => Outcome::open("undetermined"),
+        Status::Inconsistent => Outcome::open("inconsistent"),
+        Status::Interrupted => Outcome::open("interrupted"),
+    };
+    let unit = model.unit.as_deref();
+    let answer = Answer::new("simulate", unit, outcome, &told);
+    let printed = super::print(&args.result, &answer, |text| {
+        text::describe(text, &model, &told)
+    });
     match record.status {
         Status::Interrupted => Err(interrupted(args, record.until, wanted.states)),
-        _ => Ok(()),
+        _ => printed,
     }
 }
 
@@ -162,7 +163,7 @@ fn tell_joined(model: &Mechanism, simulation: &Simulation, record: &Record) {
 
 /// The failure of an interrupted motion, with the command that resumes it.
 fn interrupted(args: &SimulateArgs, until: f64, is_kept: bool) -> Failure {
-    let failure = Failure::work(format_args!("interrupted at {until:.6} s of {}", args.time));
+    let failure = Failure::new(format_args!("interrupted at {until:.6} s of {}", args.time));
     match &args.result.output {
         Some(record) if is_kept => failure.help(format_args!(
             "what is done is in {0}: go on with --resume {0}",
@@ -171,26 +172,6 @@ fn interrupted(args: &SimulateArgs, until: f64, is_kept: bool) -> Failure {
         _ => failure
             .help("with -o RECORD.json what is done is kept, and --resume RECORD.json goes on"),
     }
-}
-
-/// Refuses a name that does not say what is written, samples, answer or picture.
-fn check_name(path: Option<&Path>) -> Result<(), Failure> {
-    const KNOWN: [&str; 3] = ["csv", "json", "txt"];
-    let Some((path, extension)) = path.and_then(|p| Some((p, output::extension(p)?))) else {
-        return Ok(());
-    };
-    if KNOWN.iter().any(|k| extension.eq_ignore_ascii_case(k)) {
-        return Ok(());
-    }
-    Err(Failure::input(format_args!(
-        "{}: the extension names no known format",
-        path.display()
-    ))
-    .help("let the name end in .csv for the samples, in .json or .txt for the answer (.gz after it to compress them), or in .svg, .png or .pdf for a picture"))
-}
-
-fn is_csv(path: Option<&Path>) -> bool {
-    (path.and_then(output::extension)).is_some_and(|e| e.eq_ignore_ascii_case("csv"))
 }
 
 /// Without masses the mode is kinematic, unless another is asked for.
@@ -210,7 +191,7 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
         note("nothing moves: the model has no [[drive]], [[load]] or [[spring]]");
     }
     if args.forces && mode == Mode::Kinematic && !is_loaded {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: --forces reports the forces of loads, springs and weights, and the model has none",
             path.display()
         ))
@@ -222,7 +203,7 @@ fn mode_of(path: &Path, model: &Mechanism, args: &SimulateArgs) -> Result<Mode, 
 fn check_names(path: &Path, model: &Mechanism) -> Result<(), Failure> {
     let taken = |name: &&str| ["t", "rates", "forces"].contains(name);
     match model.parts.iter().map(|p| p.part.name()).find(taken) {
-        Some(name) => Err(Failure::input(format_args!(
+        Some(name) => Err(Failure::new(format_args!(
             "{}: a part is called {name}, which is the name of another column of the result",
             path.display()
         ))
@@ -231,13 +212,10 @@ fn check_names(path: &Path, model: &Mechanism) -> Result<(), Failure> {
     }
 }
 
-/// The failure for an error: bad input if the model does not allow the question, otherwise work that could not be done.
-fn failure(path: &Path, error: SimulateError) -> Failure {
-    match error {
-        error if error.is_interrupted() => Failure::work("interrupted"),
-        SimulateError::Mechanism(_) | SimulateError::Query { .. } => {
-            Failure::work(format_args!("{}: {error}", path.display()))
-        }
-        _ => Failure::input(format_args!("{}: {error}", path.display())),
+/// The failure for an error.
+fn failure(path: &Path, error: &SimulateError) -> Failure {
+    match error.is_interrupted() {
+        true => Failure::new("interrupted"),
+        false => Failure::new(format_args!("{}: {error}", path.display())),
     }
 }

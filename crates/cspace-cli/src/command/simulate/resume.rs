@@ -35,7 +35,7 @@ pub(super) fn record(
         return Err(bad("its parts are not those that move in the model"));
     }
     let others = MadeOf::of(model)
-        .map_err(Failure::work)?
+        .map_err(Failure::new)?
         .others(&value["model"]);
     if !others.is_empty() {
         let what = format!("it was made with other {}", others.join(", "));

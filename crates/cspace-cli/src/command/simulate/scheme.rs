@@ -10,11 +10,11 @@ const STEPS: f64 = 10_000.0;
 pub(super) fn step(args: &SimulateArgs, mode: Mode) -> Result<Option<f64>, Failure> {
     match (args.scheme, args.step) {
         (Scheme::Event, None) => Ok(None),
-        (Scheme::Event, Some(_)) => Err(Failure::input(
+        (Scheme::Event, Some(_)) => Err(Failure::new(
             "--step is of --scheme stepping; from event to event steps are as long as accuracy allows",
         )
         .help("add --scheme stepping, or leave --step out")),
-        (Scheme::Stepping, _) if mode == Mode::Kinematic => Err(Failure::input(
+        (Scheme::Stepping, _) if mode == Mode::Kinematic => Err(Failure::new(
             "--scheme stepping is of the dynamic mode, and the mode is kinematic",
         )
         .help("give the parts a mass or a density, or leave --scheme out")),

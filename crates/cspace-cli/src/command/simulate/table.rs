@@ -38,7 +38,7 @@ pub(super) fn csv(
     header.extend(forces.iter().map(force::Column::name));
     let none = Forces::default();
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(&header).map_err(Failure::work)?;
+    writer.write_record(&header).map_err(Failure::new)?;
     for sample in &record.samples {
         let rates = sample.rates.iter().filter(|_| wanted.rates);
         let there = sample.forces.as_ref().unwrap_or(&none);
@@ -48,7 +48,7 @@ pub(super) fn csv(
             .copied()
             .chain(forces.iter().map(|c| c.value(there)));
         let texts = numbers.map(|x| format!("{x:?}"));
-        writer.write_record(texts).map_err(Failure::work)?;
+        writer.write_record(texts).map_err(Failure::new)?;
     }
-    writer.into_inner().map_err(Failure::work)
+    writer.into_inner().map_err(Failure::new)
 }

@@ -40,7 +40,7 @@ impl Card {
         };
         let picture = (PictureFormat::Svg)
             .write(&parts(&drawn, &options))
-            .map_err(Failure::work)?;
+            .map_err(Failure::new)?;
         let named = || {
             let names: Vec<&str> = drawn.parts.iter().map(|p| p.part.name()).collect();
             names.join(", ")

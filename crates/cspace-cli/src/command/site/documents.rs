@@ -32,7 +32,7 @@ impl Documents {
         let known = folder.canonicalize().map_err(|e| unreadable(folder, &e))?;
         if !known.is_dir() {
             return Err(
-                Failure::input(format_args!("{}: is no folder", folder.display()))
+                Failure::new(format_args!("{}: is no folder", folder.display()))
                     .help("give a folder of .md files after --docs; nothing was written"),
             );
         }
@@ -48,7 +48,7 @@ impl Documents {
             documents.push(Document::read(file, names.take(&name, ".html"))?);
         }
         if documents.is_empty() {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: there is no .md file in the folder",
                 folder.display()
             ))

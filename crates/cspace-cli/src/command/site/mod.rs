@@ -67,7 +67,7 @@ impl<'a> Site<'a> {
         let playground = Template::all()?
             .into_iter()
             .find(|(name, _)| name == PLAYGROUND)
-            .ok_or_else(|| Failure::work("there is no model to begin with"))?;
+            .ok_or_else(|| Failure::new("there is no model to begin with"))?;
         Ok(Self {
             args,
             sources,
@@ -106,7 +106,7 @@ impl<'a> Site<'a> {
             }
         }
         if cards.is_empty() {
-            return Err(Failure::work(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: not one model could be computed",
                 folder.place().display()
             ))

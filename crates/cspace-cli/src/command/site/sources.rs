@@ -48,7 +48,7 @@ pub(super) fn find(paths: &[PathBuf]) -> Result<Vec<Source>, Failure> {
             true => {
                 let files = files_below(path, "toml")?;
                 if files.is_empty() {
-                    return Err(Failure::input(format_args!(
+                    return Err(Failure::new(format_args!(
                         "{}: there is no .toml file in the folder",
                         path.display()
                     ))
@@ -96,7 +96,7 @@ pub(super) fn files_below(folder: &Path, extension: &str) -> Result<Vec<PathBuf>
 
 /// The failure for a path that cannot be read.
 pub(super) fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::input(format_args!(
+    Failure::new(format_args!(
         "{}: it cannot be read: {error}",
         path.display()
     ))

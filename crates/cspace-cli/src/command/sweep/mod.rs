@@ -4,12 +4,13 @@ mod picture;
 mod rows;
 mod table;
 
-use std::path::Path;
-
+use cspace_answers::{Answer, Outcome};
 use cspace_design::{Change, Sweep, Varied};
 use cspace_io::{Model, shown};
+use serde::Serialize;
+use serde_json::{Map, Value};
 
-use crate::args::{SweepArgs, TableFormat};
+use crate::args::{Format, SweepArgs};
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted, watched};
@@ -20,22 +21,26 @@ use crate::wording::count;
 
 use picture::drawn;
 use rows::all;
-use table::{Kept, Table, csv_of, grid, json_of, kept, rows_of};
+use table::{Kept, Table, csv_of, grid, kept, objects, read};
 
 pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
-    let output = args.output.as_deref();
+    let output = (args.result).artefact(&["csv", "json", "svg", "png", "pdf"])?;
+    let picture = crate::picture::format(output);
+    if picture.is_none() {
+        args.picture.refuse()?;
+    }
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (template, model) = input::template(&args.file, &args.values)?;
     let table = match &args.rows {
-        Some(file) => rows_of(file)?,
+        Some(file) => read(file)?,
         None => grid(&args.vary)?,
     };
     let varied = varied(&table.names, &model, args)?;
     let measures = measures(&model, args)?;
     if let Some(name) = measures.iter().find(|m| table.names.contains(m)) {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{} is both a requirement and what is varied: the table would have two such columns",
             shown::quoted(name)
         ))
@@ -43,7 +48,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     }
     for (name, of) in table.names.iter().zip(&varied) {
         if !of.is_of(&measures, &model) {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: nothing is measured at a configuration with the coordinate {name}",
                 args.file.display()
             ))
@@ -51,58 +56,31 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         }
     }
     let sweep = Sweep::new(&template, &args.values.set, &varied, &measures);
-    let is_json = (args.output.as_deref().and_then(Path::extension))
-        .is_some_and(|e| e.eq_ignore_ascii_case("json"));
-    let format = args.format.unwrap_or(if is_json {
-        TableFormat::Json
-    } else {
-        TableFormat::Csv
-    });
+    let unit = model.mechanism.unit.as_deref();
     let line = args.vary.last().map_or(1, |v| v.count);
-    if let Some(format) = crate::picture::format(output) {
-        if args.format.is_some() {
-            return Err(Failure::input(
-                "--format is about tables, and the name after -o that of a picture",
-            )
-            .help("leave --format out"));
-        }
+    if let Some(format) = picture {
         let drawn = drawn(args, &model, &sweep, &table, line)?;
-        return crate::picture::write(output, format, &drawn);
-    }
-    args.picture.refuse()?;
-    let extension = output.and_then(Path::extension);
-    if let Some(other) = extension.map(|e| e.to_string_lossy().to_ascii_lowercase())
-        && matches!(
-            other.as_str(),
-            "gif" | "jpg" | "jpeg" | "bmp" | "tif" | "tiff" | "webp" | "html"
-        )
-    {
-        return Err(
-            Failure::input(format_args!("-o: no files in .{other} are written"))
-                .help("pictures are written in .svg, .png and .pdf, tables in .csv and .json"),
-        );
+        crate::picture::write(output, format, &drawn)?;
     }
     if args.changes {
-        return changes(&sweep, &table, line, format, output);
+        return changes(args, unit, &sweep, &table, line);
     }
     let kept = match output {
         _ if !args.resume => Kept::default(),
-        Some(path) if format == TableFormat::Csv => kept(path, &table, &measures)?,
+        Some(path) if super::ends_in(path, "csv") => kept(path, &table, &measures)?,
         _ => {
             return Err(
-                Failure::input("--resume goes on with a table in CSV").help("name it: -o OUT.csv")
+                Failure::new("--resume goes on with a table in CSV").help("name it: -o OUT.csv")
             );
         }
     };
     let done = watched(|| all(&sweep, &table.rows[kept.count()..]));
-    let bytes = match format {
-        TableFormat::Csv => csv_of(&table, &measures, (&kept, &done))?,
-        TableFormat::Json => json_of(&table, &measures, &done)?,
-    };
-    output::write(output, &bytes)?;
+    let csv = csv_of(&table, &measures, (&kept, &done))?;
+    let rows = || objects(&table, &measures, (&kept, &done));
+    written(args, unit, &csv, rows)?;
     let done = kept.count() + done.len();
     if done < table.rows.len() {
-        return Err(Failure::work(format_args!(
+        return Err(Failure::new(format_args!(
             "interrupted: {done} of {} are done and written",
             count(table.rows.len(), "row", "rows")
         ))
@@ -111,13 +89,41 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes where something changes along lines of so many rows.
+/// The rows of a table.
+#[derive(Serialize)]
+struct Rows {
+    rows: Vec<Map<String, Value>>,
+}
+
+/// Prints a table, and writes it to the file that is asked for beside it.
+fn written(
+    args: &SweepArgs,
+    unit: Option<&str>,
+    csv: &[u8],
+    rows: impl FnOnce() -> Vec<Map<String, Value>>,
+) -> Result<(), Failure> {
+    let output = args.result.output.as_deref();
+    if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+        output::write(Some(path), csv)?;
+    }
+    let is_json = output.is_some_and(|path| super::ends_in(path, "json"));
+    if args.result.format() == Format::Text && !is_json {
+        return output::write(None, csv);
+    }
+    let answer = Answer::new("sweep", unit, Outcome::DONE, Rows { rows: rows() });
+    super::print(&args.result, &answer, |text| {
+        text.push_str(&String::from_utf8_lossy(csv));
+        Ok(())
+    })
+}
+
+/// Prints where something changes along lines of so many rows.
 fn changes(
+    args: &SweepArgs,
+    unit: Option<&str>,
     sweep: &Sweep<'_>,
     table: &Table,
     line: usize,
-    format: TableFormat,
-    output: Option<&Path>,
 ) -> Result<(), Failure> {
     let steps = Steps::new(table.rows.len());
     let mut found: Vec<Change> = Vec::new();
@@ -131,41 +137,29 @@ fn changes(
         true
     });
     let words = ["measure", "before", "after"];
-    let bytes = match format {
-        TableFormat::Csv => {
-            let mut writer = csv::Writer::from_writer(Vec::new());
-            let failed = |e: csv::Error| Failure::work(e);
-            let header = table.names.iter().map(String::as_str).chain(words);
-            writer.write_record(header).map_err(failed)?;
-            for c in &found {
-                let values = c.values.iter().map(|x| format!("{x:?}"));
-                let told = [&c.measure, &c.before, &c.after].map(String::clone);
-                writer.write_record(values.chain(told)).map_err(failed)?;
-            }
-            writer
-                .into_inner()
-                .map_err(|e| Failure::work(e.to_string()))?
-        }
-        TableFormat::Json => {
-            let object = |c: &Change| {
-                let values = table.names.iter().zip(&c.values);
-                let mut object: serde_json::Map<String, serde_json::Value> = values
-                    .map(|(name, x)| (name.clone(), (*x).into()))
-                    .collect();
-                let told = [&c.measure, &c.before, &c.after].map(String::clone);
-                for (word, text) in words.into_iter().zip(told) {
-                    object.insert(word.to_owned(), text.into());
-                }
-                object
-            };
-            super::json(&found.iter().map(object).collect::<Vec<_>>())?
-        }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let failed = |e: csv::Error| Failure::new(e);
+    let header = table.names.iter().map(String::as_str).chain(words);
+    writer.write_record(header).map_err(failed)?;
+    for c in &found {
+        let values = c.values.iter().map(|x| format!("{x:?}"));
+        let told = [&c.measure, &c.before, &c.after].map(String::clone);
+        writer.write_record(values.chain(told)).map_err(failed)?;
+    }
+    let csv = (writer.into_inner()).map_err(|e| Failure::new(e.to_string()))?;
+    let object = |c: &Change| {
+        let values = table.names.iter().zip(&c.values);
+        let values = values.map(|(name, x)| (name.clone(), (*x).into()));
+        let told = [&c.measure, &c.before, &c.after].map(|text| text.as_str().into());
+        values
+            .chain(words.map(str::to_owned).into_iter().zip(told))
+            .collect()
     };
-    output::write(output, &bytes)?;
+    written(args, unit, &csv, || found.iter().map(object).collect())?;
     if is_whole {
         Ok(())
     } else {
-        Err(Failure::work(
+        Err(Failure::new(
             "interrupted: the changes that were found are written",
         ))
     }
@@ -175,7 +169,7 @@ fn varied(names: &[String], model: &Model, args: &SweepArgs) -> Result<Vec<Varie
     let mut all = Vec::with_capacity(names.len());
     for (i, name) in names.iter().enumerate() {
         let Some(varied) = Varied::named(name, model) else {
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "{}: there is no parameter or coordinate {}",
                 args.file.display(),
                 shown::quoted(name)
@@ -194,14 +188,14 @@ fn varied(names: &[String], model: &Model, args: &SweepArgs) -> Result<Vec<Varie
 fn measures(model: &Model, args: &SweepArgs) -> Result<Vec<String>, Failure> {
     let known: Vec<String> = model.requirements.iter().map(|r| r.name.clone()).collect();
     if known.is_empty() {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: the model has no requirements",
             args.file.display()
         ))
         .help("say what is measured in [[requirement]] tables: see docs/design.md"));
     }
     if let Some(unknown) = args.measure.iter().find(|m| !known.contains(m)) {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--measure {}: the model has no such requirement",
             shown::quoted(unknown)
         ))

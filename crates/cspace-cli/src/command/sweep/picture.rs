@@ -24,13 +24,13 @@ pub(super) fn drawn(
     const MOST: usize = 12;
     let Some(across) = args.vary.last() else {
         return Err(
-            Failure::input("a picture needs --vary, and the rows are those of a file")
+            Failure::new("a picture needs --vary, and the rows are those of a file")
                 .help("write CSV or JSON, or give --vary NAME=LO:HI:N"),
         );
     };
     let lines: Vec<&[Vec<f64>]> = table.rows.chunks(line.max(1)).collect();
     if lines.len() > MOST {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "a picture has a curve for each combination of all but the last --vary, and these are {}",
             lines.len()
         ))
@@ -38,7 +38,7 @@ pub(super) fn drawn(
     }
     let done = watched(|| all(sweep, &table.rows));
     if done.len() < table.rows.len() {
-        return Err(Failure::work("interrupted: a picture needs all rows"));
+        return Err(Failure::new("interrupted: a picture needs all rows"));
     }
     let mut marks = Vec::new();
     if args.changes {

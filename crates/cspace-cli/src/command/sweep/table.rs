@@ -6,7 +6,6 @@ use cspace_design::{Row, Value};
 use cspace_io::shown;
 
 use crate::args::Vary;
-use crate::command::json;
 use crate::failure::Failure;
 use crate::input;
 
@@ -25,12 +24,13 @@ pub(super) struct Table {
 /// Every combination of values, the last of them changing first.
 pub(super) fn grid(vary: &[Vary]) -> Result<Table, Failure> {
     if vary.is_empty() {
-        return Err(Failure::input("nothing is varied")
-            .help("give --vary NAME=LO:HI:N, or --rows FILE.csv"));
+        return Err(
+            Failure::new("nothing is varied").help("give --vary NAME=LO:HI:N, or --rows FILE.csv")
+        );
     }
     let total = vary.iter().try_fold(1_usize, |n, v| n.checked_mul(v.count));
     let Some(total) = total.filter(|n| *n <= MOST) else {
-        return Err(Failure::input(format_args!("more than {MOST} rows"))
+        return Err(Failure::new(format_args!("more than {MOST} rows"))
             .help("give smaller numbers of values"));
     };
     let row = |k: usize| {
@@ -52,12 +52,11 @@ pub(super) fn grid(vary: &[Vary]) -> Result<Table, Failure> {
 }
 
 /// The values in a file.
-pub(super) fn rows_of(file: &Path) -> Result<Table, Failure> {
+pub(super) fn read(file: &Path) -> Result<Table, Failure> {
     let help = "give CSV with names of parameters in its first line and numbers below";
     let bytes = input::bytes(file, LARGEST, help)?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-    let wrong =
-        |what: String| Failure::input(format_args!("{}: {what}", file.display())).help(help);
+    let wrong = |what: String| Failure::new(format_args!("{}: {what}", file.display())).help(help);
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(bytes);
@@ -101,7 +100,7 @@ pub(super) fn csv_of(
     (kept, done): (&Kept, &[Row]),
 ) -> Result<Vec<u8>, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let failed = |e: csv::Error| Failure::work(e);
+    let failed = |e: csv::Error| Failure::new(e);
     writer
         .write_record(columns(table, measures))
         .map_err(failed)?;
@@ -118,42 +117,52 @@ pub(super) fn csv_of(
         let fields = values.chain(measured).chain([failure(measures, row)]);
         writer.write_record(fields).map_err(failed)?;
     }
-    writer
-        .into_inner()
-        .map_err(|e| Failure::work(e.to_string()))
+    writer.into_inner().map_err(|e| Failure::new(e.to_string()))
 }
 
-pub(super) fn json_of(
+pub(super) fn objects(
     table: &Table,
     measures: &[String],
-    done: &[Row],
-) -> Result<Vec<u8>, Failure> {
-    let rows = table.rows.iter().zip(done).map(|(values, row)| {
-        let mut object = serde_json::Map::new();
-        for (name, x) in table.names.iter().zip(values) {
-            object.insert(name.clone(), (*x).into());
-        }
-        for (name, measured) in measures.iter().zip(&row.measured) {
-            let value = match measured {
-                Ok(Value::Number(x)) => (*x).into(),
-                Ok(Value::Truth(b)) => (*b).into(),
-                Err(_) => serde_json::Value::Null,
-            };
-            object.insert(name.clone(), value);
-        }
-        let failure = failure(measures, row);
-        if !failure.is_empty() {
-            object.insert("failure".to_owned(), failure.into());
-        }
-        serde_json::Value::Object(object)
+    (kept, done): (&Kept, &[Row]),
+) -> Vec<serde_json::Map<String, serde_json::Value>> {
+    let earlier = kept.0.iter().map(|record| {
+        let value = |text: &str| match text {
+            "" => serde_json::Value::Null,
+            text => serde_json::from_str(text).unwrap_or_else(|_| text.into()),
+        };
+        let names = columns(table, measures).map(str::to_owned);
+        let all = names.zip(record.iter().map(value));
+        all.filter(|(name, value)| name != "failure" || !value.is_null())
+            .collect()
     });
-    json(&rows.collect::<Vec<_>>())
+    let rows = (table.rows[kept.count()..].iter())
+        .zip(done)
+        .map(|(values, row)| {
+            let mut object = serde_json::Map::new();
+            for (name, x) in table.names.iter().zip(values) {
+                object.insert(name.clone(), (*x).into());
+            }
+            for (name, measured) in measures.iter().zip(&row.measured) {
+                let value = match measured {
+                    Ok(Value::Number(x)) => (*x).into(),
+                    Ok(Value::Truth(b)) => (*b).into(),
+                    Err(_) => serde_json::Value::Null,
+                };
+                object.insert(name.clone(), value);
+            }
+            let failure = failure(measures, row);
+            if !failure.is_empty() {
+                object.insert("failure".to_owned(), failure.into());
+            }
+            object
+        });
+    earlier.chain(rows).collect()
 }
 
 /// The lines of an earlier table, `path`, of the same columns and values, as they are: those of the first rows.
 pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Kept, Failure> {
     let wrong = |why: String| {
-        Failure::input(format_args!("{}: {why}", path.display())).help(
+        Failure::new(format_args!("{}: {why}", path.display())).help(
             "leave --resume out to compute all rows, or give the arguments of the earlier sweep",
         )
     };

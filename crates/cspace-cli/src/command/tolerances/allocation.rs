@@ -25,14 +25,14 @@ pub(super) struct Answer {
 
 pub(super) fn failure(file: &dyn Display, error: Unallocated) -> Failure {
     let help = match &error {
-        Unallocated::Interrupted => return Failure::work(error),
+        Unallocated::Interrupted => return Failure::new(error),
         Unallocated::NoLimits => {
             "give a measure that is a number limits = [0, 0.5]; yes and no are not allocated"
         }
         Unallocated::NotMet(_) => "see what it is with cspace check",
         Unallocated::NoYield(_) => "see what fails with cspace tolerances --samples 10000",
     };
-    Failure::input(format_args!("{file}: {error}")).help(help)
+    Failure::new(format_args!("{file}: {error}")).help(help)
 }
 
 pub(super) fn answer(criterion: Criterion, costs: &[f64], found: &Allocation) -> Answer {

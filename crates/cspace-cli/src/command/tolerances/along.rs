@@ -2,17 +2,18 @@
 
 use std::fmt::Write;
 
+use cspace_answers::{Answer, Outcome};
 use cspace_design::{Band, Extreme, Station, ToleranceOptions, Variations, Varied, along};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_io::Model;
 use cspace_io::model::{Dimension, Setting, Template};
 use serde::Serialize;
 
+use super::Requirements;
 use super::answer::{End, end};
 use super::text::number;
-use crate::args::{Format, TolerancesArgs, Vary};
+use crate::args::{TolerancesArgs, Vary};
 use crate::failure::Failure;
-use crate::output;
 use crate::picture::{Plane, strip_label};
 use crate::progress::Bar;
 use crate::wording::{degrees, length};
@@ -48,7 +49,7 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     let name = &vary.name;
     let Some(Varied::Coordinate(coordinate)) = Varied::named(name, model) else {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "--along {name}: a motion goes along a coordinate"
         ))
         .help("give one of x, y, theta, u, v, such as --along u=0deg:360deg:73"));
@@ -57,9 +58,9 @@ pub(super) fn run(
     let bar = Bar::new(model.mechanism.name.clone());
     let bands = bar
         .watch(|bar| along(template, set, model, options, (coordinate, &values), bar))
-        .map_err(Failure::work)?;
+        .map_err(Failure::new)?;
     if bands.is_empty() {
-        return Err(Failure::input(format_args!(
+        return Err(Failure::new(format_args!(
             "{}: no number is measured at a configuration with the coordinate {name}",
             args.file.display()
         ))
@@ -68,17 +69,21 @@ pub(super) fn run(
     let output = args.result.output.as_deref();
     if let Some(format) = crate::picture::format(output) {
         let picture = drawn(args, vary, model, &bands)?;
-        return crate::picture::write(output, format, &picture);
+        crate::picture::write(output, format, &picture)?;
     }
-    let answer = match args.result.format() {
-        Format::Json => super::super::json(&rows(vary, variations, &bands))?,
-        Format::Text => {
-            let unit = model.mechanism.unit.as_ref();
-            let unit = unit.map_or(String::new(), |u| format!(" {u}"));
-            text(vary, &bands, &unit).into_bytes()
-        }
-    };
-    output::write(output, &answer)
+    let unit = model.mechanism.unit.as_deref();
+    let requirements = rows(vary, variations, &bands);
+    let answer = Answer::new(
+        "tolerances",
+        unit,
+        Outcome::DONE,
+        Requirements { requirements },
+    );
+    super::super::print(&args.result, &answer, |written| {
+        let unit = unit.map_or(String::new(), |u| format!(" {u}"));
+        *written = text(vary, &bands, &unit);
+        Ok(())
+    })
 }
 
 fn rows<'a>(vary: &'a Vary, variations: &Variations, bands: &'a [Band]) -> Vec<Row<'a>> {

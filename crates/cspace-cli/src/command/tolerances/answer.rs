@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use cspace_answers::Outcome;
 use cspace_design::{Extreme, MonteCarlo, Structural, Tolerances, Value, Variations};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
@@ -28,6 +29,8 @@ pub(crate) struct Row {
     structure: Vec<Change>,
     /// The factor on all tolerances at which something fails; none if nothing does up to 16.
     margin: Option<f64>,
+    /// How it came out.
+    pub(super) outcome: Outcome,
     /// The condition that fails at that factor.
     fails: String,
     /// Whether the computation was interrupted: what needs more than derivatives as drawn is not known then.
@@ -158,6 +161,13 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
         }),
         structure: of.structure.iter().map(change).collect(),
         margin: of.margin.factor,
+        outcome: match (of.margin.factor, &of.nominal.measured) {
+            _ if of.interrupted => Outcome::open("interrupted"),
+            (Some(0.0), _) => Outcome::no("not-met"),
+            (Some(factor), _) if factor < 1.0 => Outcome::no("fails"),
+            (_, Err(_)) if requirement.target.is_none() => Outcome::open("no-value"),
+            _ => Outcome::yes("holds"),
+        },
         fails: of.margin.what.clone(),
         interrupted: of.interrupted,
         monte_carlo: of.monte_carlo.as_ref().map(samples),

@@ -6,9 +6,12 @@ pub(crate) mod answer;
 mod text;
 mod zones;
 
+use cspace_answers::{Answer, Outcome};
 use cspace_design::{ToleranceOptions, Tolerances, Variations, allocate, tolerances_with};
 
-use crate::args::{Format, TolerancesArgs};
+use serde::Serialize;
+
+use crate::args::TolerancesArgs;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{self, catch_interrupts};
@@ -18,14 +21,11 @@ use crate::subject::set_threads;
 
 pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let is_picture = crate::picture::format(args.result.output.as_deref()).is_some();
-    if !is_picture {
-        args.result.check_answer()?;
-        if !args.zones {
-            args.picture.refuse()?;
-        }
+    if !is_picture && !args.zones {
+        args.picture.refuse()?;
     }
-    let output = args.result.output.as_deref();
-    output::check(output)?;
+    args.result.artefact(&["json", "svg", "png", "pdf"])?;
+    output::check(args.result.output.as_deref())?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (template, mut model) = input::template(&args.file, &args.values)?;
@@ -35,13 +35,13 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     }
     if Variations::of(&model).is_empty() {
         return Err(
-            Failure::input(format_args!("{file}: no parameter has a tolerance"))
+            Failure::new(format_args!("{file}: no parameter has a tolerance"))
                 .help("give one in [parameter], such as pin = { value = 6.0, tol = 0.02 }"),
         );
     }
     // What is outside its limits has its tolerance about their middle.
     let mut values = args.values.clone();
-    (values.set, model) = (template.about_middles(&values.set, model)).map_err(Failure::input)?;
+    (values.set, model) = (template.about_middles(&values.set, model)).map_err(Failure::new)?;
     let variations = Variations::of(&model);
     let outside = (model.parameters.iter())
         .find(|p| p.has_limits && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
@@ -50,7 +50,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         let (below, above) = outside.deviations.unwrap_or_default();
         let [lo, hi] = [outside.value - below, outside.value + above].map(cspace_io::shown::number);
         let error = format_args!("{name} is set to a value outside its limits, {lo} to {hi}");
-        return Err(Failure::input(error).help("set it to a value within them"));
+        return Err(Failure::new(error).help("set it to a value within them"));
     }
     if !args.requirement.is_empty() {
         super::check::chosen(&mut model, &args.requirement)?;
@@ -62,18 +62,16 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         requirements: chosen.iter().map(|&name| name.to_owned()).collect(),
         without_proof: args.no_proof,
     };
-    let unit = model.mechanism.unit.as_ref();
-    let unit = unit.map_or(String::new(), |u| format!(" {u}"));
+    let model_unit = model.mechanism.unit.as_deref();
+    let unit = model_unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
-    if args.theta.is_some() && !args.zones && !is_picture {
-        return Err(
-            Failure::input("--theta is the orientation of contact zones")
-                .help("give --zones or -o OUT.svg, or leave it out"),
-        );
+    if args.at.is_some() && !args.zones && !is_picture {
+        return Err(Failure::new("--theta is the orientation of contact zones")
+            .help("give --zones or -o OUT.svg, or leave it out"));
     }
     if is_picture && (args.allocate.is_some() || args.samples > 0) {
         return Err(
-            Failure::input("-o: a picture shows contact zones, or values along a motion")
+            Failure::new("-o: a picture shows contact zones, or values along a motion")
                 .help("leave --allocate and --samples out, or let the name end in .txt or .json"),
         );
     }
@@ -96,14 +94,13 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
             allocate(&template, set, &model, &options, wanted, bar)
         });
         let found = found.map_err(|error| allocation::failure(&file, error))?;
-        let answer = match args.result.format() {
-            Format::Json => super::json(&allocation::answer(criterion, &costs, &found))?,
-            Format::Text => {
-                let given = (&variations, costs.as_slice());
-                allocation::text(criterion, given, &found, (&model.mechanism, &unit)).into_bytes()
-            }
-        };
-        return output::write(output, &answer);
+        let answer = allocation::answer(criterion, &costs, &found);
+        let framed = Answer::new("tolerances", model_unit, Outcome::DONE, &answer);
+        return super::print(&args.result, &framed, |text| {
+            let given = (&variations, costs.as_slice());
+            *text = allocation::text(criterion, given, &found, (&model.mechanism, &unit));
+            Ok(())
+        });
     }
     interrupt::keep();
     let found = bar
@@ -111,16 +108,29 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
             let known = |known: &[Tolerances]| bar.tell(text::at_once(&variations, known, &unit));
             tolerances_with(&template, &values.set, &model, &options, &known, bar)
         })
-        .map_err(Failure::unanswered)?;
-    let answer = match args.result.format() {
-        Format::Json => super::json(&answer::rows(&variations, &found))?,
-        Format::Text => text::described(&model.mechanism, &variations, &found, &unit).into_bytes(),
-    };
-    output::write(output, &answer)?;
+        .map_err(Failure::new)?;
+    let rows = answer::rows(&variations, &found);
+    let outcome = Outcome::worst(rows.iter().map(|row| row.outcome));
+    let framed = Answer::new(
+        "tolerances",
+        model_unit,
+        outcome,
+        Requirements { requirements: rows },
+    );
+    let printed = super::print(&args.result, &framed, |text| {
+        *text = text::described(&model.mechanism, &variations, &found, &unit);
+        Ok(())
+    });
     if found.iter().any(|of| of.interrupted) {
-        return Err(Failure::unanswered("interrupted: what is known is written"));
+        return Err(Failure::new("interrupted: what is known is written"));
     }
-    Ok(())
+    printed
+}
+
+/// Requirements, each with what concerns it.
+#[derive(Serialize)]
+struct Requirements<T> {
+    requirements: Vec<T>,
 }
 
 /// The cost of each variation's tolerance: 1 unless given.
@@ -132,7 +142,7 @@ fn costs(variations: &Variations, given: &[(String, f64)]) -> Result<Vec<f64>, F
             let quoted = cspace_io::shown::quoted(name);
             let names = variations.list.iter().map(|v| v.parameter.name.as_str());
             let names = names.collect::<Vec<_>>().join(", ");
-            return Err(Failure::input(format_args!(
+            return Err(Failure::new(format_args!(
                 "--cost {quoted}: no parameter of this name has a tolerance"
             ))
             .help(format_args!("parameters with tolerances are {names}")));

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use cspace::{ContactSpace, Options, PairSpace, Slice};
+use cspace_answers::{Answer as Framed, Outcome, PairAnswer};
 use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_io::Model;
@@ -10,17 +11,14 @@ use cspace_io::model::{Coordinate, Requirement, Setting, Subject, Template};
 use cspace_mechanism::PairEntry;
 use serde::Serialize;
 
-use crate::args::{Format, TolerancesArgs};
+use crate::args::TolerancesArgs;
 use crate::failure::Failure;
-use crate::output;
 use crate::picture::Plane;
 use crate::progress::Bar;
 
 /// The zones of a pair.
 #[derive(Debug, Serialize)]
 struct Answer<'a> {
-    fixed: &'a str,
-    moving: &'a str,
     /// The names of the coordinates.
     coordinates: [&'static str; 2],
     /// The orientation of a pair in the plane, in radians.
@@ -65,16 +63,16 @@ pub(super) fn run(
         window: pair.window,
         ..Options::default()
     };
-    let theta = args.theta.or(at(Coordinate::Theta)).unwrap_or(0.0);
+    let theta = args.at.or(at(Coordinate::Theta)).unwrap_or(0.0);
     let space = bar.watch(|bar| PairSpace::compute_with(fixed, moving, relation, &options, bar));
-    let drawn = match space.map_err(Failure::work)? {
+    let drawn = match space.map_err(Failure::new)? {
         PairSpace::FixedAxes(space) => Drawn::Plane(space),
         PairSpace::Planar(space) => {
             let slice = Box::new(space.slice(theta));
             Drawn::Slice(space, slice)
         }
         PairSpace::Lower(_) => {
-            return Err(Failure::input(
+            return Err(Failure::new(
                 "--zones: the parts are connected by a joint, which has no tolerances",
             )
             .help("name a requirement of another pair: --requirement NAME"));
@@ -96,7 +94,7 @@ pub(super) fn run(
     let options: PictureOptions = args.picture.options(plane, mechanism.name.clone(), unit)?;
     let window = nominal.window(&options);
     let found = bar.watch(|bar| zones(template, set, model, (pair, window, theta), bar));
-    let found = found.map_err(Failure::work)?;
+    let found = found.map_err(Failure::new)?;
     if let Some(format) = format {
         let bands = found.bands.iter();
         let bands = bands.map(|b| (b.features.join(", "), b.cells.as_slice()));
@@ -107,28 +105,30 @@ pub(super) fn run(
             bands: bands.collect(),
             mark: at(coordinates[0]).zip(at(coordinates[1])),
         };
-        return crate::picture::write(output, format, &cspace_draw::zones(&picture, &options));
+        crate::picture::write(output, format, &cspace_draw::zones(&picture, &options))?;
     }
-    let answer = match args.result.format() {
-        Format::Json => {
-            let bands = found.bands.iter().map(|b| BandAnswer {
-                features: &b.features,
-                cells: &b.cells,
-            });
-            super::super::json(&Answer {
-                fixed: fixed.name(),
-                moving: moving.name(),
-                coordinates: coordinates.map(Coordinate::name),
-                theta: matches!(drawn, Drawn::Slice(..)).then_some(theta),
-                window,
-                free: &found.free,
-                blocked: &found.blocked,
-                bands: bands.collect(),
-            })?
-        }
-        Format::Text => text(&found, window, coordinates).into_bytes(),
-    };
-    output::write(output, &answer)
+    let bands = found.bands.iter().map(|b| BandAnswer {
+        features: &b.features,
+        cells: &b.cells,
+    });
+    let answers = vec![PairAnswer {
+        fixed: fixed.name().to_owned(),
+        moving: moving.name().to_owned(),
+        outcome: Outcome::DONE,
+        content: Answer {
+            coordinates: coordinates.map(Coordinate::name),
+            theta: matches!(drawn, Drawn::Slice(..)).then_some(theta),
+            window,
+            free: &found.free,
+            blocked: &found.blocked,
+            bands: bands.collect(),
+        },
+    }];
+    let answer = Framed::of_pairs("tolerances", unit, answers);
+    super::super::print(&args.result, &answer, |written| {
+        *written = text(&found, window, coordinates);
+        Ok(())
+    })
 }
 
 /// The requirement of which the pair is looked at: that of a name, or else the first about a pair.
@@ -141,7 +141,7 @@ fn about<'m>(
         Subject::Motion(..) => None,
     });
     pairs.next().ok_or_else(|| {
-        Failure::input(format_args!(
+        Failure::new(format_args!(
             "{}: no requirement is about a pair of parts",
             args.file.display()
         ))

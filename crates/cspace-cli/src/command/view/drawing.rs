@@ -49,7 +49,7 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
 fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {
     let given = [
         ("--pair", args.pair.is_some()),
-        ("--theta", args.window.theta.is_some()),
+        ("--window", args.window.window.is_some()),
         ("--with", !args.with.is_empty()),
         ("--general", args.general),
         ("--snap", args.snap),
@@ -57,7 +57,7 @@ fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {
     ];
     match given.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
-        Some((option, _)) => Err(Failure::input(format_args!(
+        Some((option, _)) => Err(Failure::new(format_args!(
             "{option} is about models, and {} is a drawing",
             args.file.display()
         ))

@@ -18,7 +18,7 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     }
     if let Some(option) = drawings::first_given(&args.drawing) {
         return Err(
-            Failure::input(format_args!("{option} is about drawings")).help(format_args!(
+            Failure::new(format_args!("{option} is about drawings")).help(format_args!(
                 "leave {option} out: {} is a model",
                 args.file.display()
             )),
@@ -28,7 +28,7 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     let common = args.common();
     let subject = Subject::open(&common)?;
     subject.warn();
-    let chosen = subject.pairs(&common, args.window.theta)?;
+    let chosen = subject.pairs(&common, args.window.window)?;
     if args.pair.is_some() {
         for pair in &chosen {
             pair.check_window()?;
@@ -64,7 +64,7 @@ fn show(server: Server, args: &ViewArgs) -> Result<(), Failure> {
 }
 
 fn failure(error: ServeError) -> Failure {
-    let failure = Failure::work(&error);
+    let failure = Failure::new(&error);
     match error {
         ServeError::PortInUse { .. } | ServeError::Port { .. } => {
             failure.help("give another --port, or leave it out for any that is free")

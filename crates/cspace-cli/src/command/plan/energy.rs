@@ -1,19 +1,21 @@
-//! `cspace escape`.
+//! `cspace plan --energy`.
 
 use std::fmt::{self, Write};
 use std::time::Instant;
 
 use cspace::{ComputeError, Coordinates, Vector};
+use cspace_answers::{Answer, Outcome};
 use cspace_plan::PlanError;
 use cspace_plan::escape::{Escape, Escaped, Field, FieldError};
 use serde::Serialize;
 
-use crate::args::{EscapeArgs, Format};
+use crate::args::PlanArgs;
 use crate::failure::Failure;
-use crate::output;
 use crate::progress::Bar;
-use crate::subject::{Chosen, FeaturePair, Subject};
+use crate::subject::{Chosen, FeaturePair};
 use crate::wording::{count, length};
+
+use super::{goal, start};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -65,29 +67,27 @@ struct Overlap {
     touching: Option<[String; 2]>,
 }
 
-pub(crate) fn run(args: &EscapeArgs) -> Result<(), Failure> {
-    let common = &args.common;
-    common.result.check_answer()?;
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.theta)?;
-    let told = escaped(args, &pair)?;
-    let answer = match common.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => {
-            let mut text = String::new();
-            describe(&mut text, &pair, &told).map_err(Failure::work)?;
-            text.into_bytes()
-        }
+pub(super) fn run(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(), Failure> {
+    let told = escaped(args, pair)?;
+    let outcome = match told.verdict {
+        Name::Escapes => Outcome::yes("escapes"),
+        Name::Cage => Outcome::no("cage"),
+        Name::FromBlocked => Outcome::no("from-blocked"),
+        Name::ToBlocked => Outcome::no("to-blocked"),
     };
-    output::write(common.result.output.as_deref(), &answer)
+    let answers = vec![pair.answer(outcome, &told)];
+    let answer = Answer::of_pairs("plan", pair.unit_label(), answers);
+    super::super::print(&args.common.result, &answer, |text| {
+        describe(text, pair, &told)
+    })
 }
 
 /// The force field that acts on the moving part, and whether that part has a mass.
-fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure> {
-    let given = args.gravity.map(|[x, y]| Vector::new(x, y));
+fn field(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure> {
+    let given = args.energy.gravity.map(|[x, y]| Vector::new(x, y));
     let Some((model, entry)) = pair.in_model() else {
         return Err(
-            Failure::input("a saved contact space says nothing of masses and forces")
+            Failure::new("a saved contact space says nothing of masses and forces")
                 .help("give the model file"),
         );
     };
@@ -97,26 +97,26 @@ fn field(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure>
             FieldError::Still { .. } => "name the pair in the other order: --pair FIXED,MOVING",
             _ => "take it out of the model, or choose another pair",
         };
-        Failure::input(error).help(help)
+        Failure::new(error).help(help)
     })?;
     Ok((field, weighs || gravity == Vector::ZERO))
 }
 
-fn escaped(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
-    let from = pair.coordinates("--from", &args.from)?;
-    let to = (args.to.as_ref())
+fn escaped(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
+    let from = start(args, pair)?;
+    let to = goal(args)
         .map(|to| pair.coordinates("--to", to))
         .transpose()?;
     let (field, weighs) = field(args, pair)?;
     let failed = |error: PlanError| match &error {
         PlanError::From(e) | PlanError::Pair(e) => pair.unanswered("--from", e),
         PlanError::To(e) => pair.unanswered("--to", e),
-        PlanError::NoGoal => Failure::input(&error).help("give --to U,V"),
-        PlanError::NoForce => Failure::input(&error)
+        PlanError::NoGoal => Failure::new(&error).help("give --to U,V"),
+        PlanError::NoForce => Failure::new(&error)
             .help("give --gravity X,Y, or gravity, loads or springs in the model"),
-        PlanError::TooFar { .. } => Failure::input(&error).help("choose one nearer to the parts"),
-        PlanError::Stopped(ComputeError::Interrupted) => Failure::work("interrupted"),
-        _ => Failure::work(error),
+        PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
+        PlanError::Stopped(ComputeError::Interrupted) => Failure::new("interrupted"),
+        _ => Failure::new(error),
     };
     // Wrong arguments are reported before anything is computed.
     if field.is_none() {
@@ -125,7 +125,7 @@ fn escaped(args: &EscapeArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     let space = pair.space()?;
     let begin = Instant::now();
     let mut escape = Escape::new(&space, &field).map_err(failed)?;
-    if let Some(within) = args.within {
+    if let Some(within) = args.energy.accuracy {
         escape = escape.with_bounds_within(within);
     }
     let answer = Bar::new(pair.names())

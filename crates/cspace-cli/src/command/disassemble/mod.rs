@@ -1,4 +1,4 @@
-//! `cspace assembly`.
+//! `cspace disassemble`.
 
 mod picture;
 mod text;
@@ -7,6 +7,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cspace::{Axis, ComputeError, Coordinates, PairError};
+use cspace_answers::{Answer, Outcome as Word};
 use cspace_answers::{legs_in_words, motion_in_words};
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
@@ -17,7 +18,7 @@ use cspace_plan::assembly::{
 use cspace_plan::legs::Scene;
 use serde::Serialize;
 
-use crate::args::{AssemblyArgs, Format};
+use crate::args::DisassembleArgs;
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
@@ -93,13 +94,13 @@ struct Why {
     doubtful: Vec<(f64, f64)>,
 }
 
-pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
+pub(crate) fn run(args: &DisassembleArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
     let format = crate::picture::format(output);
     if format.is_none() {
         args.picture.refuse()?;
-        args.result.check_answer()?;
     }
+    args.result.artefact(&["svg", "png", "pdf", "json"])?;
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;
@@ -112,20 +113,19 @@ pub(crate) fn run(args: &AssemblyArgs) -> Result<(), Failure> {
         .map_err(failed)?;
     let seconds = begin.elapsed().as_secs_f64();
     let told = told(&model, &assembly, &apart, seconds);
-    let answer = match args.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => {
-            let mut text = String::new();
-            text::describe(&mut text, model.unit.as_deref(), &told).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    // A picture is written beside the answer.
     if let Some(format) = format {
         picture::write(args, &model, &apart, format)?;
-        return output::write(None, &answer);
     }
-    output::write(output, &answer)
+    let outcome = match told.verdict {
+        Outcome::Apart => Word::yes("apart"),
+        Outcome::Locked => Word::no("locked"),
+        Outcome::Unknown => Word::open("unknown"),
+    };
+    let unit = model.unit.as_deref();
+    let answer = Answer::new("disassemble", unit, outcome, &told);
+    super::print(&args.result, &answer, |text| {
+        text::describe(text, unit, &told)
+    })
 }
 
 /// The moving part of a step with the motion that it has.
@@ -160,12 +160,12 @@ fn failure(path: &Path, error: AssemblyError) -> Failure {
     let interrupted = PairError::Compute(ComputeError::Interrupted);
     match error {
         AssemblyError::Pair(e) | AssemblyError::Plan(PlanError::Grown(e)) if e == interrupted => {
-            Failure::work("interrupted")
+            Failure::new("interrupted")
         }
         AssemblyError::Pair(_) | AssemblyError::Query(_) | AssemblyError::Plan(_) => {
-            Failure::work(format_args!("{}: {error}", path.display()))
+            Failure::new(format_args!("{}: {error}", path.display()))
         }
-        _ => Failure::input(format_args!("{}: {error}", path.display())),
+        _ => Failure::new(format_args!("{}: {error}", path.display())),
     }
 }
 

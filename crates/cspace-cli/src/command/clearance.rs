@@ -1,19 +1,19 @@
-//! `cspace clash`.
+//! `cspace clearance`.
 
 use std::fmt::{self, Write};
 use std::time::Instant;
 
 use cspace::{Part, Point};
+use cspace_answers::{Answer, Outcome, PairAnswer};
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question, State};
 use serde::Serialize;
 
 use super::record;
-use crate::args::{ClashArgs, Format};
+use crate::args::ClearanceArgs;
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
-use crate::output;
 use crate::subject::{named_pair, read_model, set_threads};
 use crate::wording::{count, length};
 
@@ -22,12 +22,12 @@ const MANY: usize = 200;
 /// Default of `--within` for more parts, as a share of the largest part's size.
 const NEARBY: f64 = 0.1;
 
-/// The whole answer.
+/// What is known beside the pairs, and the pairs.
 #[derive(Debug, Serialize)]
 struct Told {
     parts: usize,
     /// The worst first.
-    pairs: Vec<Row>,
+    pairs: Vec<PairAnswer<Row>>,
     /// Pairs that are clear of each other by `within` or more.
     beyond: usize,
     within: Option<f64>,
@@ -39,22 +39,23 @@ struct Told {
 
 #[derive(Debug, Serialize)]
 struct Row {
-    first: String,
-    second: String,
+    /// The motions over which it is.
+    over: &'static str,
+    #[serde(skip)]
     state: State,
     gap: Option<f64>,
     depth: Option<f64>,
     offset: Option<f64>,
     points: Option<[[f64; 2]; 2]>,
-    features: Option<[String; 2]>,
+    /// The features of the two parts that touch, or are nearest.
+    touching: Option<[String; 2]>,
+    /// The time in the record.
     #[serde(skip_serializing_if = "Option::is_none")]
-    time: Option<f64>,
+    at: Option<f64>,
 }
 
-pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
-    args.result.check_answer()?;
-    let output = args.result.output.as_deref();
-    output::check(output)?;
+pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
+    args.result.artefact(&[])?;
     catch_interrupts();
     set_threads(args.threads)?;
     let (path, model) = read_model(
@@ -85,15 +86,10 @@ pub(crate) fn run(args: &ClashArgs) -> Result<(), Failure> {
     };
     let along = samples.and_then(|s| Some([s.first()?.time, s.last()?.time]));
     let told = told(&model, found, (within, along), begin);
-    let answer = match args.result.format() {
-        Format::Json => super::json(&told)?,
-        Format::Text => {
-            let mut text = String::new();
-            describe(&mut text, model.unit.as_deref(), &told).map_err(Failure::work)?;
-            text.into_bytes()
-        }
-    };
-    output::write(output, &answer)
+    let outcome = Outcome::worst(told.pairs.iter().map(|p| p.outcome));
+    let unit = model.unit.as_deref();
+    let answer = Answer::new("clearance", unit, outcome, &told);
+    super::print(&args.result, &answer, |text| describe(text, unit, &told))
 }
 
 fn default_within(model: &Mechanism) -> f64 {
@@ -111,18 +107,23 @@ fn told(
     begin: Instant,
 ) -> Told {
     let part = |i: usize| -> &Part { &model.parts[i].part };
+    let over = if along.is_some() { "record" } else { "drawn" };
     let row = |clash: Clash| {
         let [a, b] = clash.parts.map(part);
-        Row {
-            first: a.name().to_owned(),
-            second: b.name().to_owned(),
-            state: clash.state,
-            gap: clash.gap,
-            depth: clash.depth,
-            offset: clash.offset,
-            points: clash.points.map(|p| p.map(|Point { x, y }| [x, y])),
-            features: (clash.features).map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
-            time: clash.time,
+        PairAnswer {
+            fixed: a.name().to_owned(),
+            moving: b.name().to_owned(),
+            outcome: outcome(clash.state),
+            content: Row {
+                over,
+                state: clash.state,
+                gap: clash.gap,
+                depth: clash.depth,
+                offset: clash.offset,
+                points: clash.points.map(|p| p.map(|Point { x, y }| [x, y])),
+                touching: (clash.features).map(|[f, g]| [a.feature_text(f), b.feature_text(g)]),
+                at: clash.time,
+            },
         }
     };
     Told {
@@ -135,13 +136,14 @@ fn told(
     }
 }
 
-fn word(state: State) -> &'static str {
+/// How it is between two parts. Joined parts that go through each other are a note.
+const fn outcome(state: State) -> Outcome {
     match state {
-        State::Overlap => "overlap",
-        State::Meets => "meets",
-        State::Touching => "touching",
-        State::Clear => "clear",
-        State::Joined => "joined",
+        State::Overlap => Outcome::no("overlaps"),
+        State::Meets => Outcome::yes("meets"),
+        State::Touching => Outcome::yes("touches"),
+        State::Clear => Outcome::yes("clear"),
+        State::Joined => Outcome::yes("joined"),
     }
 }
 
@@ -156,8 +158,12 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
     let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
     let counts: Vec<String> = (STATES.iter())
         .filter_map(|&state| {
-            let n = told.pairs.iter().filter(|p| p.state == state).count();
-            (n > 0).then(|| format!("{n} {}", word(state)))
+            let n = told
+                .pairs
+                .iter()
+                .filter(|p| p.content.state == state)
+                .count();
+            (n > 0).then(|| format!("{n} {}", outcome(state).word))
         })
         .collect();
     let pairs = told.pairs.len() + told.beyond;
@@ -179,17 +185,18 @@ fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
         )?;
     }
     writeln!(text, "{line}")?;
-    for pair in &told.pairs {
-        let [a, b] = [&pair.first, &pair.second].map(|name| shown::text(name));
+    for answer in &told.pairs {
+        let [a, b] = [&answer.fixed, &answer.moving].map(|name| shown::text(name));
+        let pair = &answer.content;
         let far = match (pair.depth, pair.gap) {
             (Some(l), _) | (None, Some(l)) => format!("{}{unit}", length(l)),
             (None, None) => String::new(),
         };
-        write!(text, "{:<8} {far:>14}  {a}, {b}", word(pair.state))?;
-        if let Some(time) = pair.time {
+        write!(text, "{:<8} {far:>14}  {a}, {b}", answer.outcome.word)?;
+        if let Some(time) = pair.at {
             write!(text, "  t {}", length(time))?;
         }
-        if let (Some([f, g]), Some([p, q])) = (&pair.features, pair.points) {
+        if let (Some([f, g]), Some([p, q])) = (&pair.touching, pair.points) {
             let at = |[x, y]: [f64; 2]| format!("({}, {})", length(x), length(y));
             let (f, g) = (shown::text(f), shown::text(g));
             write!(text, "  {f} at {}, {g} at {}", at(p), at(q))?;

@@ -5,13 +5,13 @@ use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames
 use cspace_mechanism::Mechanism;
 use cspace_plan::assembly::{Kind, Step, TakenApart};
 
-use crate::args::AssemblyArgs;
+use crate::args::DisassembleArgs;
 use crate::command::plan::picture::steps as along;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};
 
 pub(super) fn write(
-    args: &AssemblyArgs,
+    args: &DisassembleArgs,
     model: &Mechanism,
     apart: &TakenApart,
     format: PictureFormat,
