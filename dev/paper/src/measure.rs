@@ -107,12 +107,12 @@ fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace
     ContactSpace::compute(fixed, moving, &options)
 }
 
-/// How often, and how long.
+/// Number of runs, and limit of searches.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits {
     /// Number of runs of which times are medians.
     pub(crate) repeat: u16,
-    /// Of each search of critical orientations, seconds.
+    /// Limit of each search of critical orientations, seconds.
     pub(crate) criticality: f64,
 }
 

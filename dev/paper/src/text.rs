@@ -1,4 +1,4 @@
-//! What was measured, for people.
+//! The measurements as text.
 
 use std::fmt::{self, Write};
 
