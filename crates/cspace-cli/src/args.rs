@@ -82,12 +82,6 @@ pub(crate) enum Command {
     /// Write a contact space to a file, in the format its extension names
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
-    /// Write a site of models: a gallery with a page for each to drag its parts on, and documents
-    #[command(after_long_help = SITE)]
-    Site(SiteArgs),
-    /// Measure the pairs of the paper's Figure 5 by the general algorithm and by this one
-    #[command(after_long_help = EVALUATE)]
-    Evaluate(EvaluateArgs),
     /// Make a model of the outlines in drawings: DXF, SVG, or points in CSV
     #[command(after_long_help = IMPORT)]
     Import(ImportArgs),
@@ -95,10 +89,10 @@ pub(crate) enum Command {
     #[command(after_long_help = NEW, subcommand_value_name = "MODEL", subcommand_help_heading = "Models", disable_help_subcommand = true)]
     New(NewArgs),
     /// Print a script that completes this command in a shell
-    #[command(after_long_help = COMPLETIONS)]
+    #[command(after_long_help = COMPLETIONS, hide = true)]
     Completions(CompletionsArgs),
     /// Print the manual page of this command, or of one of its subcommands
-    #[command(after_long_help = MAN)]
+    #[command(after_long_help = MAN, hide = true)]
     Man(ManArgs),
 }
 
@@ -903,40 +897,6 @@ pub(crate) struct ExportArgs {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct SiteArgs {
-    /// Models (.toml, .json), or folders: all .toml in them and in their subfolders [default: those that `cspace new` writes]
-    #[arg(value_name = "MODEL")]
-    pub(crate) models: Vec<PathBuf>,
-    /// Write the site to this folder; whole or not at all
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: PathBuf,
-    /// A folder of Markdown files, which become pages of the site; so does the README.md beside the folder
-    #[arg(long, value_name = "DIR")]
-    pub(crate) docs: Option<PathBuf>,
-    #[command(flatten)]
-    pub(crate) cache: CacheArgs,
-
-    #[command(flatten)]
-    pub(crate) threads: ThreadsArg,
-}
-
-impl SiteArgs {
-    /// The arguments with which other commands would compute one model of the site.
-    pub(crate) fn common(&self, file: PathBuf) -> Common {
-        Common {
-            file,
-            values: SetArgs::default(),
-            pair: None,
-            general: false,
-            snap: false,
-            result: ResultArgs::default(),
-            cache: self.cache,
-            threads: self.threads,
-        }
-    }
-}
-
-#[derive(Debug, Args)]
 pub(crate) struct ViewArgs {
     /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
     /// picked as parts; - is a model on standard input
@@ -1004,32 +964,6 @@ impl ViewArgs {
     }
 }
 
-#[derive(Debug, Args)]
-pub(crate) struct EvaluateArgs {
-    /// Only these pairs, by Figure 5's names, such as cam,ratchet/pawl
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    pub(crate) pairs: Vec<String>,
-
-    /// How often everything is timed; medians are shown
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), allow_negative_numbers = true)]
-    pub(crate) repeat: u16,
-
-    /// How far apart the general algorithm's slices are, in radians or such as 0.3deg
-    #[arg(long, value_name = "ANGLE", default_value_t = cspace_baseline::SEPARATION, value_parser = angle::parse, allow_negative_numbers = true)]
-    pub(crate) separation: f64,
-
-    /// Time limit of each of the general algorithm's two searches of critical orientations, for each pair; 0 skips them
-    #[arg(long, value_name = "SECONDS", default_value_t = 2.0, value_parser = seconds, allow_negative_numbers = true)]
-    pub(crate) criticality_limit: f64,
-
-    #[command(flatten)]
-    pub(crate) result: ResultArgs,
-
-    /// Number of threads of both algorithms; 0 for one per processor
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = threads(), allow_negative_numbers = true)]
-    pub(crate) threads: u16,
-}
-
 fn criterion(text: &str) -> Result<Criterion, String> {
     let text = text.trim();
     if text == "worst" {
@@ -1057,16 +991,6 @@ fn cost(text: &str) -> Result<(String, f64), String> {
 
 fn threads() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(..=1024)
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let seconds = text.parse::<f64>().map_err(|e| e.to_string())?;
-    // A week is more than anybody waits for, and none that a clock cannot count.
-    if (0.0..=604_800.0).contains(&seconds) {
-        Ok(seconds)
-    } else {
-        Err("give a number of seconds, 0 or more".into())
-    }
 }
 
 #[derive(Debug, Args)]
@@ -1666,28 +1590,6 @@ Formats, by the extension of OUT:
           is all the format has; the attribute `_PATCH` of a triangle's
           vertices is its patch";
 
-const SITE: &str = "\
-Examples:
-  cspace site -o site
-  cspace site models -o site
-  cspace site models my/latch.toml --docs docs -o site
-
-The site works from disk and from any host of static files, and loads nothing
-from elsewhere. index.html is the gallery: each model has a card with a picture
-of its parts, the classes of its pairs and a link to its page, which is what
-`cspace export MODEL -o NAME.html` writes. The page playground.html begins with
-the peg of `cspace new`, to be edited.
-
-A model that cannot be computed is left out with a warning; if all are, nothing
-is written. With --docs each .md file becomes a page under docs/, and README.md
-beside that folder becomes README.html. Links to these files and to the models
-lead to their pages; images, and other files of the folder that are linked, are
-copied. A link to anything else on the disk becomes plain text, and so does
-HTML within Markdown.
-
-DIR is new or empty, or was written by this command and has no other files in
-it: it is replaced then. DIR/files.txt lists what is of the site.";
-
 const VIEW: &str = "\
 Examples:
   cspace view latch.toml
@@ -1711,40 +1613,6 @@ dropped onto the page is opened in it, also in a page that was exported.
 --with has what `cspace plan`, `cspace disassemble` or `cspace simulate` wrote
 with -o OUT.json.
 Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
-
-const EVALUATE: &str = "\
-Examples:
-  cspace evaluate
-  cspace evaluate --pairs blocks,cam --repeat 20
-  cspace evaluate --format json -o evaluation.json
-
-The eleven pairs of Figure 5 of Sacks, Practical Sliced Configuration Spaces
-for Curved Planar Pairs (1999), are computed by the general algorithm that it
-starts from (slices 0.005 rad apart, a polyhedral surface through their
-contours) and by the one of this program. The models are reconstructions and
-part of the program; Figure 5's numbers are shown beside those measured.
-
-The old seconds are slices and surface alone: critical orientations are given
-to the old algorithm for nothing. Both use the same code for a slice, and one
-thread unless --threads says otherwise. All times are the processor's, summed
-over threads: other programs on the machine do not add to them. The search of
-critical orientations over all combinations of features is timed on its own,
-under a limit: with orientations already known skipped (section 3.3), and with
-all examined.
-
-A critical orientation is `aligned` where the parts' normals oppose each other
-at the ends of features (sides are parallel), `end` where a feature ends at
-another contact, `tangent` where two contact curves are, `triple` where three
-contacts meet; it can be several. Counted are those of the slices computed.
-
-The errors of the old algorithm: `gap` is the largest distance between its
-straight boundary lines and the exact boundary curves, half way between two
-slices. The others are of slices without critical orientations given: bands
-that no slice falls in, and spaces between two slices in which the surface lets
-free and blocked configurations meet.
-
-`special` are times of the pairs with joints and fixed axes among the project's
-models, each by its own method and by the one for three degrees of freedom.";
 
 const MAN: &str = "\
 Example:

@@ -130,8 +130,6 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),
         Command::Export(args) => command::export::run(&args),
-        Command::Site(args) => command::site::run(&args),
-        Command::Evaluate(args) => command::evaluate::run(&args),
         Command::Import(args) => command::import::run(&args),
         Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),

@@ -1,9 +1,5 @@
 //! Results, written whole or not at all.
 
-mod folder;
-
-pub(crate) use folder::Folder;
-
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -104,7 +100,7 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// How far the writing has come.
 pub(crate) struct Pending {
-    /// A file that does not have its name yet, or a folder with what is written so far.
+    /// A file that does not have its name yet.
     unnamed: Option<PathBuf>,
     is_written: bool,
 }
@@ -130,10 +126,7 @@ fn pending() -> MutexGuard<'static, Pending> {
 pub(crate) fn abandon() -> MutexGuard<'static, Pending> {
     let mut pending = pending();
     if let Some(path) = pending.unnamed.take() {
-        let _ = match path.is_dir() {
-            true => std::fs::remove_dir_all(path),
-            false => std::fs::remove_file(path),
-        };
+        let _ = std::fs::remove_file(path);
     }
     pending
 }

@@ -98,7 +98,7 @@ impl Drop for Bar {
     }
 }
 
-/// A bar on stderr over pieces of work with names, if stderr is a terminal and they take more than a second.
+/// A bar on stderr over pieces of work, if stderr is a terminal and they take more than a second.
 pub(crate) struct Steps {
     begin: Instant,
     bar: ProgressBar,
@@ -107,19 +107,13 @@ pub(crate) struct Steps {
 impl Steps {
     pub(crate) fn new(count: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("[{bar:24}] {pos}/{len} {elapsed} {msg}") {
+        if let Ok(style) = ProgressStyle::with_template("[{bar:24}] {pos}/{len} {elapsed}") {
             bar.set_style(style.progress_chars("=> "));
         }
         Self {
             begin: Instant::now(),
             bar,
         }
-    }
-
-    /// Does the next piece.
-    pub(crate) fn step<T>(&self, name: &str, work: impl FnOnce() -> T) -> T {
-        self.bar.set_message(name.to_owned());
-        self.steps(1, work)
     }
 
     /// Does several pieces at once.

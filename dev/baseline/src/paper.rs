@@ -1,6 +1,4 @@
 //! Pairs of Figure 5 of Sacks (1999): their published numbers, and models of them.
-//!
-//! The models are links to the repository's `models/`, so that they are packed with this crate.
 
 /// A row of Figure 5.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +47,7 @@ macro_rules! pair {
             new_slices: $new,
             new_slices_without_symmetry: $without,
             group: Group::$group,
-            model: include_str!(concat!("../models/paper/", $file, ".toml")),
+            model: include_str!(concat!("../../../models/paper/", $file, ".toml")),
         }
     };
 }

@@ -46,7 +46,7 @@ macro_rules! model {
     ($name:literal) => {
         (
             $name,
-            include_str!(concat!("../models/special/", $name, ".toml")),
+            include_str!(concat!("../../../models/", $name, ".toml")),
         )
     };
 }

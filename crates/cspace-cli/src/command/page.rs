@@ -1,4 +1,4 @@
-//! The page: what it shows, and the file that `cspace export` and `cspace site` write.
+//! The page: what it shows, and the file that `cspace export` writes.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;

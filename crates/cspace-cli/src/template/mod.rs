@@ -8,7 +8,7 @@ mod page;
 mod peg;
 mod ratchet;
 
-use clap::{FromArgMatches, Subcommand};
+use clap::Subcommand;
 
 use crate::failure::Failure;
 
@@ -36,21 +36,6 @@ pub(crate) enum Template {
 }
 
 impl Template {
-    /// All of them by name, with the dimensions that they have unless others are given.
-    pub(crate) fn all() -> Result<Vec<(String, Self)>, Failure> {
-        let command = Self::augment_subcommands(clap::Command::new("new"));
-        let names: Vec<String> = command
-            .get_subcommands()
-            .map(|c| c.get_name().to_owned())
-            .collect();
-        let of_name = |name: String| {
-            let matches = command.clone().try_get_matches_from(["new", &name]);
-            let template = matches.and_then(|m| Self::from_arg_matches(&m));
-            Ok((name, template.map_err(Failure::new)?))
-        };
-        names.into_iter().map(of_name).collect()
-    }
-
     /// The model as the text of a TOML file.
     pub(crate) fn text(&self) -> Result<String, Failure> {
         match self {

@@ -951,12 +951,7 @@ fn the_examples_of_the_help_are_true() {
 fn manual_pages_are_those_of_the_commands() {
     let all = printed(&["man"]);
     assert!(all.starts_with(".ie") && all.contains(".TH cspace 1"));
-    for (command, option) in [
-        ("compute", "theta"),
-        ("export", "slices"),
-        ("view", "port"),
-        ("evaluate", "repeat"),
-    ] {
+    for (command, option) in [("compute", "theta"), ("export", "slices"), ("view", "port")] {
         assert!(all.contains(command), "{command}");
         let page = printed(&["man", command]);
         assert!(page.contains(&format!(".TH cspace-{command} 1")), "{page}");

@@ -11,7 +11,6 @@ mod command;
 mod docs;
 mod draw;
 mod escape;
-mod evaluate;
 mod exact_fits;
 mod helpers;
 #[cfg(unix)]
@@ -30,4 +29,3 @@ mod random;
 mod resume;
 mod schemas;
 mod simulate;
-mod site;

@@ -118,7 +118,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
         });
     }
     let report = report::Report::new(&mechanism, &imported);
-    let answer = Answer::new("import", unit.as_deref(), Outcome::DONE, &report);
+    let answer = Answer::new("import", mechanism.unit.as_deref(), Outcome::DONE, &report);
     let bytes = match args.form.format() {
         Format::Text => report.text(&args.drawings, &imported).into_bytes(),
         Format::Json => super::json(&answer)?,

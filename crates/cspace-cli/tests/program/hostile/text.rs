@@ -35,7 +35,6 @@ fn arguments_are_shown_escaped() {
         &["compute", &file, "--theta", &format!("0,{evil}")],
         &["export", &file, "--tolerance", evil],
         &["completions", evil],
-        &["evaluate", "--pairs", evil],
     ] {
         fails(args, 2, &["error: ", "u{1b}[2J"]);
         // No line is made up.

@@ -26,7 +26,7 @@ fn models(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn the_shipped_models_are_valid() {
-    let folders = ["models", "tests/regression", "dev/baseline/models"];
+    let folders = ["models", "tests/regression"];
     let all: Vec<PathBuf> = (folders.iter())
         .flat_map(|f| models(&Path::new(ROOT).join(f)))
         .collect();

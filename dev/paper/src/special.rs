@@ -1,64 +1,64 @@
 //! The time saved by the special methods: the survey's shares, with the times measured here.
 
-use cspace::{PairClass, PairSpace, Relation};
+use std::error::Error;
+
+use cspace::{PairClass, PairError, PairSpace, Relation};
 use cspace_baseline::survey::{MODELS, SURVEY, saving};
+use cspace_io::model;
 use serde::Serialize;
 
-use crate::failure::Failure;
-
-use super::embedded::embedded;
-use super::timing::{median, timed};
+use crate::timing::{median, timed};
 
 #[derive(Serialize)]
-pub(super) struct Survey {
+pub(crate) struct Survey {
     /// The survey's own figures, with their source.
-    pub(super) mechanisms: cspace_baseline::survey::Survey,
+    pub(crate) mechanisms: cspace_baseline::survey::Survey,
     /// Special pairs, by their own method and by the general one.
-    pub(super) special_pairs: Vec<Special>,
+    pub(crate) special_pairs: Vec<Special>,
     /// Means over those that a joint connects.
-    pub(super) lower: Means,
+    pub(crate) lower: Means,
     /// Means over those with fixed axes.
-    pub(super) fixed_axes: Means,
+    pub(crate) fixed_axes: Means,
     /// Share of the survey's planar pairs that special methods cover, counting one pair of each mechanism that has only such.
-    pub(super) special_share: f64,
+    pub(crate) special_share: f64,
     /// Average saving over all pairs; the survey does not say how many special pairs are of which class.
-    pub(super) saving: Saving,
-    pub(super) paper_share: f64,
-    pub(super) paper_saving: f64,
+    pub(crate) saving: Saving,
+    pub(crate) paper_share: f64,
+    pub(crate) paper_saving: f64,
 }
 
 /// Mean seconds over some special pairs.
 #[derive(Serialize)]
-pub(super) struct Means {
+pub(crate) struct Means {
     /// By their own method.
-    pub(super) seconds: f64,
+    pub(crate) seconds: f64,
     /// By the method for three degrees of freedom.
-    pub(super) general_seconds: f64,
+    pub(crate) general_seconds: f64,
 }
 
 #[derive(Serialize)]
-pub(super) struct Saving {
+pub(crate) struct Saving {
     /// Were all special pairs as those with fixed axes here.
-    pub(super) all_fixed_axes: f64,
+    pub(crate) all_fixed_axes: f64,
     /// Were all as those that a joint connects.
-    pub(super) all_lower: f64,
+    pub(crate) all_lower: f64,
 }
 
 #[derive(Serialize)]
-pub(super) struct Special {
-    pub(super) model: &'static str,
-    pub(super) pair: String,
-    pub(super) class: &'static str,
-    pub(super) seconds: f64,
-    pub(super) general_seconds: f64,
+pub(crate) struct Special {
+    pub(crate) model: &'static str,
+    pub(crate) pair: String,
+    pub(crate) class: &'static str,
+    pub(crate) seconds: f64,
+    pub(crate) general_seconds: f64,
     #[serde(skip)]
     kind: PairClass,
 }
 
-pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
+pub(crate) fn survey(repeat: u16) -> Result<Survey, Box<dyn Error>> {
     let mut special_pairs = Vec::new();
     for (name, text) in MODELS {
-        let model = embedded(text, name)?;
+        let model = model::from_toml(text, name)?;
         for pair in &model.pairs {
             let kind = model.pair_class(pair);
             if !matches!(kind, PairClass::Lower | PairClass::FixedAxes) {
@@ -69,9 +69,9 @@ pub(super) fn survey(repeat: u16) -> Result<Survey, Failure> {
                 let runs = (0..repeat).map(|_| {
                     let options = cspace::Options::default();
                     let (seconds, space) = timed(|| PairSpace::compute(fixed, moving, r, &options));
-                    space.map(|_| seconds).map_err(Failure::new)
+                    space.map(|_| seconds)
                 });
-                runs.collect::<Result<Vec<f64>, Failure>>().map(median)
+                runs.collect::<Result<Vec<f64>, PairError>>().map(median)
             });
             special_pairs.push(Special {
                 model: name,

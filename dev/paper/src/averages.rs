@@ -3,40 +3,40 @@
 use cspace_baseline::paper::Group;
 use serde::Serialize;
 
-use super::measure::Measured;
+use crate::measure::Measured;
 
 /// `None` where no pair of the group was measured.
 #[derive(Serialize)]
-pub(super) struct Averages {
-    pub(super) engineering: Option<Average>,
-    pub(super) knee: Option<Average>,
+pub(crate) struct Averages {
+    pub(crate) engineering: Option<Average>,
+    pub(crate) knee: Option<Average>,
 }
 
 #[derive(Serialize)]
-pub(super) struct Average {
+pub(crate) struct Average {
     /// How many pairs of the group were measured.
-    pub(super) pairs: usize,
-    pub(super) slices: Ratios,
+    pub(crate) pairs: usize,
+    pub(crate) slices: Ratios,
     /// The ratios of slices for the same pairs, from the numbers in Figure 5.
-    pub(super) paper_slices: Ratios,
-    pub(super) seconds: Ratios,
+    pub(crate) paper_slices: Ratios,
+    pub(crate) seconds: Ratios,
     /// Geometric mean of the time ratios with the general algorithm's search of critical orientations.
-    pub(super) seconds_with_criticalities: f64,
+    pub(crate) seconds_with_criticalities: f64,
     /// How many pairs' searches did not end, so that it is more than that.
-    pub(super) criticalities_unfinished: usize,
+    pub(crate) criticalities_unfinished: usize,
     /// Geometric mean of the time ratios without symmetry.
-    pub(super) seconds_without_symmetry: f64,
+    pub(crate) seconds_without_symmetry: f64,
     /// The factor that the paper's text gives.
-    pub(super) paper_factor: f64,
+    pub(crate) paper_factor: f64,
 }
 
 /// Three averages of old by new: the paper does not say which its own is.
 #[derive(Serialize, Clone, Copy)]
-pub(super) struct Ratios {
-    pub(super) mean: f64,
-    pub(super) geometric_mean: f64,
+pub(crate) struct Ratios {
+    pub(crate) mean: f64,
+    pub(crate) geometric_mean: f64,
     /// Sum of the old by sum of the new.
-    pub(super) of_totals: f64,
+    pub(crate) of_totals: f64,
 }
 
 impl Ratios {
@@ -53,7 +53,7 @@ impl Ratios {
 }
 
 impl Averages {
-    pub(super) fn of(pairs: &[Measured]) -> Self {
+    pub(crate) fn of(pairs: &[Measured]) -> Self {
         let of = |group: Group| {
             let members: Vec<&Measured> = pairs.iter().filter(|p| p.group == group).collect();
             let ratios = |f: fn(&Measured) -> (f64, f64)| {

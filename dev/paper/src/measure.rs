@@ -1,122 +1,128 @@
 //! One pair, by the general algorithm and by this one.
 
+use std::error::Error;
 use std::hint::black_box;
 
-use cspace::{ContactSpace, Options, Part, Slicer, Symmetry};
+use cspace::{ComputeError, ContactSpace, Options, Part, Slicer, Symmetry};
 use cspace_baseline::compare::{errors, missed_bands};
 use cspace_baseline::critical::Known;
 use cspace_baseline::paper::{Group, PaperPair};
-use cspace_baseline::{Stack, Surface, evenly, with_bands};
+use cspace_baseline::{SEPARATION, Stack, Surface, evenly, with_bands};
+use cspace_io::model;
 use serde::Serialize;
 
-use crate::args::EvaluateArgs;
-use crate::failure::Failure;
-
-use super::critical::{Kinds, Searched, searched};
-use super::embedded::embedded;
-use super::timing::{median, timed};
+use crate::critical::{Kinds, Searched, searched};
+use crate::timing::{median, timed};
 
 /// How far the surface's straight pieces may be from arcs, as a share of both parts' size: the paper's 1 % accuracy.
 const ACCURACY: f64 = 0.01;
 
 /// The measurements of a pair.
 #[derive(Serialize)]
-pub(super) struct Measured {
+pub(crate) struct Measured {
     /// Figure 5's name.
-    pub(super) pair: &'static str,
+    pub(crate) pair: &'static str,
     #[serde(skip)]
-    pub(super) group: Group,
-    pub(super) unit: Option<String>,
-    pub(super) features: u32,
+    pub(crate) group: Group,
+    pub(crate) unit: Option<String>,
+    pub(crate) features: u32,
     /// Slabs of a turn that are images of each other.
-    pub(super) symmetry: u32,
-    pub(super) old_slices: usize,
-    pub(super) new_slices: usize,
-    pub(super) new_slices_without_symmetry: usize,
+    pub(crate) symmetry: u32,
+    pub(crate) old_slices: usize,
+    pub(crate) new_slices: usize,
+    pub(crate) new_slices_without_symmetry: usize,
     /// Old slices by new ones.
-    pub(super) slice_ratio: f64,
+    pub(crate) slice_ratio: f64,
     /// Slices and surface; critical orientations are given.
-    pub(super) old_seconds: f64,
-    pub(super) old_stages: OldStages,
-    pub(super) new_seconds: f64,
-    pub(super) new_seconds_without_symmetry: f64,
+    pub(crate) old_seconds: f64,
+    pub(crate) old_stages: OldStages,
+    pub(crate) new_seconds: f64,
+    pub(crate) new_seconds_without_symmetry: f64,
     /// Seconds for one slice: by the old algorithm on all threads, and by the product's kernel on one.
-    pub(super) seconds_per_slice: PerSlice,
+    pub(crate) seconds_per_slice: PerSlice,
     /// Old seconds by new ones.
-    pub(super) ratio: f64,
+    pub(crate) ratio: f64,
     /// The general algorithm's search of critical orientations over all combinations of features, those known skipped; `None`
     /// if it did not end within the limit.
-    pub(super) criticality_seconds: Option<f64>,
+    pub(crate) criticality_seconds: Option<f64>,
     /// The time of that search with every criticality examined, as the general algorithm does.
-    pub(super) criticality_seconds_without_skipping: Option<f64>,
+    pub(crate) criticality_seconds_without_skipping: Option<f64>,
     /// The work of both searches: with known criticalities skipped, and with all examined.
-    pub(super) criticality_search: [Option<Searched>; 2],
+    pub(crate) criticality_search: [Option<Searched>; 2],
     /// Old seconds with that search, every criticality examined, by new ones; where the search did not end, with the limit in its
     /// place, and so less than it is.
-    pub(super) ratio_with_criticalities: f64,
+    pub(crate) ratio_with_criticalities: f64,
     /// The kinds of events at the critical orientations of the computed slices.
-    pub(super) critical: Kinds,
-    pub(super) patches: usize,
-    pub(super) links: Links,
+    pub(crate) critical: Kinds,
+    pub(crate) patches: usize,
+    pub(crate) links: Links,
     /// Triangles of the old surface.
-    pub(super) triangles: usize,
-    pub(super) largest_gap: f64,
+    pub(crate) triangles: usize,
+    pub(crate) largest_gap: f64,
     /// The largest gap as a share of the larger part's size.
-    pub(super) largest_gap_share: f64,
+    pub(crate) largest_gap_share: f64,
     /// Bands that no slice falls in, if the stack is made without critical orientations;
-    pub(super) missed_bands: usize,
+    pub(crate) missed_bands: usize,
     /// in that stack, spaces between slices in which free and blocked configurations are joined;
-    pub(super) wrongly_joined: usize,
+    pub(crate) wrongly_joined: usize,
     /// curves in that stack that nothing continues;
-    pub(super) curves_left_open: usize,
+    pub(crate) curves_left_open: usize,
     /// and curves in it that are continued by another piece of contact.
-    pub(super) curves_joined_across: usize,
+    pub(crate) curves_joined_across: usize,
     /// Figure 5's numbers.
-    pub(super) paper: Paper,
+    pub(crate) paper: Paper,
 }
 
 #[derive(Serialize)]
-pub(super) struct OldStages {
+pub(crate) struct OldStages {
     slices: f64,
     surface: f64,
 }
 
 #[derive(Serialize)]
-pub(super) struct PerSlice {
-    pub(super) old: f64,
-    pub(super) product: f64,
+pub(crate) struct PerSlice {
+    pub(crate) old: f64,
+    pub(crate) product: f64,
 }
 
 #[derive(Serialize)]
-pub(super) struct Links {
-    pub(super) side: usize,
-    pub(super) vertical: usize,
+pub(crate) struct Links {
+    pub(crate) side: usize,
+    pub(crate) vertical: usize,
 }
 
 #[derive(Serialize)]
-pub(super) struct Paper {
-    pub(super) features: u32,
-    pub(super) old_slices: u32,
-    pub(super) new_slices: u32,
-    pub(super) new_slices_without_symmetry: u32,
+pub(crate) struct Paper {
+    pub(crate) features: u32,
+    pub(crate) old_slices: u32,
+    pub(crate) new_slices: u32,
+    pub(crate) new_slices_without_symmetry: u32,
 }
 
-fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace, Failure> {
+fn space(fixed: &Part, moving: &Part, symmetry: Symmetry) -> Result<ContactSpace, ComputeError> {
     let options = Options {
         symmetry,
         ..Options::default()
     };
-    ContactSpace::compute(fixed, moving, &options).map_err(Failure::new)
+    ContactSpace::compute(fixed, moving, &options)
 }
 
-pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured, Failure> {
-    let (separation, repeat) = (args.separation, args.repeat);
-    let model = embedded(pair.model, pair.name)?;
+/// Number of runs, and limit of searches.
+#[derive(Clone, Copy)]
+pub(crate) struct Limits {
+    /// Number of runs of which times are medians.
+    pub(crate) repeat: u16,
+    /// Limit of each search of critical orientations, seconds.
+    pub(crate) criticality: f64,
+}
+
+pub(crate) fn measure(pair: &PaperPair, limits: Limits) -> Result<Measured, Box<dyn Error>> {
+    let model = model::from_toml(pair.model, pair.name)?;
     let part = |index: usize| &model.parts[index].part;
     let (fixed, moving) = (part(model.pairs[0].fixed), part(model.pairs[0].moving));
     let exact = space(fixed, moving, Symmetry::Detect)?;
     let general = space(fixed, moving, Symmetry::Ignore)?;
-    let orientations = with_bands(separation, &general.bands()).map_err(Failure::new)?;
+    let orientations = with_bands(SEPARATION, &general.bands())?;
     let size = fixed.size().max(moving.size());
     let accuracy = ACCURACY * size;
 
@@ -129,7 +135,7 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
         mut without,
         mut alone,
     ] = [const { Vec::new() }; 6];
-    for _ in 0..repeat {
+    for _ in 0..limits.repeat {
         let (of_slices, stack) = timed(|| Stack::new(fixed, moving, &orientations));
         let (of_surface, surface) = timed(|| Surface::new(&stack, accuracy));
         drop((stack, surface));
@@ -159,7 +165,7 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
     let stack = Stack::new(fixed, moving, &orientations);
     let surface = Surface::new(&stack, accuracy);
     let gaps = errors(&stack, &surface, &general);
-    let plain = evenly(separation).map_err(Failure::new)?;
+    let plain = evenly(SEPARATION)?;
     let plain_stack = Stack::new(fixed, moving, &plain);
     let topology = errors(
         &plain_stack,
@@ -168,9 +174,9 @@ pub(super) fn measure(pair: &PaperPair, args: &EvaluateArgs) -> Result<Measured,
     );
     let features = exact.features();
     let criticality_search = [Known::Skipped, Known::Examined]
-        .map(|known| searched(fixed, moving, known, (args.criticality_limit, repeat)));
+        .map(|known| searched(fixed, moving, known, (limits.criticality, limits.repeat)));
     let [skipped, examined] = criticality_search.map(|s| s.map(|s| s.seconds));
-    let criticalities = examined.unwrap_or(args.criticality_limit);
+    let criticalities = examined.unwrap_or(limits.criticality);
     Ok(Measured {
         pair: pair.name,
         group: pair.group,

@@ -9,22 +9,22 @@ use cspace_baseline::critical::{Known, search};
 use cspace_baseline::kinds;
 use serde::Serialize;
 
-use super::timing::{median, timed};
+use crate::timing::{median, timed};
 
 /// How many critical orientations have events of each kind, in one of the slabs that symmetry makes.
 #[derive(Serialize, Default)]
-pub(super) struct Kinds {
+pub(crate) struct Kinds {
     /// All of them; several kinds may be at one.
-    pub(super) orientations: usize,
-    pub(super) aligned: usize,
-    pub(super) end: usize,
-    pub(super) tangent: usize,
-    pub(super) triple: usize,
+    pub(crate) orientations: usize,
+    pub(crate) aligned: usize,
+    pub(crate) end: usize,
+    pub(crate) tangent: usize,
+    pub(crate) triple: usize,
 }
 
 impl Kinds {
     /// Counts the critical orientations in one of the `slabs` that are images of each other; the space covers the whole turn.
-    pub(super) fn new(space: &ContactSpace, slabs: u32) -> Self {
+    pub(crate) fn new(space: &ContactSpace, slabs: u32) -> Self {
         let all = kinds::of(space);
         // From one critical orientation on, so that rounding puts none of a slab's two ends in it twice.
         let first = all.first().map_or(-PI, |k| k.0);
@@ -43,21 +43,21 @@ impl Kinds {
 
 /// The work of one search of critical orientations by the general algorithm, and its time.
 #[derive(Serialize, Clone, Copy)]
-pub(super) struct Searched {
+pub(crate) struct Searched {
     /// The median of so many runs, or of as many as fit in the limit.
-    pub(super) seconds: f64,
+    pub(crate) seconds: f64,
     /// Solutions of the equations of all combinations of features.
-    pub(super) solutions: u64,
+    pub(crate) solutions: u64,
     /// Solutions that were examined one by one; the others lie at an orientation that was known.
-    pub(super) examined: u64,
+    pub(crate) examined: u64,
     /// Configurations at which the parts were tested for overlap.
-    pub(super) overlap_tests: u64,
+    pub(crate) overlap_tests: u64,
     /// Critical orientations that are left.
-    pub(super) orientations: usize,
+    pub(crate) orientations: usize,
 }
 
 /// Searches so often, or as often as fits in the limit; `None` if that is not once.
-pub(super) fn searched(
+pub(crate) fn searched(
     fixed: &Part,
     moving: &Part,
     known: Known,

@@ -1,23 +1,27 @@
-//! The evaluation for people.
+//! The measurements as text.
 
 use std::fmt::{self, Write};
 
-use crate::wording::count;
+use crate::averages::Average;
+use crate::evaluation::Evaluation;
+use crate::measure::Measured;
+use crate::special::Survey;
 
-use super::averages::Average;
-use super::evaluation::Evaluation;
-use super::measure::Measured;
-use super::special::Survey;
-
-pub(super) fn describe(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
-    slices(text, evaluation)?;
-    times(text, evaluation)?;
-    criticalities(text, evaluation)?;
-    errors(text, evaluation)?;
+pub(crate) fn described(evaluation: &Evaluation) -> Result<String, fmt::Error> {
+    let mut text = String::new();
+    slices(&mut text, evaluation)?;
+    times(&mut text, evaluation)?;
+    criticalities(&mut text, evaluation)?;
+    errors(&mut text, evaluation)?;
     let averages = &evaluation.averages;
-    average(text, "engineering pairs", averages.engineering.as_ref())?;
-    average(text, "knee pairs", averages.knee.as_ref())?;
-    survey(text, &evaluation.survey)
+    average(
+        &mut text,
+        "engineering pairs",
+        averages.engineering.as_ref(),
+    )?;
+    average(&mut text, "knee pairs", averages.knee.as_ref())?;
+    survey(&mut text, &evaluation.survey)?;
+    Ok(text)
 }
 
 /// With the number for the whole turn in parentheses where symmetry makes another, as in Figure 5.
@@ -63,9 +67,8 @@ fn slices(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
 fn times(text: &mut String, evaluation: &Evaluation) -> fmt::Result {
     writeln!(
         text,
-        "\nMilliseconds of the processor, median of {}, {} (in parentheses without symmetry)\n",
-        evaluation.repeat,
-        count(evaluation.threads, "thread", "threads")
+        "\nMilliseconds of the processor, median of {}, one thread (in parentheses without symmetry)\n",
+        evaluation.repeat
     )?;
     writeln!(
         text,

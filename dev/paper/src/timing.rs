@@ -5,14 +5,14 @@ use cpu_time::ProcessTime;
 /// Seconds that the processor works on something, on all threads together, and the result.
 ///
 /// Other programs on the machine take no part in them, as they do in the time of a clock.
-pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
+pub(crate) fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let begin = ProcessTime::now();
     let made = work();
     (begin.elapsed().as_secs_f64(), made)
 }
 
 /// The middle one, or the mean of the two in the middle; 0 of none.
-pub(super) fn median(mut seconds: Vec<f64>) -> f64 {
+pub(crate) fn median(mut seconds: Vec<f64>) -> f64 {
     seconds.sort_by(f64::total_cmp);
     let n = seconds.len();
     match n {
