@@ -53,12 +53,15 @@ pub struct Proof {
     pub witnesses: Vec<[f64; 6]>,
 }
 
-/// Reads a proof from JSON: the object itself, or under the key `proof` of an answer of `cspace plan`.
+/// Reads a proof from JSON: what `cspace plan --proof` writes, or the key `proof` of the pair in an answer of `cspace plan`.
 ///
 /// # Errors
 /// If the JSON is not a proof.
 pub fn read(json: &[u8]) -> Result<Proof, String> {
     let mut value: serde_json::Value = serde_json::from_slice(json).map_err(|e| e.to_string())?;
+    if let Some(answer) = value.pointer_mut("/pairs/0") {
+        value = answer.take();
+    }
     let inner = value.get_mut("proof").map(serde_json::Value::take);
     if let (None, Some(verdict)) = (&inner, value["verdict"].as_str()) {
         let why = value["unproved"].as_str().map(|why| format!(" ({why})"));

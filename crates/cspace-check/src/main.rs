@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 const USAGE: &str = "usage: cspace-check PROOF.json
 
-Checks a proof that there is no path: the answer of `cspace plan FILE --from .. --to .. -o PROOF.json`, or its key `proof`.
+Checks a proof that there is no path: what `cspace plan FILE --from .. --to .. --proof PROOF.json` writes.
 Ends with 0 if it proves what it says, and with 1 if not.";
 
 fn main() -> ExitCode {

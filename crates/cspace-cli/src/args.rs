@@ -1241,8 +1241,9 @@ A model of one part is shown as well; the other commands need two.
 The class is what the motions and joints of the model make of a pair: lower,
 fixed-axes or general; symmetric is a general pair of which a part is mapped to
 itself by a rotation about its centre. Symmetry is found from the outlines.
-With --window the class is shown that the pair has in those orientations; pairs without orientations are shown as they are. Features are
-lines, arcs and vertices that are not smooth joints.";
+With --window the class is shown that the pair has in those orientations; pairs
+without orientations are shown as they are. Features are lines, arcs and
+vertices that are not smooth joints.";
 
 const COMPUTE: &str = "\
 Examples:

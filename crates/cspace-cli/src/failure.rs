@@ -37,6 +37,11 @@ struct Place {
 
 /// An error as JSON.
 #[derive(Serialize)]
+struct Error<'a> {
+    error: Told<'a>,
+}
+
+#[derive(Serialize)]
 struct Told<'a> {
     message: &'a str,
     help: Option<&'a str>,
@@ -139,14 +144,17 @@ impl Failure {
             help: self.help.as_deref(),
             place: &self.place,
         };
-        let told = serde_json::json!({ "error": error });
-        let _ = output::printed(writeln!(std::io::stdout(), "{told:#}"));
+        // Where nobody listens nothing can be done.
+        if let Ok(told) = serde_json::to_string_pretty(&Error { error }) {
+            let _ = output::printed(writeln!(std::io::stdout(), "{told}"));
+        }
     }
 }
 
 /// Tells as JSON what is wrong with the command line, where JSON is asked for.
 pub(crate) fn tell(message: &str) {
-    Failure::new(message.trim_end()).tell();
+    let message = message.trim_end();
+    Failure::new(message.strip_prefix("error: ").unwrap_or(message)).tell();
 }
 
 /// Prints an entry of a list to stderr, below a message that it belongs to.

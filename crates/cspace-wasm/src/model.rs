@@ -133,7 +133,7 @@ impl Model {
         self.opened.edited_text(&parsed(edits)?).map_err(fault)
     }
 
-    /// Answer of `cspace check --format json` for the edited model.
+    /// Answer of `cspace check --json` for the edited model.
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
@@ -174,7 +174,7 @@ impl Model {
         })
     }
 
-    /// Answer of `cspace plan --format json` for a pair of the edited model: a path from one configuration to another,
+    /// Answer of `cspace plan --json` for a pair of the edited model: a path from one configuration to another,
     /// or to free space outside where `to` is empty, if requested the widest; or the reason why there is none.
     pub fn plan(
         &self,
@@ -217,7 +217,7 @@ impl Model {
         ))
     }
 
-    /// Answer of `cspace simulate --format json` for the edited mechanism, with states between samples: its motion
+    /// Answer of `cspace simulate --json` for the edited mechanism, with states between samples: its motion
     /// while the slowest drive makes a turn, with masses if it has any.
     pub fn simulate(&self, edits: &str) -> Result<String, JsError> {
         let model = (self.opened.edited(&parsed(edits)?).map_err(fault)?).mechanism;

@@ -147,7 +147,7 @@ impl Pair {
         }
     }
 
-    /// List of `cspace contacts`: features no farther apart than a distance (model unit; the resolution unless given),
+    /// List of `cspace play`: features no farther apart than a distance (model unit; the resolution unless given),
     /// nearest first.
     #[wasm_bindgen(unchecked_return_type = "Touch[]")]
     pub fn touching(&self, c: &[f64], within: Option<f64>) -> Result<JsValue, JsError> {

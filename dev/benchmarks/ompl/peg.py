@@ -7,7 +7,7 @@
 A peg 1 wide and 2 long goes into a hole 1.5 deep, which is `play` wider. Where `play` is negative it is to go through a neck that is
 narrower than the peg, into a chamber in which it fits: there is no way. OMPL plans in SE(2) and asks shapely
 whether the polygons overlap; motions are asked at steps that move no corner by more than the play. Every path of both is judged by
-`cspace plan --check`. What is timed of cspace is the whole process: reading the model, the contact space, the path, printing.
+`cspace plan --verify`. What is timed of cspace is the whole process: reading the model, the contact space, the path, printing.
 """
 
 import argparse
@@ -104,7 +104,7 @@ def asked_of(cspace, file, *options):
 
 
 def check(cspace, file, folder, path):
-    """The verdict of `cspace plan --check`. Angles run on: OMPL turns the nearer way around."""
+    """The verdict of `cspace plan --verify`. Angles run on: OMPL turns the nearer way around."""
     rows, last = ["x,y,theta"], None
     for x, y, theta in path:
         if last is not None:

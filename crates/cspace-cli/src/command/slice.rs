@@ -11,6 +11,8 @@ use cspace_draw::{PictureFormat, SlicesPicture, slices};
 use cspace_drawing::Drawn;
 
 use super::draw::{at_configuration, check_version, write_outlines};
+use serde::Serialize;
+
 use crate::args::SliceArgs;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};
@@ -99,6 +101,12 @@ fn beside(space: &ContactSpace, theta: f64) -> (f64, f64) {
     (at.x, at.y)
 }
 
+/// The space of a pair with fixed axes, which is that of its plane.
+#[derive(Serialize)]
+struct Whole<T> {
+    space: T,
+}
+
 /// A pair with fixed axes has one plane, that of its motions.
 fn plane(
     args: &SliceArgs,
@@ -145,7 +153,10 @@ fn plane(
         let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
         picture::write(output, format, &cspace_draw::plane(space, &options))?;
     }
-    let answers = vec![pair.answer(Outcome::DONE, space.data())];
+    let content = Whole {
+        space: space.data(),
+    };
+    let answers = vec![pair.answer(Outcome::DONE, content)];
     let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
     super::print(&args.common.result, &answer, |text| {
         describe_plane(text, pair, space)

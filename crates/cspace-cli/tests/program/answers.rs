@@ -30,7 +30,7 @@ fn caged_regions_have_their_orientations() {
         "[-1, -1], [1, -1], [1, 1], [-1, 1]",
         "[-1.8, -1.8], [1.8, -1.8], [1.8, 1.8], [-1.8, 1.8]",
     );
-    let text = text_of(&large, &["--theta=-40deg,40deg"]);
+    let text = text_of(&large, &["--window=-40deg,40deg"]);
     let t = (4.0_f64 / 3.6 / 2.0_f64.sqrt()).asin().to_degrees() - 45.0;
     let words = format!("theta from {:.4} deg to {t:.4} deg", -t);
     assert!(text.contains(&words), "{words}: {text}");

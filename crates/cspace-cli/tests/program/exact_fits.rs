@@ -39,10 +39,17 @@ fn exact_fits_touch_and_do_not_overlap() {
         let here = [vec![0.0; 3], vec![0.0, -0.01, 0.0], vec![0.0, 50.0, 0.0]];
         let found = classes(&[file], "x,y,theta", &here);
         assert_eq!(found, ["blocked", "blocked", "free"], "{name}");
-        let near = json(&["contacts", file, "--at", "0,0,0"]);
-        assert!(near.to_string().contains("exact-fit"), "{near}");
+        let drawn = &json(&["compute", file])[0]["drawn"];
+        assert_eq!(drawn["outcome"], "exact-fit", "{drawn}");
+        let near = &json(&["play", file, "--at", "0,0,0"])[0];
+        assert_eq!(near["outcome"], "exact-fit", "{near}");
+        let touching = near["near"].as_array().unwrap();
+        assert!(!touching.is_empty(), "{near}");
+        for near in touching {
+            assert!(near["distance"].as_f64().unwrap().abs() < 1e-9, "{near}");
+        }
         let play = &json(&["play", file])[0];
-        assert_eq!(play["result"], "exact-fit", "{play}");
+        assert_eq!(play["outcome"], "exact-fit", "{play}");
         let gap = play["gap"].as_f64().unwrap();
         assert!(gap > 1e-6 && gap < 1e-3, "{gap}");
         let up = (play["directions"].as_array().unwrap().iter())
@@ -54,15 +61,16 @@ fn exact_fits_touch_and_do_not_overlap() {
         let expected = if comes_out { "path" } else { "no-path" };
         assert_eq!(plan["verdict"], Value::from(expected), "{plan}");
         assert_eq!(plan["gap"].as_f64(), Some(gap));
-        let moved = json(&["move", file, "--from", "0,0,0", "--by", "0,9,0"]);
+        let moved = &json(&["play", file, "--at", "0,0,0", "--by", "0,9,0"])[0];
         let result = if comes_out { "free" } else { "contact" };
-        assert_eq!(moved["result"], result, "{moved}");
+        assert_eq!(moved["motion"]["result"], result, "{moved}");
+        assert_eq!(moved["gap"].as_f64(), Some(gap), "{moved}");
         let said = printed(&["plan", file]);
         assert!(
             said.starts_with("gap ") && said.contains("fit exactly"),
             "{said}"
         );
-        let clash = printed(&["clash", file]);
+        let clash = printed(&["clearance", file]);
         assert!(clash.contains("touching"), "{clash}");
     }
 }
@@ -70,14 +78,17 @@ fn exact_fits_touch_and_do_not_overlap() {
 /// With a hundredth too little they overlap, and with a hundredth of play they are free.
 #[test]
 fn what_is_wider_overlaps_and_what_is_narrower_is_free() {
-    for (half, result) in [(5.01, "blocked"), (4.99, "contact")] {
+    for (half, result, code) in [(5.01, "blocked", 1), (4.99, "contact", 0)] {
         let text = format!(
             "[[part]]\nname = \"plate\"\nloops = {}\n[[part]]\nname = \"key\"\nloops = [[[-{half},-10],[{half},-10],[{half},5],[-{half},5]]]\n",
             FITS[0].1
         );
         let (_folder, file) = file(&text);
         let play = &json(&["play", &file])[0];
-        assert_eq!(play["result"], result, "{play}");
+        assert_eq!(play["outcome"], result, "{play}");
+        cspace(&["play", &file]).assert().code(code);
+        let drawn = &json(&["compute", &file])[0]["drawn"];
+        assert_eq!(drawn["outcome"], result, "{drawn}");
         assert!(play.get("gap").is_none());
     }
 }
@@ -126,6 +137,7 @@ limits = [0, 1]
     let fits = checked("tail=20");
     for row in fits.as_array().unwrap() {
         assert_eq!(row["met"], true, "{row}");
+        assert_eq!(row["outcome"], "met", "{row}");
         assert!(row["gap"].as_f64().unwrap() < 1e-4, "{row}");
         if row["limits"].is_array() {
             assert_eq!(row["value"], 0.0, "{row}");

@@ -126,32 +126,73 @@ impl Ended {
     }
 }
 
+/// What is printed by a run that answers with yes or no, and says nothing else.
+#[track_caller]
 pub(crate) fn printed(args: &[&str]) -> String {
-    let output = cspace(args).assert().success().get_output().clone();
+    let output = answered(args);
     assert!(output.stderr.is_empty(), "{args:?}: {output:?}");
     String::from_utf8(output.stdout).unwrap()
 }
 
-pub(crate) fn json(args: &[&str]) -> Value {
-    let args = [args, &["--format", "json"]].concat();
+/// A run that answers with yes or no.
+#[track_caller]
+fn answered(args: &[&str]) -> Output {
+    let output = cspace(args).output().unwrap();
+    assert!(
+        matches!(output.status.code(), Some(0 | 1)),
+        "{args:?}: {output:?}"
+    );
+    output
+}
+
+/// The answer of a command in its frame.
+#[track_caller]
+pub(crate) fn framed(args: &[&str]) -> Value {
+    let args = [args, &["--json"]].concat();
     serde_json::from_str(&printed(&args)).unwrap()
 }
 
-/// As [`json`], of a run that may print notes to stderr.
-pub(crate) fn json_beside_notes(args: &[&str]) -> Value {
-    let output = cspace(&[args, &["--format", "json"]].concat())
-        .assert()
-        .success()
-        .get_output()
-        .clone();
-    serde_json::from_slice(&output.stdout).unwrap()
+/// What is in the frame of an answer: of commands on pairs the list of these, of commands on one pair that.
+#[track_caller]
+pub(crate) fn json(args: &[&str]) -> Value {
+    unframed(args[0], framed(args))
 }
 
-/// A run that fails with this code says all of `words`, and prints nothing to stdout.
+/// As [`json`], of a run that may print notes to stderr.
+#[track_caller]
+pub(crate) fn json_beside_notes(args: &[&str]) -> Value {
+    let output = answered(&[args, &["--json"]].concat());
+    unframed(args[0], serde_json::from_slice(&output.stdout).unwrap())
+}
+
+/// What is in the frame of a command's answer, which has all that a frame has.
+#[track_caller]
+pub(crate) fn unframed(command: &str, mut framed: Value) -> Value {
+    assert_eq!(framed["answer"], command);
+    assert_eq!(framed["version"], 1);
+    assert_eq!(framed["units"]["angle"], "rad");
+    assert!(framed["outcome"].is_string(), "{framed}");
+    match command {
+        _ if framed["files"].is_array() => framed["files"].take(),
+        "compute" | "play" => framed["pairs"].take(),
+        "plan" | "slice" => framed["pairs"][0].take(),
+        "classify" => framed["pairs"][0]["rows"].take(),
+        "sweep" => framed["rows"].take(),
+        "tolerances" if framed["pairs"].is_array() => framed["pairs"][0].take(),
+        "check" | "tolerances" if framed["requirements"].is_array() => {
+            framed["requirements"].take()
+        }
+        _ => framed,
+    }
+}
+
+/// A run that fails with this code says all of `words`, and prints nothing to stdout but the error, where that is to be JSON.
 #[track_caller]
 pub(crate) fn fails(mut command: Command, code: i32, words: &[&str]) {
     let output = command.assert().code(code).get_output().clone();
-    assert!(output.stdout.is_empty(), "{output:?}");
+    let error = || serde_json::from_slice::<Value>(&output.stdout).ok();
+    let is_error = || error().is_some_and(|e| e["error"]["message"].is_string());
+    assert!(output.stdout.is_empty() || is_error(), "{output:?}");
     let message = String::from_utf8(output.stderr).unwrap();
     for word in words {
         assert!(message.contains(word), "no {word:?} in: {message}");

@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod answers;
-mod assembly;
 mod cache;
-mod clash;
 mod classes;
+mod clearance;
 mod command;
+mod disassemble;
 #[cfg(unix)]
 mod docs;
 mod draw;

@@ -92,10 +92,12 @@ fn pictures_have_a_row_for_each_mode() {
     let dir = tempfile::tempdir().unwrap();
     let path = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     let interlock = model("shift_interlock");
+    let plain = printed(&["modes", &interlock]);
     for name in ["modes.svg", "modes.png", "modes.pdf"] {
-        cspace(&["modes", &interlock, "-o", &path(name)])
-            .assert()
-            .success();
+        let told = printed(&["modes", &interlock, "-o", &path(name)]);
+        // But for the time it took.
+        assert_eq!(told.lines().next(), plain.lines().next());
+        assert!(told.contains(" modes\n"), "{told}");
     }
     let picture = std::fs::read_to_string(path("modes.svg")).unwrap();
     for said in [
@@ -144,6 +146,11 @@ fn pictures_have_a_row_for_each_mode() {
         2,
         &["a.ply"],
     );
+    for name in ["a.json", "a.txt"] {
+        let refused = cspace(&["modes", &interlock, "-o", &path(name)]);
+        fails(refused, 2, &[name, ".svg, .png, .pdf"]);
+        assert!(!std::path::Path::new(&path(name)).exists());
+    }
 }
 
 #[test]

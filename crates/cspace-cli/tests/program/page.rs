@@ -23,7 +23,7 @@ pub(crate) fn is_bundled() -> bool {
         let done = cspace(&args).output().unwrap().status.success();
         if !done {
             for args in [&args[..], &["view", &model("knee"), "--no-open"]] {
-                fails(cspace(args), 1, WITHOUT);
+                fails(cspace(args), 2, WITHOUT);
             }
             assert!(!out.exists());
             let is_wanted = std::env::var("CSPACE_PAGE").is_ok_and(|v| v == "build");
@@ -117,7 +117,7 @@ fn a_page_has_all_pairs_or_the_one_that_is_named() {
             "--pair",
             "driver,link",
             "--general",
-            "--theta=-0.1,0.1",
+            "--window=-0.1,0.1",
         ],
         &out,
     );
@@ -179,7 +179,7 @@ fn records_are_in_the_page() {
     assert_eq!(page["records"][0]["record"], read(&run));
     assert_eq!(page["records"][1]["record"], read(&way));
     let (latch, apart) = (model("latch_box"), place("apart.json"));
-    printed(&["assembly", &latch, "-o", &apart]);
+    printed(&["disassemble", &latch, "-o", &apart]);
     let page = exported(&[&latch, "--with", &apart], &out);
     assert_eq!(page["records"][0]["record"], read(&apart));
 
@@ -199,7 +199,10 @@ fn records_are_in_the_page() {
         (write("bad.json", "{"), &["bad.json", "no JSON"]),
         (
             write("list.json", "[]"),
-            &["list.json", "no answer of `plan`, `assembly` or `simulate`"],
+            &[
+                "list.json",
+                "no answer of `plan`, `disassemble` or `simulate`",
+            ],
         ),
         (write("half.json", r#"{"verdict": "path"}"#), &["no answer"]),
         (apart, &["\"box\"", "same model"]),
@@ -314,7 +317,7 @@ fn what_has_no_page_is_refused() {
         (&[single.as_str()][..], 2, &["one part"][..]),
         (&["no_such.toml"], 2, &["no_such.toml", "cannot be read"]),
         (&[&geneva, "--pair", pairs], 2, &["no part"]),
-        (&[&geneva, "--theta=1,0"], 2, &["--theta"]),
+        (&[&geneva, "--window=1,0"], 2, &["--window"]),
     ] {
         fails(
             cspace(&[&["export"], args, &["-o", &out]].concat()),
@@ -352,7 +355,7 @@ fn what_has_no_page_is_refused() {
     let port = taken.local_addr().unwrap().port().to_string();
     fails(
         cspace(&["view", &geneva, "--no-open", "--port", &port]),
-        1,
+        2,
         &[&port, "in use", "another --port"],
     );
     assert!(!Path::new(&out).exists());

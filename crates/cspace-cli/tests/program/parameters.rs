@@ -1,6 +1,6 @@
 //! `--set`, on every command that takes a model, and parameters in `info`.
 
-use crate::helpers::{cspace, file, json_beside_notes as json, printed};
+use crate::helpers::{cspace, file, json_beside_notes as json, printed, unframed};
 
 const MODEL: &str = r#"
 name = "peg in a slot"
@@ -55,7 +55,8 @@ fn answers_are_for_the_values_that_are_set() {
     let (_folder, file) = model();
     for play in [0.1, 0.25, 1e-3] {
         let set = format!("play={play}");
-        let moved = json(&["move", &file, "--from", "0,0", "--by", "0,1", "--set", &set]);
+        let played = json(&["play", &file, "--at", "0,0", "--by", "0,1", "--set", &set]);
+        let moved = &played[0]["motion"];
         let at = moved["at"]["v"].as_f64().unwrap();
         assert!((at - play / 2.0).abs() < 1e-9, "{play}: {moved}");
     }
@@ -83,16 +84,24 @@ fn requirements_are_checked() {
         text.starts_with("free play: met\n  play       0.100000 mm\n"),
         "{text}"
     );
+    let told = cspace(&["check", &file, "--set", "play=0.2", "-q"]).assert();
+    let told = told.code(1).get_output().clone();
+    assert!(told.stderr.is_empty(), "{told:?}");
+    let told = String::from_utf8(told.stdout).unwrap();
+    assert!(told.starts_with("free play: not met\n"), "{told}");
+    assert!(told.ends_with("\n1 of 2 requirements not met\n"), "{told}");
     let bad = cspace(&["check", &file, "--set", "play=0.2", "--format", "json"])
         .output()
         .unwrap();
     assert_eq!(bad.status.code(), Some(1));
-    assert!(
-        String::from_utf8(bad.stderr)
-            .unwrap()
-            .contains("1 of 2 requirements not met")
+    assert!(!String::from_utf8(bad.stderr).unwrap().contains("error"));
+    let framed: serde_json::Value = serde_json::from_slice(&bad.stdout).unwrap();
+    assert_eq!(framed["outcome"], "not-met");
+    let rows = unframed("check", framed);
+    assert_eq!(
+        (&rows[0]["outcome"], &rows[1]["outcome"]),
+        (&"not-met".into(), &"measured".into())
     );
-    let rows: serde_json::Value = serde_json::from_slice(&bad.stdout).unwrap();
     assert!(
         (rows[0]["margin"].as_f64().unwrap() + 0.05).abs() < 1e-12,
         "{rows}"
@@ -225,17 +234,21 @@ fn sweeps_are_tables() {
     let rows = folder.path().join("rows.csv");
     std::fs::write(&rows, "play,v\n0.2,0.05\n0.2,-0.05\n0.4,0.1\n").unwrap();
     let out = folder.path().join("out.json");
-    printed(&[
+    let asked = [
         "sweep",
         &file,
         "--rows",
         rows.to_str().unwrap(),
-        "-o",
-        out.to_str().unwrap(),
         "--measure",
         "gap",
-    ]);
-    let table: serde_json::Value = serde_json::from_slice(&std::fs::read(out).unwrap()).unwrap();
+    ];
+    let plain = printed(&asked);
+    assert!(plain.starts_with("play,v,gap,failure\n"), "{plain}");
+    let beside = printed(&[&asked[..], &["-o", out.to_str().unwrap()]].concat());
+    assert_eq!(beside, plain, "the answer is printed beside the file");
+    let table = serde_json::from_slice(&std::fs::read(out).unwrap()).unwrap();
+    let table = unframed("sweep", table);
+    assert_eq!(table, json(&asked));
     let gaps: Vec<f64> = table
         .as_array()
         .unwrap()
@@ -254,7 +267,13 @@ fn sweeps_go_on_from_what_is_done() {
     let out = out.to_str().unwrap();
     let run = |vary: &str| {
         let all = ["sweep", &file, "--vary", vary, "--resume", "-o", out];
-        cspace(&all).output().unwrap()
+        let output = cspace(&all).output().unwrap();
+        if output.status.success() {
+            // What is printed is what is written.
+            let printed = String::from_utf8_lossy(&output.stdout);
+            assert_eq!(printed, std::fs::read_to_string(out).unwrap());
+        }
+        output
     };
     assert!(run("play=0.1:0.3:5").status.success());
     let whole = std::fs::read_to_string(out).unwrap();
@@ -299,13 +318,12 @@ fn every_command_that_takes_a_model_sets_values() {
     for command in [
         vec!["info", &file],
         vec!["compute", &file],
-        vec!["contacts", &file, "--at", "0,0"],
-        vec!["move", &file, "--from", "0,0", "--by", "0,1"],
         vec!["play", &file, "--at", "0,0"],
+        vec!["play", &file, "--at", "0,0", "--by", "0,1"],
         vec!["plan", &file, "--from", "0,0", "--to", "0,0.04"],
         vec!["draw", &file, "-o", &picture],
         vec!["export", &file, "-o", &space],
-        vec!["clash", &file],
+        vec!["clearance", &file],
         vec!["simulate", &file, "--time", "0.1"],
     ] {
         let with = |set: &str| {
@@ -348,19 +366,22 @@ fn sweeps_are_pictures() {
     let picture = folder.path().join("sweep.svg").display().to_string();
     let vary = ["--vary", "peg=5:6:2", "--vary", "play=-0.1:0.3:9"];
     let args = ["sweep", &file, "-o", &picture, "--changes"];
-    cspace(&[&args[..], &vary[..]].concat()).assert().success();
+    let done = cspace(&[&args[..], &vary[..]].concat()).assert().success();
+    let told = &done.get_output().stdout;
+    assert!(told.starts_with(b"peg,play,measure,before,after\n"));
     let drawn = std::fs::read_to_string(&picture).unwrap();
     for words in ["free play", "gap", "peg = 6", ">play<"] {
         assert!(drawn.contains(words), "{words}: {drawn}");
     }
     for (more, words) in [
-        (&["--format", "csv"][..], "about tables"),
+        (&["--format", "csv"][..], "possible values: text, json"),
         (&["--vary", "play=0:1:2"], "varied twice"),
         (&["--size", "1x1"], "width x height"),
     ] {
         let all = [&args[..], &vary[..], more].concat();
         let output = cspace(&all).output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.contains(words), "{said}");
     }
     let table = cspace(&["sweep", &file, "--vary", "play=0:1:2", "--title", "a"])
@@ -434,20 +455,25 @@ fn what_is_not_decided_is_neither_met_nor_not_met() {
             .unwrap()
     };
     let answer = |output: &std::process::Output| -> serde_json::Value {
-        serde_json::from_slice(&output.stdout).unwrap()
+        let framed: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        // Of one requirement the outcome is that of all.
+        let all = framed["outcome"].clone();
+        let rows = unframed("check", framed);
+        assert_eq!(rows[0]["outcome"], all);
+        rows
     };
     let open = check("torque=3");
     assert_eq!(open.status.code(), Some(2));
     assert_eq!(answer(&open)[0]["met"], serde_json::Value::Null);
     assert_eq!(answer(&open)[0]["undecided"], true);
-    let errors = String::from_utf8(open.stderr).unwrap();
-    assert!(
-        errors.contains("1 of 1 requirement not decided"),
-        "{errors}"
-    );
+    assert_eq!(answer(&open)[0]["outcome"], "undecided");
+    let told = cspace(&["check", &file, "--set", "torque=3"]).assert();
+    let told = String::from_utf8(told.code(2).get_output().stdout.clone()).unwrap();
+    assert!(told.starts_with("turned: not decided\n"), "{told}");
     let closed = check("torque=-3");
     assert_eq!(closed.status.code(), Some(0));
     assert_eq!(answer(&closed)[0]["met"], true);
+    assert_eq!(answer(&closed)[0]["outcome"], "met");
     assert!(answer(&closed)[0].get("undecided").is_none());
     let solved = json(&[
         "solve",

@@ -2,7 +2,20 @@
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, framed, json, model, printed, unframed};
+
+/// What a run that answers with this word says, which is its verdict, too; with its exit code.
+#[track_caller]
+fn answered(args: &[&str], outcome: &str) -> Value {
+    let framed = framed(args);
+    assert_eq!(framed["outcome"], outcome, "{args:?}");
+    let code = i32::from(!matches!(outcome, "path" | "escapes"));
+    cspace(args).assert().code(code);
+    let answer = unframed("plan", framed);
+    assert_eq!(answer["outcome"], outcome, "{args:?}");
+    assert_eq!(answer["verdict"], outcome, "{args:?}");
+    answer
+}
 
 fn numbers(at: &Value) -> Vec<f64> {
     ["x", "y", "theta", "u", "v"]
@@ -38,13 +51,12 @@ fn a_peg_goes_into_its_hole_and_its_path_passes_the_check() {
     // The file holds the same, and passes.
     let rows = std::fs::read_to_string(way).unwrap();
     assert_eq!(rows.lines().count(), path.len() + 1);
-    let checked = json(&["plan", &peg, "--check", way]);
-    assert_eq!(checked["verdict"], "path");
+    let checked = answered(&["plan", &peg, "--verify", way], "path");
     assert!((checked["clearance"].as_f64().unwrap() - clearance).abs() < 1e-5 * clearance);
     let widest = json(&[&["plan", &peg, "--widest"], &ends[..]].concat());
     assert!((widest["bottleneck"]["most"].as_f64().unwrap() - 0.05).abs() < 1e-7);
-    let more = json(&[&["plan", &peg, "--clearance", "0.051"], &ends[..]].concat());
-    assert_eq!(more["verdict"], "no-path");
+    let more = [&["plan", &peg, "--clearance", "0.051"], &ends[..]].concat();
+    answered(&more, "no-path");
 }
 
 #[test]
@@ -53,22 +65,21 @@ fn a_path_through_material_is_no_path() {
     let file = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
     let path = file.path().to_str().unwrap();
     std::fs::write(path, "x,y,theta\n0,60,0\n20,10,0\n0,5,0\n").unwrap();
-    let answer = json(&["plan", &peg, "--check", path]);
-    assert_eq!(answer["verdict"], "no-path");
+    let answer = answered(&["plan", &peg, "--verify", path], "blocked");
     assert_eq!(answer["contact"]["leg"], 0);
     // The peg is 16 below its origin, and comes down by 50 on the first leg.
     let fraction = answer["contact"]["fraction"].as_f64().unwrap();
     assert!((fraction - 0.84).abs() < 1e-9, "{fraction}");
-    let told = printed(&["plan", &peg, "--check", path]);
+    let told = printed(&["plan", &peg, "--verify", path]);
     assert!(
         told.starts_with("blocked: the given path meets a contact on leg 1, after 84.0"),
         "{told}"
     );
     std::fs::write(path, "x,y\n0,60\n").unwrap();
-    fails(cspace(&["plan", &peg, "--check", path]), 2, &["theta"]);
+    fails(cspace(&["plan", &peg, "--verify", path]), 2, &["theta"]);
     std::fs::write(path, "x,y,theta\n").unwrap();
     fails(
-        cspace(&["plan", &peg, "--check", path]),
+        cspace(&["plan", &peg, "--verify", path]),
         2,
         &["no configuration"],
     );
@@ -76,15 +87,9 @@ fn a_path_through_material_is_no_path() {
 
 #[test]
 fn what_is_caged_has_no_path() {
-    let answer = json(&[
-        "plan",
-        &model("ball_in_c"),
-        "--from",
-        "0,0,0",
-        "--to",
-        "60,0,0",
-    ]);
-    assert_eq!(answer["verdict"], "no-path");
+    let ball = model("ball_in_c");
+    let asked = ["plan", &ball, "--from", "0,0,0", "--to", "60,0,0"];
+    let answer = answered(&asked, "no-path");
     assert_eq!(answer["regions"]["from"], 1);
     assert_eq!(answer["regions"]["to"], 0);
     assert_eq!(answer["enclosed"]["region"], 1);
@@ -99,25 +104,25 @@ fn what_is_caged_has_no_path() {
 #[test]
 fn blocked_ends_are_told_with_the_way_out() {
     let peg = model("peg_hole");
-    let from = json(&["plan", &peg, "--from=0,-10,0", "--to", "0,60,0"]);
-    assert_eq!(from["verdict"], "from-blocked");
+    let from = ["plan", &peg, "--from=0,-10,0", "--to", "0,60,0"];
+    let from = answered(&from, "from-blocked");
     assert!((from["blocked"]["depth"].as_f64().unwrap() - 10.0).abs() < 1e-6);
-    let to = json(&["plan", &peg, "--from", "0,60,0", "--to=0,-10,0"]);
-    assert_eq!(to["verdict"], "to-blocked");
+    let to = ["plan", &peg, "--from", "0,60,0", "--to=0,-10,0"];
+    answered(&to, "to-blocked");
 }
 
 #[test]
 fn gears_turn_together_and_not_past_each_other() {
     let gears = model("gears_on_shafts");
     // 12 teeth on 10: half a turn back is 0.6 of a turn on.
-    let answer = json(&["plan", &gears, "--from", "0,0", "--to", "180deg,-216deg"]);
-    assert_eq!(answer["verdict"], "path");
+    let half = ["plan", &gears, "--from", "0,0", "--to", "180deg,-216deg"];
+    let answer = answered(&half, "path");
     for at in answer["path"].as_array().unwrap() {
         let c = numbers(at);
         assert!((c[1] + 1.2 * c[0]).abs() < 0.02, "{c:?}");
     }
-    let next = json(&["plan", &gears, "--from", "0,0", "--to", "75deg,18deg"]);
-    assert_eq!(next["verdict"], "no-path");
+    let next = ["plan", &gears, "--from", "0,0", "--to", "75deg,18deg"];
+    answered(&next, "no-path");
 }
 
 #[test]
@@ -125,10 +130,12 @@ fn pictures_of_ways_and_limits_of_legs() {
     let peg = model("peg_hole");
     let folder = tempfile::tempdir().unwrap();
     let ends = ["--from", "40,30,90deg", "--to", "0,2,0"];
+    let plain = printed(&[&["plan", &peg], &ends[..]].concat());
     for name in ["way.svg", "way.png", "way.pdf"] {
         let file = folder.path().join(name);
         let file = file.to_str().unwrap();
-        printed(&[&["plan", &peg, "-o", file], &ends[..]].concat());
+        let told = printed(&[&["plan", &peg, "-o", file], &ends[..]].concat());
+        assert_eq!(told, plain);
         assert!(std::fs::metadata(file).unwrap().len() > 1000);
     }
     let steps = ["--turn", "5deg", "--travel", "4"];
@@ -174,13 +181,16 @@ fn what_is_no_question_is_refused() {
     }
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let other = at("way.foo");
-    let args = [&["plan", &peg, "-o", &other], &ends[..]].concat();
-    fails(cspace(&args), 2, &["way.foo", ".csv"]);
+    for name in ["way.foo", "way.txt", "way"] {
+        let other = at(name);
+        let args = [&["plan", &peg, "-o", &other], &ends[..]].concat();
+        fails(cspace(&args), 2, &[name, ".csv, .json, .svg, .png, .pdf"]);
+        assert!(!std::path::Path::new(&other).exists());
+    }
     let far = at("far.csv");
     std::fs::write(&far, "x,y,theta\n1e300,60,0\n0,60,0\n").unwrap();
     fails(
-        cspace(&["plan", &peg, "--check", &far]),
+        cspace(&["plan", &peg, "--verify", &far]),
         2,
         &["far.csv", "farther"],
     );
@@ -205,7 +215,10 @@ fn a_way_that_is_too_narrow_is_not_proved_to_be_none() {
     let peg = model("peg_hole");
     let ends = ["--from", "0,60,0", "--to", "0,2,0"];
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("narrow.json");
+    let (file, proof) = (
+        folder.path().join("narrow.json"),
+        folder.path().join("proof.json"),
+    );
     let asked = [
         "plan",
         &peg,
@@ -213,9 +226,14 @@ fn a_way_that_is_too_narrow_is_not_proved_to_be_none() {
         "5",
         "-o",
         file.to_str().unwrap(),
+        "--proof",
+        proof.to_str().unwrap(),
     ];
-    printed(&[&asked[..], &ends[..]].concat());
+    let told = printed(&[&asked[..], &ends[..]].concat());
+    assert!(told.contains("\nno proof: there is a way"), "{told}");
+    assert!(!proof.exists());
     let answer: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    let answer = unframed("plan", answer);
     assert_eq!(answer["verdict"], "no-path");
     assert!(answer["bottleneck"]["most"].as_f64().unwrap() < 5.0);
     assert!(answer.get("proof").is_none());
@@ -233,9 +251,14 @@ fn no_path_is_proved_to_who_does_not_believe_it() {
     let file = folder.path().join("proof.json");
     let path = file.to_str().unwrap();
     let ball = model("ball_in_c");
-    printed(&[
-        "plan", &ball, "--from", "0,0,0", "--to", "60,0,0", "-o", path,
-    ]);
+    let asked = ["plan", &ball, "--from", "0,0,0", "--to", "60,0,0"];
+    let plain = json(&asked);
+    assert!(
+        plain.get("proof").is_none(),
+        "it is made where it is asked for"
+    );
+    let told = printed(&[&asked[..], &["--proof", path]].concat());
+    assert!(told.contains("\nproof: ") && told.contains(" triangles at a depth of "));
     let proof = cspace_check::read(&std::fs::read(&file).unwrap()).unwrap();
     assert_eq!(proof.check(), Ok(()));
     assert_eq!((proof.start, proof.goal), ([0.0; 3], [60.0, 0.0, 0.0]));
@@ -318,31 +341,28 @@ fn rows_are_free_as_they_stand() {
     let way = folder.path().join("way.csv");
     let way = way.to_str().unwrap();
     let ends = ["--from=-20,-23,0", "--to=20,-23,180deg"];
-    let answer = json(&[&["plan", slot, "-o", way], &ends[..]].concat());
-    assert_eq!(answer["verdict"], "path");
+    let answer = answered(&[&["plan", slot, "-o", way], &ends[..]].concat(), "path");
     let rows = std::fs::read_to_string(way).unwrap();
     assert!(rows.starts_with("x,y,theta\n-20.0,-23.0,0.0\n"), "{rows}");
-    let checked = json(&["plan", slot, "--check", way]);
-    assert_eq!(checked["verdict"], "path");
+    let checked = answered(&["plan", slot, "--verify", way], "path");
     let clearance = |answer: &Value| answer["clearance"].as_f64().unwrap();
     assert!(clearance(&checked) >= 0.89 * clearance(&answer));
     // A turn on the spot in the slot.
     std::fs::write(way, "x,y,theta\n-20,-23,0\n20,-23,180deg\n").unwrap();
-    let checked = json(&["plan", slot, "--check", way, "--about", "20,0"]);
-    assert_eq!(checked["verdict"], "path");
-    let other = json(&["plan", slot, "--check", way]);
-    assert_eq!(other["verdict"], "no-path");
+    let about = ["plan", slot, "--verify", way, "--about", "20,0"];
+    answered(&about, "path");
+    answered(&["plan", slot, "--verify", way], "blocked");
     // The same turn as a motion: about the middle it is free, about the origin it is not.
     let turn = |about: &str| {
         let args = [
-            "move",
+            "play",
             slot,
-            "--from=-20,-23,0",
+            "--at=-20,-23,0",
             "--by=0,0,1.5",
             "--about",
             about,
         ];
-        json(&args)["result"].clone()
+        json(&args)[0]["motion"]["result"].clone()
     };
     assert_eq!(turn("20,0"), "free");
     assert_eq!(turn("0,0"), "contact");
@@ -351,9 +371,9 @@ fn rows_are_free_as_they_stand() {
 #[test]
 fn a_point_that_says_nothing_is_refused() {
     let axes = cspace(&[
-        "move",
+        "play",
         &model("geneva"),
-        "--from",
+        "--at",
         "0,0",
         "--by",
         "0,0.1",
@@ -384,8 +404,7 @@ fn a_square_pin_that_cannot_turn_looks_the_same_where_it_is() {
     let folder = tempfile::tempdir().unwrap();
     let pin = pin_and_slot(folder.path());
     let asked = ["plan", &pin, "--from", "0,0,0", "--to", "0.05,0,90deg"];
-    let answer = json(&asked);
-    assert_eq!(answer["verdict"], "no-path");
+    let answer = answered(&asked, "no-path");
     let at = numbers(&answer["twin"]["at"]);
     assert!((at[0] - 0.05).abs() < 1e-9 && at[1].abs() < 1e-9 && at[2].abs() < 1e-9);
     let told = printed(&asked);
@@ -405,27 +424,27 @@ fn a_path_that_starts_in_contact_has_a_clearance_off_it() {
     let way = folder.path().join("way.csv");
     let way = way.to_str().unwrap();
     std::fs::write(way, "x,y,theta\n0.1,0,0\n0.05,0,0\n0,0,0\n").unwrap();
-    let answer = json(&["plan", &pin, "--check", way]);
+    let answer = json(&["plan", &pin, "--verify", way]);
     assert_eq!(answer["rest"]["from_contact"], true);
     assert_eq!(answer["rest"]["to_contact"], false);
     let clearance = answer["rest"]["clearance"].as_f64().unwrap();
     assert!((clearance - 0.05).abs() < 1e-6, "{clearance}");
-    let told = printed(&["plan", &pin, "--check", way]);
+    let told = printed(&["plan", &pin, "--verify", way]);
     assert!(told.contains("the path starts in contact; 0.05"), "{told}");
     std::fs::write(way, "x,y,theta\n0,0,0\n0.1,0,0\n").unwrap();
-    let told = printed(&["plan", &pin, "--check", way]);
+    let told = printed(&["plan", &pin, "--verify", way]);
     assert!(told.contains("ends in contact; 0.1"), "{told}");
     std::fs::write(way, "x,y,theta\n0,0,0\n1,0,0\n").unwrap();
-    let told = printed(&["plan", &pin, "--check", way]);
+    let told = printed(&["plan", &pin, "--verify", way]);
     assert!(told.starts_with("to-blocked"), "{told}");
     assert!(told.contains("  overlap  "), "{told}");
+    answered(&["plan", &pin, "--verify", way], "to-blocked");
 }
 
 #[test]
 fn a_way_begins_where_the_parts_are_drawn() {
     let peg = model("peg_hole");
-    let answer = json(&["plan", &peg]);
-    assert_eq!(answer["verdict"], "path");
+    let answer = answered(&["plan", &peg], "path");
     let same = json(&["plan", &peg, "--from", "0,0,0"]);
     assert_eq!(answer["path"], same["path"]);
     // The start is in contact: the way goes on where the leg leaves it, and not there and back.

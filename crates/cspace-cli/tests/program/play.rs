@@ -47,7 +47,7 @@ fn a_block_in_a_ring() {
     let path = file.path().to_str().unwrap();
     // Its middle is at the middle of the ring, but for 0.1 and −0.2.
     let answer = play(&["play", path, "--at=-1.4,-1.7,0"]);
-    assert_eq!(answer["result"], "free");
+    assert_eq!(answer["outcome"], "free");
     assert!(answer["region"].is_u64());
     for (name, far) in [("+x", 0.4), ("-x", 0.6), ("+y", 0.7), ("-y", 0.3)] {
         goes(&answer, name, far);
@@ -75,7 +75,7 @@ fn from_contact_and_from_where_the_parts_overlap() {
     let path = file.path().to_str().unwrap();
     // On the floor, and 5 beside the ring.
     let answer = play(&["play", path, "--at=-1.4,-2,0"]);
-    assert_eq!(answer["result"], "contact");
+    assert_eq!(answer["outcome"], "contact");
     goes(&answer, "-y", 0.0);
     goes(&answer, "+y", 1.0);
     goes(&answer, "+x", 0.4);
@@ -83,11 +83,12 @@ fn from_contact_and_from_where_the_parts_overlap() {
     goes(&outside, "-x", 5.0);
     assert_eq!(direction(&outside, "+x")["stopped_by"], "nothing");
     assert!(direction(&outside, "+x")["distance"].is_null());
+    cspace(&["play", path, "--at", "1,0,0"]).assert().code(1);
     let blocked = play(&["play", path, "--at", "1,0,0"]);
-    assert_eq!(blocked["result"], "blocked");
+    assert_eq!(blocked["outcome"], "blocked");
     assert_eq!(blocked["directions"].as_array().unwrap().len(), 0);
     // In a window a turn ends with it.
-    let window = play(&["play", path, "--at", "8,8,0", "--theta=-0.2,0.5"]);
+    let window = play(&["play", path, "--at", "8,8,0", "--window=-0.2,0.5"]);
     goes(&window, "turn + about its origin", 0.5);
     assert_eq!(
         direction(&window, "turn - about its origin")["stopped_by"],

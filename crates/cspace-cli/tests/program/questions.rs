@@ -1,8 +1,8 @@
-//! `move` and `contacts`, against arithmetic done by hand and against `classify`.
+//! `play --at` and `play --at --by`, against arithmetic done by hand and against `classify`.
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, json, mechanism, model, printed};
+use crate::helpers::{cspace, fails, json, mechanism, model, printed, unframed};
 
 /// A square ring, 6 wide outside and 4 inside, and a block of 2.
 fn ring() -> tempfile::NamedTempFile {
@@ -14,6 +14,20 @@ fn ring() -> tempfile::NamedTempFile {
     file
 }
 
+/// What `play` says of the one pair.
+#[track_caller]
+fn play(args: &[&str]) -> Value {
+    let mut pairs = json(&[&["play"], args].concat());
+    assert_eq!(pairs.as_array().unwrap().len(), 1, "{pairs}");
+    pairs[0].take()
+}
+
+/// How far a displacement leads.
+#[track_caller]
+fn moved(args: &[&str]) -> Value {
+    play(args)["motion"].take()
+}
+
 fn number(value: &Value, path: &str) -> f64 {
     value.pointer(path).and_then(Value::as_f64).expect(path)
 }
@@ -23,10 +37,12 @@ fn a_block_moves_to_the_wall() {
     let file = ring();
     let path = file.path().to_str().unwrap();
     // From x = 0.25 there is 0.75 to go of 3.
-    let answer = json(&["move", path, "--from", "0.25,0.1,0", "--by", "3,0,0"]);
+    let played = play(&[path, "--at", "0.25,0.1,0", "--by", "3,0,0"]);
+    assert_eq!(played["outcome"], "free");
+    let answer = &played["motion"];
     assert_eq!(answer["result"], "contact");
-    assert!((number(&answer, "/fraction") - 0.25).abs() < 1e-9);
-    assert!((number(&answer, "/at/x") - 1.0).abs() < 1e-9);
+    assert!((number(answer, "/fraction") - 0.25).abs() < 1e-9);
+    assert!((number(answer, "/at/x") - 1.0).abs() < 1e-9);
     // Its right side, line 1, lies on the ring's inner right side, and both of its right corners touch it.
     let touching = answer["touching"].as_array().unwrap();
     assert!(
@@ -38,31 +54,42 @@ fn a_block_moves_to_the_wall() {
         moving.contains(&"vertex 1 of loop 0") && moving.contains(&"vertex 2 of loop 0"),
         "{moving:?}"
     );
-    let free = json(&["move", path, "--from", "0,0,0", "--by", "0.5,0,90deg"]);
+    let free = moved(&[path, "--at", "0,0,0", "--by", "0.5,0,90deg"]);
     assert!((free["result"] == "free") && number(&free, "/fraction") == 1.0);
     assert!((number(&free, "/at/theta") - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
-    let blocked = json(&["move", path, "--from", "1.5,0,0", "--by", "1,0,0"]);
+    let overlapping = ["play", path, "--at", "1.5,0,0", "--by", "1,0,0"];
+    cspace(&overlapping).assert().code(1);
+    let overlapping = play(&overlapping[1..]);
+    assert_eq!(overlapping["outcome"], "blocked");
+    let blocked = &overlapping["motion"];
     assert_eq!(
-        (&blocked["result"], number(&blocked, "/fraction")),
+        (&blocked["result"], number(blocked, "/fraction")),
         (&Value::from("blocked"), 0.0)
     );
     // The window ends at 0.3 rad: half way.
-    let leaves = json(&[
-        "move",
+    let leaves = moved(&[
         path,
-        "--from",
+        "--at",
         "0,0,0.1",
         "--by",
         "0,0,0.4",
-        "--theta=-0.2,0.3",
+        "--window=-0.2,0.3",
     ]);
     assert_eq!(leaves["result"], "leaves");
     assert!((number(&leaves, "/fraction") - 0.5).abs() < 1e-9);
-    let text = printed(&["move", path, "--from", "0.25,0.1,0", "--by", "3,0,0"]);
+    let text = printed(&["play", path, "--at", "0.25,0.1,0", "--by", "3,0,0"]);
+    let (_, displaced) = text.split_once("  displaced  ").unwrap();
     assert!(
-        text.contains("contact after 25.000000 % of the way"),
+        displaced
+            .trim_start()
+            .starts_with("contact after 25.000000 % of the way\n"),
         "{text}"
     );
+    assert!(
+        displaced.contains("at x 1.000000, y 0.100000 mm, theta 0.0000 deg\n"),
+        "{text}"
+    );
+    assert!(displaced.contains("line 1 of loop 1 of ring "), "{text}");
 }
 
 /// On both sides of every contact that is told, `classify` says free and blocked.
@@ -76,7 +103,7 @@ fn contacts_are_where_classify_changes() {
         ("cam_tappet", "0,5", "2,-30"),
     ] {
         let file = model(name);
-        let answer = json(&["move", &file, "--from", from, "--by", by]);
+        let answer = moved(&[&file, "--at", from, "--by", by]);
         let at = answer["fraction"].as_f64().unwrap();
         assert_eq!(answer["result"], "contact", "{name}: {answer}");
         assert!(!answer["touching"].as_array().unwrap().is_empty());
@@ -121,23 +148,45 @@ fn contacts_have_distances_points_and_normals() {
     let file = ring();
     let path = file.path().to_str().unwrap();
     // The block 0.2 from the inner right side, 0.9 from the upper and 1.1 from the lower.
-    let answer = json(&["contacts", path, "--at", "0.8,0.1,0", "--within", "0.5"]);
+    let answer = play(&[path, "--at", "0.8,0.1,0", "--touch", "0.5"]);
     assert_eq!(
-        (&answer["class"], &answer["region"]),
+        (&answer["outcome"], &answer["region"]),
         (&Value::from("free"), &Value::from(1))
     );
     assert!((number(&answer, "/clearance") - 0.2).abs() < 1e-12);
-    let contacts = answer["contacts"].as_array().unwrap();
+    let contacts = answer["near"].as_array().unwrap();
     assert!(!contacts.is_empty());
     for c in contacts {
         assert_eq!(c["features"][0], "line 1 of loop 1");
         assert!((number(c, "/distance") - 0.2).abs() < 1e-9);
-        assert!((number(c, "/on_fixed/0") - 2.0).abs() < 1e-9);
+        assert!((number(c, "/at/0") - 2.0).abs() < 1e-9);
         assert!((number(c, "/on_moving/0") - 1.8).abs() < 1e-9);
         assert!((number(c, "/normal/0") + 1.0).abs() < 1e-9 && number(c, "/normal/1").abs() < 1e-9);
     }
-    let text = printed(&["contacts", path, "--at", "0,0,0"]);
-    assert!(text.contains("no contact within"), "{text}");
+    let near = |args: &[&str]| -> Vec<String> {
+        let text = printed(&[&["play", path], args].concat());
+        let lines = text.lines().filter(|l| l.starts_with("  near  "));
+        lines.map(str::to_owned).collect()
+    };
+    let told = near(&["--at", "0.8,0.1,0", "--touch", "0.5"]);
+    assert_eq!(told.len(), contacts.len());
+    for (line, c) in told.iter().zip(contacts) {
+        let at = format!(
+            "0.200000 mm apart at (2.000000, {:.6}): ",
+            number(c, "/at/1")
+        );
+        assert!(line.contains(&at), "{line}");
+        let moving = c["features"][1].as_str().unwrap();
+        for feature in [
+            "line 1 of loop 1 of ring (",
+            &format!("{moving} of block ("),
+        ] {
+            assert!(line.contains(feature), "{line}");
+        }
+    }
+    assert!(near(&["--at", "0,0,0"]).is_empty());
+    let none = play(&[path, "--at", "0,0,0"]);
+    assert_eq!(none["near"], serde_json::json!([]));
 }
 
 /// Two triangles, one with a flat arc, whose nearest points are a vertex and a point of a side: 21.1341991 apart by dense points of
@@ -151,8 +200,8 @@ fn contacts_are_between_ends_of_features() {
         loops = [[[-68.783742, -2.494091], [-60.061866, -9.05758], [-75, -15]]]\n";
     std::fs::write(file.path(), text).unwrap();
     let path = file.path().to_str().unwrap();
-    let answer = json(&["contacts", path, "--at", "0,0,0", "--within", "60"]);
-    let contacts = answer["contacts"].as_array().unwrap();
+    let answer = play(&[path, "--at", "0,0,0", "--touch", "60"]);
+    let contacts = answer["near"].as_array().unwrap();
     assert_eq!(contacts.len(), 1, "{contacts:?}");
     let contact = &contacts[0];
     let features = serde_json::json!(["vertex 1 of loop 0", "line 0 of loop 0"]);
@@ -168,7 +217,7 @@ fn contacts_are_between_ends_of_features() {
     assert!((0.0..=1.0).contains(&share));
     let foot = [-68.783_742 + share * side[0], -2.494_091 + share * side[1]];
     for i in 0..2 {
-        assert!((number(contact, &format!("/on_fixed/{i}")) - vertex[i]).abs() < 1e-12);
+        assert!((number(contact, &format!("/at/{i}")) - vertex[i]).abs() < 1e-12);
         assert!((number(contact, &format!("/on_moving/{i}")) - foot[i]).abs() < 1e-9);
     }
 }
@@ -177,12 +226,18 @@ fn contacts_are_between_ends_of_features() {
 fn what_cannot_be_asked_is_refused() {
     for (args, words) in [
         (
-            vec!["move", "--from", "0,0", "--by", "0,0,1"],
+            vec!["play", "--at", "0,0", "--by", "0,0,1"],
             "takes 3 numbers",
         ),
-        (vec!["move", "--from", "0,0,x", "--by", "0,0,1"], "theta"),
-        (vec!["contacts", "--at", "1,inf,0"], "inf"),
-        (vec!["contacts", "--at", "0,0,3", "--theta=-1,1"], "outside"),
+        (
+            vec!["play", "--at", "0,0,0", "--by", "0,1"],
+            "takes 3 numbers",
+        ),
+        (vec!["play", "--at", "0,0,x", "--by", "0,0,1"], "theta"),
+        (vec!["play", "--at", "0,0,0", "--by", "0,0,x"], "theta"),
+        (vec!["play", "--at", "1,inf,0"], "inf"),
+        (vec!["play", "--at", "0,0,3", "--window=-1,1"], "outside"),
+        (vec!["play", "--at", "0,0,0", "--touch=-1"], "--touch"),
     ] {
         let file = model("peg_hole");
         let args = [&args[..], &[&file]].concat();
@@ -191,18 +246,15 @@ fn what_cannot_be_asked_is_refused() {
         let error = String::from_utf8(output.stderr).unwrap();
         assert!(error.contains(words) && error.contains("help:"), "{error}");
     }
-    let output = cspace(&[
-        "move",
-        &mechanism(),
-        "--pair",
-        "frame,link",
-        "--from",
-        "0,0,0",
-        "--by",
-        "1,0,0",
-    ]);
-    let output = { output }.output().unwrap();
-    assert_eq!(output.status.code(), Some(2));
+}
+
+/// A displacement of parts that a joint connects is not answered, and that is said.
+#[test]
+fn joined_parts_are_not_displaced() {
+    let mechanism = mechanism();
+    let asked = ["play", &mechanism, "--pair", "frame,link"];
+    let displaced = [&asked[..], &["--at", "0,0,0", "--by", "1,0,0"]].concat();
+    fails(cspace(&displaced), 2, &["frame,link"]);
 }
 
 /// The columns that a row is answered with.
@@ -271,13 +323,13 @@ fn columns_say_region_distance_and_what_touches() {
         .success()
         .get_output()
         .clone();
-    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let answer = unframed("classify", serde_json::from_slice(&output.stdout).unwrap());
     assert!((number(&answer, "/0/distance") - 0.05).abs() < 1e-9);
     assert_eq!(answer[0]["touching"].as_array().unwrap().len(), 2);
     assert_eq!(answer[0]["region"].to_string(), *inside);
 }
 
-/// Distances are where `move` gets, whatever the class.
+/// Distances are where a displacement leads, whatever the class.
 #[test]
 fn distances_on_fixed_axes_are_those_of_the_moving_part() {
     let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
@@ -310,11 +362,11 @@ fn columns_are_checked() {
         (&["--touch", "0.1"], "--columns class,touching"),
     ] {
         let args = [&["classify", path], options].concat();
-        crate::helpers::fails(cspace(&args), 2, &[said]);
+        fails(cspace(&args), 2, &[said]);
     }
     let mut taken = cspace(&["classify", path, "--columns", "region"]);
     taken.write_stdin("x,y,theta,region\n0,0,0,5\n");
-    crate::helpers::fails(taken, 2, &["a column `region`"]);
+    fails(taken, 2, &["a column `region`"]);
     let mechanism = mechanism();
     let mut joined = cspace(&[
         "classify",
@@ -325,7 +377,7 @@ fn columns_are_checked() {
         "distance",
     ]);
     joined.write_stdin("x,y,theta\n0,0,0\n");
-    crate::helpers::fails(joined, 2, &["--columns", "joint"]);
+    fails(joined, 2, &["--columns", "joint"]);
 }
 
 /// A feature is called by its name wherever it is told of, also of a space that was saved.
@@ -342,15 +394,20 @@ fn features_have_their_names() {
     printed(&["export", &model, "-o", &saved]);
     for file in [&model, &saved] {
         let at = ["--at", "1,0,0"];
-        assert!(printed(&[&["contacts", file][..], &at].concat()).contains("right wall of ring"));
+        let played = printed(&[&["play", file][..], &at].concat());
         assert!(
-            printed(&[&["play", file][..], &at].concat())
-                .contains("right wall of ring (right wall of ")
+            played.contains("touches") && played.contains("right wall of ring (right wall of ")
+        );
+        let near = (played.lines()).find(|l| l.starts_with("  near  "));
+        assert!(near.unwrap().contains("right wall of ring"), "{played}");
+        assert_eq!(
+            play(&[file, "--at", "1,0,0"])["near"][0]["features"][0],
+            "right wall"
         );
         assert!(
             printed(&[&["draw", file][..], &at].concat()).contains(">right wall of ring touches")
         );
-        let moved = json(&["move", file, "--from", "0,0,0", "--by", "3,0,0"]);
+        let moved = moved(&[file, "--at", "0,0,0", "--by", "3,0,0"]);
         assert_eq!(moved["touching"][0][0], "right wall");
         assert!(printed(&["slice", file, "--theta", "0.1"]).contains("on right wall of ring"));
         let found = columns(file, &["--columns", "touching"], "x,y,theta\n1,0.1,0\n");
@@ -372,6 +429,6 @@ fn features_have_their_names() {
             text.replacen("loops =", &format!("names = {{ {names} }}\nloops ="), 1),
         )
         .unwrap();
-        crate::helpers::fails(cspace(&["info", &file]), 2, &[said, "part 0 \"ring\""]);
+        fails(cspace(&["info", &file]), 2, &[said, "part 0 \"ring\""]);
     }
 }

@@ -1,5 +1,5 @@
-//! Random options in random combinations: no panic, an exit code that is one of three, and no file that is not what its
-//! name says.
+//! Random options in random combinations: no panic, an exit code that is one of three and what is said with it, and no file that is
+//! not what its name says.
 
 use std::path::Path;
 
@@ -23,18 +23,20 @@ impl Dice {
 }
 
 /// All options of the commands that take a model, with values that are right, wrong or strange.
-const OPTIONS: [(&str, &[&str]); 27] = [
+const OPTIONS: [(&str, &[&str]); 34] = [
     (
         "--pair",
         &["ratchet,pawl", "driver,link", "gear,pinion", "pawl", ""],
     ),
     ("--general", &[]),
+    ("--json", &[]),
     ("--format", &["text", "json", "xml"]),
     ("--threads", &["1", "2", "0", "-1"]),
     (
-        "--theta",
+        "--window",
         &["-0.1,0.1", "0.3", "10deg", "1,0", "nan", "0,20"],
     ),
+    ("--theta", &["0.3", "10deg", "-0.1,0.1", "nan", "1e9"]),
     ("--tolerance", &["0.05", "0.1", "0", "2"]),
     ("--theta-scale", &["10", "1", "-1"]),
     ("--ascii", &[]),
@@ -51,6 +53,11 @@ const OPTIONS: [(&str, &[&str]); 27] = [
         &["0,0,0", "1,2", "60,0,0.1", "0,0", "1e300,0,0", "x"],
     ),
     ("--from", &["0,0,0", "100,0,0", "0,0"]),
+    ("--to", &["100,0,0", "0,0,0", "0,0", "out", "x"]),
+    ("--energy", &[]),
+    ("--gravity", &["0,-1", "0,0", "1"]),
+    ("--accuracy", &["1", "0", "x"]),
+    ("--proof", &["proof.json", "no/proof.json"]),
     ("--by", &["10,0,0", "0,1", "0,0,7", "1e9,0,0"]),
     ("--within", &["5", "0", "-1"]),
     (
@@ -72,7 +79,7 @@ const OPTIONS: [(&str, &[&str]); 27] = [
         "-o",
         &[
             "a.svg", "a.png", "a.pdf", "a.json", "a.ply", "a.obj", "a.stl", "a.glb", "a.html",
-            "a.txt", "a.toml", "-", "no/a.svg",
+            "a.csv", "a.dxf", "a.txt", "a.toml", "-", "no/a.svg",
         ],
     ),
 ];
@@ -91,8 +98,12 @@ fn is_true(path: &Path) -> bool {
         Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84).is_multiple_of(50),
         Some("html") => text().ends_with("</html>\n"),
         Some("glb") => bytes.starts_with(b"glTF"),
-        // Answers as text or JSON.
-        Some("txt" | "toml") => !text().is_empty(),
+        Some("csv") => {
+            text().contains(",class")
+                || text().starts_with("x,y,theta\n")
+                || text().starts_with("u,v\n")
+        }
+        Some("dxf") => text().ends_with("EOF\n"),
         other => panic!("{other:?}"),
     }
 }
@@ -102,13 +113,21 @@ fn no_options_make_it_panic_or_lie() {
     // Enough that some of them succeed.
     let runs = effort(100, 400);
     const COMMANDS: [&str; 9] = [
-        "info", "compute", "slice", "classify", "contacts", "move", "play", "draw", "export",
+        "info",
+        "compute",
+        "slice",
+        "classify",
+        "plan",
+        "clearance",
+        "play",
+        "draw",
+        "export",
     ];
     let files = ["ratchet_pawl", "gears_on_shafts", "peg_hole", "cam_tappet"].map(model);
     let mechanism = mechanism();
     let helps = COMMANDS.map(|c| printed(&[c, "--help"]).replace('\n', " "));
     let mut dice = Dice(22);
-    let (mut done, mut written) = (0, 0);
+    let (mut done, mut denied, mut written) = (0, 0, 0);
     for run in 0..runs {
         let folder = tempfile::tempdir().unwrap();
         let command = COMMANDS[dice.below(COMMANDS.len())];
@@ -120,20 +139,26 @@ fn no_options_make_it_panic_or_lie() {
         // What a command needs is mostly given.
         if dice.below(4) > 0 {
             match command {
-                "contacts" => args.extend(["--at", dice.one(&["0,0,0", "0,0", "70,0,1"])]),
-                "move" => args.extend([
-                    "--from",
-                    dice.one(&["0,0,0", "0,0", "99,0,1"]),
+                "play" => args.extend([
+                    "--at",
+                    dice.one(&["0,0,0", "0,0", "70,0,1", "99,0,1"]),
                     "--by=1,0,0",
                 ]),
+                "plan" => args.extend(["--from", dice.one(&["0,0,0", "0,0", "70,0,1"])]),
                 "slice" => args.extend(["--theta", "0.2"]),
-                "export" => args.extend(["-o", dice.one(OPTIONS[26].1)]),
+                "export" => args.extend(["-o", dice.one(OPTIONS[OPTIONS.len() - 1].1)]),
                 _ => {}
             }
         }
         for (option, values) in OPTIONS {
+            // The other name of --json is in no help.
+            let shown = if option == "--format" {
+                "--json"
+            } else {
+                option
+            };
             let is_known = helps[COMMANDS.iter().position(|c| *c == command).unwrap()]
-                .contains(&format!("{option} "));
+                .contains(&format!("{shown} "));
             // A fifth of those that it has, few that it has not.
             let often = if is_known { 5 } else { 100 };
             if dice.below(often) == 0 && !args.contains(&option) {
@@ -159,11 +184,32 @@ fn no_options_make_it_panic_or_lie() {
             matches!(code, Some(0..=2)) && !said.contains("panicked"),
             "{run} {args:?}: {said}"
         );
+        // A no is an answer, and what is not answered has a reason: an error, or an answer that leaves it open.
+        let told = String::from_utf8_lossy(&output.stdout);
+        if code != Some(2) {
+            assert!(!said.contains("error: "), "{run} {args:?}: {said}");
+        } else {
+            assert!(
+                said.contains("error: ") || !told.is_empty(),
+                "{run} {args:?}"
+            );
+        }
+        let is_json =
+            args.contains(&"--json") || args.windows(2).any(|w| w == ["--format", "json"]);
+        if is_json && command != "draw" && command != "export" {
+            let value: serde_json::Value = serde_json::from_str(&told)
+                .unwrap_or_else(|e| panic!("{run} {args:?}: {e}: {told}"));
+            assert!(
+                value["outcome"].is_string() || code == Some(2) && value["error"].is_object(),
+                "{run} {args:?}: {told}"
+            );
+        }
         done += usize::from(code == Some(0));
+        denied += usize::from(code == Some(1));
         for entry in std::fs::read_dir(folder.path()).unwrap() {
             let path = entry.unwrap().path();
             assert!(
-                code == Some(0) && is_true(&path),
+                code != Some(2) && is_true(&path),
                 "{run} {args:?}: {}",
                 path.display()
             );
@@ -171,7 +217,7 @@ fn no_options_make_it_panic_or_lie() {
         }
     }
     assert!(
-        done > runs / 12 && written > runs / 60,
-        "{done} done, {written} written"
+        done > runs / 12 && denied > 0 && written > runs / 60,
+        "{done} done, {denied} denied, {written} written"
     );
 }

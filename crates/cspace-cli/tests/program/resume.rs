@@ -54,9 +54,14 @@ fn a_record_is_taken_up() {
         assert!(states.len() > samples.len(), "{name}");
         let times: Vec<f64> = states.iter().map(|s| s[0].as_f64().unwrap()).collect();
         assert!(times.is_sorted(), "{name}");
-        let along = ["clash", &model, "--along", &half];
+        let along = ["clearance", &model, "--along", &half];
         let said = cspace(&along).output().unwrap();
         assert!(said.status.code().unwrap() < 2, "{said:?}");
+        // What is printed has no states; those are for the file.
+        let printed: Value = crate::helpers::json(&[
+            "simulate", &model, "--mode", mode, "--every", "0.01", "--time", "0.1",
+        ]);
+        assert!(printed.get("states").is_none() && printed["samples"].is_array());
     }
     let geneva = model("geneva");
     let of_other = ["simulate", &geneva, "--time", "2", "--resume", &both];
@@ -87,6 +92,7 @@ fn an_interrupted_motion_keeps_what_is_done() {
     let args = ["simulate", &model, "--time", "1000", "-o", out];
     let child = std::process::Command::new(env!("CARGO_BIN_EXE_cspace"))
         .args(args)
+        .stdout(std::process::Stdio::piped())
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
@@ -97,7 +103,9 @@ fn an_interrupted_motion_keeps_what_is_done() {
         .status();
     assert!(kill.unwrap().success());
     let output = child.wait_with_output().unwrap();
-    assert!(!output.status.success());
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let told = String::from_utf8_lossy(&output.stdout);
+    assert!(told.starts_with("interrupted at "), "{told}");
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
         said.contains("interrupted at") && said.contains("--resume"),
@@ -105,6 +113,7 @@ fn an_interrupted_motion_keeps_what_is_done() {
     );
     let record: Value = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
     assert_eq!(record["status"], "interrupted");
+    assert_eq!(record["outcome"], "interrupted");
     let until = record["until"].as_f64().unwrap();
     assert!(until > 0.0, "{until}");
     let longer = (until + 0.2).to_string();

@@ -1,6 +1,6 @@
 //! `cspace simulate`.
 
-use crate::helpers::{cspace, fails, file, json, json_beside_notes, model, printed};
+use crate::helpers::{cspace, fails, file, json, model, printed, unframed};
 
 /// A block that is pushed to the end of its range.
 pub(crate) const JAM: &str = r#"
@@ -63,8 +63,11 @@ fn samples_are_the_same_in_csv_and_json() {
 #[test]
 fn a_jam_is_an_answer() {
     let (_folder, path) = file(JAM);
-    let answer = json(&["simulate", &path, "--time", "10"]);
+    let asked = ["simulate", &path, "--time", "10"];
+    cspace(&asked).assert().code(1);
+    let answer = json(&asked);
     assert_eq!(answer["status"], "jammed");
+    assert_eq!(answer["outcome"], "jammed");
     assert!((answer["until"].as_f64().unwrap() - 3.5).abs() < 1e-9);
     assert_eq!(answer["obstacles"].as_array().unwrap().len(), 2);
     assert!(
@@ -209,6 +212,7 @@ fn forces_and_pictures_are_refused_where_they_make_no_sense() {
         &["--size is about pictures"],
     );
     fails(run(&["-o", "run.xyz"]), 2, &["run.xyz", ".csv", ".png"]);
+    fails(run(&["-o", "run.txt"]), 2, &["run.txt", ".csv", ".png"]);
     fails(run(&["-o", "run.svg", "--u=0,1"]), 2, &["--x and --y"]);
 }
 
@@ -291,10 +295,14 @@ fn steps_that_let_parts_overlap_are_told() {
         "{}/tests/models/tumbler_pin.toml",
         env!("CARGO_MANIFEST_DIR")
     );
-    let answer = json_beside_notes(&[
+    let asked = [
         "simulate", &model, "--time", "0.1", "--scheme", "stepping", "--step", "0.0005",
-    ]);
+    ];
+    let output = cspace(&[&asked[..], &["--json"]].concat());
+    let output = { output }.assert().code(2).get_output().clone();
+    let answer = unframed("simulate", serde_json::from_slice(&output.stdout).unwrap());
     assert_eq!(answer["status"], "undetermined");
+    assert_eq!(answer["outcome"], "undetermined");
     let reason = answer["reason"].as_str().unwrap();
     assert!(
         reason.contains("overlap by") && reason.contains("shorter steps"),

@@ -34,7 +34,7 @@ pub(super) fn with_names(mut part: Part, place: &Place, node: &Node) -> Result<P
         match edge(&part, feature).map(|e| kind_of(&e)) {
             Some(is) if !kind.is_empty() && !is.ends_with(kind) => {
                 let message = format!("{} is a {is}, no {kind}", quoted(text));
-                return wrong(message, "call it what `cspace contacts` and others print");
+                return wrong(message, "call it what `cspace play` and others print");
             }
             _ => {}
         }

@@ -145,7 +145,7 @@ impl<T: Scalar> Profile<T> {
                     let names: Vec<&str> = part.feature_names().map(|(_, n)| n).collect();
                     let help = match nearest(name, names.iter().copied()) {
                         Some(meant) => format!("did you mean `{meant}`?"),
-                        None => "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace contacts` and others print it".to_owned(),
+                        None => "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace play` and others print it".to_owned(),
                     };
                     return Err(ModelError::new(&place.itself(), message).with_help(help));
                 }

@@ -228,7 +228,7 @@ class Checked:
 
 @dataclass(frozen=True)
 class Tolerances:
-    """What tolerances do to a requirement, as in the answer of `cspace tolerances --format json`: `linear` and `rss` are (lo, hi), `exact` has
+    """What tolerances do to a requirement, as in the answer of `cspace tolerances --json`: `linear` and `rss` are (lo, hi), `exact` has
     `lo` and `hi`, each with `value`, `at` and `certified`; `structure` is what changes, the first first; `margin` is the factor on all
     tolerances at which something `fails`, None if nothing does; `monte_carlo` is None without samples."""
 
@@ -252,7 +252,7 @@ class Tolerances:
 
 @dataclass(frozen=True)
 class Modes:
-    """The operating modes of three parts on axes, as in the answer of `cspace modes --format json`: each of `modes` has the ranges of `u`, `v`
+    """The operating modes of three parts on axes, as in the answer of `cspace modes --json`: each of `modes` has the ranges of `u`, `v`
     and `w`, its `turns` and a `sample` in it; `requested` is where the configuration is that was asked for; `left_out` are pairs that are
     not considered. If there are `doubts`, modes are not to be relied upon."""
 

@@ -58,7 +58,7 @@ pub struct SceneSource {
     pub design: Option<SceneText>,
 }
 
-/// JSON printed by `cspace plan`, `cspace assembly` or `cspace simulate`.
+/// JSON printed by `cspace plan`, `cspace disassemble` or `cspace simulate`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SceneRecord {
     /// Name of the file.

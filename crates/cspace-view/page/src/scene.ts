@@ -13,7 +13,7 @@ export interface Scene {
   parts: ScenePart[];
   joints: SceneJoint[];
   pairs: ScenePair[];
-  /** What `cspace plan` and `cspace simulate` print with `--format json`, to be played. */
+  /** What `cspace plan` and `cspace simulate` print with `--json`, to be played. */
   records: SceneRecord[];
   /** The parameters and requirements of the model; null if it has none, or its text is not here. */
   design: SceneDesign | null;

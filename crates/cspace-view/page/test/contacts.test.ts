@@ -1,4 +1,4 @@
-/** What the page says is nearest, and what touches where a part has slid to, is what `cspace contacts` says there. */
+/** What the page says is nearest, and what touches where a part has slid to, is what `cspace play` says there. */
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -12,7 +12,7 @@ import { weightedOf, type Weighted } from "./support/weighted.js";
 
 const skip = binary() ? false : NO_COMMAND;
 
-/** What `cspace contacts` prints. */
+/** What `cspace play` prints. */
 interface Answer {
   clearance: number;
   contacts: { features: [string, string]; distance: number }[];
@@ -56,7 +56,7 @@ const TRIED = 400;
 
 const text = (t: Touch) => `${t.fixed}|${t.moving}`;
 
-test("the nearest features are those that cspace contacts lists first, and as far apart as the parts", { skip }, async (t) => {
+test("the nearest features are those that cspace play lists first, and as far apart as the parts", { skip }, async (t) => {
   const all: Promise<void>[] = [];
   eachPair((s) => {
     const next = random(8);
@@ -74,7 +74,7 @@ test("the nearest features are those that cspace contacts lists first, and as fa
   await Promise.all(all);
 });
 
-test("where a part has slid to, what touches is what cspace contacts says", { skip }, async (t) => {
+test("where a part has slid to, what touches is what cspace play says", { skip }, async (t) => {
   const all: Promise<void>[] = [];
   eachPair((s) => {
     const next = random(9);

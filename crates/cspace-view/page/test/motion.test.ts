@@ -1,4 +1,4 @@
-/** Motions up to contact and along it: against `cspace move`, and never into blocked space. */
+/** Motions up to contact and along it: against `cspace play --by`, and never into blocked space. */
 
 import assert from "node:assert/strict";
 import { test, type TestContext } from "node:test";
@@ -75,7 +75,7 @@ function share(pair: Pair, from: Configuration, to: Configuration, at: Configura
 
 const skip = binary() ? false : NO_COMMAND;
 
-test("the first contact is that of cspace move", { skip }, async (t) => {
+test("the first contact is that of cspace play --by", { skip }, async (t) => {
   for (const pair of pairs()) {
     // Each question computes the space again.
     if (/gears|film|geneva|escape|chain|rack/.test(pair.model)) continue;

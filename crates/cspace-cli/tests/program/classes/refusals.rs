@@ -50,7 +50,7 @@ fn wrong_columns_and_rows_beyond_the_range_are_told() {
         &["line 3", "v 0.36", "-0.349", "0.349", "link", "range"],
     );
     fails(
-        ask("ratchet,pawl", &["--theta", "0,1"], "x,y,theta\n0,0,2\n"),
+        ask("ratchet,pawl", &["--window", "0,1"], "x,y,theta\n0,0,2\n"),
         2,
         &["line 2", "theta 2", "from 0 to 1"],
     );
@@ -101,10 +101,10 @@ fn orientations_are_refused_where_they_are_no_coordinate() {
     let file = mechanism();
     for (pair, class) in [("frame,link", "lower"), ("driver,link", "fixed-axes")] {
         for command in ["info", "compute"] {
-            let args = [command, &file, "--pair", pair, "--theta", "0,1"];
+            let args = [command, &file, "--pair", pair, "--window", "0,1"];
             fails(cspace(&args), 2, &[pair, class, "window", "--general"]);
         }
-        let args = ["classify", &file, "--pair", pair, "--theta", "0,1"];
+        let args = ["classify", &file, "--pair", pair, "--window", "0,1"];
         let mut command = cspace(&args);
         command.write_stdin("x,y,theta,u,v\n0,0,0,0,0\n");
         fails(command, 2, &[pair, class, "--general"]);
@@ -116,12 +116,12 @@ fn orientations_are_refused_where_they_are_no_coordinate() {
     }
     // The commands for one pair refuse it also where the file has no other.
     let alone = model("geneva");
-    let mut classify = cspace(&["classify", &alone, "--theta", "0,1"]);
+    let mut classify = cspace(&["classify", &alone, "--window", "0,1"]);
     classify.write_stdin("u,v\n0,0\n");
     fails(classify, 2, &["fixed-axes", "window"]);
     fails(
         cspace(&["slice", &file, "--pair", "frame,link"]),
-        1,
+        2,
         &["lower", "--general"],
     );
     printed(&[
@@ -148,17 +148,17 @@ fn surfaces_are_refused_where_there_are_none() {
             let words = [pair, class, "surface", "--general"];
             fails(
                 cspace(&["export", &file, "--pair", pair, "-o", &out]),
-                1,
+                2,
                 &words,
             );
-            fails(cspace(&["export", &saved, "-o", &out]), 1, &words);
+            fails(cspace(&["export", &saved, "-o", &out]), 2, &words);
             assert!(!std::path::Path::new(&out).exists());
         }
     }
     let out = path("out.svg");
     fails(
         cspace(&["export", &file, "--pair", "frame,link", "-o", &out]),
-        1,
+        2,
         &["picture", "lower"],
     );
 }

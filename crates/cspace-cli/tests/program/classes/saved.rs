@@ -90,7 +90,7 @@ fn saved_spaces_of_every_class_answer_as_their_models_do() {
         match class {
             "lower" => {
                 assert_eq!(classified, ["contact", "blocked", "blocked"], "{pair}");
-                fails(cspace(&["slice", saved]), 1, &["lower", "--general"]);
+                fails(cspace(&["slice", saved]), 2, &["lower", "--general"]);
                 let joint = &info["joints"][0];
                 assert_eq!(joint["type"], "revolute");
             }
@@ -119,9 +119,9 @@ fn saved_spaces_of_every_class_answer_as_their_models_do() {
             &["--general", class, "saved", "model"],
         );
         fails(
-            cspace(&["compute", saved, "--theta", "0,1"]),
+            cspace(&["compute", saved, "--window", "0,1"]),
             2,
-            &["--theta", "saved"],
+            &["--window", "saved"],
         );
         fails(cspace(&["compute", saved, "--pair", "a,b"]), 2, &[pair]);
     }

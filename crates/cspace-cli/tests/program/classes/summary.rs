@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json as value};
 
-use crate::helpers::{PAIRS, cspace, json, mechanism, model, printed};
+use crate::helpers::{PAIRS, cspace, json, mechanism, model, printed, unframed};
 
 #[test]
 fn every_pair_of_the_mechanism_has_its_class() {
@@ -138,16 +138,16 @@ fn a_window_passes_over_pairs_without_orientations() {
         let output = cspace(&args).assert().success().get_output().clone();
         let said = String::from_utf8(output.stderr).unwrap();
         (
-            serde_json::from_slice::<Value>(&output.stdout).unwrap(),
+            unframed(args[0], serde_json::from_slice(&output.stdout).unwrap()),
             said,
         )
     };
-    let (all, said) = run(&["compute", &file, "--theta=-0.1,0.1"]);
+    let (all, said) = run(&["compute", &file, "--window=-0.1,0.1"]);
     assert_eq!(said.lines().count(), 1, "{said}");
     for (pair, class) in &PAIRS[..5] {
         assert!(said.contains(&format!("{pair} ({class})")), "{said}");
     }
-    assert!(said.starts_with("note: --theta is not used") && !said.contains("ratchet,pawl"));
+    assert!(said.starts_with("note: --window is not used") && !said.contains("ratchet,pawl"));
     let plain = json(&["compute", &file]);
     for i in 0..6 {
         let timeless = |value: &Value| {
@@ -159,7 +159,7 @@ fn a_window_passes_over_pairs_without_orientations() {
     }
     assert_eq!(all[5]["window"]["lo"], -0.1);
     // `info` shows the window that would be used, and where.
-    let (info, told) = run(&["info", &file, "--theta=-0.1,0.1"]);
+    let (info, told) = run(&["info", &file, "--window=-0.1,0.1"]);
     assert_eq!(told, said);
     for i in 0..6 {
         let theta = &info["pairs"][i]["theta"];
@@ -171,12 +171,12 @@ fn a_window_passes_over_pairs_without_orientations() {
         assert_eq!(theta, &expected, "{i}");
     }
     // All have orientations by the general method.
-    let (general, told) = run(&["info", &file, "--theta=-0.1,0.1", "--general"]);
+    let (general, told) = run(&["info", &file, "--window=-0.1,0.1", "--general"]);
     assert_eq!(
         (told.as_str(), &general["pairs"][0]["theta"]),
         ("", &value!([-0.1, 0.1]))
     );
-    let text = printed(&["info", &model("ratchet_pawl"), "--theta=-0.1,0.1"]);
+    let text = printed(&["info", &model("ratchet_pawl"), "--window=-0.1,0.1"]);
     assert!(
         text.contains("theta from -0.100000 rad (-5.7296 deg) to 0.100000 rad"),
         "{text}"
@@ -268,7 +268,7 @@ fn a_symmetric_pair_is_one_also_where_nothing_is_copied() {
     for (args, why) in [
         (vec![pins], "are drawn in halves"),
         (
-            vec![&*model("ratchet_pawl"), "--theta", "0,0.1"],
+            vec![&*model("ratchet_pawl"), "--window", "0,0.1"],
             "the window is within one",
         ),
     ] {

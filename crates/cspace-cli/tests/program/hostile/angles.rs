@@ -17,14 +17,14 @@ fn orientations_far_from_0_are_refused() {
     }
     for window in ["1e7,10000001", "-1e12,-999999999999", "0,1e9"] {
         fails(
-            &["compute", &file, "--theta", window],
+            &["compute", &file, "--window", window],
             2,
-            &["--theta", "1e6 rad"],
+            &["--window", "1e6 rad"],
         );
         fails(
-            &["info", &file, "--theta", window],
+            &["info", &file, "--window", window],
             2,
-            &["--theta", "1e6 rad"],
+            &["--window", "1e6 rad"],
         );
     }
     let dir = tempfile::tempdir().unwrap();
@@ -88,8 +88,8 @@ fn a_window_for_a_part_alone_is_refused() {
     .unwrap();
     let file = file.to_str().unwrap();
     fails(
-        &["info", file, "--theta", "0,1"],
+        &["info", file, "--window", "0,1"],
         2,
-        &["one.toml", "one part", "--theta"],
+        &["one.toml", "one part", "--window"],
     );
 }

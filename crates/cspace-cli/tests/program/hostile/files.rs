@@ -322,6 +322,6 @@ fn pairs_that_are_too_large_are_refused() {
         "262144",
         "help: ",
     ];
-    fails(&["compute", &file], 1, &words);
-    fails(&["slice", &file, "--theta", "0.1"], 1, &words);
+    fails(&["compute", &file], 2, &words);
+    fails(&["slice", &file, "--theta", "0.1"], 2, &words);
 }

@@ -32,7 +32,10 @@ fn arguments_are_shown_escaped() {
         &["info", &file, "--threads", evil],
         &["info", &file, &format!("--{evil}")],
         &["slice", &file, "--theta", evil],
-        &["compute", &file, "--theta", &format!("0,{evil}")],
+        &["compute", &file, "--window", &format!("0,{evil}")],
+        &["play", &file, "--at", evil],
+        &["plan", &file, "--gravity", evil],
+        &["slice", &file, "--theta=0", "-o", &format!("{evil}.txt")],
         &["export", &file, "--tolerance", evil],
         &["completions", evil],
     ] {

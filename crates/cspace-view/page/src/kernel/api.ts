@@ -35,7 +35,7 @@ export interface Kernel<C extends Configuration = Configuration> {
   classify(c: C): Classification | null;
   /** The free region of a free configuration. */
   region(c: C): number | null;
-  /** What `cspace contacts` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest first. */
+  /** What `cspace play` lists: features no farther apart than a distance (model unit; the resolution unless given), nearest first. */
   touching(c: C, within?: number): Touch[];
   /** The first that it lists, however far they are apart; null outside the window or the ranges of motion. */
   nearest(c: C): Touch | null;

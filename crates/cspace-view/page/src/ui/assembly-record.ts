@@ -1,4 +1,4 @@
-/** What `cspace assembly` prints, as a motion of all parts: step by step, and what has left goes on out of the way of what comes later. */
+/** What `cspace disassemble` prints, as a motion of all parts: step by step, and what has left goes on out of the way of what comes later. */
 
 import type { Configuration } from "../kernel/api.js";
 import { distance, onLeg } from "./legs.js";

@@ -23,7 +23,7 @@ const POINTER: [string, string][] = [
   ["drag the point", "moves the configuration in the slice; in 3-D with Shift up and down, which turns the part"],
   ["drag beside them", "moves the picture, or looks from elsewhere; wheel or two fingers zoom, a double click shows all"],
   ["double click an edge", "adds a vertex to it, while parts are edited"],
-  ["drop a file", "plays what cspace plan or cspace simulate prints with --format json"],
+  ["drop a file", "plays what cspace plan or cspace simulate prints with --json"],
 ];
 
 export function makeHelp(): { show(): void } {

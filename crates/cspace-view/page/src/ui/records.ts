@@ -1,4 +1,4 @@
-/** Reads what `cspace plan`, `cspace assembly` and `cspace simulate` print. */
+/** Reads what `cspace plan`, `cspace disassemble` and `cspace simulate` print. */
 
 import { readAssembly } from "./assembly-record.js";
 import { distance } from "./legs.js";
@@ -14,11 +14,11 @@ const SNAP_SECONDS = 0.4;
 const OF_ONE_TIME = 4;
 
 export function readRecord(name: string, record: unknown): PlayableRecord {
-  if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan", "cspace assembly" or "cspace simulate" prints with --format json: no object`);
+  if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan", "cspace disassemble" or "cspace simulate" prints with --json: no object`);
   if ("verdict" in record && "steps" in record) return readAssembly(name, record);
   if ("verdict" in record) return readPlan(name, record);
   if ("samples" in record) return readSimulation(name, record);
-  throw new RecordError(`${name}: neither "verdict" (cspace plan, cspace assembly) nor "samples" (cspace simulate) is in it`);
+  throw new RecordError(`${name}: neither "verdict" (cspace plan, cspace disassemble) nor "samples" (cspace simulate) is in it`);
 }
 
 export function readRecordText(name: string, text: string): PlayableRecord {

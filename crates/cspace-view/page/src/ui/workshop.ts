@@ -25,7 +25,7 @@ export interface EditAnswer {
   design: SceneDesign | null;
 }
 
-/** A requirement, measured, as `cspace check --format json` prints it. */
+/** A requirement, measured, as `cspace check --json` prints it. */
 export interface CheckRow {
   name: string;
   measure: string;
@@ -164,12 +164,12 @@ export class Workshop {
     return this.#ask({ what: "toml", edits: JSON.stringify(edits) });
   }
 
-  /** What `cspace plan --format json` prints. */
+  /** What `cspace plan --json` prints. */
   plan(pair: number, edits: Edits, from: number[], to: number[], widest: boolean): Promise<string> {
     return this.#ask({ what: "plan", pair, edits: JSON.stringify(edits), from, to, widest });
   }
 
-  /** What `cspace simulate --format json` prints, of as long as the slowest drive takes for a turn. */
+  /** What `cspace simulate --json` prints, of as long as the slowest drive takes for a turn. */
   simulate(edits: Edits): Promise<string> {
     return this.#ask({ what: "simulate", edits: JSON.stringify(edits) });
   }
@@ -178,7 +178,7 @@ export class Workshop {
     return JSON.parse(await this.#ask({ what: "drag", edits: JSON.stringify(edits), drag })) as Came;
   }
 
-  /** What `cspace check --format json` prints. */
+  /** What `cspace check --json` prints. */
   async check(edits: Edits): Promise<CheckRow[]> {
     return JSON.parse(await this.#ask({ what: "check", edits: JSON.stringify(edits) })) as CheckRow[];
   }

@@ -1,4 +1,4 @@
-//! `cspace clash`: what overlaps, touches and is clear, as drawn and along a record.
+//! `cspace clearance`: what overlaps, touches and is clear, as drawn and along a record.
 
 use serde_json::Value;
 
@@ -7,7 +7,7 @@ use crate::helpers::{cspace, fails, json, printed};
 /// The row of a pair.
 fn row<'a>(answer: &'a Value, first: &str, second: &str) -> &'a Value {
     let mut rows = answer["pairs"].as_array().unwrap().iter();
-    rows.find(|r| r["first"] == first && r["second"] == second)
+    rows.find(|r| r["fixed"] == first && r["moving"] == second)
         .unwrap()
 }
 
@@ -53,32 +53,32 @@ at = [40, 0]
 #[test]
 fn states_and_lengths_as_drawn() {
     let (_dir, file) = written(PARTS);
-    let answer = json(&["clash", &file]);
+    let answer = json(&["clearance", &file]);
     let states: Vec<&str> = (answer["pairs"].as_array().unwrap().iter())
-        .map(|r| r["state"].as_str().unwrap())
+        .map(|r| r["outcome"].as_str().unwrap())
         .collect();
     assert_eq!(
         states,
         [
-            "touching", "clear", "clear", "clear", "clear", "clear", "clear", "clear", "clear",
+            "touches", "clear", "clear", "clear", "clear", "clear", "clear", "clear", "clear",
             "joined"
         ]
     );
-    assert_eq!(row(&answer, "plate", "block")["state"], "touching");
+    assert_eq!(row(&answer, "plate", "block")["outcome"], "touches");
     is_near(&row(&answer, "block", "pin")["gap"], 3.0);
     let points = &row(&answer, "block", "pin")["points"];
     is_near(&points[0][0], 10.0);
     is_near(&points[1][0], 13.0);
     is_near(&row(&answer, "plate", "pin")["gap"], 4.0);
     is_near(&row(&answer, "plate", "hand")["gap"], 10.0);
-    let near = json(&["clash", &file, "--within", "3.5"]);
+    let near = json(&["clearance", &file, "--within", "3.5"]);
     assert_eq!(near["pairs"].as_array().unwrap().len(), 3);
     assert_eq!(near["beyond"], 7);
-    let one = json(&["clash", &file, "--pair", "pin,block"]);
+    let one = json(&["clearance", &file, "--pair", "pin,block"]);
     assert_eq!(one["pairs"].as_array().unwrap().len(), 1);
     is_near(&one["pairs"][0]["gap"], 3.0);
-    let said = printed(&["clash", &file]);
-    assert!(said.starts_with("5 parts, 10 pairs: 1 touching, 8 clear, 1 joined\n"));
+    let said = printed(&["clearance", &file]);
+    assert!(said.starts_with("5 parts, 10 pairs: 1 touches, 8 clear, 1 joined\n"));
 }
 
 /// The block passes through the pin and below the bump between two samples.
@@ -88,25 +88,25 @@ fn the_least_gap_over_a_record() {
     let record = dir.path().join("run.csv");
     let rows = "t,block.u,hand.u\n0,0,0\n1,40,0.5\n2,40,0\n";
     std::fs::write(&record, rows).unwrap();
-    let answer = json(&["clash", &file, "--along", record.to_str().unwrap()]);
+    let answer = json(&["clearance", &file, "--along", record.to_str().unwrap()]);
     let through = row(&answer, "block", "pin");
-    assert_eq!(through["state"], "meets");
+    assert_eq!(through["outcome"], "meets");
     // It is met when the block has gone three of the forty.
-    assert!((0.074..=0.5).contains(&through["time"].as_f64().unwrap()));
+    assert!((0.074..=0.5).contains(&through["at"].as_f64().unwrap()));
     assert_eq!(answer["along"], serde_json::json!([0.0, 2.0]));
     // It passes below the bump, of which it is clear by sqrt(109) - 2 at the samples.
     let below = row(&answer, "block", "bump");
-    assert_eq!(below["state"], "clear");
+    assert_eq!(below["outcome"], "clear");
     let gap = below["gap"].as_f64().unwrap();
     assert!((gap - 1.0).abs() < 2e-6, "{gap}");
-    assert!((0.25..=0.75).contains(&below["time"].as_f64().unwrap()));
-    assert_eq!(row(&answer, "plate", "block")["state"], "touching");
+    assert!((0.25..=0.75).contains(&below["at"].as_f64().unwrap()));
+    assert_eq!(row(&answer, "plate", "block")["outcome"], "touches");
     // JSON says the same.
     let record = dir.path().join("run.json");
     let samples = r#"{"status": "done", "parts": ["block", "hand"], "samples": [
         {"t": 0, "block": 0, "hand": 0}, {"t": 1, "block": 40, "hand": 0.5}, {"t": 2, "block": 40, "hand": 0}]}"#;
     std::fs::write(&record, samples).unwrap();
-    let again = json(&["clash", &file, "--along", record.to_str().unwrap()]);
+    let again = json(&["clearance", &file, "--along", record.to_str().unwrap()]);
     assert_eq!(again["pairs"], answer["pairs"]);
 }
 
@@ -125,10 +125,10 @@ fn records_that_are_wrong_are_told() {
         ("t,block.u\n0\n", &["run.csv"]),
     ] {
         std::fs::write(&record, rows).unwrap();
-        fails(cspace(&["clash", &file, "--along", name]), 2, words);
+        fails(cspace(&["clearance", &file, "--along", name]), 2, words);
     }
     fails(
-        cspace(&["clash", &file, "--pair", "plate,none"]),
+        cspace(&["clearance", &file, "--pair", "plate,none"]),
         2,
         &["none", "the parts are"],
     );
@@ -149,12 +149,12 @@ fn the_interference_of_a_press_fit_is_told() {
         let (_dir, file) = written(&format!(
             "{hub}[[part]]\nname = \"shaft\"\nloops = [{shape}]\n"
         ));
-        let found = json(&["clash", &file]);
+        let found = json(&["clearance", &file]);
         let row = row(&found, "hub", "shaft");
         let offset = row["offset"].as_f64().unwrap();
         // An inset polygon keeps its corners: they come in by more than its sides.
         assert!((offset - by).abs() < 1e-6, "{offset} {by}");
-        let said = printed(&["clash", &file]);
+        let said = printed(&["clearance", &file]);
         assert!(said.contains("smaller all around"), "{said}");
     }
 }

@@ -29,7 +29,7 @@ fn moved(answer: &Value) -> Vec<Vec<&str>> {
 #[test]
 fn a_latch_box_comes_apart_in_order() {
     let file = model("latch_box");
-    let answer = json(&["assembly", &file]);
+    let answer = json(&["disassemble", &file]);
     assert_eq!(answer["verdict"], "apart");
     assert_eq!(moved(&answer), [["bolt"], ["lid"], ["block"]]);
     // The gap is what all steps begin with.
@@ -38,18 +38,18 @@ fn a_latch_box_comes_apart_in_order() {
         let clearance = step["clearance"].as_f64().unwrap();
         assert!(clearance > 0.0 && clearance < 1.5 * gap, "{clearance}");
     }
-    let wider = json(&["assembly", &file, "--gap", "0.01"]);
+    let wider = json(&["disassemble", &file, "--gap", "0.01"]);
     assert_eq!(wider["gap"], 0.01);
     assert_eq!(moved(&wider), moved(&answer));
     // Threads change nothing.
-    let one = json(&["assembly", &file, "--threads", "1"]);
+    let one = json(&["disassemble", &file, "--threads", "1"]);
     assert_eq!(one["steps"], answer["steps"]);
-    assert!(printed(&["assembly", &file]).starts_with("apart: 3 steps"));
+    assert!(printed(&["disassemble", &file]).starts_with("apart: 3 steps"));
 }
 
 #[test]
 fn a_ball_in_a_c_is_locked() {
-    let answer = json(&["assembly", &model("ball_in_c")]);
+    let answer = json(&["disassemble", &model("ball_in_c")]);
     assert_eq!(answer["verdict"], "locked");
     assert!(answer["steps"].as_array().unwrap().is_empty());
     assert_eq!(
@@ -62,19 +62,19 @@ fn a_ball_in_a_c_is_locked() {
 fn what_is_no_assembly_is_refused() {
     // The gears are drawn one over the other, the ratchet is on axes.
     fails(
-        cspace(&["assembly", &model("gears")]),
+        cspace(&["disassemble", &model("gears")]),
         2,
         &["gear", "pinion", "overlap"],
     );
     fails(
-        cspace(&["assembly", &model("ratchet_mechanism")]),
+        cspace(&["disassemble", &model("ratchet_mechanism")]),
         2,
         &["nothing to take apart"],
     );
     let file = model("latch_box");
     for gap in ["-1", "nan", "1e9", "0"] {
         fails(
-            cspace(&["assembly", &file, &format!("--gap={gap}")]),
+            cspace(&["disassemble", &file, &format!("--gap={gap}")]),
             2,
             &["gap"],
         );
@@ -103,7 +103,7 @@ fn a_door_is_opened_first() {
     let file = dir.path().join("door.toml");
     std::fs::write(&file, DOOR).unwrap();
     let file = file.to_str().unwrap();
-    let answer = json(&["assembly", file]);
+    let answer = json(&["disassemble", file]);
     assert_eq!(answer["verdict"], "apart");
     let steps = answer["steps"].as_array().unwrap();
     assert_eq!(moved(&answer), [["door"], ["block"]]);
@@ -121,7 +121,7 @@ fn a_door_is_opened_first() {
     let tree = &answer["tree"];
     assert_eq!(tree["out"], serde_json::json!([{ "room": [0], "step": 1 }]));
     assert_eq!(tree["left"], serde_json::json!(["tray", "door"]));
-    let text = printed(&["assembly", file]);
+    let text = printed(&["disassemble", file]);
     let room = "  1. door turns +85.5\u{b0} about (0, 4) (makes room)\n  2. block\n";
     assert!(text.contains(room), "{text}");
 }
@@ -134,7 +134,7 @@ fn a_frame_for_each_step() {
     let file = file.to_str().unwrap();
     for name in ["steps.svg", "steps.png", "steps.pdf"] {
         let picture = dir.path().join(name);
-        let text = printed(&["assembly", file, "-o", picture.to_str().unwrap()]);
+        let text = printed(&["disassemble", file, "-o", picture.to_str().unwrap()]);
         assert!(text.starts_with("apart: 2 steps"));
         let bytes = std::fs::read(&picture).unwrap();
         let begin: &[u8] = match name {
@@ -152,7 +152,7 @@ fn a_frame_for_each_step() {
     }
     // Without a picture, what is about one is refused.
     fails(
-        cspace(&["assembly", file, "--size", "400x300"]),
+        cspace(&["disassemble", file, "--size", "400x300"]),
         2,
         &["--size"],
     );
