@@ -64,14 +64,12 @@ impl<'a> Site<'a> {
         let documents = docs
             .map(|docs| Documents::find(docs, &mut names))
             .transpose()?;
-        let playground = Template::all()?
-            .into_iter()
-            .find(|(name, _)| name == PLAYGROUND)
+        let playground = Template::named(PLAYGROUND)
             .ok_or_else(|| Failure::work("there is no model to begin with"))?;
         Ok(Self {
             args,
             sources,
-            playground: Source::template("playground".to_owned(), &playground.1)?,
+            playground: Source::template("playground", playground),
             documents,
             folder: Folder::begin(&args.output)?,
             names,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
-use crate::template::Template;
+use crate::template::{TEMPLATES, Template};
 
 /// Where a model comes from.
 #[derive(Debug)]
@@ -15,8 +15,8 @@ pub(super) enum Source {
 }
 
 impl Source {
-    pub(super) fn template(name: String, template: &Template) -> Result<Self, Failure> {
-        Ok(Self::Text(name, template.text()?))
+    pub(super) fn template(name: &str, template: &Template) -> Self {
+        Self::Text(name.to_owned(), template.text.to_owned())
     }
 
     /// The name of its page, without extension.
@@ -37,10 +37,8 @@ pub(super) fn stem(file: &Path) -> String {
 /// The models that the paths name, each once, in this order; without any those that `cspace new` writes.
 pub(super) fn find(paths: &[PathBuf]) -> Result<Vec<Source>, Failure> {
     if paths.is_empty() {
-        let templates = Template::all()?.into_iter();
-        return templates
-            .map(|(name, template)| Source::template(name, &template))
-            .collect();
+        let sources = TEMPLATES.iter().map(|t| Source::template(t.name, t));
+        return Ok(sources.collect());
     }
     let (mut seen, mut sources) = (BTreeSet::new(), Vec::new());
     for path in paths {
