@@ -1108,7 +1108,7 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 #[derive(Debug, Args)]
 pub(crate) struct NewArgs {
-    /// What to write
+    /// Kind of the model
     #[arg(value_name = "KIND", value_parser = template_parser())]
     pub(crate) template: &'static Template,
 

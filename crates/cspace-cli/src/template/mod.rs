@@ -35,7 +35,7 @@ impl Template {
         TEMPLATES.iter().find(|t| t.name == name)
     }
 
-    /// What it is called on the command line, and what it is.
+    /// Its name on the command line, with the first line of the file as help.
     pub(crate) fn choice(&self) -> PossibleValue {
         let first = self.text.lines().next().unwrap_or_default();
         PossibleValue::new(self.name).help(first.trim_start_matches("# "))
@@ -108,7 +108,7 @@ pub(crate) fn dimensions() -> String {
     let of = |template: &Template| {
         let lines = template
             .dimensions()
-            .map(|Dimension { name, value, note }| format!("    {name:<10} {value:<6} {note}\n"));
+            .map(|Dimension { name, value, note }| format!("    {name:<9}  {value:<5}  {note}\n"));
         format!("  {}\n{}", template.name, lines.collect::<String>())
     };
     TEMPLATES.iter().map(of).collect()

@@ -206,7 +206,7 @@ fn each_model_has_notes_and_requirements() {
         for line in dimensions.lines().take_while(|l| !l.is_empty()) {
             let (name, rest) = line.split_once(" = ").unwrap();
             let (value, note) = rest.split_once(" # ").unwrap();
-            let row = format!("    {name:<10} {:<6} {note}\n", value.trim_matches('"'));
+            let row = format!("    {name:<9}  {:<5}  {note}\n", value.trim_matches('"'));
             assert!(help.contains(&row), "{row} is not in {help}");
         }
     }
