@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
@@ -12,7 +13,7 @@ use cspace_plan::Prefer;
 use crate::angle;
 use crate::failure::Failure;
 use crate::picture::{PictureArgs, SheetArgs};
-use crate::template::Template;
+use crate::template::{self, TEMPLATES, Template};
 
 /// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 #[derive(Debug, Parser)]
@@ -86,7 +87,7 @@ pub(crate) enum Command {
     #[command(after_long_help = IMPORT)]
     Import(ImportArgs),
     /// Write a model to begin with: latch, cam, gears, geneva, ratchet or peg
-    #[command(after_long_help = NEW, subcommand_value_name = "MODEL", subcommand_help_heading = "Models", disable_help_subcommand = true)]
+    #[command(after_long_help = format!("{NEW}{}", template::dimensions().trim_end()), arg_required_else_help = true)]
     New(NewArgs),
     /// Print a script that completes this command in a shell
     #[command(after_long_help = COMPLETIONS, hide = true)]
@@ -995,12 +996,22 @@ fn threads() -> clap::builder::RangedI64ValueParser<u16> {
 
 #[derive(Debug, Args)]
 pub(crate) struct NewArgs {
-    #[command(subcommand)]
-    pub(crate) template: Template,
+    /// Kind of the model
+    #[arg(value_name = "KIND", value_parser = template_parser())]
+    pub(crate) template: &'static Template,
+
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
 
     /// Write the model to this file, NAME.toml, instead of standard output; whole or not at all
-    #[arg(short, long, value_name = "OUT", global = true)]
+    #[arg(short, long, value_name = "OUT")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// Reads the name of a template.
+fn template_parser() -> impl TypedValueParser<Value = &'static Template> {
+    let names = PossibleValuesParser::new(TEMPLATES.iter().map(Template::choice));
+    names.try_map(|name| Template::named(&name).ok_or("there is no such model"))
 }
 
 #[derive(Debug, Args)]
@@ -1625,14 +1636,16 @@ Example:
 const NEW: &str = "\
 Examples:
   cspace new latch -o latch.toml
-  cspace new peg --diameter 10 --clearance 0.1 --depth 20 -o peg.toml
-  cspace new gears --gear 30 --pinion 18 --pressure-angle 20deg
+  cspace new peg --set diameter=12 --set clearance=0.05 -o peg.toml
+  cspace new gears --set gear=30 --set pinion=18 --set pressure=20deg
 
-The model is TOML with comments, drawn from the dimensions; `cspace new peg
---help` lists those of the peg with their defaults. Lengths are in mm, or in
-any other unit: change `unit` in the file. The comment at the top says what the
-parts do at which configuration, and has commands that ask. See docs/model.md
-for how a model is written.";
+The model is TOML with comments. Its dimensions are parameters, in mm or any
+other unit: change `unit` in the file. --set changes their values in what is
+written. The comment at the top says what the parts do at which configuration.
+See docs/model.md for how a model is written.
+
+Parameters, with their values:
+";
 
 const IMPORT: &str = "\
 Examples:

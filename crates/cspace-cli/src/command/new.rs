@@ -12,7 +12,7 @@ pub(crate) fn run(args: &NewArgs) -> Result<(), Failure> {
         check_name(path)?;
     }
     output::check(path)?;
-    output::write(path, args.template.text()?.as_bytes())
+    output::write(path, args.template.with(&args.values.set)?.as_bytes())
 }
 
 /// TOML has room for comments; under another name the file would not be read as what it is.

@@ -1,50 +1,115 @@
-//! Models to begin with, drawn from their dimensions.
+//! Models to begin with: commented files, whose dimensions are parameters.
 
-mod cam;
-mod gears;
-mod geneva;
-mod latch;
-mod page;
-mod peg;
-mod ratchet;
-
-use clap::Subcommand;
+use clap::builder::PossibleValue;
+use cspace_io::Host;
+use cspace_io::model::{Setting, Template as Text};
 
 use crate::failure::Failure;
 
-/// A model that `cspace new` can write, with its dimensions as options.
-#[derive(Debug, Subcommand)]
-pub(crate) enum Template {
-    /// A bolt in a catch: does it come out?
-    #[command(allow_negative_numbers = true)]
-    Latch(latch::Latch),
-    /// A cam on its shaft and a flat follower in its guide: the lift
-    #[command(allow_negative_numbers = true)]
-    Cam(cam::Cam),
-    /// Two spur gears on their shafts: do they turn, and with what backlash?
-    #[command(allow_negative_numbers = true)]
-    Gears(gears::Gears),
-    /// A Geneva wheel and its driver: step and dwell
-    #[command(allow_negative_numbers = true)]
-    Geneva(geneva::Geneva),
-    /// A ratchet wheel and its pawl on their pivots: which way does it turn?
-    #[command(allow_negative_numbers = true)]
-    Ratchet(ratchet::Ratchet),
-    /// A peg and a chamfered hole: how far may it be off and tilted?
-    #[command(allow_negative_numbers = true)]
-    Peg(peg::Peg),
+/// A model that `cspace new` can write.
+#[derive(Debug)]
+pub(crate) struct Template {
+    pub(crate) name: &'static str,
+    /// The file. Its first line says what it is a model of; the dimensions are the parameters down to the first empty line.
+    pub(crate) text: &'static str,
+}
+
+macro_rules! templates {
+    ($($name:literal)*) => {
+        [$(Template { name: $name, text: include_str!(concat!($name, ".toml")) }),*]
+    };
+}
+
+pub(crate) static TEMPLATES: [Template; 6] =
+    templates!["latch" "cam" "gears" "geneva" "ratchet" "peg"];
+
+/// A dimension of a template.
+struct Dimension {
+    name: &'static str,
+    value: &'static str,
+    note: &'static str,
 }
 
 impl Template {
-    /// The model as the text of a TOML file.
-    pub(crate) fn text(&self) -> Result<String, Failure> {
-        match self {
-            Self::Latch(latch) => latch.text(),
-            Self::Cam(cam) => cam.text(),
-            Self::Gears(gears) => gears.text(),
-            Self::Geneva(geneva) => geneva.text(),
-            Self::Ratchet(ratchet) => ratchet.text(),
-            Self::Peg(peg) => peg.text(),
-        }
+    pub(crate) fn named(name: &str) -> Option<&'static Self> {
+        TEMPLATES.iter().find(|t| t.name == name)
     }
+
+    /// Its name on the command line, with the first line of the file as help.
+    pub(crate) fn choice(&self) -> PossibleValue {
+        let first = self.text.lines().next().unwrap_or_default();
+        PossibleValue::new(self.name).help(first.trim_start_matches("# "))
+    }
+
+    fn dimensions(&self) -> impl Iterator<Item = Dimension> {
+        let mut lines = self.text.lines();
+        lines.find(|l| *l == "[parameter]");
+        lines
+            .take_while(|l| !l.is_empty())
+            .filter_map(|line: &'static str| {
+                let (name, rest) = line.split_once(" = ")?;
+                let (value, note) = rest.split_once(" # ")?;
+                let value = value.trim_matches('"');
+                Some(Dimension { name, value, note })
+            })
+    }
+
+    /// The model with values for parameters, as the text of a TOML file.
+    pub(crate) fn with(&self, set: &[Setting]) -> Result<String, Failure> {
+        let text = Text::from_text(self.text.to_owned(), format!("{}.toml", self.name))?;
+        let drawn = text.model(&Host::default())?;
+        for Setting { name, .. } in set {
+            if !drawn.parameters.iter().any(|p| p.name == *name) {
+                let names: Vec<&str> = self.dimensions().map(|d| d.name).collect();
+                let kind = self.name;
+                return Err(
+                    Failure::new(format_args!("{kind} has no parameter {name:?}")).help(
+                        format_args!("the parameters of {kind} are {}", names.join(", ")),
+                    ),
+                );
+            }
+        }
+        let host = Host {
+            set,
+            ..Host::default()
+        };
+        let model = text.model(&host).map_err(|e| self.refused(set, &e))?;
+        // Readers take lengths below 0 as they come, and draw something else.
+        let is_below = |d: &Dimension| {
+            let found = model.parameters.iter().find(|p| p.name == d.name);
+            found.is_some_and(|p| p.value <= 0.0)
+        };
+        if let Some(Dimension { name, .. }) = self.dimensions().find(is_below) {
+            return Err(self.refused(set, &format!("{name} must be above 0")));
+        }
+        (text.text_with(set)).ok_or_else(|| self.refused(set, &"it cannot be written"))
+    }
+
+    /// The failure of values that make no model.
+    fn refused(&self, set: &[Setting], why: &dyn core::fmt::Display) -> Failure {
+        let given: Vec<String> = (set.iter())
+            .map(|s| format!("{} = {}", s.name, s.value))
+            .collect();
+        let others: Vec<String> = (self.dimensions())
+            .filter(|d| set.iter().any(|s| s.name == d.name))
+            .map(|d| format!("{} = {}", d.name, d.value))
+            .collect();
+        let given = given.join(", ");
+        let help = match others.is_empty() {
+            true => "leave it out".to_owned(),
+            false => format!("change it towards the default: {}", others.join(", ")),
+        };
+        Failure::new(format_args!("{} with {given}: {why}", self.name)).help(help)
+    }
+}
+
+/// The dimensions of all templates, for help.
+pub(crate) fn dimensions() -> String {
+    let of = |template: &Template| {
+        let lines = template
+            .dimensions()
+            .map(|Dimension { name, value, note }| format!("    {name:<9}  {value:<5}  {note}\n"));
+        format!("  {}\n{}", template.name, lines.collect::<String>())
+    };
+    TEMPLATES.iter().map(of).collect()
 }

@@ -70,8 +70,12 @@ fn exact_fits_touch_and_do_not_overlap() {
             said.starts_with("gap ") && said.contains("fit exactly"),
             "{said}"
         );
-        let clash = printed(&["clearance", file]);
-        assert!(clash.contains("touching"), "{clash}");
+        let clearance = printed(&["clearance", file]);
+        assert!(
+            clearance.starts_with("2 parts, 1 pair: 1 touches\ntouches  "),
+            "{clearance}"
+        );
+        assert_eq!(json(&["clearance", file])["outcome"], "touches");
     }
 }
 

@@ -33,7 +33,7 @@ fn arguments_are_shown_escaped() {
         &["info", &file, &format!("--{evil}")],
         &["slice", &file, "--theta", evil],
         &["compute", &file, "--window", &format!("0,{evil}")],
-        &["play", &file, "--at", evil],
+        &["play", &file, "--pair", "driver,link", "--at", evil],
         &["plan", &file, "--gravity", evil],
         &["slice", &file, "--theta=0", "-o", &format!("{evil}.txt")],
         &["export", &file, "--tolerance", evil],
