@@ -230,6 +230,8 @@ def main():
         answer = json.load(file)
     if not isinstance(answer, dict):
         sys.exit("error: this is no proof: an object is expected")
+    if isinstance(answer.get("pairs"), list) and answer["pairs"]:
+        answer = answer["pairs"][0]
     proof = answer.get("proof", answer)
     if proof is answer and "verdict" in answer:
         why = f" ({answer['unproved']})" if answer.get("unproved") else ""

@@ -46,7 +46,7 @@ fn refused(text: &str, words: &[&str]) {
 #[test]
 fn an_answer_without_proof_says_so() {
     refused(
-        r#"{ "verdict": "path", "path": [] }"#,
+        r#"{ "answer": "plan", "pairs": [{ "verdict": "path", "path": [] }] }"#,
         &["this answer holds no proof: its verdict is path"],
     );
     refused(

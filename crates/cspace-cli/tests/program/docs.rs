@@ -9,7 +9,7 @@ use std::process::Command;
 
 use cspace_oracle::is_long;
 
-use crate::helpers::printed;
+use crate::helpers::{json, printed};
 
 /// A page with what the commands print now, and how many there are.
 fn run_page(text: &str, folder: &Path) -> (String, usize) {
@@ -126,8 +126,8 @@ fn taking_apart() {
 }
 
 #[test]
-fn clashes() {
-    is_true("clash.md", 1);
+fn clearances() {
+    is_true("clearance.md", 1);
 }
 
 #[test]
@@ -167,10 +167,7 @@ fn the_first_model() {
     // The documents know one latch.
     let first = document("docs/first-models.md");
     assert!(first.contains(&block("```toml\n")), "docs/first-models.md");
-    let json = printed(&["compute", model.to_str().unwrap(), "--format", "json"]);
-    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
-    let json = json.get(0).unwrap_or(&json);
-    let counted = &json["statistics"];
+    let counted = &json(&["compute", model.to_str().unwrap()])[0]["statistics"];
     let architecture = document("ARCHITECTURE.md").replace(',', "");
     for (row, key) in [
         ("sheets", "sheets"),

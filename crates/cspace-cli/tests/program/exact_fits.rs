@@ -44,7 +44,8 @@ fn exact_fits_touch_and_do_not_overlap() {
         let near = &json(&["play", file, "--at", "0,0,0"])[0];
         assert_eq!(near["outcome"], "exact-fit", "{near}");
         let touching = near["near"].as_array().unwrap();
-        assert!(!touching.is_empty(), "{near}");
+        // Of the pin no place is nearer than another.
+        assert_eq!(touching.is_empty(), name == "pin", "{near}");
         for near in touching {
             assert!(near["distance"].as_f64().unwrap().abs() < 1e-9, "{near}");
         }

@@ -246,7 +246,11 @@ fn what_cannot_be_asked_is_refused() {
         assert!(error.contains(words) && error.contains("help:"), "{error}");
     }
     let file = model("peg_hole");
-    fails(cspace(&["play", &file, "--touch=-1"]), 2, &["--touch", "0 or more"]);
+    fails(
+        cspace(&["play", &file, "--touch=-1"]),
+        2,
+        &["--touch", "0 or more"],
+    );
 }
 
 /// A displacement of parts that a joint connects is not answered, and that is said.

@@ -200,12 +200,6 @@ fn inputs_are_not_written_over() {
             &["plan", &plain, "--energy", "--gravity=0,-1", "-o", &plain],
             OVER,
         ),
-        (
-            &[
-                "plan", &file, "--from", "0,0,0", "--to", "1,0,0", "--proof", &file,
-            ],
-            OVER,
-        ),
         (&["disassemble", &plain, "-o", &plain], OVER),
         (&["modes", &file, "-o", &picture], OVER),
         (&["simulate", &plain, "--time", "1", "-o", &round], OVER),
@@ -387,30 +381,41 @@ fn read_only_files_are_not_replaced() {
     }
 }
 
-/// A proof is a file like others: it is written whole or not at all, over nothing that is read or protected, and the place is looked at
-/// before anything is computed.
+/// A proof is a file like others: it is written over nothing that is read or protected.
 #[test]
-fn places_of_proofs_are_looked_at() {
+fn proofs_are_not_written_over_what_is_kept() {
     let dir = tempfile::tempdir().unwrap();
     let place = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
-    let ball = model("ball_in_c");
+    let (ball, kept) = (place("ball.toml"), place("kept.json"));
+    std::fs::copy(model("ball_in_c"), &ball).unwrap();
+    let before = std::fs::read(&ball).unwrap();
     let ends = ["plan", &ball, "--from", "0,0,0", "--to", "60,0,0"];
     let proved = |more: &[&str], words: &[&str]| {
         fails(&[&ends[..], more].concat(), 2, words);
     };
+    let words = [
+        "ball.toml",
+        "the output is the file that is read",
+        "  help: ",
+    ];
+    proved(&["--proof", &ball], &words);
+    assert_eq!(std::fs::read(&ball).unwrap(), before);
     std::fs::create_dir(place("folder.json")).unwrap();
     proved(
         &["--proof", &place("folder.json")],
-        &["folder.json", "is a directory", "  help: ", "--proof"],
+        &["folder.json", "  help: "],
     );
-    proved(
-        &["--proof", &place("none/a.json")],
-        &["a.json", "no directory", "  help: ", "--proof"],
-    );
-    // The answer is not written over it.
+    proved(&["--proof", &place("none/a.json")], &["a.json", "  help: "]);
+    std::fs::write(&kept, "before").unwrap();
+    let mut permissions = std::fs::metadata(&kept).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&kept, permissions).unwrap();
+    proved(&["--proof", &kept], &["kept.json", "read-only", "  help: "]);
+    assert_eq!(std::fs::read_to_string(&kept).unwrap(), "before");
+    // Nor is the answer written over the proof.
     let one = place("one.json");
     proved(&["--proof", &one, "-o", &one], &["one.json", "  help: "]);
-    assert_eq!(names(dir.path()), ["folder.json"]);
+    assert_eq!(names(dir.path()), ["ball.toml", "folder.json", "kept.json"]);
 }
 
 /// Whenever an interrupt comes, what is there is whole: the old file or the new one, and nothing beside it.
