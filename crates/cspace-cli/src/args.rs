@@ -1395,9 +1395,9 @@ Examples:
   cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o measured.csv
 
 A column for each name and each measure, and the column failure: an empty field
-has its reason there. Angles are in radians. -o OUT.csv or .json writes the table
-as well, -o OUT.svg, .png or .pdf a curve over what is varied last. Ctrl-C ends it
-and keeps the rows that are done.
+has its reason there. Angles are in radians. -o OUT.csv or .json writes the
+table as well, -o OUT.svg, .png or .pdf a curve over what is varied last.
+Ctrl-C ends it and keeps the rows that are done.
 ";
 
 const SOLVE: &str = "\

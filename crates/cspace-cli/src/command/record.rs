@@ -34,7 +34,8 @@ pub(super) fn json(file: &Path, model: &Mechanism, with_ways: bool) -> Result<Va
     let bytes = input::bytes(file, LARGEST, help)?;
     let record: Value = serde_json::from_slice(&bytes)
         .map_err(|e| wrong(file, &format!("it is no JSON: {e}"), help))?;
-    let is_plan = record["verdict"].is_string() && record["path"].is_array();
+    let plan = &record["pairs"][0];
+    let is_plan = plan["verdict"].is_string() && plan["path"].is_array();
     let in_tree = &record["tree"]["parts"];
     let is_assembly = record["steps"].is_array() && in_tree.is_array();
     let is_motion = record["status"].is_string() && record["samples"].is_array();

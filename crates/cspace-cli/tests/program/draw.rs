@@ -34,8 +34,12 @@ fn picture(name: &str, args: &[&str]) -> Vec<u8> {
         "draw" | "export" => assert_eq!(said, ""),
         // The answer is printed as without a picture, but for what is about pictures alone.
         _ => {
-            let of_pictures = |a: &&&str| **a == "--at" || a.starts_with("--v=");
-            let plain: Vec<&str> = (args.iter().take_while(|a| !of_pictures(a)).copied()).collect();
+            let mut plain: Vec<&str> =
+                (args.iter().take_while(|a| **a != "--at").copied()).collect();
+            if args[0] == "tolerances" && !args.contains(&"--along") {
+                // What its pictures are of.
+                plain.push("--zones");
+            }
             assert_eq!(said, printed(&plain));
         }
     }

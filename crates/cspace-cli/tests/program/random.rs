@@ -20,6 +20,14 @@ impl Dice {
     fn one<'a>(&mut self, of: &[&'a str]) -> &'a str {
         of[self.below(of.len())]
     }
+
+    /// A place to write to, mostly one for a picture.
+    fn place(&mut self) -> &'static str {
+        match self.below(3) {
+            0 => self.one(OUT),
+            k => OUT[k - 1],
+        }
+    }
 }
 
 /// All options of the commands that take a model, with values that are right, wrong or strange.
@@ -98,11 +106,7 @@ fn is_true(path: &Path) -> bool {
         Some("stl") => bytes.starts_with(b"solid") || (bytes.len() - 84).is_multiple_of(50),
         Some("html") => text().ends_with("</html>\n"),
         Some("glb") => bytes.starts_with(b"glTF"),
-        Some("csv") => {
-            text().contains(",class")
-                || text().starts_with("x,y,theta\n")
-                || text().starts_with("u,v\n")
-        }
+        Some("csv") => text().starts_with("x,y,theta") || text().starts_with("u,v"),
         Some("dxf") => text().ends_with("EOF\n"),
         other => panic!("{other:?}"),
     }
@@ -145,9 +149,9 @@ fn no_options_make_it_panic_or_lie() {
                     "--by=1,0,0",
                 ]),
                 "plan" => args.extend(["--from", dice.one(&["0,0,0", "0,0", "70,0,1"])]),
-                "slice" => args.extend(["--theta", "0.2", "-o", dice.one(OUT)]),
-                "draw" => args.extend(["-o", dice.one(OUT)]),
-                "export" => args.extend(["-o", dice.one(OUT)]),
+                "slice" => args.extend(["--theta", "0.2", "-o", dice.place()]),
+                "draw" => args.extend(["-o", dice.place()]),
+                "export" => args.extend(["-o", dice.place()]),
                 _ => {}
             }
         }

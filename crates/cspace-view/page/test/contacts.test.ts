@@ -15,7 +15,7 @@ const skip = binary() ? false : NO_COMMAND;
 /** What `cspace play` prints. */
 interface Answer {
   clearance: number;
-  contacts: { features: [string, string]; distance: number }[];
+  near: { features: [string, string]; distance: number }[];
 }
 
 interface Subject {
@@ -35,8 +35,8 @@ function eachPair(use: (s: Subject) => void): void {
       run(["export", model, "--pair", names, "-o", space, "-q"]);
       const answer = (c: Configuration, within: number): Answer => {
         const at = "u" in c ? [c.u, c.v] : [c.x, c.y, c.theta];
-        const out = run(["contacts", space, `--at=${at.join(",")}`, "--within", String(within), "--format", "json"]);
-        return JSON.parse(out) as Answer;
+        const out = run(["play", space, `--at=${at.join(",")}`, "--touch", String(within), "--json"]);
+        return (JSON.parse(out) as { pairs: [Answer] }).pairs[0];
       };
       const contact = Math.max(pair.contact_distance, pair.resolution);
       use({ title: `${model.split("/models/")[1]} ${names}`, kernel, weighted: weightedOf(pair, kernel), contact, answer });
@@ -65,9 +65,9 @@ test("the nearest features are those that cspace play lists first, and as far ap
       const c = freeOne(s, next);
       const mine = s.kernel.nearest(c)!;
       const known = 1e-9 * (mine.distance + 1);
-      const { clearance, contacts } = s.answer(c, mine.distance + known);
-      const same = Math.abs(mine.distance - clearance) <= known && contacts.some((x) => x.features.join("|") === text(mine));
-      if (!same) wrong.push(`${JSON.stringify(c)}: ${JSON.stringify(mine)}, not ${clearance} and ${JSON.stringify(contacts)}`);
+      const { clearance, near } = s.answer(c, mine.distance + known);
+      const same = Math.abs(mine.distance - clearance) <= known && near.some((x) => x.features.join("|") === text(mine));
+      if (!same) wrong.push(`${JSON.stringify(c)}: ${JSON.stringify(mine)}, not ${clearance} and ${JSON.stringify(near)}`);
     }
     all.push(t.test(s.title, () => assert.deepEqual(wrong, [])));
   });
@@ -88,7 +88,7 @@ test("where a part has slid to, what touches is what cspace play says", { skip }
       if (s.kernel.classify(at) !== "contact") continue;
       asked++;
       const mine = s.kernel.touching(at, s.contact);
-      const told = s.answer(at, s.contact).contacts;
+      const told = s.answer(at, s.contact).near;
       if (told.length > 1) several++;
       const [a, b] = [mine.map(text).sort(), told.map((x) => x.features.join("|")).sort()];
       if (a.join(";") !== b.join(";") || a.length === 0) wrong.push(`${JSON.stringify(at)}: ${a.join("; ")}, not ${b.join("; ")}`);

@@ -85,8 +85,8 @@ test("the first contact is that of cspace play --by", { skip }, async (t) => {
         const from = free(pair, next);
         const to = pair.anywhere(next);
         const by = pair.numbers(to).map((x, i) => x - pair.numbers(from)[i]!);
-        const args = ["move", pair.model, "--pair", pair.names, `--from=${pair.numbers(from).join(",")}`, `--by=${by.join(",")}`];
-        const told = JSON.parse(run([...args, "--format", "json"])) as { result: string; fraction: number };
+        const args = ["play", pair.model, "--pair", pair.names, `--at=${pair.numbers(from).join(",")}`, `--by=${by.join(",")}`];
+        const told = (JSON.parse(run([...args, "--json"])) as { pairs: [{ motion: { result: string; fraction: number } }] }).pairs[0].motion;
         const { at, stopped } = pair.kernel.advance(from, to);
         const mine = share(pair, from, to, at);
         const what = `${JSON.stringify(from)} to ${JSON.stringify(to)}: ${JSON.stringify(told)}, not ${mine}`;

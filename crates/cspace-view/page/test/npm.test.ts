@@ -24,7 +24,7 @@ test("the package is installed, and computes what the command computes", { skip:
     assert.equal(said, "free blocked\n1.000000000\n");
     const file = join(folder.path, "key.toml");
     writeFileSync(file, toml);
-    assert.match(run(["move", file, "--from", "0,0,0", "--by", "5,0,0", "--format", "json"]), /"fraction": 0\.(2|19999999)/);
+    assert.match(run(["play", file, "--at", "0,0,0", "--by", "5,0,0", "--json"]), /"fraction": 0\.(2|19999999)/);
     // A shipped model, configuration by configuration.
     const model = join(MODELS, "peg_hole.toml");
     const rows = Array.from({ length: 60 }, (_, i) => [0.4 * (i % 10) - 2, 0.7 * i - 10, 0.05 * (i % 7) - 0.15]);

@@ -15,7 +15,7 @@ fn slices_and_pictures_of_fixed_axes_show_the_plane_of_the_motions() {
         "{text}"
     );
     let plane = json(&["slice", &file, pair[0], pair[1]]);
-    assert_eq!(plane["patches"].as_array().unwrap().len(), 4);
+    assert_eq!(plane["space"]["patches"].as_array().unwrap().len(), 4);
     let by = |command: &str, name: &str| {
         let out = dir.path().join(name);
         printed(&[

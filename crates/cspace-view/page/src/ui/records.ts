@@ -16,7 +16,9 @@ const OF_ONE_TIME = 4;
 export function readRecord(name: string, record: unknown): PlayableRecord {
   if (!isObject(record)) throw new RecordError(`${name}: not what "cspace plan", "cspace disassemble" or "cspace simulate" prints with --json: no object`);
   if ("verdict" in record && "steps" in record) return readAssembly(name, record);
-  if ("verdict" in record) return readPlan(name, record);
+  // A plan is of a pair, which the command's answer has in a list.
+  const [plan] = Array.isArray(record["pairs"]) ? record["pairs"] : [record];
+  if (isObject(plan) && "verdict" in plan) return readPlan(name, plan);
   if ("samples" in record) return readSimulation(name, record);
   throw new RecordError(`${name}: neither "verdict" (cspace plan, cspace disassemble) nor "samples" (cspace simulate) is in it`);
 }

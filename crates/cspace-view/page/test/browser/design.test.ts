@@ -85,7 +85,7 @@ describe("a page sets the parameters of its model", { skip }, () => {
 
   it("requirements are as the command checks them, and drawn over a parameter", async () => {
     const page = await openFile("ratchet_pawl");
-    const rows = JSON.parse(run(["check", model("ratchet_pawl"), "--format", "json"])) as Row[];
+    const rows = (JSON.parse(run(["check", model("ratchet_pawl"), "--json"])) as { requirements: Row[] }).requirements;
     const row = () => page.$eval(".requirement", (e) => ({ text: e.textContent ?? "", met: e.querySelector(".mark")?.classList.contains("met") }));
     await page.waitForSelector(".requirement .mark.met", { timeout: PATIENCE });
     assert.ok((await row()).text.includes(Number(rows[0]?.value.toPrecision(4)).toString()), (await row()).text);

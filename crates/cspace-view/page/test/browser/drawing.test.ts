@@ -247,7 +247,7 @@ describe("a drawing on the page in a browser", { skip }, () => {
       const page = await dropped(name, readFileSync(file));
       const names = (): Promise<string[]> => page.$$eval("#picked-parts input", (all) => all.map((e) => (e as HTMLInputElement).value));
       await picked(page);
-      const model = JSON.parse(run(["import", file, "--format", "json"])) as { parts: { name: string }[] };
+      const model = JSON.parse(run(["import", file, "--json"])) as { parts: { name: string }[] };
       assert.ok(model.parts.length > 1);
       assert.deepEqual(await names(), model.parts.map((p) => p.name));
       await press(page, "Clear");

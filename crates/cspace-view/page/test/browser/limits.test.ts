@@ -49,8 +49,8 @@ describe("the page at its limits", { skip }, () => {
   });
 
   it("refuses records of other models, and forgets them", async () => {
-    const simulation = run(["simulate", model("geneva"), "--time", "0.1", "--every", "0.05", "--format", "json"]);
-    const plan = run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--format", "json"]);
+    const simulation = run(["simulate", model("geneva"), "--time", "0.1", "--every", "0.05", "--json"]);
+    const plan = run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--json"]);
     for (const [name, record, right] of [["ball_in_c", simulation, plan], ["geneva", plan, simulation]] as const) {
       const page = await openModel(model(name));
       const said = (): Promise<string> => page.$eval("#message:not([hidden])", (e) => e.textContent ?? "");

@@ -206,7 +206,7 @@ describe("the page in a browser", { skip }, () => {
     const text = (): Promise<string> => page.$eval("#theta .band-text", (e) => e.textContent ?? "");
     const band = async (): Promise<number> => Number(/band (\d+) of/.exec(await text())?.[1]);
     const all = Number(/band \d+ of (\d+)/.exec(await text())?.[1]);
-    const scene = JSON.parse(run(["compute", model("knee"), "--format", "json"])) as { bands: number }[];
+    const scene = (JSON.parse(run(["compute", model("knee"), "--json"])) as { pairs: { bands: number }[] }).pairs;
     assert.equal(all, scene[0]?.bands);
     const first = await band();
     await page.keyboard.press("s");
@@ -251,7 +251,7 @@ describe("the page in a browser", { skip }, () => {
 
   it("plays planned ways and simulations", async () => {
     const plan = join(suite.folder, "plan.json");
-    writeFileSync(plan, run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--format", "json"]));
+    writeFileSync(plan, run(["plan", model("ball_in_c"), "--from", "60,0,0", "--to=-60,0,0", "--json"]));
     let page = await openModel("ball_in_c", ["--with", plan]);
     await end(page);
     const last = await planar(page);
@@ -259,7 +259,7 @@ describe("the page in a browser", { skip }, () => {
     await suite.opened?.page.close();
 
     const simulation = join(suite.folder, "simulation.json");
-    writeFileSync(simulation, run(["simulate", model("geneva"), "--time", "0.5", "--every", "0.01", "--format", "json"]));
+    writeFileSync(simulation, run(["simulate", model("geneva"), "--time", "0.5", "--every", "0.01", "--json"]));
     const record = JSON.parse(readFileSync(simulation, "utf8")) as { samples: Record<string, number>[]; events: unknown[] };
     page = await openModel("geneva", ["--with", simulation]);
     assert.equal(await page.$$eval("#timeline .ticks i", (all) => all.length), record.events.length);

@@ -104,7 +104,7 @@ describe("the page that tells", { skip }, () => {
 
   it("has its room on a phone", async () => {
     const record = join(suite.folder, "run.json");
-    writeFileSync(record, run(["simulate", model("geneva"), "--time", "0.3", "--every", "0.01", "--format", "json"]));
+    writeFileSync(record, run(["simulate", model("geneva"), "--time", "0.3", "--every", "0.01", "--json"]));
     const size = { width: 390, height: 844, isMobile: true, hasTouch: true };
     for (const [name, more, panes] of [
       ["ball_in_c", [], ["#parts", "#space", "#slice", "#verdict", ".theta-slider", "#tools"]],
@@ -125,7 +125,7 @@ describe("the page that tells", { skip }, () => {
 
   it("draws coordinates over the time of a record, with a cursor that sets it", async () => {
     const record = join(suite.folder, "turns.json");
-    const text = run(["simulate", model("geneva"), "--time", "0.5", "--every", "0.01", "--format", "json"]);
+    const text = run(["simulate", model("geneva"), "--time", "0.5", "--every", "0.01", "--json"]);
     writeFileSync(record, text);
     const { samples } = JSON.parse(text) as { samples: Record<string, number>[] };
     const page = await openModel(model("geneva"), "", ["--with", record]);

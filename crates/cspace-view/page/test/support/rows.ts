@@ -11,8 +11,9 @@ export interface Told {
 /** What the command says of configurations of a pair: `header` names their coordinates. */
 export function classified(model: string, pair: string, rows: number[][], header: string, columns: string[]): Told[] {
   const input = [header, ...rows.map((r) => r.join(","))].join("\n") + "\n";
-  const out = run(["classify", model, "--pair", pair, "--columns", columns.join(","), "--format", "json", "-q"], input);
-  return (JSON.parse(out) as { class: string; region?: number | null; touching?: [string, string][] }[]).map((r) => ({
+  const out = run(["classify", model, "--pair", pair, "--columns", columns.join(","), "--json", "-q"], input);
+  const answer = JSON.parse(out) as { pairs: [{ rows: { class: string; region?: number | null; touching?: [string, string][] }[] }] };
+  return answer.pairs[0].rows.map((r) => ({
     class: r.class,
     region: r.region ?? null,
     touching: (r.touching ?? []).map((p) => p.join("|")),
