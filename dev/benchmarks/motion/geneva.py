@@ -176,7 +176,7 @@ def by_siconos(plugin, turns, step):
 def by_cspace(program, file, turns):
     """The same."""
     begun = peers.spent()
-    command = [program, "simulate", file, "--time", str(turns + 1), "--every", "0.02", "--format", "json"]
+    command = [program, "simulate", file, "--time", str(turns + 1), "--every", "0.02", "--json"]
     answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
     seconds = peers.spent() - begun
     samples = answer["samples"]

@@ -157,7 +157,7 @@ def by_pymunk(toy, step, seconds):
 
 
 def by_cspace(program, file, seconds):
-    command = [program, "simulate", file, "--time", str(seconds), "--format", "json"]
+    command = [program, "simulate", file, "--time", str(seconds), "--json"]
     answer = json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, text=True).stdout)
     return [event["t"] for event in answer["events"] if event["kind"] == "impact" and event["moving"] == "bird"]
 

@@ -98,9 +98,9 @@ def by_ompl(play, limit):
 def asked_of(cspace, file, *options):
     begin = time.perf_counter()
     done = subprocess.run(
-        [cspace, "plan", str(file), *options, "--threads", "1", "--format", "json"],
-        capture_output=True, text=True, check=True)
-    return time.perf_counter() - begin, json.loads(done.stdout)
+        [cspace, "plan", str(file), *options, "--threads", "1", "--json"],
+        capture_output=True, text=True)
+    return time.perf_counter() - begin, json.loads(done.stdout)["pairs"][0]
 
 
 def check(cspace, file, folder, path):
@@ -113,7 +113,7 @@ def check(cspace, file, folder, path):
         rows.append(f"{x!r},{y!r},{theta!r}")
     csv = folder / "path.csv"
     csv.write_text("\n".join(rows) + "\n")
-    return asked_of(cspace, file, "--check", str(csv))[1]["verdict"]
+    return asked_of(cspace, file, "--verify", str(csv))[1]["verdict"]
 
 
 def main():
