@@ -21,12 +21,12 @@ pub enum Is {
 pub struct Outcome {
     /// The word.
     pub word: &'static str,
-    /// What it says.
+    /// Whether it says yes.
     pub is: Is,
 }
 
 impl Outcome {
-    /// Of a question for values: they are known.
+    /// Outcome of a question for values, which are known.
     pub const DONE: Self = Self::yes("done");
 
     /// An outcome that says yes.
@@ -132,7 +132,7 @@ pub struct PairAnswer<T> {
     pub moving: String,
     /// How it came out.
     pub outcome: Outcome,
-    /// What is known of the pair.
+    /// Keys of the pair, beside its names.
     #[serde(flatten)]
     pub content: T,
 }

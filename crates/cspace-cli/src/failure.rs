@@ -11,8 +11,6 @@ use cspace_answers::{Is, Outcome};
 use cspace_io::{ModelError, shown};
 use serde::Serialize;
 
-use crate::output;
-
 /// Exit code of a question that was answered with no.
 const NO: u8 = 1;
 /// Exit code of a question that was not answered.
@@ -136,7 +134,7 @@ impl Failure {
 
     /// Prints it as JSON, where that is asked for and no answer is printed.
     fn tell(&self) {
-        if !JSON.load(Ordering::Relaxed) || output::is_answered() {
+        if !JSON.load(Ordering::Relaxed) || ANSWERED.load(Ordering::Relaxed) {
             return;
         }
         let error = Told {
@@ -146,7 +144,8 @@ impl Failure {
         };
         // Where nobody listens nothing can be done.
         if let Ok(told) = serde_json::to_string_pretty(&Error { error }) {
-            let _ = output::printed(writeln!(std::io::stdout(), "{told}"));
+            let mut out = std::io::stdout().lock();
+            let _ = writeln!(out, "{told}").and_then(|()| out.flush());
         }
     }
 }
@@ -171,6 +170,14 @@ static QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Whether an error is told as JSON, too.
 static JSON: AtomicBool = AtomicBool::new(false);
+
+/// Whether something was printed to standard output.
+static ANSWERED: AtomicBool = AtomicBool::new(false);
+
+/// Notes that something is printed to standard output, where errors are no longer told then.
+pub(crate) fn set_answered() {
+    ANSWERED.store(true, Ordering::Relaxed);
+}
 
 /// Lets errors be told as JSON on standard output as well, where no answer is.
 pub(crate) fn set_json(json: bool) {

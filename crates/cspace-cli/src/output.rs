@@ -2,13 +2,12 @@
 
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, set_answered};
 
 /// Path that stands for standard input as FILE, and for standard output after `-o`.
 pub(crate) const STANDARD: &str = "-";
@@ -47,21 +46,13 @@ pub(crate) fn extension(path: &Path) -> Option<&str> {
     name.extension()?.to_str()
 }
 
-/// Whether something was printed to standard output.
-static ANSWERED: AtomicBool = AtomicBool::new(false);
-
-/// Whether something was printed to standard output.
-pub(crate) fn is_answered() -> bool {
-    ANSWERED.load(Ordering::Relaxed)
-}
-
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {
     printed(std::io::stdout().write_all(bytes))
 }
 
 /// Flushes standard output after `result` of writing to it; a reader that closed the pipe is no error.
 pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
-    ANSWERED.store(true, Ordering::Relaxed);
+    set_answered();
     match result.and_then(|()| std::io::stdout().flush()) {
         Ok(()) => Ok(()),
         // The reader has what it wanted, as `head` does.

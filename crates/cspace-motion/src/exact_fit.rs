@@ -23,7 +23,7 @@ pub struct Gap {
 
 /// The mechanism with room where parts fit exactly at a position, and the parts that are smaller for it; `None` where none do.
 ///
-/// Of two parts the one that moves in the frame of the other is smaller, unless one of them is smaller already.
+/// The part that moves in the frame of the other is smaller, unless one of the two is smaller already.
 ///
 /// # Errors
 /// If parts overlap and do not fit exactly, or a part that has to be smaller has edges too short for it.

@@ -22,7 +22,7 @@ const MANY: usize = 200;
 /// Default of `--within` for more parts, as a share of the largest part's size.
 const NEARBY: f64 = 0.1;
 
-/// What is known beside the pairs, and the pairs.
+/// Pairs, and numbers of all of them.
 #[derive(Debug, Serialize)]
 struct Told {
     parts: usize,

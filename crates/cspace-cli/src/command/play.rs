@@ -158,7 +158,10 @@ fn play(args: &PlayArgs, pair: &Chosen<'_>) -> Result<Play, Failure> {
         play.is = EXACT;
     }
     if matches!(*space, PairSpace::Lower(_)) {
-        return Ok(play);
+        return match by {
+            Some(_) => Err(pair.unanswered("--by", &QueryError::Permanent)),
+            None => Ok(play),
+        };
     }
     let size = pair.fixed().size().min(pair.moving().size());
     let within = args.touch.unwrap_or(NEARBY * size);

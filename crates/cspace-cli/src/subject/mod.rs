@@ -100,7 +100,7 @@ fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
 }
 
 impl Chosen<'_> {
-    /// What is known of the pair, in its frame.
+    /// Answer about the pair, with its names.
     pub(crate) fn answer<T>(&self, outcome: Outcome, content: T) -> PairAnswer<T> {
         PairAnswer {
             fixed: self.fixed().name().to_owned(),

@@ -985,7 +985,7 @@ fn helps_fit_a_terminal() {
     }
 }
 
-/// What a command does not write is refused; what it writes is beside its answer.
+/// Files of kinds that a command does not write are refused; others are beside its answer.
 #[test]
 fn files_are_written_beside_answers() {
     let dir = tempfile::tempdir().unwrap();
@@ -1049,7 +1049,7 @@ fn errors_are_told_as_json() {
     assert_eq!(usage["line"], Value::Null);
 }
 
-/// What is answered with no ends with 1, and says nothing else; what is not answered ends with 2.
+/// A command ends with 1 where the answer is no, and says nothing else; with 2 where there is none.
 #[test]
 fn codes_of_exit_are_those_of_answers() {
     let (ball, pawl) = (model("ball_in_c"), model("ratchet_pawl"));

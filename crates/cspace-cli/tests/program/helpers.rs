@@ -126,7 +126,7 @@ impl Ended {
     }
 }
 
-/// What is printed by a run that answers with yes or no, and says nothing else.
+/// Output of a run that answers with yes or no, and says nothing else.
 #[track_caller]
 pub(crate) fn printed(args: &[&str]) -> String {
     let output = answered(args);
@@ -152,7 +152,7 @@ pub(crate) fn framed(args: &[&str]) -> Value {
     serde_json::from_str(&printed(&args)).unwrap()
 }
 
-/// What is in the frame of an answer: of commands on pairs the list of these, of commands on one pair that.
+/// Content of an answer without its frame: of commands on pairs the list of these, of commands on one pair that.
 #[track_caller]
 pub(crate) fn json(args: &[&str]) -> Value {
     unframed(args[0], framed(args))
@@ -165,7 +165,7 @@ pub(crate) fn json_beside_notes(args: &[&str]) -> Value {
     unframed(args[0], serde_json::from_slice(&output.stdout).unwrap())
 }
 
-/// What is in the frame of a command's answer, which has all that a frame has.
+/// Content of a command's answer, whose frame has all its keys.
 #[track_caller]
 pub(crate) fn unframed(command: &str, mut framed: Value) -> Value {
     assert_eq!(framed["answer"], command);

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::helpers::{cspace, fails, framed, json, model, printed, unframed};
 
-/// What a run that answers with this word says, which is its verdict, too; with its exit code.
+/// Answer of a run, whose outcome and verdict are this word; with its exit code.
 #[track_caller]
 fn answered(args: &[&str], outcome: &str) -> Value {
     let framed = framed(args);

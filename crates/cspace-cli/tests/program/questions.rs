@@ -14,7 +14,7 @@ fn ring() -> tempfile::NamedTempFile {
     file
 }
 
-/// What `play` says of the one pair.
+/// Answer of `play` for the one pair.
 #[track_caller]
 fn play(args: &[&str]) -> Value {
     let mut pairs = json(&[&["play"], args].concat());

@@ -22,8 +22,7 @@ pub(super) fn describe(
     let (fixed, moving) = (pair.fixed().name(), pair.moving().name());
     writeln!(
         text,
-        "{} relative to {} ({} is fixed, {} moves)",
-        moving, fixed, fixed, moving
+        "{moving} relative to {fixed} ({fixed} is fixed, {moving} moves)"
     )?;
     if let Some(model) = s.model {
         writeln!(text, "  model          {model}")?;

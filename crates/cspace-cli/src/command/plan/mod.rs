@@ -41,6 +41,12 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if picture.is_none() {
         args.picture.refuse()?;
     }
+    output::check(args.proof.as_deref())?;
+    if let Some(proof) = args.proof.as_deref().filter(|proof| Some(*proof) == output) {
+        let same = format_args!("--proof {}: -o names the same file", proof.display());
+        let help = "give another path after --proof; nothing was written";
+        return Err(Failure::new(same).help(help));
+    }
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.window)?;
     if args.energy.energy {

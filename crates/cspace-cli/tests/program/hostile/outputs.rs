@@ -159,7 +159,7 @@ fn failures_leave_what_was_there() {
     }
 }
 
-/// Of a command that writes no file beside its answer.
+/// Message of a command that writes no file of a kind beside its answer.
 const NO_SUCH: &str = "this command writes no such file";
 
 /// Input files are not overwritten, under whatever name.
