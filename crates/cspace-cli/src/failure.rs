@@ -35,8 +35,8 @@ struct Place {
 
 /// An error as JSON.
 #[derive(Serialize)]
-struct Error<'a> {
-    error: Told<'a>,
+struct Error<T> {
+    error: T,
 }
 
 #[derive(Serialize)]
@@ -128,8 +128,22 @@ impl Failure {
         if self.message.is_empty() {
             return;
         }
-        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        self.print_beside();
         self.tell();
+    }
+
+    /// Prints to stderr alone.
+    pub(crate) fn print_beside(&self) {
+        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+    }
+
+    /// Its message, help and place, for JSON.
+    pub(crate) fn told(&self) -> impl Serialize + '_ {
+        Told {
+            message: &self.message,
+            help: self.help.as_deref(),
+            place: &self.place,
+        }
     }
 
     /// Prints it as JSON, where that is asked for and no answer is printed.
@@ -137,11 +151,7 @@ impl Failure {
         if !JSON.load(Ordering::Relaxed) || ANSWERED.load(Ordering::Relaxed) {
             return;
         }
-        let error = Told {
-            message: &self.message,
-            help: self.help.as_deref(),
-            place: &self.place,
-        };
+        let error = self.told();
         // Where nobody listens nothing can be done.
         if let Ok(told) = serde_json::to_string_pretty(&Error { error }) {
             let mut out = std::io::stdout().lock();

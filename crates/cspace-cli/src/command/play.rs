@@ -45,6 +45,9 @@ struct Play {
     directions: Vec<Direction>,
     /// The features that touch, or nearly.
     near: Vec<Near>,
+    /// How far apart features are at most that are near, where that is asked for.
+    #[serde(skip)]
+    within: Option<f64>,
     /// How far a displacement leads.
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<Moved>,
@@ -165,6 +168,7 @@ fn play(args: &PlayArgs, pair: &Chosen<'_>) -> Result<Play, Failure> {
     }
     let size = pair.fixed().size().min(pair.moving().size());
     let within = args.touch.unwrap_or(NEARBY * size);
+    play.within = args.touch;
     let drawn = pair.space()?;
     let near = drawn.near_features(at, within).map_err(failed)?;
     play.near = near.iter().map(|near| Near::of(&drawn, near)).collect();
@@ -216,6 +220,7 @@ fn at_configuration(
         gap: None,
         directions: Vec::new(),
         near: Vec::new(),
+        within: None,
         motion: None,
         region_is: None,
     };
@@ -427,15 +432,19 @@ fn describe(text: &mut String, pair: &Chosen<'_>, play: &Play) -> std::fmt::Resu
         };
         writeln!(text, "  {:24} {far}{to}", d.direction)?;
     }
-    describe_near(text, pair, &play.near)?;
+    describe_near(text, pair, play)?;
     (play.motion.as_ref()).map_or(Ok(()), |motion| describe_motion(text, pair, motion))
 }
 
-fn describe_near(text: &mut String, pair: &Chosen<'_>, near: &[Near]) -> std::fmt::Result {
+fn describe_near(text: &mut String, pair: &Chosen<'_>, play: &Play) -> std::fmt::Result {
     /// More are for programs.
     const MOST: usize = 12;
     let unit = pair.unit();
-    for near in near.iter().take(MOST) {
+    if let (true, Some(within)) = (play.near.is_empty(), play.within) {
+        let within = length(within);
+        return writeln!(text, "  {:24} nothing within {within}{unit}", "near");
+    }
+    for near in play.near.iter().take(MOST) {
         let [x, y] = near.at.map(length);
         writeln!(
             text,
@@ -446,7 +455,7 @@ fn describe_near(text: &mut String, pair: &Chosen<'_>, near: &[Near]) -> std::fm
             placed(pair.moving(), near.names.1),
         )?;
     }
-    match near.len().saturating_sub(MOST) {
+    match play.near.len().saturating_sub(MOST) {
         0 => Ok(()),
         more => writeln!(text, "  {:24} {more} more; --json has all", ""),
     }

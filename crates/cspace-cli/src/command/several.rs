@@ -16,14 +16,14 @@ pub(super) enum Answer {
     Json(Vec<u8>),
 }
 
-/// The answers for several files, each with the name of its file.
+/// The answers for several files, or why there is none, each with the name of its file.
 #[derive(Serialize)]
 struct Files {
     files: Vec<Value>,
 }
 
 /// Answers for the file of `common` and for more, one after the other. For several files, each text is headed by its file, and JSON is
-/// one list of answers that name theirs. A file without an answer does not hold back the others; the worst failure determines the
+/// one list of answers or errors that name theirs. A file without an answer does not hold back the others; the worst failure determines the
 /// exit code.
 pub(super) fn run(
     command: &'static str,
@@ -59,7 +59,8 @@ pub(super) fn run(
                 files.push(framed);
             }
             Err(failure) => {
-                failure.print();
+                failure.print_beside();
+                files.push(json!({ "file": name, "error": failure.told() }));
                 let is_worse = worst.as_ref().is_none_or(|w| failure.is_worse_than(w));
                 if is_worse {
                     worst = Some(failure);
@@ -69,7 +70,13 @@ pub(super) fn run(
     }
     let bytes = match common.result.format() {
         Format::Text => text.into_bytes(),
-        Format::Json => super::json(&Framed::new(command, None, Outcome::DONE, Files { files }))?,
+        Format::Json => {
+            let outcome = match worst {
+                None => Outcome::DONE,
+                Some(_) => Outcome::open("failed"),
+            };
+            super::json(&Framed::new(command, None, outcome, Files { files }))?
+        }
     };
     output::write(None, &bytes)?;
     worst.map_or(Ok(()), |failure| Err(failure.said()))

@@ -17,7 +17,7 @@ use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touchin
 use crate::args::{Format, PlanArgs};
 use crate::command::draw::as_drawn;
 use crate::command::rows;
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::input;
 use crate::output;
 use crate::picture::format;
@@ -42,6 +42,12 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         args.picture.refuse()?;
     }
     output::check(args.proof.as_deref())?;
+    if args.proof.as_deref() == Some(Path::new(output::STANDARD)) {
+        return Err(
+            Failure::new("--proof -: the answer goes to standard output")
+                .help("give the name of a file after --proof"),
+        );
+    }
     if let Some(proof) = args.proof.as_deref().filter(|proof| Some(*proof) == output) {
         let same = format_args!("--proof {}: -o names the same file", proof.display());
         let help = "give another path after --proof; nothing was written";
@@ -67,8 +73,13 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
         output::write(Some(path), &as_csv(&pair, &told, &scene)?)?;
     }
-    if let (Some(path), Some(proof)) = (&args.proof, &told.proof) {
-        output::write(Some(path), &super::json(proof)?)?;
+    match (&args.proof, &told.proof) {
+        (Some(path), Some(proof)) => output::write(Some(path), &super::json(proof)?)?,
+        (Some(path), None) if told.unproved.is_none() => note(format_args!(
+            "{}: not written, there is no proof",
+            path.display()
+        )),
+        _ => {}
     }
     let outcome = match told.verdict {
         Name::Path => Outcome::yes("path"),

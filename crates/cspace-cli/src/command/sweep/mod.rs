@@ -77,11 +77,12 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     let done = watched(|| all(&sweep, &table.rows[kept.count()..]));
     let csv = csv_of(&table, &measures, (&kept, &done))?;
     let rows = || objects(&table, &measures, (&kept, &done));
-    written(args, unit, &csv, rows)?;
-    let done = kept.count() + done.len();
-    if done < table.rows.len() {
+    let count_done = kept.count() + done.len();
+    let is_whole = count_done == table.rows.len();
+    written(args, unit, &csv, is_whole, rows)?;
+    if !is_whole {
         return Err(Failure::new(format_args!(
-            "interrupted: {done} of {} are done and written",
+            "interrupted: {count_done} of {} are done and written",
             count(table.rows.len(), "row", "rows")
         ))
         .help("go on with --resume"));
@@ -100,6 +101,7 @@ fn written(
     args: &SweepArgs,
     unit: Option<&str>,
     csv: &[u8],
+    is_whole: bool,
     rows: impl FnOnce() -> Vec<Map<String, Value>>,
 ) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
@@ -110,11 +112,20 @@ fn written(
     if args.result.format() == Format::Text && !is_json {
         return output::write(None, csv);
     }
-    let answer = Answer::new("sweep", unit, Outcome::DONE, Rows { rows: rows() });
-    super::print(&args.result, &answer, |text| {
+    let outcome = match is_whole {
+        true => Outcome::DONE,
+        false => Outcome::open("interrupted"),
+    };
+    let answer = Answer::new("sweep", unit, outcome, Rows { rows: rows() });
+    let printed = super::print(&args.result, &answer, |text| {
         text.push_str(&String::from_utf8_lossy(csv));
         Ok(())
-    })
+    });
+    // Where it is interrupted the failure says so.
+    match is_whole {
+        true => printed,
+        false => Ok(()),
+    }
 }
 
 /// Prints where something changes along lines of so many rows.
@@ -155,7 +166,9 @@ fn changes(
             .chain(words.map(str::to_owned).into_iter().zip(told))
             .collect()
     };
-    written(args, unit, &csv, || found.iter().map(object).collect())?;
+    written(args, unit, &csv, is_whole, || {
+        found.iter().map(object).collect()
+    })?;
     if is_whole {
         Ok(())
     } else {

@@ -66,7 +66,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let unit = model_unit.map_or(String::new(), |u| format!(" {u}"));
     let bar = Bar::new(model.mechanism.name.clone());
     if args.at.is_some() && !args.zones && !is_picture {
-        return Err(Failure::new("--theta is the orientation of contact zones")
+        return Err(Failure::new("--at is the orientation of contact zones")
             .help("give --zones or -o OUT.svg, or leave it out"));
     }
     if is_picture && (args.allocate.is_some() || args.samples > 0) {
