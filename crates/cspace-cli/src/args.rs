@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
@@ -17,17 +17,58 @@ use crate::template::{self, TEMPLATES, Template};
 
 /// Exact configuration spaces of planar parts bounded by line segments and circular arcs.
 #[derive(Debug, Parser)]
-#[command(name = "cspace", version, after_long_help = OVERVIEW, subcommand_required = true, arg_required_else_help = true)]
+#[command(name = "cspace", version, after_long_help = OVERVIEW, subcommand_required = true, arg_required_else_help = true, disable_help_subcommand = true)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
     /// Say nothing on standard error but errors
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, hide_short_help = true)]
     pub(crate) quiet: bool,
     /// When to colour messages on standard error: auto (on a terminal), always or never; NO_COLOR is obeyed too. Of drawings, a colour such
     /// as red, #ff0000, or its number in AutoCAD's palette: what is drawn in it is read, and nothing else; may be given several times
-    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR")]
+    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR", hide_short_help = true)]
     pub(crate) color: Vec<Colored>,
+}
+
+/// Commands by what they are for, in the order in which the help lists them.
+const GROUPS: [(&str, &[&str]); 5] = [
+    ("Make a model", &["new", "import", "info"]),
+    (
+        "Ask about contact",
+        &[
+            "compute",
+            "slice",
+            "classify",
+            "play",
+            "plan",
+            "disassemble",
+            "clearance",
+            "modes",
+        ],
+    ),
+    ("Set in motion", &["simulate"]),
+    ("Design", &["check", "sweep", "solve", "tolerances"]),
+    ("Show", &["draw", "view", "export"]),
+];
+
+/// The command line, whose help lists the commands in groups.
+pub(crate) fn command() -> clap::Command {
+    let command = Cli::command();
+    let mut list = String::new();
+    for (group, names) in GROUPS {
+        list += &format!("{group}:\n");
+        for name in names {
+            let about = command.find_subcommand(name).and_then(|c| c.get_about());
+            let about = about.map(ToString::to_string).unwrap_or_default();
+            list += &format!("  {name:11}  {about}\n");
+        }
+        list.push('\n');
+    }
+    // Braces are the template's own.
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{list}Options:\n{{options}}{{after-help}}"
+    );
+    command.help_template(template)
 }
 
 #[derive(Debug, Subcommand)]
@@ -41,52 +82,52 @@ pub(crate) enum Command {
     /// Show the planar slice of a contact space at one orientation
     #[command(after_long_help = SLICE)]
     Slice(SliceArgs),
-    /// Classify each configuration on standard input as free, blocked or in contact
+    /// Classify configurations as free, blocked or in contact
     #[command(after_long_help = CLASSIFY)]
     Classify(ClassifyArgs),
-    /// Find a path from one configuration to another, or show that there is none
+    /// Find a path from one configuration to another, or prove that there is none
     #[command(after_long_help = PLAN)]
     Plan(PlanArgs),
-    /// Take the parts of a model apart: find the order and the motions, or the parts that lock each other
+    /// Find the order in which parts come apart, or the parts that lock each other
     #[command(after_long_help = DISASSEMBLE)]
     Disassemble(DisassembleArgs),
-    /// Report the smallest gap of every two parts, or what overlaps, as drawn or over a simulation
+    /// Report the smallest gap of every two parts, or what overlaps
     #[command(after_long_help = CLEARANCE)]
     Clearance(ClearanceArgs),
-    /// List the operating modes of three parts on axes: the connected free configurations of all three
+    /// List the operating modes of three parts on axes
     #[command(after_long_help = MODES)]
     Modes(ModesArgs),
-    /// Measure the requirements of the model's design, and report which are met
+    /// Measure the requirements of the design, and report which are met
     #[command(after_long_help = CHECK)]
     Check(CheckArgs),
-    /// Measure requirements over a range of a parameter or coordinate, or over rows of values
+    /// Measure requirements over ranges of parameters or coordinates
     #[command(after_long_help = SWEEP)]
     Sweep(SweepArgs),
-    /// Analyse tolerances for each requirement: worst cases, changes of structure, the margin, the yield
+    /// Analyse what tolerances do to each requirement
     #[command(after_long_help = TOLERANCES)]
     Tolerances(TolerancesArgs),
-    /// Find the values of parameters at which a requirement's measure is what it must be
+    /// Find values of parameters at which a measure is what it must be
     #[command(after_long_help = SOLVE)]
     Solve(SolveArgs),
-    /// Set a mechanism in motion: what its drives, springs and loads do to all of its parts
+    /// Set a mechanism in motion by its drives, springs and loads
     #[command(after_long_help = SIMULATE)]
     Simulate(SimulateArgs),
-    /// Report what touches or is near at a configuration, and how far the parts go in each direction
+    /// Report what touches, and how far the parts go in each direction
     #[command(after_long_help = PLAY)]
     Play(PlayArgs),
-    /// Draw the parts of a model, or a pair at a configuration, as a picture
+    /// Draw the parts of a model, or a pair at a configuration
     #[command(after_long_help = DRAW)]
     Draw(DrawArgs),
-    /// Show the parts and their contact spaces in a browser, to look at, drag and edit
+    /// Show the parts and their contact spaces in a browser
     #[command(after_long_help = VIEW)]
     View(ViewArgs),
-    /// Write a contact space to a file, in the format its extension names
+    /// Write a contact space, its surface, or a page to a file
     #[command(after_long_help = EXPORT)]
     Export(ExportArgs),
-    /// Make a model of the outlines in drawings: DXF, SVG, or points in CSV
+    /// Make a model of drawings: DXF, SVG, or points
     #[command(after_long_help = IMPORT)]
     Import(ImportArgs),
-    /// Write a model to begin with: latch, cam, gears, geneva, ratchet or peg
+    /// Write a model to begin with: latch, cam, gears, geneva, ratchet, peg
     #[command(after_long_help = format!("{NEW}{}", template::dimensions().trim_end()), arg_required_else_help = true)]
     New(NewArgs),
     /// Print a script that completes this command in a shell
@@ -171,7 +212,7 @@ pub(crate) struct CacheArgs {
     ///
     /// A space that takes 0.2 s or more is kept in the user's folder of caches, and read where the same parts move in the same
     /// way. CSPACE_CACHE names another folder; with CSPACE_CACHE=off nothing is kept.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) no_cache: bool,
 }
 
@@ -179,7 +220,7 @@ pub(crate) struct CacheArgs {
 #[derive(Debug, Clone, Copy, Default, Args)]
 pub(crate) struct ThreadsArg {
     /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) threads: u16,
 }
 
@@ -199,11 +240,11 @@ pub(crate) struct Common {
     /// Use the general method whatever the class of the pair
     ///
     /// The symmetry of parts is not used then.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) general: bool,
 
     /// Make lines and arcs tangent that miss tangency by less than 0.001 rad; a note reports how far points were moved
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) snap: bool,
 
     #[command(flatten)]
@@ -322,7 +363,7 @@ pub(crate) struct ComputeArgs {
     #[arg(value_name = "FILE")]
     pub(crate) more: Vec<PathBuf>,
     /// Say as well how certain the structure is, and which spaces were computed before and kept
-    #[arg(short, long)]
+    #[arg(short, long, hide_short_help = true)]
     pub(crate) verbose: bool,
     /// The space in which the parts keep this clearance, in the model's unit: with the moving part grown by it all round
     #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true)]
@@ -341,13 +382,13 @@ pub(crate) struct SliceArgs {
     pub(crate) theta: Option<f64>,
     /// Count exact fits as free: a loop of the slice may be a single point, or run along a segment or an arc and back; curves are
     /// those of the parts as drawn, and adjacent curves on one line or circle are merged
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) exact: bool,
     /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
     #[arg(long, value_name = "X,Y", value_parser = position, allow_hyphen_values = true)]
     pub(crate) at: Option<(f64, f64)>,
     /// The version of DXF, where the name after -o ends in .dxf
-    #[arg(long, value_enum, value_name = "VERSION")]
+    #[arg(long, value_enum, value_name = "VERSION", hide_short_help = true)]
     pub(crate) dxf: Option<DxfChoice>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
@@ -365,11 +406,12 @@ pub(crate) struct ClassifyArgs {
         value_enum,
         value_name = "NAMES",
         value_delimiter = ',',
-        default_value = "class"
+        default_value = "class",
+        hide_short_help = true
     )]
     pub(crate) columns: Vec<Column>,
     /// How far apart features may be that touch, in the model's unit [default: the resolution]
-    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) touch: Option<f64>,
 }
 
@@ -390,7 +432,7 @@ pub(crate) enum Column {
 #[derive(Debug, Args)]
 pub(crate) struct AboutArg {
     /// The point of the moving part, in its frame, that moves straight and about which the part turns
-    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) about: Option<[f64; 2]>,
 }
 
@@ -427,7 +469,7 @@ pub(crate) struct DrawArgs {
     #[arg(long)]
     pub(crate) outlines: bool,
     /// The version of DXF
-    #[arg(long, value_enum, value_name = "VERSION")]
+    #[arg(long, value_enum, value_name = "VERSION", hide_short_help = true)]
     pub(crate) dxf: Option<DxfChoice>,
     /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
@@ -492,17 +534,18 @@ pub(crate) struct PlanArgs {
         value_enum,
         value_name = "WHAT",
         default_value = "legs",
-        conflicts_with = "verify"
+        conflicts_with = "verify",
+        hide_short_help = true
     )]
     pub(crate) prefer: PreferChoice,
     /// No leg turns by more than this, in radians or such as 18deg
-    #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "verify")]
+    #[arg(long, value_name = "A", value_parser = turn, allow_hyphen_values = true, conflicts_with = "verify", hide_short_help = true)]
     pub(crate) turn: Option<f64>,
     /// No leg moves along a coordinate by more than this, in the model's unit
-    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify")]
+    #[arg(long, value_name = "L", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify", hide_short_help = true)]
     pub(crate) travel: Option<f64>,
     /// With --proof: how deep its surface lies in blocked space, in the model's unit [default: as deep as can be]
-    #[arg(long, value_name = "D", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify")]
+    #[arg(long, value_name = "D", value_parser = length, allow_negative_numbers = true, conflicts_with = "verify", hide_short_help = true)]
     pub(crate) depth: Option<f64>,
     /// Judge the path in this file instead: configurations in rows, with the columns x,y,theta or u,v
     #[arg(long, value_name = "PATH.csv", conflicts_with_all = ["from", "to"])]
@@ -523,10 +566,10 @@ pub(crate) struct EnergyArgs {
     #[arg(long, conflicts_with_all = ["widest", "clearance", "prefer", "turn", "travel", "depth", "verify", "about"])]
     pub(crate) energy: bool,
     /// With --energy: the acceleration of gravity, unit/s², in place of the model's
-    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, requires = "energy")]
+    #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, requires = "energy", hide_short_help = true)]
     pub(crate) gravity: Option<[f64; 2]>,
     /// With --energy: how near its bounds are brought, kg·unit²/s² [default: 3 % of it]
-    #[arg(long, value_name = "E", value_parser = energy, allow_negative_numbers = true, requires = "energy")]
+    #[arg(long, value_name = "E", value_parser = energy, allow_negative_numbers = true, requires = "energy", hide_short_help = true)]
     pub(crate) accuracy: Option<f64>,
 }
 
@@ -567,7 +610,7 @@ pub(crate) struct ClearanceArgs {
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) within: Option<f64>,
     /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
-    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) touch: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -628,17 +671,17 @@ pub(crate) struct TolerancesArgs {
     #[arg(long, conflicts_with_all = ["allocate", "along", "zones"])]
     pub(crate) no_proof: bool,
     /// Measure the yield on this many samples by chance
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000), hide_short_help = true)]
     pub(crate) samples: u64,
     /// Seed of the random samples: the same seed gives the same numbers, on any number of threads
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", default_value_t = 0, hide_short_help = true)]
     pub(crate) seed: u64,
     /// Find the tolerances of minimum cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
     /// tolerance doubles its cost
     #[arg(long, value_name = "worst|YIELD", value_parser = criterion)]
     pub(crate) allocate: Option<Criterion>,
     /// Cost of a parameter's tolerance at the value given in the model; may be given several times [default: 1 for every parameter]
-    #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost)]
+    #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost, hide_short_help = true)]
     pub(crate) cost: Vec<(String, f64)>,
     /// Report each value and its extremes at N values of a coordinate from LO to HI; a play is measured about where the part was before
     #[arg(long, value_name = "NAME=LO:HI:N", value_parser = vary, allow_hyphen_values = true, conflicts_with_all = ["allocate", "samples"])]
@@ -725,7 +768,7 @@ pub(crate) struct SolveArgs {
     #[arg(long, value_name = "MEASURE = VALUE", value_parser = wanted, allow_hyphen_values = true)]
     pub(crate) so_that: Goal,
     /// One parameter: the number of values at which is measured before solutions are sought between them
-    #[arg(long, value_name = "N", default_value_t = 65, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 65, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) samples: u32,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -832,10 +875,10 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) resume: Option<PathBuf>,
     /// How the dynamic mode goes on
-    #[arg(long, value_enum, default_value_t = Scheme::Event)]
+    #[arg(long, value_enum, default_value_t = Scheme::Event, hide_short_help = true)]
     pub(crate) scheme: Scheme,
     /// --scheme stepping: the longest step, in seconds [default: a 10000th of the whole]
-    #[arg(long, value_name = "DT", value_parser = duration, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DT", value_parser = duration, allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) step: Option<f64>,
     /// Report the rates of all coordinates as well
     #[arg(long)]
@@ -878,14 +921,14 @@ pub(crate) struct ExportArgs {
     #[command(flatten)]
     pub(crate) window: WindowArg,
     /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size [default: 0.001]
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) tolerance: Option<f64>,
     /// Meshes: what a radian of θ is as third coordinate, in the model's unit [default: 1 in PLY; else a turn is as tall as
     /// the surface is wide]
-    #[arg(long, value_name = "S", value_parser = scale, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = scale, allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) theta_scale: Option<f64>,
     /// Meshes: write numbers as text where the format can have either
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) ascii: bool,
     /// Pictures: the number of slices, at even steps of orientation [default: 12]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
@@ -935,11 +978,11 @@ pub(crate) struct ViewArgs {
     /// Use the general method whatever the class of the pair
     ///
     /// The symmetry of parts is not used then.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) general: bool,
 
     /// Make lines and arcs tangent that miss tangency by less than 0.001 rad; a note reports how far points were moved
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub(crate) snap: bool,
 
     #[command(flatten)]

@@ -18,7 +18,7 @@ mod wording;
 
 use std::ffi::OsString;
 
-use clap::Parser;
+use clap::FromArgMatches;
 use cspace_io::shown;
 
 use args::{Cli, ColorWhen, Colored, Command};
@@ -57,10 +57,17 @@ pub fn main(arguments: &[OsString]) -> u8 {
     let wants_json = |argument: &OsString| argument == "--json" || argument == "--format=json";
     let two = [OsString::from("--format"), OsString::from("json")];
     failure::set_json(arguments.iter().any(wants_json) || arguments.windows(2).any(|w| w == two));
-    finish(match Cli::try_parse_from(arguments) {
+    finish(match parsed(arguments) {
         Ok(cli) => run(cli),
         Err(error) => return usage(arguments, &error),
     })
+}
+
+/// The command line of its arguments.
+fn parsed(
+    arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+) -> Result<Cli, clap::Error> {
+    Cli::from_arg_matches(&args::command().try_get_matches_from(arguments)?)
 }
 
 fn finish(result: Result<(), Failure>) -> u8 {
@@ -82,7 +89,7 @@ fn usage(arguments: &[OsString], error: &clap::Error) -> u8 {
     let plain = |argument: &OsString| shown::text(&argument.to_string_lossy()).into_owned();
     let again = (arguments.iter())
         .any(|a| a.to_string_lossy().contains(char::is_control))
-        .then(|| Cli::try_parse_from(arguments.iter().map(plain)).err())
+        .then(|| parsed(arguments.iter().map(plain)).err())
         .flatten();
     // Where nobody listens nothing can be done.
     let error = again.as_ref().unwrap_or(error);

@@ -15,10 +15,10 @@ use crate::output;
 #[command(next_help_heading = "Pictures (.svg, .png, .pdf)")]
 pub(crate) struct SheetArgs {
     /// Width and height in dots
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = size, hide_short_help = true)]
     pub(crate) size: Option<(f64, f64)>,
     /// Title above the picture
-    #[arg(long, value_name = "TEXT")]
+    #[arg(long, value_name = "TEXT", hide_short_help = true)]
     pub(crate) title: Option<String>,
 }
 
@@ -29,19 +29,19 @@ pub(crate) struct PictureArgs {
     #[command(flatten)]
     sheet: SheetArgs,
     /// Names and numbers in the picture [default: auto, those that fit]
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, hide_short_help = true)]
     pub(crate) labels: Option<LabelChoice>,
     /// Range of x that is shown
-    #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) x: Option<(f64, f64)>,
     /// Range of y that is shown
-    #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) y: Option<(f64, f64)>,
     /// Fixed axes: range of u that is shown; angles in radians or such as 18deg
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) u: Option<(f64, f64)>,
     /// Fixed axes: range of v that is shown
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) v: Option<(f64, f64)>,
 }
 
