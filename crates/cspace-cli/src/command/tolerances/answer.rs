@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use cspace_answers::Outcome;
-use cspace_design::{Extreme, MonteCarlo, Structural, Tolerances, Value, Variations};
+use cspace_design::{ChangeKind, Extreme, MonteCarlo, Structural, Tolerances, Value, Variations};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
@@ -161,16 +161,28 @@ fn row(variations: &Variations, of: &Tolerances) -> Row {
         }),
         structure: of.structure.iter().map(change).collect(),
         margin: of.margin.factor,
-        outcome: match (of.margin.factor, &of.nominal.measured) {
-            _ if of.interrupted => Outcome::open("interrupted"),
-            (Some(0.0), _) => Outcome::no("not-met"),
-            (Some(factor), _) if factor < 1.0 => Outcome::no("fails"),
-            (_, Err(_)) if requirement.target.is_none() => Outcome::open("no-value"),
-            _ => Outcome::yes("holds"),
-        },
+        outcome: outcome(of),
         fails: of.margin.what.clone(),
         interrupted: of.interrupted,
         monte_carlo: of.monte_carlo.as_ref().map(samples),
+    }
+}
+
+/// How a requirement fares within the tolerances.
+pub(super) fn outcome(of: &Tolerances) -> Outcome {
+    let factor = of.margin.factor;
+    let happens = of.structure.iter().find(|c| Some(c.share) == factor);
+    match factor {
+        _ if of.interrupted => Outcome::open("interrupted"),
+        Some(0.0) => Outcome::no("not-met"),
+        Some(factor) if factor < 1.0 => match happens.map(|c| c.kind) {
+            Some(ChangeKind::Jam) => Outcome::no("jams"),
+            _ => Outcome::no("fails"),
+        },
+        _ if of.nominal.measured.is_err() && of.nominal.requirement.target.is_none() => {
+            Outcome::open("no-value")
+        }
+        _ => Outcome::yes("holds"),
     }
 }
 

@@ -2,10 +2,11 @@
 
 use std::fmt::{self, Write};
 
-use cspace_design::{ChangeKind, Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
+use cspace_design::{Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
 use cspace_io::model::{Dimension, Target};
 use cspace_mechanism::Mechanism;
 
+use super::answer::outcome;
 use crate::subject::placed_by_name;
 use crate::wording::{degrees, length};
 
@@ -138,20 +139,16 @@ impl Words<'_> {
 
     /// The first line: whether the requirement holds within the tolerances, and the parameter that matters most.
     fn summary(&self, of: &Tolerances) -> String {
-        let fails = match of.margin.factor {
-            _ if of.interrupted => "interrupted".to_owned(),
-            Some(0.0) => "not met as drawn".to_owned(),
-            Some(factor) if factor < 1.0 => {
-                let happens = of.structure.iter().find(|c| c.share == factor);
-                let jams = happens.is_some_and(|c| c.kind == ChangeKind::Jam);
-                let what = if jams { "jams" } else { "fails" };
-                format!(
-                    "{what} within the tolerances, from {} times them on",
-                    share(factor)
-                )
-            }
-            Some(_) => "holds within the tolerances".to_owned(),
-            None => "nothing fails".to_owned(),
+        let outcome = outcome(of).word;
+        let fails = match (outcome, of.margin.factor) {
+            ("fails" | "jams", Some(factor)) => format!(
+                "{outcome} within the tolerances, from {} times them on",
+                share(factor)
+            ),
+            ("not-met", _) => "not met as drawn".to_owned(),
+            ("holds", Some(_)) => "holds within the tolerances".to_owned(),
+            ("holds", None) => "holds, nothing fails".to_owned(),
+            (word, _) => word.replace('-', " "),
         };
         let parameters = of.linear.iter().flat_map(|l| &l.parameters);
         let most = parameters.max_by(|a, b| a.worst_share.total_cmp(&b.worst_share));
