@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use crate::failure::UNANSWERED;
+use crate::failure::{UNANSWERED, tell};
 use crate::output;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -68,6 +68,7 @@ fn interrupted() {
     // The bar may stand on the line.
     let line_break = if err.is_terminal() { "\n" } else { "" };
     let _ = writeln!(err, "{line_break}error: interrupted");
+    tell("interrupted");
     std::process::exit(i32::from(UNANSWERED));
 }
 

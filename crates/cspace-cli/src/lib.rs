@@ -124,7 +124,9 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Compute(args) => command::compute::run(&args),
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
-        Command::Draw(args) => command::draw::run(&args),
+        Command::Draw(args) => {
+            command::writing("draw", &args.common.result, || command::draw::run(&args))
+        }
         Command::Plan(args) => command::plan::run(&args),
         Command::Disassemble(args) => command::disassemble::run(&args),
         Command::Check(args) => command::check::run(&args),
@@ -136,7 +138,9 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),
-        Command::Export(args) => command::export::run(&args),
+        Command::Export(args) => command::writing("export", &args.common.result, || {
+            command::export::run(&args)
+        }),
         Command::Import(args) => command::import::run(&args),
         Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),

@@ -30,7 +30,7 @@ pub(crate) mod view;
 use std::fmt;
 use std::path::Path;
 
-use cspace_answers::Answer;
+use cspace_answers::{Answer, Outcome};
 use cspace_io::Model;
 use cspace_io::shown::quoted;
 use cspace_mechanism::Mechanism;
@@ -102,6 +102,33 @@ fn print<T: Serialize>(
     };
     output::write(None, &bytes)?;
     Failure::of(answer.outcome)
+}
+
+/// The file that a command wrote.
+#[derive(Serialize)]
+struct Written<'a> {
+    written: &'a Path,
+}
+
+/// Runs a command whose answer is the file that it writes: as JSON, its name.
+pub(crate) fn writing(
+    command: &'static str,
+    result: &ResultArgs,
+    run: impl FnOnce() -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    if result.format() == Format::Text {
+        return run();
+    }
+    let output = result.output.as_deref();
+    let Some(written) = output.filter(|path| *path != Path::new(output::STANDARD)) else {
+        return Err(Failure::new(format_args!(
+            "--json: what `{command}` writes is no JSON, and goes to standard output"
+        ))
+        .help("name a file: -o OUT"));
+    };
+    run()?;
+    let answer = Answer::new(command, None, Outcome::DONE, Written { written });
+    output::write(None, &json(&answer)?)
 }
 
 /// Whether the name of a file ends in an extension.

@@ -45,7 +45,10 @@ fn run_page(text: &str, folder: &Path) -> (String, usize) {
             ["console"] | ["console", "long"] => {
                 assert!(body[0].starts_with("$ "), "{}", body[0]);
                 for command in body.iter().filter_map(|l| l.strip_prefix("$ ")) {
-                    page += &format!("$ {command}\n{}", print(command));
+                    let printed = print(command);
+                    let is_wrong = ["unrecognized subcommand", "unexpected argument"];
+                    assert!(!is_wrong.iter().any(|w| printed.contains(w)), "{printed}");
+                    page += &format!("$ {command}\n{printed}");
                     count += 1;
                 }
             }

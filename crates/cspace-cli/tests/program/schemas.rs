@@ -9,9 +9,11 @@ const ALLOCATION: Schema = Schema::new("answers/allocation");
 const ALONG: Schema = Schema::new("answers/along");
 const CHECK: Schema = Schema::new("answers/check");
 const CLEARANCE: Schema = Schema::new("answers/clearance");
+const CLASSIFY: Schema = Schema::new("answers/classify");
 const COMPUTE: Schema = Schema::new("answers/compute");
 const DISASSEMBLE: Schema = Schema::new("answers/disassemble");
 const ENERGY: Schema = Schema::new("answers/energy");
+const ERROR: Schema = Schema::new("answers/error");
 const IMPORT: Schema = Schema::new("answers/import");
 const INFO: Schema = Schema::new("answers/info");
 const MODES: Schema = Schema::new("answers/modes");
@@ -19,7 +21,9 @@ const PLAN: Schema = Schema::new("answers/plan");
 const PLAY: Schema = Schema::new("answers/play");
 const SIMULATE: Schema = Schema::new("answers/simulate");
 const SLICE: Schema = Schema::new("answers/slice");
+const SWEEP: Schema = Schema::new("answers/sweep");
 const TOLERANCES: Schema = Schema::new("answers/tolerances");
+const WRITTEN: Schema = Schema::new("answers/written");
 const ZONES: Schema = Schema::new("answers/zones");
 
 /// An answer is as its schema says, and is not with a key renamed or left out, in its frame and in what is in that.
@@ -53,7 +57,7 @@ fn rename(object: &mut serde_json::Map<String, Value>) {
 
 fn leave_out(object: &mut serde_json::Map<String, Value>) {
     // A name may be missing; what the answer is about may not.
-    let key = ["fixed", "outcome", "stations", "class"]
+    let key = ["fixed", "outcome", "stations", "class", "error"]
         .into_iter()
         .find(|k| object.contains_key(*k));
     object.remove(key.unwrap());
@@ -116,6 +120,20 @@ fn answers_are_as_their_schemas_say() {
         is_told(PLAY, &framed(&args));
     }
     is_told(SLICE, &framed(&["slice", &axes]));
+    let tip = ["sweep", &planar, "--vary", "tip=49:50:2"];
+    is_told(SWEEP, &framed(&tip));
+    is_told(SWEEP, &framed(&[&tip[..], &["--changes"]].concat()));
+    let columns = "class,region,distance,touching";
+    let args = ["classify", &axes, "--json", "--columns", columns];
+    let output = cspace(&args)
+        .write_stdin("u,v\n0,0\n0,0.3\n")
+        .output()
+        .unwrap();
+    is_told(CLASSIFY, &serde_json::from_slice(&output.stdout).unwrap());
+    let output = cspace(&["info", "nothing.toml", "--json"])
+        .output()
+        .unwrap();
+    is_told(ERROR, &serde_json::from_slice(&output.stdout).unwrap());
     is_told(INFO, &framed(&["info", &planar, &axes]));
     is_told(COMPUTE, &framed(&["compute", &planar, &axes]));
     let (peg, ball) = (model("peg_hole"), model("ball_in_c"));
@@ -161,6 +179,9 @@ fn answers_are_as_their_schemas_say() {
     }
     let record = dir.path().join("record.json");
     let record = record.to_str().unwrap();
+    let drawing = dir.path().join("drawing.svg");
+    let drawn = ["draw", &planar, "-o", drawing.to_str().unwrap()];
+    is_told(WRITTEN, &framed(&drawn));
     cspace(&["simulate", &driven[0], "--time", "0.2", "-o", record])
         .assert()
         .success();

@@ -30,6 +30,9 @@ enum Name {
 #[derive(Debug, Serialize)]
 struct Told {
     verdict: Name,
+    /// The gap by which the moving part is smaller, where the parts fit exactly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap: Option<f64>,
     energy: Option<f64>,
     least: Option<f64>,
     most: Option<f64>,
@@ -122,7 +125,8 @@ fn escaped(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     if field.is_none() {
         return Err(failed(PlanError::NoForce));
     }
-    let space = pair.space()?;
+    let ends: Vec<Coordinates> = [from].into_iter().chain(to).collect();
+    let (space, gap) = pair.space_with_room(&ends)?;
     let begin = Instant::now();
     let mut escape = Escape::new(&space, &field).map_err(failed)?;
     if let Some(within) = args.energy.accuracy {
@@ -132,7 +136,9 @@ fn escaped(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
         .watch(|bar| escape.from_with(from, to, bar))
         .map_err(failed)?;
     let seconds = begin.elapsed().as_secs_f64();
-    Ok(told(pair, answer, !weighs, seconds))
+    let mut told = told(pair, answer, !weighs, seconds);
+    told.gap = gap;
+    Ok(told)
 }
 
 fn told(pair: &Chosen<'_>, answer: Escaped, unit_mass: bool, seconds: f64) -> Told {
@@ -144,6 +150,7 @@ fn told(pair: &Chosen<'_>, answer: Escaped, unit_mass: bool, seconds: f64) -> To
     };
     let mut told = Told {
         verdict: Name::Escapes,
+        gap: None,
         energy: None,
         least: None,
         most: None,
@@ -195,6 +202,9 @@ fn told(pair: &Chosen<'_>, answer: Escaped, unit_mass: bool, seconds: f64) -> To
 
 fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
     let unit = pair.unit_label().unwrap_or("unit");
+    if let Some(gap) = told.gap {
+        writeln!(text, "{}", pair.gap_in_words(gap))?;
+    }
     let energy = |e: f64| format!("{} kg {unit}^2/s^2", length(e));
     match told.verdict {
         Name::Cage => {

@@ -71,7 +71,14 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     if let Some(format) = picture {
         picture::write(args, &pair, &told, format)?;
     } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
-        output::write(Some(path), &as_csv(&pair, &told, &scene)?)?;
+        if told.path.is_empty() {
+            note(format_args!(
+                "{}: not written, there is no path",
+                path.display()
+            ));
+        } else {
+            output::write(Some(path), &as_csv(&pair, &told, &scene)?)?;
+        }
     }
     match (&args.proof, &told.proof) {
         (Some(path), Some(proof)) => output::write(Some(path), &super::json(proof)?)?,

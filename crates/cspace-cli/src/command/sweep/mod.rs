@@ -81,11 +81,17 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     let is_whole = count_done == table.rows.len();
     written(args, unit, &csv, is_whole, rows)?;
     if !is_whole {
-        return Err(Failure::new(format_args!(
-            "interrupted: {count_done} of {} are done and written",
+        let interrupted = Failure::new(format_args!(
+            "interrupted: {count_done} of {} are done",
             count(table.rows.len(), "row", "rows")
-        ))
-        .help("go on with --resume"));
+        ));
+        return Err(match output {
+            Some(path) if super::ends_in(path, "csv") => interrupted.help(format_args!(
+                "they are in {}: go on with --resume",
+                path.display()
+            )),
+            _ => interrupted.help("with -o OUT.csv they are kept, and --resume goes on"),
+        });
     }
     Ok(())
 }

@@ -76,7 +76,11 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         );
     }
     if args.zones || is_picture && args.along.is_none() {
-        return zones::run(args, &values.set, (&template, &model));
+        let printed = zones::run(args, &values.set, (&template, &model));
+        // Without --zones they are a picture beside the answer.
+        if args.zones || printed.is_err() {
+            return printed;
+        }
     }
     if let Some(vary) = &args.along {
         return along::run(

@@ -107,6 +107,9 @@ pub(super) fn run(
         };
         crate::picture::write(output, format, &cspace_draw::zones(&picture, &options))?;
     }
+    if !args.zones {
+        return Ok(());
+    }
     let bands = found.bands.iter().map(|b| BandAnswer {
         features: &b.features,
         cells: &b.cells,
