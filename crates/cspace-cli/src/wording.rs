@@ -6,7 +6,7 @@ use cspace::Coordinates;
 use cspace_io::shown;
 
 /// Words for parts that touch, and whose contact space has no room there.
-pub(crate) const EXACT_FIT: &str = "exact fit: the parts touch, and have no room to move";
+pub(crate) const EXACT_FIT: &str = "exact-fit: the parts touch, and have no room to move";
 
 /// `1 patch`, `2 patches`.
 pub(crate) fn count(n: usize, one: &str, many: &str) -> String {

@@ -89,7 +89,7 @@ struct Requirements<'a> {
 fn summary(text: &mut String, rows: &[Row]) -> fmt::Result {
     let of = |is: Is| rows.iter().filter(|row| row.outcome.is == is).count();
     let all = count(rows.len(), "requirement", "requirements");
-    for (n, are) in [(of(Is::No), "not met"), (of(Is::Open), "not decided")] {
+    for (n, are) in [(of(Is::No), "not met"), (of(Is::Open), "without an answer")] {
         if n > 0 && rows.len() > 1 {
             write!(text, "\n{n} of {all} {are}\n")?;
         }
@@ -133,11 +133,7 @@ fn describe(text: &mut String, model: &Model, rows: &[Row], unit: &str) -> fmt::
             Dimension::Number | Dimension::Truth => length(x),
             Dimension::Length => format!("{}{unit}", length(x)),
         };
-        match row.outcome.word {
-            "measured" | "no-value" => writeln!(text, "{}", row.name)?,
-            "undecided" => writeln!(text, "{}: not decided", row.name)?,
-            word => writeln!(text, "{}: {}", row.name, word.replace('-', " "))?,
-        }
+        writeln!(text, "{}: {}", row.name, row.outcome.word)?;
         let value = match row.value {
             None => "none".to_owned(),
             Some(Told::Number(x)) => number(x),

@@ -35,7 +35,7 @@ fn exact_fits_touch_and_do_not_overlap() {
         let (_folder, file) = file(&text);
         let file = file.as_str();
         let computed = printed(&["compute", file]);
-        assert!(computed.contains("as drawn       exact fit"), "{computed}");
+        assert!(computed.contains("as drawn       exact-fit"), "{computed}");
         let here = [vec![0.0; 3], vec![0.0, -0.01, 0.0], vec![0.0, 50.0, 0.0]];
         let found = classes(&[file], "x,y,theta", &here);
         assert_eq!(found, ["blocked", "blocked", "free"], "{name}");

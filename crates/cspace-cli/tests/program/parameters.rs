@@ -88,7 +88,7 @@ fn requirements_are_checked() {
     let told = told.code(1).get_output().clone();
     assert!(told.stderr.is_empty(), "{told:?}");
     let told = String::from_utf8(told.stdout).unwrap();
-    assert!(told.starts_with("free play: not met\n"), "{told}");
+    assert!(told.starts_with("free play: not-met\n"), "{told}");
     assert!(told.ends_with("\n1 of 2 requirements not met\n"), "{told}");
     let bad = cspace(&["check", &file, "--set", "play=0.2", "--format", "json"])
         .output()
@@ -469,7 +469,7 @@ fn what_is_not_decided_is_neither_met_nor_not_met() {
     assert_eq!(answer(&open)[0]["outcome"], "undecided");
     let told = cspace(&["check", &file, "--set", "torque=3"]).assert();
     let told = String::from_utf8(told.code(2).get_output().stdout.clone()).unwrap();
-    assert!(told.starts_with("turned: not decided\n"), "{told}");
+    assert!(told.starts_with("turned: undecided\n"), "{told}");
     let closed = check("torque=-3");
     assert_eq!(closed.status.code(), Some(0));
     assert_eq!(answer(&closed)[0]["met"], true);
@@ -534,5 +534,5 @@ fn ranges_of_what_happens_in_a_motion_leave_no_gap() {
         .output()
         .unwrap();
     let told = String::from_utf8(output.stdout).unwrap();
-    assert!(!told.contains("closes: not met"), "{told}");
+    assert!(!told.contains("closes: not-met"), "{told}");
 }

@@ -145,10 +145,10 @@ impl Words<'_> {
                 "{outcome} within the tolerances, from {} times them on",
                 share(factor)
             ),
-            ("not-met", _) => "not met as drawn".to_owned(),
+            ("not-met", _) => "not-met as drawn".to_owned(),
             ("holds", Some(_)) => "holds within the tolerances".to_owned(),
             ("holds", None) => "holds, nothing fails".to_owned(),
-            (word, _) => word.replace('-', " "),
+            (word, _) => word.to_owned(),
         };
         let parameters = of.linear.iter().flat_map(|l| &l.parameters);
         let most = parameters.max_by(|a, b| a.worst_share.total_cmp(&b.worst_share));
