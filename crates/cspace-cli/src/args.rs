@@ -68,7 +68,12 @@ pub(crate) fn command() -> clap::Command {
     let template = format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{list}Options:\n{{options}}{{after-help}}"
     );
-    command.help_template(template)
+    let command = command.help_template(template);
+    // They are refused with what else writes files.
+    let silent = ["info", "compute", "play", "clearance", "check", "solve"];
+    silent.into_iter().fold(command, |command, name| {
+        command.mut_subcommand(name, |c| c.mut_arg("output", |arg| arg.hide(true)))
+    })
 }
 
 #[derive(Debug, Subcommand)]

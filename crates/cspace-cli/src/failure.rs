@@ -162,8 +162,10 @@ impl Failure {
 
 /// Tells as JSON what is wrong with the command line, where JSON is asked for.
 pub(crate) fn tell(message: &str) {
-    let message = message.trim_end();
-    Failure::new(message.strip_prefix("error: ").unwrap_or(message)).tell();
+    let message = message.strip_prefix("error: ").unwrap_or(message);
+    let (message, advice) = message.split_once("\n\n").unwrap_or((message, ""));
+    // A tip if there is one, and how the command is used.
+    Failure::new(message.trim_end()).help(advice.trim()).tell();
 }
 
 /// Prints an entry of a list to stderr, below a message that it belongs to.
