@@ -306,39 +306,24 @@ impl ResultArgs {
     /// # Errors
     /// If it ends in another one.
     pub(crate) fn artefact(&self, known: &[&str]) -> Result<Option<&Path>, Failure> {
-        artefact(self.output.as_deref(), known)
+        let Some(path) = self.output.as_deref() else {
+            return Ok(None);
+        };
+        if known.iter().any(|k| crate::output::ends_in(path, k)) {
+            return Ok(Some(path));
+        }
+        let wrong = Failure::new(format_args!(
+            "-o {}: this command writes no such file",
+            path.display()
+        ));
+        Err(match known {
+            [] => wrong.help("leave -o out: the answer goes to standard output, with --json for programs; `cspace draw`, `slice` and `export` write pictures, meshes and spaces"),
+            known => wrong.help(format_args!(
+                "let the name end in .{}; the answer goes to standard output",
+                known.join(", .")
+            )),
+        })
     }
-}
-
-/// Extensions of pictures.
-pub(crate) const PICTURES: [&str; 3] = ["svg", "png", "pdf"];
-
-/// The file to write, whose name ends in one of these extensions.
-///
-/// # Errors
-/// If it ends in another one.
-pub(crate) fn artefact<'a>(
-    path: Option<&'a Path>,
-    known: &[&str],
-) -> Result<Option<&'a Path>, Failure> {
-    let Some(path) = path else {
-        return Ok(None);
-    };
-    let extension = crate::output::extension(path).unwrap_or_default();
-    if known.iter().any(|k| k.eq_ignore_ascii_case(extension)) {
-        return Ok(Some(path));
-    }
-    let wrong = Failure::new(format_args!(
-        "-o {}: this command writes no such file",
-        path.display()
-    ));
-    Err(match known {
-        [] => wrong.help("leave -o out: the answer goes to standard output, with --json for programs; `cspace draw`, `slice` and `export` write pictures, meshes and spaces"),
-        known => wrong.help(format_args!(
-            "let the name end in .{}; the answer goes to standard output",
-            known.join(", .")
-        )),
-    })
 }
 
 /// The window of orientations.

@@ -37,13 +37,24 @@ fn is_compressed(path: &Path) -> bool {
         .is_some_and(|e| e.eq_ignore_ascii_case("gz"))
 }
 
-/// The extension of a file's name, without one that says it is compressed.
+/// The extension of a file's name; of tables and of JSON without one that says that they are compressed.
 pub(crate) fn extension(path: &Path) -> Option<&str> {
-    let name = match is_compressed(path) {
-        true => Path::new(path.file_stem()?),
-        false => path,
+    let extension = path.extension()?.to_str()?;
+    let inner = || Path::new(path.file_stem()?).extension()?.to_str();
+    let is_data = |inner: &&str| {
+        ["csv", "json"]
+            .iter()
+            .any(|e| e.eq_ignore_ascii_case(inner))
     };
-    name.extension()?.to_str()
+    Some(match is_compressed(path) {
+        true => inner().filter(is_data).unwrap_or(extension),
+        false => extension,
+    })
+}
+
+/// Whether the name of a file ends in an extension.
+pub(crate) fn ends_in(path: &Path, extension: &str) -> bool {
+    self::extension(path).is_some_and(|e| e.eq_ignore_ascii_case(extension))
 }
 
 fn write_stdout(bytes: &[u8]) -> Result<(), Failure> {

@@ -8,7 +8,6 @@ use cspace_answers::{Answer, Is, Outcome};
 use cspace_design::Sensitivity;
 use cspace_io::model::Dimension;
 use cspace_io::{Document, Model};
-use serde::Serialize;
 
 use crate::args::CheckArgs;
 use crate::cache;
@@ -68,7 +67,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         "check",
         model.mechanism.unit.as_deref(),
         outcome,
-        Requirements {
+        super::Requirements {
             requirements: &rows,
         },
     );
@@ -77,12 +76,6 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
         describe(text, &model, &rows, &unit)?;
         summary(text, &rows)
     })
-}
-
-/// The requirements of a model, each measured.
-#[derive(Serialize)]
-struct Requirements<'a> {
-    requirements: &'a [Row],
 }
 
 /// How many of several requirements are not met, and not decided.

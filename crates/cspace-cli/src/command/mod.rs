@@ -89,19 +89,35 @@ fn print<T: Serialize>(
     text: impl FnOnce(&mut String) -> fmt::Result,
 ) -> Result<(), Failure> {
     let output = result.output.as_deref();
-    if let Some(path) = output.filter(|path| ends_in(path, "json")) {
-        output::write(Some(path), &json(answer)?)?;
-    }
-    let bytes = match result.format() {
-        Format::Json => json(answer)?,
-        Format::Text => {
-            let mut written = String::new();
-            text(&mut written).map_err(Failure::new)?;
-            written.into_bytes()
-        }
+    let file = output.filter(|path| output::ends_in(path, "json"));
+    let is_json = result.format() == Format::Json;
+    let written = match is_json || file.is_some() {
+        true => json(answer)?,
+        false => Vec::new(),
     };
-    output::write(None, &bytes)?;
+    if file.is_some() {
+        output::write(file, &written)?;
+    }
+    if is_json {
+        output::write(None, &written)?;
+    } else {
+        let mut printed = String::new();
+        text(&mut printed).map_err(Failure::new)?;
+        output::write(None, printed.as_bytes())?;
+    }
     Failure::of(answer.outcome)
+}
+
+/// The rows of a table.
+#[derive(Serialize)]
+struct Rows<T> {
+    rows: T,
+}
+
+/// Requirements, each with what concerns it.
+#[derive(Serialize)]
+struct Requirements<T> {
+    requirements: T,
 }
 
 /// The file that a command wrote.
@@ -129,11 +145,6 @@ pub(crate) fn writing(
     run()?;
     let answer = Answer::new(command, None, Outcome::DONE, Written { written });
     output::write(None, &json(&answer)?)
-}
-
-/// Whether the name of a file ends in an extension.
-fn ends_in(path: &Path, extension: &str) -> bool {
-    output::extension(path).is_some_and(|e| e.eq_ignore_ascii_case(extension))
 }
 
 /// Indented JSON with a line break at the end.

@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::input;
+use crate::output;
 
 /// The largest record read, in bytes: some million samples.
 const LARGEST: u64 = 1 << 27;
@@ -70,8 +71,7 @@ fn freedom(model: &Mechanism, part: usize) -> usize {
 
 /// The samples of a record in CSV or JSON, by the extension. Parts that are not in it stay as they are drawn.
 pub(super) fn samples(file: &Path, model: &Mechanism) -> Result<Vec<Sample>, Failure> {
-    let is_csv = (file.extension()).is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    let samples = if is_csv {
+    let samples = if output::ends_in(file, "csv") {
         of_csv(file, model)
     } else {
         of_json(file, model)

@@ -15,6 +15,7 @@ use serde::Serialize;
 
 use crate::args::SliceArgs;
 use crate::failure::Failure;
+use crate::output;
 use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
@@ -48,7 +49,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let slice = pair.slice(theta, args.exact)?;
     if let Some(format) = format {
         picture(args, &pair, theta, format)?;
-    } else if let Some(path) = output.filter(|path| super::ends_in(path, "dxf")) {
+    } else if let Some(path) = output.filter(|path| output::ends_in(path, "dxf")) {
         let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
         let drawn = Drawn::slice(&name, &slice);
         write_outlines(Some(path), &[drawn], pair.unit_label(), args.dxf)?;
@@ -138,7 +139,7 @@ fn plane(
         );
     }
     let output = args.common.result.output.as_deref();
-    if output.is_some_and(|path| super::ends_in(path, "dxf")) {
+    if output.is_some_and(|path| output::ends_in(path, "dxf")) {
         return Err(Failure::new(format_args!(
             "the plane of two motions, of the pair {}, has curves that are no arcs",
             pair.names()

@@ -101,6 +101,13 @@ fn the_least_gap_over_a_record() {
     assert!((gap - 1.0).abs() < 2e-6, "{gap}");
     assert!((0.25..=0.75).contains(&below["at"].as_f64().unwrap()));
     assert_eq!(row(&answer, "plate", "block")["outcome"], "touches");
+    // A compressed table says the same.
+    let packed = dir.path().join("run.csv.gz");
+    let mut gzip = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    std::io::Write::write_all(&mut gzip, rows.as_bytes()).unwrap();
+    std::fs::write(&packed, gzip.finish().unwrap()).unwrap();
+    let again = json(&["clearance", &file, "--along", packed.to_str().unwrap()]);
+    assert_eq!(again["pairs"], answer["pairs"]);
     // JSON says the same.
     let record = dir.path().join("run.json");
     let samples = r#"{"status": "done", "parts": ["block", "hand"], "samples": [

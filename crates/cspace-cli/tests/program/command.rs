@@ -1002,7 +1002,7 @@ fn files_are_written_beside_answers() {
             fails(cspace(&args), 2, &["writes no such file", "leave -o out"]);
         }
     }
-    for name in ["a.ply", "a.txt", "a.gif", "a"] {
+    for name in ["a.ply", "a.txt", "a.gif", "a", "a.svg.gz", "a.dxf.gz"] {
         let out = place(name);
         let args = ["slice", &file, "--theta", "0", "-o", &out];
         fails(cspace(&args), 2, &["writes no such file", ".svg, .png"]);

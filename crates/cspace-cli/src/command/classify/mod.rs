@@ -10,7 +10,6 @@ use cspace_answers::{Answer as Framed, Outcome};
 use cspace_classifier::Classifier;
 use cspace_io::shown;
 use rayon::prelude::*;
-use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::args::{ClassifyArgs, Column};
@@ -50,10 +49,10 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let touch = args.touch.unwrap_or_else(|| space.resolution());
     let answers = answers(&pair, &space, &rows, &columns, touch)?;
     let csv = as_csv(&rows, &columns, &answers)?;
-    if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+    if let Some(path) = output.filter(|path| output::ends_in(path, "csv")) {
         output::write(Some(path), &csv)?;
     }
-    let answers = Classified {
+    let answers = super::Rows {
         rows: objects(&rows, &columns, &answers),
     };
     let answers = vec![pair.answer(Outcome::DONE, answers)];
@@ -63,12 +62,6 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         text.push_str(&String::from_utf8_lossy(&csv));
         Ok(())
     })
-}
-
-/// The rows with their classes.
-#[derive(Serialize)]
-struct Classified {
-    rows: Vec<Map<String, Value>>,
 }
 
 /// The columns asked for, each once.

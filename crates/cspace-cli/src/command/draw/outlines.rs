@@ -12,7 +12,7 @@ use crate::subject::Subject;
 
 /// Whether a file's name asks for DXF.
 pub(crate) fn is_dxf(path: Option<&Path>) -> bool {
-    (path.and_then(Path::extension)).is_some_and(|e| e.eq_ignore_ascii_case("dxf"))
+    path.is_some_and(|path| output::ends_in(path, "dxf"))
 }
 
 /// Refuses a version of DXF where none is written.

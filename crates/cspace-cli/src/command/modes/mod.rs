@@ -9,7 +9,7 @@ use std::time::Instant;
 use cspace_answers::{Answer, Outcome};
 use cspace_modes::Modes;
 
-use crate::args::{ModesArgs, PICTURES};
+use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
@@ -22,7 +22,7 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     if format.is_none() {
         args.picture.refuse()?;
     }
-    args.result.artefact(&PICTURES)?;
+    args.result.artefact(&["svg", "png", "pdf"])?;
     output::check(output)?;
     catch_interrupts();
     set_threads(args.threads)?;

@@ -56,7 +56,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let subject = Subject::open(common)?;
     let pair = subject.one_pair(common, args.window.window)?;
     if args.energy.energy {
-        if picture.is_some() || output.is_some_and(|path| super::ends_in(path, "csv")) {
+        if picture.is_some() || output.is_some_and(|path| output::ends_in(path, "csv")) {
             return Err(
                 Failure::new("-o: with --energy there is no picture and no table")
                     .help("let the name end in .json"),
@@ -70,7 +70,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     };
     if let Some(format) = picture {
         picture::write(args, &pair, &told, format)?;
-    } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+    } else if let Some(path) = output.filter(|path| output::ends_in(path, "csv")) {
         if told.path.is_empty() {
             note(format_args!(
                 "{}: not written, there is no path",

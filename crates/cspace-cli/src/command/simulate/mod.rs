@@ -96,7 +96,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let wanted = Wanted {
         rates: args.rates,
         forces: args.forces,
-        states: output.is_some_and(|path| super::ends_in(path, "json")),
+        states: output.is_some_and(|path| output::ends_in(path, "json")),
     };
     let told = Told::of(
         &model,
@@ -109,7 +109,7 @@ pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     if let Some(format) = drawn {
         let scene = picture::scene(&simulation, &record, &report, &options)?;
         crate::picture::write(output, format, &scene)?;
-    } else if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+    } else if let Some(path) = output.filter(|path| output::ends_in(path, "csv")) {
         let csv = table::csv(&model, &simulation, &record, wanted)?;
         output::write(Some(path), &csv)?;
     }

@@ -7,7 +7,6 @@ mod table;
 use cspace_answers::{Answer, Outcome};
 use cspace_design::{Change, Sweep, Varied};
 use cspace_io::{Model, shown};
-use serde::Serialize;
 use serde_json::{Map, Value};
 
 use crate::args::{Format, SweepArgs};
@@ -67,7 +66,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     }
     let kept = match output {
         _ if !args.resume => Kept::default(),
-        Some(path) if super::ends_in(path, "csv") => kept(path, &table, &measures)?,
+        Some(path) if output::ends_in(path, "csv") => kept(path, &table, &measures)?,
         _ => {
             return Err(
                 Failure::new("--resume goes on with a table in CSV").help("name it: -o OUT.csv")
@@ -86,7 +85,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
             count(table.rows.len(), "row", "rows")
         ));
         return Err(match output {
-            Some(path) if super::ends_in(path, "csv") => interrupted.help(format_args!(
+            Some(path) if output::ends_in(path, "csv") => interrupted.help(format_args!(
                 "they are in {}: go on with --resume",
                 path.display()
             )),
@@ -94,12 +93,6 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         });
     }
     Ok(())
-}
-
-/// The rows of a table.
-#[derive(Serialize)]
-struct Rows {
-    rows: Vec<Map<String, Value>>,
 }
 
 /// Prints a table, and writes it to the file that is asked for beside it.
@@ -111,10 +104,10 @@ fn written(
     rows: impl FnOnce() -> Vec<Map<String, Value>>,
 ) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
-    if let Some(path) = output.filter(|path| super::ends_in(path, "csv")) {
+    if let Some(path) = output.filter(|path| output::ends_in(path, "csv")) {
         output::write(Some(path), csv)?;
     }
-    let is_json = output.is_some_and(|path| super::ends_in(path, "json"));
+    let is_json = output.is_some_and(|path| output::ends_in(path, "json"));
     if args.result.format() == Format::Text && !is_json {
         return output::write(None, csv);
     }
@@ -122,7 +115,7 @@ fn written(
         true => Outcome::DONE,
         false => Outcome::open("interrupted"),
     };
-    let answer = Answer::new("sweep", unit, outcome, Rows { rows: rows() });
+    let answer = Answer::new("sweep", unit, outcome, super::Rows { rows: rows() });
     let printed = super::print(&args.result, &answer, |text| {
         text.push_str(&String::from_utf8_lossy(csv));
         Ok(())

@@ -9,7 +9,6 @@ use cspace_io::Model;
 use cspace_io::model::{Dimension, Setting, Template};
 use serde::Serialize;
 
-use super::Requirements;
 use super::answer::{End, end};
 use super::text::number;
 use crate::args::{TolerancesArgs, Vary};
@@ -77,7 +76,7 @@ pub(super) fn run(
         "tolerances",
         unit,
         Outcome::DONE,
-        Requirements { requirements },
+        crate::command::Requirements { requirements },
     );
     super::super::print(&args.result, &answer, |written| {
         let unit = unit.map_or(String::new(), |u| format!(" {u}"));

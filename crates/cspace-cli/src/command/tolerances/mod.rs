@@ -9,8 +9,6 @@ mod zones;
 use cspace_answers::{Answer, Outcome};
 use cspace_design::{ToleranceOptions, Tolerances, Variations, allocate, tolerances_with};
 
-use serde::Serialize;
-
 use crate::args::TolerancesArgs;
 use crate::failure::Failure;
 use crate::input;
@@ -119,7 +117,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         "tolerances",
         model_unit,
         outcome,
-        Requirements { requirements: rows },
+        super::Requirements { requirements: rows },
     );
     let printed = super::print(&args.result, &framed, |text| {
         *text = text::described(&model.mechanism, &variations, &found, &unit);
@@ -129,12 +127,6 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         return Err(Failure::new("interrupted: what is known is written"));
     }
     printed
-}
-
-/// Requirements, each with what concerns it.
-#[derive(Serialize)]
-struct Requirements<T> {
-    requirements: Vec<T>,
 }
 
 /// The cost of each variation's tolerance: 1 unless given.
