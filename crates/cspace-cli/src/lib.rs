@@ -42,8 +42,8 @@ pub fn tolerances_answer(
 /// If it cannot be written as JSON.
 pub fn modes_answer(
     mechanism: &cspace_mechanism::Mechanism,
-    modes: &cspace_modes::Modes,
-    requested: ([f64; 3], cspace_modes::ModePlace),
+    modes: &cspace_plan::modes::Modes,
+    requested: ([f64; 3], cspace_plan::modes::ModePlace),
     seconds: f64,
 ) -> serde_json::Result<serde_json::Value> {
     serde_json::to_value(command::modes::answer::of(

@@ -2,7 +2,9 @@
 //!
 //! A contact space knows whether two configurations can be joined: they can if and only if they are in the same free region.
 //! [`Planner`] answers with a path whose legs are motions of constant rates, each with a clearance that is certain ([`legs`]), or
-//! with what keeps the two apart.
+//! with what keeps the two apart. [`modes`] are the free regions of three parts on fixed axes.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod answer;
 mod apart;
@@ -15,6 +17,7 @@ pub mod escape;
 mod exact_fit;
 mod farthest;
 pub mod legs;
+pub mod modes;
 mod off_contact;
 mod open;
 mod out;

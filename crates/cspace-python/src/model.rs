@@ -7,8 +7,8 @@ use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Template};
 use cspace_mechanism::{Mechanism, PairEntry};
-use cspace_modes::Modes;
 use cspace_motion::{Report, Settings, Simulation};
+use cspace_plan::modes::Modes;
 use numpy::{IntoPyArray, PyArray2};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -283,7 +283,7 @@ impl Model {
     ) -> PyResult<Bound<'py, PyAny>> {
         let mechanism = self.mechanism();
         let parts = match parts {
-            None => cspace_modes::moving_parts(mechanism).map_err(error)?,
+            None => cspace_plan::modes::moving_parts(mechanism).map_err(error)?,
             Some([a, b, c]) => [
                 self.part_index(&a)?,
                 self.part_index(&b)?,

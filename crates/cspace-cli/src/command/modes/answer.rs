@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use cspace::AxisMotion;
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
-use cspace_modes::{Mode, ModePlace, Modes, PAIRS};
+use cspace_plan::modes::{Mode, ModePlace, Modes, PAIRS};
 use serde::Serialize;
 
 use super::ask::LETTERS;

@@ -5,7 +5,7 @@ use std::path::Path;
 use cspace::AxisMotion;
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
-use cspace_modes::{ModesError, moving_parts};
+use cspace_plan::modes::{ModesError, moving_parts};
 
 use crate::angle;
 use crate::failure::Failure;

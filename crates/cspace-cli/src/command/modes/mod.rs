@@ -7,7 +7,7 @@ mod picture;
 use std::time::Instant;
 
 use cspace_answers::{Answer, Outcome};
-use cspace_modes::Modes;
+use cspace_plan::modes::Modes;
 
 use crate::args::ModesArgs;
 use crate::failure::Failure;

@@ -2,7 +2,7 @@
 
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
 use cspace_mechanism::Mechanism;
-use cspace_modes::{ModePlace, Modes};
+use cspace_plan::modes::{ModePlace, Modes};
 
 use super::ask::LETTERS;
 use crate::args::ModesArgs;

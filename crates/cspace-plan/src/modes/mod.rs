@@ -11,7 +11,7 @@
 //! ```
 //! use cspace::Part;
 //! use cspace_mechanism::{Mechanism, PartEntry};
-//! use cspace_modes::{ModePlace, Modes, moving_parts};
+//! use cspace_plan::modes::{ModePlace, Modes, moving_parts};
 //! // Two bolts and a slide across them, which has a slot that takes the end of one bolt at a time.
 //! let mut lock = Mechanism::new("lock");
 //! let mut add = |part, direction: (f64, f64), range: (f64, f64)| {
@@ -43,15 +43,13 @@
 //! latter is a root of f(a(s)) − c(s) with monotone f, a and c, which ranges and enclosures of derivatives isolate (`roots`). Pieces that
 //! share an opening are joined, with the turns that lead from one to the other (`sweep`, `turns`).
 
-#![warn(clippy::print_stdout, clippy::print_stderr)]
-
 mod column;
+mod components;
 mod error;
 mod extent;
 mod graph;
 mod locate;
 mod mode;
-mod modes;
 mod plane;
 mod roots;
 mod section;
@@ -61,9 +59,9 @@ mod sweep;
 mod trio;
 mod turns;
 
+pub use components::Modes;
 pub use error::ModesError;
 pub use locate::ModePlace;
 pub use mode::Mode;
-pub use modes::Modes;
 pub use shadow::Shadow;
 pub use trio::{PAIRS, TrioPair, moving_parts};

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{AxisMotion, Classification};
-use cspace_modes::{ModePlace, Modes};
+use cspace_plan::modes::{ModePlace, Modes};
 
 /// Modes found on a grid.
 #[derive(Debug, Default, PartialEq)]

@@ -3,10 +3,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::modes::Modes;
-use crate::plane::turns_onto;
-use crate::roots::sign_change;
-use crate::shape::Shape;
+use crate::modes::components::Modes;
+use crate::modes::plane::turns_onto;
+use crate::modes::roots::sign_change;
+use crate::modes::shape::Shape;
 
 /// The projection of a mode to the plane of a pair, as fields of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,14 +27,14 @@ struct Fields {
 }
 
 impl Modes {
-    /// Computes the projection of a mode onto the plane of a pair, by its number in [`PAIRS`](crate::PAIRS), over a
+    /// Computes the projection of a mode onto the plane of a pair, by its number in [`PAIRS`](crate::modes::PAIRS), over a
     /// window of the pair's u and v: every field that the mode enters, even slightly. Empty if there is no such mode or
     /// pair.
     ///
     /// ```
     /// use cspace::Part;
     /// use cspace_mechanism::{Mechanism, PartEntry};
-    /// use cspace_modes::Modes;
+    /// use cspace_plan::modes::Modes;
     /// let mut blocks = Mechanism::new("blocks");
     /// for (name, x) in [("a", -4.0), ("b", 0.0), ("c", 4.0)] {
     ///     let mut entry = PartEntry::prismatic(Part::rectangle(name, (x, 0.0), 2.0, 2.0)?, (1.0, 0.0));

@@ -2,7 +2,7 @@
 
 use cspace::{Axis, Part, Vector};
 use cspace_mechanism::{Mechanism, PartEntry};
-use cspace_modes::Modes;
+use cspace_plan::modes::Modes;
 
 fn slide(x: f64, y: f64, reach: f64) -> Axis {
     Axis::prismatic(Vector::new(x, y)).within(-reach, reach)

@@ -5,8 +5,8 @@ use core::ops::Range;
 
 use cspace::fixed_axes::{PlaneBand, PlaneGap, SweptPlane};
 
-use crate::extent::Extent;
-use crate::graph::{Graph, Span};
+use crate::modes::extent::Extent;
+use crate::modes::graph::{Graph, Span};
 
 /// A plane, swept along x.
 #[derive(Debug)]

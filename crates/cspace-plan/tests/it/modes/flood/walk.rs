@@ -4,8 +4,8 @@ use core::f64::consts::TAU;
 
 use cspace::{Axis, AxisMotion, Configuration, Part, Rotation};
 use cspace_mechanism::Mechanism;
-use cspace_modes::{ModePlace, Modes};
 use cspace_oracle::Oracle;
+use cspace_plan::modes::{ModePlace, Modes};
 
 use super::Dice;
 
@@ -51,7 +51,7 @@ impl<'a> Walker<'a> {
                 .filter_map(|p| Some(2.0 * p.space.as_ref()?.resolution()))
                 .fold(0.0, f64::max),
             speeds: [0, 1, 2].map(|k| speed(part(k), &axes[k])),
-            pairs: (cspace_modes::PAIRS.into_iter())
+            pairs: (cspace_plan::modes::PAIRS.into_iter())
                 .map(|[a, b]| ([a, b], Oracle::new(part(a), part(b))))
                 .collect(),
         }

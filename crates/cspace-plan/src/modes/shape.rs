@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use crate::column::Column;
-use crate::section::Place;
+use crate::modes::column::Column;
+use crate::modes::section::Place;
 
 /// Cell of a column over a layer. Its values are the original ones, not narrowed by the smallest openings.
 pub(crate) struct Shape<'a> {

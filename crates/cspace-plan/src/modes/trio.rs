@@ -4,7 +4,7 @@ use cspace::fixed_axes::Role;
 use cspace::{Axis, AxisMotion, FixedAxesSpace, Options, PairError, PairSpace};
 use cspace_mechanism::{Mechanism, MechanismError, PairEntry};
 
-use crate::error::ModesError;
+use crate::modes::error::ModesError;
 
 /// The coordinates of each pair among the three: u and v, v and w, u and w.
 pub const PAIRS: [[usize; 2]; 3] = [[0, 1], [1, 2], [0, 2]];
@@ -42,7 +42,7 @@ pub(crate) struct Trio {
 ///     lock.parts.push(PartEntry::prismatic(part, (0.0, 1.0)));
 /// }
 /// lock.parts.push(PartEntry::fixed(Part::rectangle("case", (20.0, 0.0), 2.0, 2.0)?));
-/// assert_eq!(cspace_modes::moving_parts(&lock), Ok([0, 1, 2]));
+/// assert_eq!(cspace_plan::modes::moving_parts(&lock), Ok([0, 1, 2]));
 /// # Ok::<(), cspace::PartError>(())
 /// ```
 pub fn moving_parts(mechanism: &Mechanism) -> Result<[usize; 3], ModesError> {

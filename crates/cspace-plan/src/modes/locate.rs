@@ -4,18 +4,18 @@ use core::f64::consts::TAU;
 
 use cspace::Classification;
 
-use crate::error::ModesError;
-use crate::modes::Modes;
-use crate::plane::turns_onto;
+use crate::modes::components::Modes;
+use crate::modes::error::ModesError;
+use crate::modes::plane::turns_onto;
 
 /// Place of a configuration of the three parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModePlace {
     /// Free, in the mode with that number.
     Mode(usize),
-    /// Two parts touch: a number of [`PAIRS`](crate::PAIRS).
+    /// Two parts touch: a number of [`PAIRS`](crate::modes::PAIRS).
     Contact(usize),
-    /// Two parts overlap: a number of [`PAIRS`](crate::PAIRS).
+    /// Two parts overlap: a number of [`PAIRS`](crate::modes::PAIRS).
     Blocked(usize),
     /// Outside the range of the coordinate of that number.
     Outside(usize),
@@ -32,7 +32,7 @@ impl Modes {
     /// ```
     /// use cspace::Part;
     /// use cspace_mechanism::{Mechanism, PartEntry};
-    /// use cspace_modes::{ModePlace, Modes};
+    /// use cspace_plan::modes::{ModePlace, Modes};
     /// let mut blocks = Mechanism::new("blocks");
     /// for (name, x) in [("a", -4.0), ("b", 0.0), ("c", 4.0)] {
     ///     let mut entry = PartEntry::prismatic(Part::rectangle(name, (x, 0.0), 2.0, 2.0)?, (1.0, 0.0));
@@ -105,7 +105,7 @@ impl Modes {
         for k in near.rev() {
             let slab = &slabs[k];
             let s = s.clamp(slab.lo, slab.hi);
-            let gaps = |plane: &crate::plane::Plane, band: usize, t: f64| -> Vec<usize> {
+            let gaps = |plane: &crate::modes::plane::Plane, band: usize, t: f64| -> Vec<usize> {
                 let all = plane.bands[band].gaps.clone();
                 all.filter(|&g| holds(plane.y.circle, t, plane.interval(g, s)))
                     .collect()
@@ -134,7 +134,7 @@ impl Modes {
         for layer in &stack.layers {
             for &place in &layer.cells {
                 if layer.lo <= s && s <= layer.hi {
-                    let shape = crate::shape::Shape {
+                    let shape = crate::modes::shape::Shape {
                         column,
                         place,
                         s: (layer.lo, layer.hi),

@@ -5,8 +5,8 @@
 use core::f64::consts::TAU;
 use core::ops::RangeInclusive;
 
-use crate::plane::{Plane, turns_onto};
-use crate::roots::sign_change;
+use crate::modes::plane::{Plane, turns_onto};
+use crate::modes::roots::sign_change;
 
 /// A gap of the plane (p, q), and in which turn of both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,7 +2,7 @@
 
 use cspace::{Axis, Part, Vector, Vertex};
 use cspace_mechanism::{Mechanism, PartEntry};
-use cspace_modes::{ModePlace, Modes};
+use cspace_plan::modes::{ModePlace, Modes};
 
 const GAP: f64 = 10.0;
 const DEPTH: f64 = 2.0;

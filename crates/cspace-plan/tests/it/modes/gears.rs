@@ -7,7 +7,7 @@ use core::f64::consts::TAU;
 
 use cspace::{Part, Point, Vector, Vertex};
 use cspace_mechanism::{Mechanism, PartEntry};
-use cspace_modes::{ModePlace, Modes};
+use cspace_plan::modes::{ModePlace, Modes};
 
 /// The gear (12 teeth, about the origin) and the pinion (10 teeth, about (44, 0)) of a model that is drawn with its shafts.
 fn drawn() -> [Part; 2] {

@@ -4,17 +4,16 @@ use core::f64::consts::TAU;
 use std::collections::HashMap;
 
 use cspace::fixed_axes::{Role, SweptPlane};
-use cspace::{Axis, AxisMotion};
+use cspace::{Axis, AxisMotion, parallel};
 use cspace_mechanism::Mechanism;
-use rayon::prelude::*;
 
-use crate::error::ModesError;
-use crate::extent::Extent;
-use crate::mode::{Gathered, Mode};
-use crate::plane::{Opening, Plane};
-use crate::shape::Shape;
-use crate::sweep::{Planes, Swept};
-use crate::trio::{Trio, TrioPair, failed};
+use crate::modes::error::ModesError;
+use crate::modes::extent::Extent;
+use crate::modes::mode::{Gathered, Mode};
+use crate::modes::plane::{Opening, Plane};
+use crate::modes::shape::Shape;
+use crate::modes::sweep::{Planes, Swept};
+use crate::modes::trio::{Trio, TrioPair, failed};
 
 /// The free space of three parts on axes, and its modes.
 #[derive(Debug)]
@@ -45,7 +44,7 @@ impl Modes {
     /// ```
     /// use cspace::Part;
     /// use cspace_mechanism::{Mechanism, PartEntry};
-    /// use cspace_modes::Modes;
+    /// use cspace_plan::modes::Modes;
     /// // Three blocks on one rail: they cannot pass each other, so each order is a mode.
     /// let mut blocks = Mechanism::new("blocks");
     /// for (name, x) in [("a", -4.0), ("b", 0.0), ("c", 4.0)] {
@@ -144,21 +143,21 @@ impl Modes {
             self.turns_of.push(turns);
         }
         let extents = [self.planes.sp.x, self.planes.sp.y, self.planes.sq.y];
-        let mut cells: Vec<Vec<(u32, Shape<'_>)>> = roots.iter().map(|_| Vec::new()).collect();
+        let mut sets: Vec<(u32, Vec<(u32, Shape<'_>)>)> =
+            roots.iter().map(|&root| (root, Vec::new())).collect();
         self.shapes(|number, shape| {
-            cells[self.mode_of[number as usize] as usize].push((number, shape));
+            let (_, cells) = &mut sets[self.mode_of[number as usize] as usize];
+            cells.push((number, shape));
         });
-        let gathered: Vec<Gathered> = (roots.par_iter().zip(cells))
-            .map(|(&root, cells)| {
-                let turns = self.swept.sets.lattice(root).reduced();
-                let mut gathered = Gathered::new(turns, extents);
-                for (number, shape) in cells {
-                    let turns = self.turns_of[number as usize].map(|t| TAU * f64::from(t));
-                    gathered.add(&shape, turns);
-                }
-                gathered
-            })
-            .collect();
+        let gathered: Vec<Gathered> = parallel::map(&sets, 1, |(root, cells)| {
+            let turns = self.swept.sets.lattice(*root).reduced();
+            let mut gathered = Gathered::new(turns, extents);
+            for (number, shape) in cells {
+                let turns = self.turns_of[*number as usize].map(|t| TAU * f64::from(t));
+                gathered.add(shape, turns);
+            }
+            gathered
+        });
         let open = [0, 1, 2].map(|k| self.trio.is_open(k));
         let modes = gathered.into_iter().map(|g| g.mode(self.order, open));
         let mut modes: Vec<(usize, Mode)> = modes.enumerate().collect();
@@ -189,10 +188,11 @@ fn planes(mechanism: &Mechanism, trio: &Trio) -> Result<([usize; 3], Planes), Mo
         _ => [1, 0, 2],
     };
     let [s, p, q] = order;
-    let swept: Vec<Option<SweptPlane>> = [[s, p], [s, q], [p, q]]
-        .par_iter()
-        .map(|&[x, y]| swept(mechanism, trio, &axes, x, y))
-        .collect::<Result<_, _>>()?;
+    let sides = [[s, p], [s, q], [p, q]];
+    let swept: Vec<Option<SweptPlane>> =
+        parallel::map(&sides, 1, |&[x, y]| swept(mechanism, trio, &axes, x, y))
+            .into_iter()
+            .collect::<Result<_, _>>()?;
     let mut planes = swept.into_iter().map(|s| s.map(Plane::of));
     let mut next = || planes.next().flatten();
     let (sp, sq, pq) = (next(), next(), next());

@@ -1,12 +1,12 @@
 //! Free space of three coordinates, swept along one that two of the planes have in common.
 
-use rayon::prelude::*;
+use cspace::parallel;
 
-use crate::column::{Column, Layer, Layers, clusters};
-use crate::error::ModesError;
-use crate::plane::{Opening, Plane};
-use crate::section::Place;
-use crate::turns::Sets;
+use crate::modes::column::{Column, Layer, Layers, clusters};
+use crate::modes::error::ModesError;
+use crate::modes::plane::{Opening, Plane};
+use crate::modes::section::Place;
+use crate::modes::turns::Sets;
 
 /// The most columns: each takes some 250 bytes, all a gigabyte.
 const MOST_COLUMNS: usize = 1 << 22;
@@ -131,9 +131,9 @@ impl Planes {
                 (a.gaps.clone()).flat_map(move |i| q.clone().map(move |j| (k, i, j)))
             })
             .collect();
-        let layers: Vec<Layers> = (columns.par_iter())
-            .map(|&(k, i, j)| self.column(&openings, &slabs[k], (i, j)).layers())
-            .collect();
+        let layers: Vec<Layers> = parallel::map(&columns, 1, |&(k, i, j)| {
+            self.column(&openings, &slabs[k], (i, j)).layers()
+        });
         let undecided = layers.iter().filter(|l| !l.decided).count();
         let mut cells = 0;
         let stacks: Vec<Stack> = (columns.into_iter().zip(layers))

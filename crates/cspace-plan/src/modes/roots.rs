@@ -2,7 +2,7 @@
 
 use cspace::{Ball, Real};
 
-use crate::graph::Graph;
+use crate::modes::graph::Graph;
 
 /// Functions that differ by no more than this over an interval are equal in it, to rounding (radians or the model's
 /// unit of length, as a share of 1 and the value).

@@ -3,8 +3,8 @@
 use core::cmp::Ordering;
 use core::f64::consts::{PI, TAU};
 
-use crate::extent::Extent;
-use crate::shape::Shape;
+use crate::modes::extent::Extent;
+use crate::modes::shape::Shape;
 
 /// An operating mode: a connected component of the free space of three parts. Two free configurations can be joined by a motion
 /// of the three parts if and only if they are in one mode.
@@ -138,7 +138,7 @@ impl Gathered {
             }
             turns
         };
-        mode.turns = crate::turns::reduced(self.turns.iter().map(turned));
+        mode.turns = crate::modes::turns::reduced(self.turns.iter().map(turned));
         mode
     }
 }

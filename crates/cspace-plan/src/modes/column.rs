@@ -7,10 +7,10 @@
 
 use core::f64::consts::TAU;
 
-use crate::graph::{Graph, Span};
-use crate::plane::{Opening, Plane};
-use crate::roots::{Corner, sign_change};
-use crate::section::{Interval, Place};
+use crate::modes::graph::{Graph, Span};
+use crate::modes::plane::{Opening, Plane};
+use crate::modes::roots::{Corner, sign_change};
+use crate::modes::section::{Interval, Place};
 
 /// Values that are nearer to the one before than `near`, together: the first and the last of each cluster.
 pub(crate) fn clusters(mut values: Vec<f64>, near: f64) -> Vec<(f64, f64)> {

@@ -7,8 +7,8 @@ use core::f64::consts::TAU;
 
 use cspace::{Axis, Classification, Part, Point, Vector, Vertex};
 use cspace_mechanism::{Mechanism, PartEntry};
-use cspace_modes::{ModePlace, Modes};
 use cspace_oracle::effort;
+use cspace_plan::modes::{ModePlace, Modes};
 use grid::Grid;
 use walk::Walker;
 
