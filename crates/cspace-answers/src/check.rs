@@ -2,8 +2,8 @@
 
 use cspace::Coordinates;
 use cspace_design::{Checked, Sensitivity, Value as Found};
-use cspace_io::Model;
-use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject};
+use cspace_model::Model;
+use cspace_model::model::{Dimension, MotionQuantity, Quantity, Subject};
 use serde::Serialize;
 use serde_json::{Map, Value};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{
     ContactInterval, Cycle, Energy, Event, Forces, Gap, Obstacle, PartCoordinates, Record, Report,
     Sample, Simulation, Status, System, Trajectory,

@@ -1,6 +1,6 @@
 //! Angles on the command line: radians, or a number with a unit.
 
-use cspace_io::{LARGEST_ANGLE, shown};
+use cspace_model::{LARGEST_ANGLE, shown};
 
 /// An angle in radians from text such as `0.3`, `18deg`, `-10°`, `0.5turn`; finite, and at most [`LARGEST_ANGLE`] from 0.
 pub(crate) fn parse(text: &str) -> Result<f64, String> {
@@ -8,7 +8,7 @@ pub(crate) fn parse(text: &str) -> Result<f64, String> {
     let angle = text
         .parse::<f64>()
         .ok()
-        .or_else(|| cspace_io::parse_angle(text))
+        .or_else(|| cspace_model::parse_angle(text))
         .filter(|a| a.is_finite())
         .ok_or_else(|| {
             format!(

@@ -7,7 +7,7 @@ use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
-use cspace_io::model::Setting;
+use cspace_model::model::Setting;
 use cspace_plan::Prefer;
 
 use crate::angle;
@@ -792,7 +792,7 @@ fn bounds(text: &str) -> Result<Bounds, String> {
 /// A number, or an angle with its unit.
 fn value(text: &str) -> Option<f64> {
     let number = text.trim().parse::<f64>().ok();
-    let number = number.or_else(|| cspace_io::parse_angle(text.trim()));
+    let number = number.or_else(|| cspace_model::parse_angle(text.trim()));
     number.filter(|x| x.is_finite())
 }
 

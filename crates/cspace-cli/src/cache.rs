@@ -9,7 +9,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use cspace::space::SAVED_VERSION;
 use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
-use cspace_io::saved;
+use cspace_model::saved;
 use etcetera::BaseStrategy;
 use flate2::Compression;
 use flate2::read::GzDecoder;

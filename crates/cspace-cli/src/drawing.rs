@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use cspace_drawing::{Conversion, Drawing, DrawingError, Settings, Source};
-use cspace_io::shown;
+use cspace_model::shown;
 
 use crate::args::DrawingArgs;
 use crate::failure::{self, Failure};

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstyle::AnsiColor;
 use cspace_answers::{Is, Outcome};
-use cspace_io::{ModelError, shown};
+use cspace_model::{ModelError, shown};
 use serde::Serialize;
 
 /// Exit code of a question that was answered with no.

@@ -4,10 +4,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use cspace_drawing::{Drawing, DrawingError, Source};
-use cspace_io::model::{Parameter, Template};
-use cspace_io::shown::number;
-use cspace_io::{Document, Host, Model, Refused};
-use cspace_mechanism::Mechanism;
+use cspace_model::model::{Parameter, Template};
+use cspace_model::shown::number;
+use cspace_model::{Document, Host, Mechanism, Model, Refused};
 
 use crate::args::SetArgs;
 use crate::failure::{Failure, note};
@@ -55,11 +54,11 @@ pub(crate) fn document(file: &Path, values: &SetArgs) -> Result<(PathBuf, Docume
     let host = host(values);
     let (path, mut document) = if file == Path::new(STANDARD) {
         output::before_reading_stdin()?;
-        let read = cspace_io::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;
+        let read = cspace_model::read_from_hosted(std::io::stdin().lock(), STDIN, &host)?;
         (PathBuf::from(STDIN), read)
     } else {
         output::before_reading(file)?;
-        (file.to_owned(), cspace_io::read_hosted(file, &host)?)
+        (file.to_owned(), cspace_model::read_hosted(file, &host)?)
     };
     match &mut document {
         Document::Model(model) => {

@@ -19,7 +19,7 @@ mod wording;
 use std::ffi::OsString;
 
 use clap::FromArgMatches;
-use cspace_io::shown;
+use cspace_model::shown;
 
 use args::{Cli, ColorWhen, Colored, Command};
 use failure::Failure;
@@ -41,7 +41,7 @@ pub fn tolerances_answer(
 /// # Errors
 /// If it cannot be written as JSON.
 pub fn modes_answer(
-    mechanism: &cspace_mechanism::Mechanism,
+    mechanism: &cspace_model::Mechanism,
     modes: &cspace_plan::modes::Modes,
     requested: ([f64; 3], cspace_plan::modes::ModePlace),
     seconds: f64,

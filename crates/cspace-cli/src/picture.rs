@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::{Args, ValueEnum};
 use cspace_draw::{Labels, PictureFormat, PictureOptions, Scene};
-use cspace_io::model::Dimension;
+use cspace_model::model::Dimension;
 
 use crate::angle;
 use crate::failure::Failure;

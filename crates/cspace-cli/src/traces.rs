@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use cspace_drawing::Traced;
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 
 use crate::failure::{is_quiet, warning};
 

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cspace::Coordinates;
-use cspace_io::shown;
+use cspace_model::shown;
 
 /// Words for parts that touch, and whose contact space has no room there.
 pub(crate) const EXACT_FIT: &str = "exact-fit: the parts touch, and have no room to move";

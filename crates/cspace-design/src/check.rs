@@ -1,10 +1,8 @@
 //! All requirements of a model.
 
 use cspace::{ComputeError, Options, PairError, PairSpace, Progress, Silent};
-use cspace_io::model::{Requirement, Subject, Target};
-use cspace_io::{Model, ModelError};
-use cspace_mechanism::PairEntry;
-use cspace_mechanism::{Compute, compute_anew};
+use cspace_model::model::{Requirement, Subject, Target};
+use cspace_model::{Compute, Model, ModelError, PairEntry, compute_anew};
 
 use crate::exact_fit::measured;
 use crate::in_motion::{Found, Motion};

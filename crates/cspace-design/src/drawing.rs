@@ -7,11 +7,10 @@ use crate::drawn::{
     Affine, DrawingNumber, DrawnContact, DrawnPair, Enclosure, Encounter, Encounters, Leg,
 };
 use cspace::{AxisMotion, Ball, Coordinates, Dual, Real, Relation};
-use cspace_io::Model;
-use cspace_io::model::{
+use cspace_model::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject,
 };
-use cspace_mechanism::PairEntry;
+use cspace_model::{Model, PairEntry};
 
 use crate::measure::{numbers, unit};
 

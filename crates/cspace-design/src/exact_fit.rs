@@ -4,7 +4,7 @@
 //! a gap g, and by half of it: 2 f(g/2) − f(g) is f(0) but for a square of the gap, which is below what contacts are known to.
 
 use cspace::{Coordinates, PairSpace, Silent};
-use cspace_io::model::{Coordinate, Quantity};
+use cspace_model::model::{Coordinate, Quantity};
 use cspace_plan::with_room;
 
 use crate::measure::{Measured, Unmeasured, Value, measure};

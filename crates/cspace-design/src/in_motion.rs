@@ -1,9 +1,8 @@
 //! Measures of the motion of the whole mechanism.
 
 use cspace::{ComputeError, Progress};
-use cspace_io::model::{Happening, MotionQuantity};
-use cspace_mechanism::Compute;
-use cspace_mechanism::Mechanism;
+use cspace_model::model::{Happening, MotionQuantity};
+use cspace_model::{Compute, Mechanism};
 use cspace_motion::{
     Event, EventKind, Record, Report, Settings, Simulation, Status, Trajectory, What,
 };

@@ -1,6 +1,6 @@
 //! Requirements of a design, measured on the configuration spaces of its pairs and on its motion.
 //!
-//! A model says its requirements in `[[requirement]]` ([`cspace_io::model::Requirement`]); [`check`] measures all of them.
+//! A model says its requirements in `[[requirement]]` ([`cspace_model::model::Requirement`]); [`check`] measures all of them.
 //! [`sensitivities`] adds
 //! derivatives by parameters. [`Sweep`] measures them over many values of parameters. [`measure`] measures one quantity of one space, [`touching`] names the features at a contact.
 //!
@@ -26,7 +26,7 @@
 //! of = "x"
 //! limits = [0.05, 0.2]
 //! "#)?;
-//! let cspace_io::Document::Model(model) = cspace_io::read(&path)? else { unreachable!() };
+//! let cspace_model::Document::Model(model) = cspace_model::read(&path)? else { unreachable!() };
 //! let checked = check(&model);
 //! assert_eq!(checked[0].is_met(), Some(true));
 //! let Ok(measured) = &checked[0].measured else { unreachable!() };

@@ -7,7 +7,7 @@ use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Location, MotionError, PairSpace, Point,
     QueryError, RegionId,
 };
-use cspace_io::model::{Coordinate, Quantity};
+use cspace_model::model::{Coordinate, Quantity};
 use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
 
 use crate::motion::Motion;

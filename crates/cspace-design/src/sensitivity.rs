@@ -8,11 +8,10 @@ use cspace::{
     Axis, Ball, Configuration, Coordinates, Edge, FeatureContact, FeatureKind, FeatureName,
     PairSpace, Part, Point, Progress, QueryError,
 };
-use cspace_io::model::{
+use cspace_model::model::{
     Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject, Template,
 };
-use cspace_io::{Host, Model};
-use cspace_mechanism::Compute;
+use cspace_model::{Compute, Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
 use crate::drawing::{Drawing, enclosed};

@@ -3,8 +3,8 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cspace::{Silent, parallel};
-use cspace_io::model::{Coordinate, Requirement, Setting, Template};
-use cspace_io::{Host, Model};
+use cspace_model::model::{Coordinate, Requirement, Setting, Template};
+use cspace_model::{Host, Model};
 
 use crate::check::{Spaces, reason};
 use crate::measure::Value;

@@ -2,7 +2,7 @@
 
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Point, Rotation, Vector};
-use cspace_mechanism::JointEntry;
+use cspace_model::JointEntry;
 
 use crate::colour::{INK, MARK, part as colours};
 use crate::feature_labels::{self, Fitting};

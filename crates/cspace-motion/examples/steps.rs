@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [file, time, mode @ ..] = &args[..] else {
         return Err("a model and a time, please".into());
     };
-    let cspace_io::Document::Model(model) = cspace_io::read(Path::new(file))? else {
+    let cspace_model::Document::Model(model) = cspace_model::read(Path::new(file))? else {
         return Err("a space is no mechanism".into());
     };
     let begin = Instant::now();

@@ -1,6 +1,6 @@
 //! Prescribed motions: where a driven part is at a time, how fast, and how its rate changes.
 
-use cspace_mechanism::{Drive, DriveMotion};
+use cspace_model::{Drive, DriveMotion};
 
 /// A coordinate and its derivatives at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Driven {
 /// so the rate jumps there unless the table makes it 0.
 ///
 /// ```
-/// use cspace_mechanism::{Drive, DriveMotion};
+/// use cspace_model::{Drive, DriveMotion};
 /// use cspace_motion::DriveCurve;
 /// let table = DriveMotion::Table(vec![(0.0, 0.0), (1.0, 2.0), (3.0, 2.0)]);
 /// let curve = DriveCurve::new(&Drive { part: 0, motion: table }, 0.0);

@@ -1,7 +1,7 @@
 //! Why a mechanism cannot be set in motion.
 
 use cspace::{ComputeError, PairError, QueryError};
-use cspace_mechanism::MechanismError;
+use cspace_model::MechanismError;
 
 /// Error of a simulation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

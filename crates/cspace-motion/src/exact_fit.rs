@@ -3,7 +3,7 @@
 //! Their contact space has no room there. The motion is that of the mechanism in which one of the two is smaller by a gap.
 
 use cspace::Part;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_plan::{fits_exactly, with_gap};
 use serde::Serialize;
 

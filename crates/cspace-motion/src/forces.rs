@@ -2,7 +2,7 @@
 
 use cspace::Vector;
 use cspace::pair::Joint;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use crate::record::{DriveForce, JointForce};
 use crate::system::System;
@@ -10,7 +10,7 @@ use crate::system::System;
 /// Whether loads, springs or weights act on any part of a mechanism.
 ///
 /// ```
-/// use cspace_mechanism::{Load, LoadKind, Mechanism};
+/// use cspace_model::{Load, LoadKind, Mechanism};
 /// let mut mechanism = Mechanism::new("wheel");
 /// assert!(!cspace_motion::has_forces(&mechanism));
 /// mechanism.dynamics.loads.push(Load { part: 0, kind: LoadKind::Torque(2.0) });

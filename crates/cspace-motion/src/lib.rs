@@ -20,7 +20,7 @@
 //!
 //! ```
 //! use cspace::Part;
-//! use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+//! use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry};
 //! use cspace_motion::{EventKind, Settings, Simulation, Status};
 //! // A block slides towards another and pushes it.
 //! let mut mechanism = Mechanism::new("two blocks");

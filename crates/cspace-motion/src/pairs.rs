@@ -5,8 +5,7 @@ use cspace::{
     PatchId, Placement, Point, Progress, QueryError, Real, Relation, Rotation, contact_function,
     parallel, touching_place,
 };
-use cspace_mechanism::{Compute, MechanismError, compute_anew};
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::{Compute, Mechanism, MechanismError, PairEntry, compute_anew};
 
 use crate::system::{Placed, Row, System};
 

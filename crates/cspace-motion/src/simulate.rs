@@ -3,8 +3,7 @@
 use core::cell::Cell;
 
 use cspace::{Progress, Silent, Stage};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{Compute, compute_anew};
+use cspace_model::{Compute, Mechanism, compute_anew};
 
 use crate::assemble::assemble;
 use crate::contact::check_start;

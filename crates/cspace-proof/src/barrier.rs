@@ -4,7 +4,7 @@ use cspace::{
     ComputeError, Configuration, ContactSpace, Coordinates, Location, Options, PairError,
     PairSpace, Part, PatchId, Point, Progress, RegionId, Relation, Vertex,
 };
-use cspace_io::write::mesh::{Mesh, MeshOptions};
+use cspace_model::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::shrunk;
 
 use crate::error::ProofError;

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Configuration, Coordinates, PairSpace, PatchId, Touching};
-use cspace_io::write::mesh::Mesh;
+use cspace_model::write::mesh::Mesh;
 
 use crate::barrier::{Barrier, MOST_TRIANGLES};
 use crate::complex::{Complex, Triangle};

@@ -34,7 +34,7 @@ pub(crate) fn internal(message: impl core::fmt::Display) -> PyErr {
 }
 
 /// An error of a model, with its place.
-pub(crate) fn of_model(error: &cspace_io::ModelError) -> PyErr {
+pub(crate) fn of_model(error: &cspace_model::ModelError) -> PyErr {
     match error.help() {
         Some(help) => with_help(error, help),
         None => self::error(error),

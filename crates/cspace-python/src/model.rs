@@ -4,9 +4,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use cspace_design::{Checked, Goal, Relation, Span, Value};
-use cspace_io::Host;
-use cspace_io::model::{Setting, Template};
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::model::{Setting, Template};
+use cspace_model::{Host, Mechanism, PairEntry};
 use cspace_motion::{Report, Settings, Simulation};
 use cspace_plan::modes::Modes;
 use numpy::{IntoPyArray, PyArray2};
@@ -24,7 +23,7 @@ use crate::work;
 pub(crate) struct Model {
     template: Arc<Template>,
     set: Vec<Setting>,
-    model: Arc<cspace_io::Model>,
+    model: Arc<cspace_model::Model>,
 }
 
 impl Model {
@@ -252,7 +251,7 @@ impl Model {
         seed: u64,
     ) -> PyResult<Bound<'py, PyAny>> {
         let template = Arc::clone(&self.template);
-        let model = cspace_io::Model::clone(&self.model);
+        let model = cspace_model::Model::clone(&self.model);
         let (set, model) = (template.about_middles(&self.set, model)).map_err(error)?;
         let options = cspace_design::ToleranceOptions {
             samples,
@@ -475,7 +474,7 @@ impl Model {
         let mechanism = &self.model.mechanism;
         let names: Vec<&str> = mechanism.parts.iter().map(|p| p.part.name()).collect();
         let values: Vec<String> = (self.model.parameters.iter())
-            .map(|p| format!("{}={}", p.name, cspace_io::shown::number(p.value)))
+            .map(|p| format!("{}={}", p.name, cspace_model::shown::number(p.value)))
             .collect();
         let and = if values.is_empty() { "" } else { "; " };
         format!(

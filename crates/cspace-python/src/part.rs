@@ -18,7 +18,7 @@ impl Part {
     /// The part in a model's JSON, of which it is the only one.
     #[staticmethod]
     fn _from_json(text: &str) -> PyResult<Self> {
-        let model = cspace_io::model::from_json(text, "part").map_err(|e| of_model(&e))?;
+        let model = cspace_model::model::from_json(text, "part").map_err(|e| of_model(&e))?;
         match <[_; 1]>::try_from(model.parts) {
             Ok([entry]) => Ok(Self { part: entry.part }),
             Err(_) => Err(error("the model has not one part")),
@@ -100,8 +100,8 @@ impl Part {
             "Part({:?}, {loops} loop{}, {} x {})",
             self.part.name(),
             if loops == 1 { "" } else { "s" },
-            cspace_io::shown::number(b.max.x - b.min.x),
-            cspace_io::shown::number(b.max.y - b.min.y),
+            cspace_model::shown::number(b.max.x - b.min.x),
+            cspace_model::shown::number(b.max.y - b.min.y),
         )
     }
 }

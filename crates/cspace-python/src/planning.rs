@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cspace::Vector;
 use cspace_design::texts;
-use cspace_mechanism::PairEntry;
+use cspace_model::PairEntry;
 use cspace_plan::assembly::{Assembly, Enclosure, PartFeature};
 use cspace_plan::escape::{Escape, Escaped, Field};
 use pyo3::prelude::*;

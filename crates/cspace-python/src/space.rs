@@ -9,8 +9,8 @@ use cspace::{
 };
 use cspace_classifier::Classifier;
 use cspace_design::{Motion, displace, free_range, pair_of, texts};
-use cspace_io::model::Coordinate;
-use cspace_io::write::mesh::{Mesh, MeshOptions};
+use cspace_model::model::Coordinate;
+use cspace_model::write::mesh::{Mesh, MeshOptions};
 use cspace_plan::{Clearance, Planner, Prefer, Verdict, Wishes, fits_exactly, straight, with_gap};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
@@ -610,7 +610,7 @@ impl Space {
     /// The space as the JSON that the command saves and reads.
     fn to_json(&self, py: Python<'_>) -> PyResult<String> {
         let space = Arc::clone(&self.known(py)?.space);
-        work::run(py, move |_| Ok(cspace_io::saved::pair_to_json(&space)))
+        work::run(py, move |_| Ok(cspace_model::saved::pair_to_json(&space)))
     }
 
     fn __repr__(&self) -> String {

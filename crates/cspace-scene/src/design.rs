@@ -1,7 +1,7 @@
 //! A model whose parameters may be given other values, and what the page shows of them.
 
-use cspace_io::model::{Parameter, Setting, Template};
-use cspace_io::{Host, Model, ModelError};
+use cspace_model::model::{Parameter, Setting, Template};
+use cspace_model::{Host, Model, ModelError};
 use serde::{Deserialize, Serialize};
 
 /// The text of a model with parameters or requirements, as the page keeps it.

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use cspace::{Part, Point, Vertex};
 use cspace_drawing::{Color, Conversion, Drawing, DrawingError, DrawnFace, Pick, Settings, Source};
-use cspace_io::{ModelError, shown};
-use cspace_mechanism::{Mechanism, MechanismError, PartEntry};
+use cspace_model::{Mechanism, MechanismError, ModelError, PartEntry, shown};
 use serde::{Deserialize, Serialize};
 
 use crate::base_64;
@@ -296,8 +295,8 @@ impl OpenedDrawing {
     /// # Errors
     /// As [`OpenedDrawing::model`], and if the written model is refused by the reader.
     pub fn toml(&self, picked: &[PickedPart]) -> Result<String, PickError> {
-        let text = cspace_io::model::to_toml(&self.model(picked)?);
-        cspace_io::model::from_toml(&text, "model.toml")?;
+        let text = cspace_model::model::to_toml(&self.model(picked)?);
+        cspace_model::model::from_toml(&text, "model.toml")?;
         Ok(text)
     }
 }

@@ -3,8 +3,7 @@
 use cspace::pair::Joint;
 use cspace::part::PartFeature;
 use cspace::{AxisMotion, Part, PartError, Vertex};
-use cspace_io::shown;
-use cspace_mechanism::{Mechanism, MechanismError, PartEntry};
+use cspace_model::{Mechanism, MechanismError, PartEntry, shown};
 use serde::Deserialize;
 
 use crate::design::SceneSetting;

@@ -2,9 +2,8 @@
 
 use cspace::pair::Joint;
 use cspace::{Axis, Options, PairClass, PairError, PairSpace, Progress, Relation, Symmetry};
-use cspace_io::model::{Setting, Template};
-use cspace_io::{Model, ModelError, SavedFile, shown};
-use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
+use cspace_model::model::{Setting, Template};
+use cspace_model::{Mechanism, Model, ModelError, PairEntry, PartEntry, SavedFile, shown};
 use serde::Serialize;
 
 use crate::design::{Design, SceneDesign};
@@ -108,7 +107,7 @@ impl Opened {
             })
             .collect();
         if let PairSpace::Lower(pair) = &space {
-            model.joints.push(cspace_mechanism::JointEntry {
+            model.joints.push(cspace_model::JointEntry {
                 joint: pair.joint(),
                 parts: (0, 1),
             });
@@ -142,7 +141,7 @@ impl Opened {
     /// # Errors
     /// If the text is not a valid model.
     pub fn from_source(source: &SceneSource) -> Result<Self, ModelError> {
-        let model = cspace_io::model::from_toml(&source.model, "the model of this page")?;
+        let model = cspace_model::model::from_toml(&source.model, "the model of this page")?;
         let opened = Self::model(model, source.pairs.clone(), source.general);
         let design = match &source.design {
             Some(text) => Design::from_text(text)?,
@@ -153,8 +152,8 @@ impl Opened {
 
     /// Source of the scene, if the model can be written and read again.
     fn source(&self) -> Option<SceneSource> {
-        let model = cspace_io::model::to_toml(&self.model);
-        cspace_io::model::from_toml(&model, "model.toml").ok()?;
+        let model = cspace_model::model::to_toml(&self.model);
+        cspace_model::model::from_toml(&model, "model.toml").ok()?;
         Some(SceneSource {
             model,
             pairs: self.pairs.clone(),
@@ -312,8 +311,8 @@ impl Opened {
         {
             return Ok(text);
         }
-        let text = cspace_io::model::to_toml(&self.edited(edits)?.mechanism);
-        cspace_io::model::from_toml(&text, "model.toml")?;
+        let text = cspace_model::model::to_toml(&self.edited(edits)?.mechanism);
+        cspace_model::model::from_toml(&text, "model.toml")?;
         Ok(text)
     }
 

@@ -7,14 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Crates that the kernel consists of.
-const CRATES: [&str; 11] = [
+const CRATES: [&str; 10] = [
     "cspace",
     "cspace-answers",
     "cspace-check",
     "cspace-design",
     "cspace-drawing",
-    "cspace-io",
-    "cspace-mechanism",
+    "cspace-model",
     "cspace-motion",
     "cspace-plan",
     "cspace-scene",

@@ -1,7 +1,7 @@
 //! A whole mechanism, dragged by hand.
 
 use cspace::Point;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Dragged, Ending, Hand};
 use cspace_scene::{Edits, SceneSource};
 use serde::Serialize;

@@ -6,9 +6,8 @@ use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_answers::check::Row;
 use cspace_answers::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
-use cspace_io::model::{Coordinate, Template};
-use cspace_mechanism::DriveMotion;
-use cspace_mechanism::Mechanism;
+use cspace_model::model::{Coordinate, Template};
+use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
 use cspace_scene::{Edits, Opened, SceneSetting};
@@ -98,13 +97,13 @@ impl Model {
 
     /// A model file or a saved space: TOML or JSON, as the command reads it; `name` is the file's.
     pub fn read(text: &str, name: &str) -> Result<Model, JsError> {
-        let opened = match cspace_io::read_from(text.as_bytes(), name).map_err(told)? {
-            cspace_io::Document::Model(model) => {
+        let opened = match cspace_model::read_from(text.as_bytes(), name).map_err(told)? {
+            cspace_model::Document::Model(model) => {
                 let pairs = model.mechanism.pairs.clone();
                 let template = Template::from_text(text.to_owned(), name).map_err(told)?;
                 Opened::model(model.mechanism, pairs, false).with_text(template, Vec::new())
             }
-            cspace_io::Document::Space(file) => Opened::saved(*file),
+            cspace_model::Document::Space(file) => Opened::saved(*file),
         };
         Ok(Self { opened })
     }
@@ -278,7 +277,7 @@ fn answer(
 }
 
 /// An error of a model, and what to do.
-pub(crate) fn told(error: cspace_io::ModelError) -> JsError {
+pub(crate) fn told(error: cspace_model::ModelError) -> JsError {
     match error.help() {
         Some(help) => fault(format_args!("{error} ({help})")),
         None => fault(error),

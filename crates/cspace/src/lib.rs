@@ -74,7 +74,7 @@
 //! | `Axes` | fixed axes: each part turns, slides or stands still | (u, v), the two motions |
 //! | `Joint` | lower: a joint connects the parts | (x, y, θ), on the joint |
 //!
-//! A mechanism of the crate `cspace-mechanism` has parts, axes, joints and pairs, and determines the relation of every pair.
+//! A mechanism of the crate `cspace-model` has parts, axes, joints and pairs, and determines the relation of every pair.
 //!
 //! # How far it can be trusted
 //!

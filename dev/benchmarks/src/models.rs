@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use cspace::{Configuration, Part};
-use cspace_io::model;
+use cspace_model::model;
 use cspace_oracle::shapes::gear;
 
 /// Two parts by name.

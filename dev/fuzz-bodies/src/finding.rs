@@ -4,8 +4,7 @@ use core::fmt;
 use std::error::Error;
 
 use cspace::Part;
-use cspace_io::model;
-use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
+use cspace_model::{Mechanism, PairEntry, PartEntry, model};
 
 /// An answer that is wrong.
 #[derive(Debug, Clone, PartialEq)]

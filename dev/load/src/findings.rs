@@ -3,8 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use cspace_io::model;
-use cspace_mechanism::{Mechanism, PairEntry, PartEntry};
+use cspace_model::{Mechanism, PairEntry, PartEntry, model};
 use cspace_oracle::Case;
 
 /// Configurations in the comment of one file.

@@ -11,9 +11,9 @@ mod watch;
 use std::process::ExitCode;
 
 use clap::Parser;
-use cspace_io::shown;
 use cspace_load::Source;
 use cspace_load::output::{note, print};
+use cspace_model::shown;
 use cspace_oracle::families;
 
 use args::Args;

@@ -8,7 +8,7 @@ use cspace_baseline::compare::{errors, missed_bands};
 use cspace_baseline::critical::Known;
 use cspace_baseline::paper::{Group, PaperPair};
 use cspace_baseline::{SEPARATION, Stack, Surface, evenly, with_bands};
-use cspace_io::model;
+use cspace_model::model;
 use serde::Serialize;
 
 use crate::critical::{Kinds, Searched, searched};

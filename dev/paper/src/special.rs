@@ -4,7 +4,7 @@ use std::error::Error;
 
 use cspace::{PairClass, PairError, PairSpace, Relation};
 use cspace_baseline::survey::{MODELS, SURVEY, saving};
-use cspace_io::model;
+use cspace_model::model;
 use serde::Serialize;
 
 use crate::timing::{median, timed};

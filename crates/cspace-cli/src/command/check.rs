@@ -6,8 +6,8 @@ use std::path::Path;
 use cspace_answers::check::{Row, Told};
 use cspace_answers::{Answer, Is, Outcome};
 use cspace_design::Sensitivity;
-use cspace_io::model::Dimension;
-use cspace_io::{Document, Model};
+use cspace_model::model::Dimension;
+use cspace_model::{Document, Model};
 
 use crate::args::CheckArgs;
 use crate::cache;
@@ -105,7 +105,7 @@ pub(super) fn chosen(model: &mut Model, names: &[String]) -> Result<(), Failure>
     {
         return Err(Failure::new(format_args!(
             "--requirement {}: the model has no such requirement",
-            cspace_io::shown::quoted(unknown)
+            cspace_model::shown::quoted(unknown)
         ))
         .help(super::requirements_of(model)));
     }

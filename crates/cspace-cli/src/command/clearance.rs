@@ -5,8 +5,7 @@ use std::time::Instant;
 
 use cspace::{Part, Point};
 use cspace_answers::{Answer, Outcome, PairAnswer};
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question, State};
 use serde::Serialize;
 

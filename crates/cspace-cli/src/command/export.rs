@@ -7,12 +7,12 @@ use core::f64::consts::TAU;
 
 use cspace::{PairClass, PairSpace, Slice, Window};
 use cspace_draw::{PictureFormat, Scene, SlicesPicture, plane, slices};
-use cspace_io::shown;
-use cspace_io::write::glb::{GlbError, glb};
-use cspace_io::write::mesh::{Mesh, MeshOptions};
-use cspace_io::write::obj::obj;
-use cspace_io::write::ply::{Encoding, ply};
-use cspace_io::write::stl::stl;
+use cspace_model::shown;
+use cspace_model::write::glb::{GlbError, glb};
+use cspace_model::write::mesh::{Mesh, MeshOptions};
+use cspace_model::write::obj::obj;
+use cspace_model::write::ply::{Encoding, ply};
+use cspace_model::write::stl::stl;
 use cspace_view::Page;
 
 use super::page;

@@ -2,7 +2,7 @@
 
 use clap::CommandFactory;
 use clap_mangen::Man;
-use cspace_io::shown::quoted;
+use cspace_model::shown::quoted;
 
 use crate::args::{Cli, ManArgs};
 use crate::failure::Failure;

@@ -31,9 +31,8 @@ use std::fmt;
 use std::path::Path;
 
 use cspace_answers::{Answer, Outcome};
-use cspace_io::Model;
-use cspace_io::shown::quoted;
-use cspace_mechanism::Mechanism;
+use cspace_model::shown::quoted;
+use cspace_model::{Mechanism, Model};
 use serde::Serialize;
 
 use crate::args::{Format, ResultArgs};

@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use cspace_io::Host;
-use cspace_io::model::Template;
-use cspace_mechanism::PairEntry;
+use cspace_model::model::Template;
+use cspace_model::{Host, PairEntry};
 use cspace_scene::{Opened, ScenePair, SceneRecord};
 use cspace_view::{Page, PageError};
 

@@ -10,8 +10,8 @@ use cspace::{
 };
 use cspace_answers::{Answer, Outcome};
 use cspace_design::{Motion, Outcome as Reach, displace, reach};
-use cspace_io::model::Coordinate;
-use cspace_io::shown;
+use cspace_model::model::Coordinate;
+use cspace_model::shown;
 use serde::Serialize;
 
 use crate::args::PlayArgs;

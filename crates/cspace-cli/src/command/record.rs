@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use cspace::AxisMotion;
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_plan::clash::Sample;
 use serde_json::Value;
 

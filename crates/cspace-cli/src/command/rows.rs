@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use std::collections::BTreeSet;
 
 use cspace::{Configuration, Coordinates, PairClass};
-use cspace_io::shown;
+use cspace_model::shown;
 
 use crate::angle;
 use crate::args::{Column, Format};

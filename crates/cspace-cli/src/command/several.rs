@@ -50,7 +50,7 @@ pub(super) fn run(
         match answer(&one) {
             Ok(Answer::Text(of_file)) => {
                 let between = if text.is_empty() { "" } else { "\n" };
-                let name = cspace_io::shown::text(&name);
+                let name = cspace_model::shown::text(&name);
                 text += &format!("{between}== {name}\n{of_file}");
             }
             Ok(Answer::Json(bytes)) => {

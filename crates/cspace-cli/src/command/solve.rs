@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use cspace_answers::{Answer as Framed, Outcome};
 use cspace_design::{Solved, Span, Value};
-use cspace_io::Model;
-use cspace_io::model::Dimension;
-use cspace_io::shown::{self, quoted};
+use cspace_model::Model;
+use cspace_model::model::Dimension;
+use cspace_model::shown::{self, quoted};
 use serde::Serialize;
 use serde_json::Map;
 

@@ -2,7 +2,7 @@
 
 use cspace::Vector;
 use cspace::{Axis, AxisMotion, PairClass, PairError, PairSpace, Part, Relation};
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::{Mechanism, PairEntry};
 
 use super::{Chosen, Subject};
 use crate::args::AboutArg;
@@ -94,7 +94,7 @@ impl Chosen<'_> {
     pub(crate) fn as_file(&self) -> Result<String, Failure> {
         let space = self.space()?;
         let (name, unit) = (self.subject.name(), self.subject.unit());
-        Ok(cspace_io::saved::with_labels(&space, name, unit))
+        Ok(cspace_model::saved::with_labels(&space, name, unit))
     }
 
     /// How the parts are related in their model.

@@ -10,9 +10,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::PairClass;
 use cspace_answers::{Outcome, PairAnswer};
-use cspace_io::model::Parameter;
-use cspace_io::{Document, Model, SavedFile};
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::model::Parameter;
+use cspace_model::{Document, Mechanism, Model, PairEntry, SavedFile};
 
 use crate::args::{Common, SetArgs, ThreadsArg};
 use crate::failure::{Failure, note, warning};
@@ -86,12 +85,12 @@ pub(crate) fn read_model(
 
 /// The model with arcs tangent to lines, and a note of what was moved.
 fn snapped(path: &Path, model: &Mechanism) -> Box<Mechanism> {
-    let (snapped, done) = cspace_io::model::snap(model);
+    let (snapped, done) = cspace_model::model::snap(model);
     for what in done {
         note(format_args!(
             "{}: part {}: {} made tangent, points moved by at most {:.1e}",
             path.display(),
-            cspace_io::shown::quoted(&what.part),
+            cspace_model::shown::quoted(&what.part),
             count(what.joints, "joint", "joints"),
             what.moved
         ));
@@ -171,7 +170,7 @@ impl Subject {
         let Self::Model { path, model, .. } = self else {
             return;
         };
-        let slips = cspace_io::model::slips(model);
+        let slips = cspace_model::model::slips(model);
         for slip in slips.iter().take(MOST) {
             warning(format_args!("{}: {slip}", path.display()), &slip.help);
         }

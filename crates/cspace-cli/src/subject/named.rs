@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::{Mechanism, PairEntry};
 
 use crate::failure::Failure;
 

@@ -3,8 +3,7 @@
 use cspace::{Configuration, Coordinates, FeatureName, PairClass, Part, QueryError, RegionId};
 use cspace_answers::place_on_part;
 use cspace_design::FeaturePair;
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 
 use super::Chosen;
 use crate::angle;

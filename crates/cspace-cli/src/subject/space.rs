@@ -9,7 +9,7 @@ use cspace::{
     AxesError, ComputeError, ContactSpace, Coordinates, NoFit, Options, PairError, PairSpace, Part,
     Relation, Slice, Symmetry,
 };
-use cspace_io::shown;
+use cspace_model::shown;
 
 use super::{Chosen, Subject};
 use crate::cache;

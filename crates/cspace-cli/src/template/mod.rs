@@ -1,8 +1,8 @@
 //! Models to begin with: commented files, whose dimensions are parameters.
 
 use clap::builder::PossibleValue;
-use cspace_io::Host;
-use cspace_io::model::{Setting, Template as Text};
+use cspace_model::Host;
+use cspace_model::model::{Setting, Template as Text};
 
 use crate::failure::Failure;
 

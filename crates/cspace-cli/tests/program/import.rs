@@ -311,7 +311,7 @@ fn outlines_are_written_and_read_again() {
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     for name in ["ratchet_mechanism", "geneva", "knee", "snap_fastener"] {
         let file = model(name);
-        let mechanism = cspace_io::model::read(&file).unwrap();
+        let mechanism = cspace_model::model::read(&file).unwrap();
         for (out, args) in [
             ("new.dxf", &[][..]),
             ("old.dxf", &["--dxf", "r12"]),

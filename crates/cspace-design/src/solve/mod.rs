@@ -12,8 +12,10 @@ mod problem;
 mod several;
 
 use cspace::{Coordinates, Progress, parallel};
-use cspace_io::model::{Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template};
-use cspace_mechanism::PairEntry;
+use cspace_model::PairEntry;
+use cspace_model::model::{
+    Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template,
+};
 
 use crate::measure::Value;
 
@@ -80,8 +82,8 @@ pub struct ContactGoal {
 /// ```
 /// use cspace::{Configuration, Coordinates, Silent};
 /// use cspace_design::{ContactGoal, Span, put_contact};
-/// use cspace_io::Host;
-/// use cspace_io::model::{Coordinate, Template};
+/// use cspace_model::Host;
+/// use cspace_model::model::{Coordinate, Template};
 /// // A disc of radius r touches the wall at x = 10 - r.
 /// let text = r#"
 /// [parameter]
@@ -105,7 +107,7 @@ pub struct ContactGoal {
 /// let spans = [Span { parameter: "r".into(), lo: 2.0, hi: 4.0 }];
 /// let solved = put_contact(&template, &[], &spans, &goal, &Silent);
 /// assert!((solved.solutions[0][0] - 2.5).abs() < 1e-9);
-/// # Ok::<(), cspace_io::ModelError>(())
+/// # Ok::<(), cspace_model::ModelError>(())
 /// ```
 pub fn put_contact(
     template: &Template,

@@ -1,8 +1,8 @@
 //! Goal of a solution, and the quantity at values of the parameters.
 
 use cspace::Progress;
-use cspace_io::model::{Requirement, Setting, Template};
-use cspace_io::{Host, Model};
+use cspace_model::model::{Requirement, Setting, Template};
+use cspace_model::{Host, Model};
 
 use crate::check::Spaces;
 use crate::measure::Value;

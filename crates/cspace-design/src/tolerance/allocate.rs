@@ -6,8 +6,8 @@
 //! of them alike: the margin of the worst case, or the yield of samples.
 
 use cspace::Progress;
-use cspace_io::Model;
-use cspace_io::model::{Setting, Template};
+use cspace_model::Model;
+use cspace_model::model::{Setting, Template};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::{Analysis, Linear, ToleranceOptions, Tolerances, Variations};

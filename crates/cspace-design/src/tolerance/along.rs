@@ -1,8 +1,10 @@
 //! Bands of a requirement along a motion: its nominal value and its extremes where one coordinate has each of many values.
 
 use cspace::{Progress, parallel};
-use cspace_io::Model;
-use cspace_io::model::{Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template};
+use cspace_model::Model;
+use cspace_model::model::{
+    Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template,
+};
 
 use super::study::Study;
 use super::{Analysis, Extreme, ToleranceOptions, Variations};

@@ -5,8 +5,8 @@
 //!
 //! ```
 //! use cspace_design::{ToleranceOptions, tolerances};
-//! use cspace_io::Host;
-//! use cspace_io::model::Template;
+//! use cspace_model::Host;
+//! use cspace_model::model::Template;
 //! let template = Template::from_text(r#"
 //! [parameter]
 //! pin = { value = 6.0, tol = 0.02 }
@@ -48,8 +48,8 @@ mod vary;
 mod zones;
 
 use cspace::{ComputeError, Progress, space::Stage};
-use cspace_io::model::{Requirement, Setting, Template};
-use cspace_io::{Host, Model};
+use cspace_model::model::{Requirement, Setting, Template};
+use cspace_model::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
 use crate::measure::Value;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use cspace::parallel;
-use cspace_io::model::{Dimension, Target};
+use cspace_model::model::{Dimension, Target};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 

@@ -2,7 +2,7 @@
 
 use crate::drawn::{DrawnContact, Encounter};
 use cspace::{Ball, Real};
-use cspace_io::model::{Subject, Target};
+use cspace_model::model::{Subject, Target};
 
 use super::extremes::Summit;
 use super::study::Study;
@@ -387,7 +387,7 @@ impl Study<'_> {
     fn first_other_state(&self, factor: f64) -> Option<Structural> {
         let zero = vec![0.0; self.variations.len()];
         let is_truth =
-            self.requirement_of(self.nominal).dimension == cspace_io::model::Dimension::Truth;
+            self.requirement_of(self.nominal).dimension == cspace_model::model::Dimension::Truth;
         let state = |x: &[f64]| match self.at(x).value {
             Ok(value) if is_truth => (Some(value), String::new()),
             Ok(_) => (None, String::new()),

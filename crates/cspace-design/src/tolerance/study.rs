@@ -1,8 +1,8 @@
 //! One requirement at one point of the tolerances: its value, what decides it, and its derivatives.
 
 use cspace::{Ball, Configuration, Progress, Real, overlap_as_drawn, space::Stage};
-use cspace_io::model::{Coordinate, Quantity, Requirement, Setting, Slopes, Subject, Template};
-use cspace_io::{Host, Model, ModelError};
+use cspace_model::model::{Coordinate, Quantity, Requirement, Setting, Slopes, Subject, Template};
+use cspace_model::{Host, Model, ModelError};
 
 use crate::check::{Spaces, reason};
 use crate::measure::{Unmeasured, Value, reach};

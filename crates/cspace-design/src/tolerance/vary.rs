@@ -2,8 +2,8 @@
 
 use core::f64::consts::TAU;
 
-use cspace_io::Model;
-use cspace_io::model::{Distribution, Parameter, Setting};
+use cspace_model::Model;
+use cspace_model::model::{Distribution, Parameter, Setting};
 use rand::Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 

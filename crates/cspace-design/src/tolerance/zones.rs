@@ -12,9 +12,8 @@ use crate::drawn::{ConfigurationBox, DrawnContact, DrawnPair, Witness};
 use cspace::{
     Configuration, Edge, Part, Point, Progress, Real, Relation, Vector, overlap_as_drawn, parallel,
 };
-use cspace_io::Model;
-use cspace_io::model::{Setting, Subject, Template};
-use cspace_mechanism::PairEntry;
+use cspace_model::model::{Setting, Subject, Template};
+use cspace_model::{Model, PairEntry};
 
 use super::Variations;
 use super::study::Study;

@@ -2,8 +2,8 @@
 
 use cspace::{Point, Vector};
 use cspace_design::{Checked, Sweep, Unmeasured, Value, Varied, check};
-use cspace_io::model::{Coordinate, Setting};
-use cspace_io::{Host, read_from_hosted};
+use cspace_model::model::{Coordinate, Setting};
+use cspace_model::{Host, read_from_hosted};
 
 use crate::common::{model, number, template};
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cspace::Silent;
 use cspace_design::{Checked, Sensitivity, Value, check, sensitivities};
-use cspace_io::model::{Setting, Template};
-use cspace_io::{Host, Model};
+use cspace_model::model::{Setting, Template};
+use cspace_model::{Host, Model};
 
 use crate::common::template;
 

@@ -4,8 +4,8 @@ use core::f64::consts::PI;
 
 use cspace::{Configuration, Coordinates, Silent};
 use cspace_design::{ContactGoal, Goal, Relation, Solved, Span, Value, check, put_contact, solve};
-use cspace_io::Host;
-use cspace_io::model::{Coordinate, Setting};
+use cspace_model::Host;
+use cspace_model::model::{Coordinate, Setting};
 
 use crate::common::template;
 

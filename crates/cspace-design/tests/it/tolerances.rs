@@ -7,8 +7,8 @@ use cspace_design::{
     Allocation, ChangeKind, Criterion, ToleranceOptions, Tolerances, Unmeasured, Value, Variations,
     allocate, along, check, tolerances, tolerances_with, zones,
 };
-use cspace_io::Host;
-use cspace_io::model::{Coordinate, Subject, Template};
+use cspace_model::Host;
+use cspace_model::model::{Coordinate, Subject, Template};
 use cspace_oracle::effort;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

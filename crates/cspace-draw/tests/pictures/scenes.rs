@@ -7,15 +7,14 @@ use cspace_draw::{
     ContactBar, ContactRow, MotionFrame, MotionPicture, PartsPicture, PictureOptions, PlacedPart,
     PlanePath, Scene, SlicesPicture, Track, TrackCurve, motion, parts, plane, slices,
 };
-use cspace_io::Document;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Document, Mechanism};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 pub(crate) fn model(name: &str) -> Mechanism {
-    match cspace_io::read(root().join("models").join(name)).unwrap() {
+    match cspace_model::read(root().join("models").join(name)).unwrap() {
         Document::Model(model) => model.mechanism,
         Document::Space(_) => panic!("{name} is a space"),
     }

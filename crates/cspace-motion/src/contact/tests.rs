@@ -1,8 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
 use cspace::{Classification, Configuration, Part, Vertex};
-use cspace_mechanism::{Mechanism, PartEntry};
-use cspace_mechanism::{PartDynamics, PartPosition};
+use cspace_model::{Mechanism, PartDynamics, PartEntry, PartPosition};
 
 use super::path::Path;
 use super::watch::{Met, Watch};

@@ -5,7 +5,7 @@ mod drag;
 mod target;
 
 use cspace::{Placement, Progress, Silent};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use crate::assemble::assemble;
 use crate::contact::depth;
@@ -35,7 +35,7 @@ const MOST_ASSEMBLING: f64 = 10.0;
 ///
 /// ```
 /// use cspace::Part;
-/// use cspace_mechanism::{Mechanism, PartEntry};
+/// use cspace_model::{Mechanism, PartEntry};
 /// use cspace_motion::{Ending, Hand, Target};
 /// // A slider, a block that it pushes, and a wall.
 /// let mut mechanism = Mechanism::new("pushed to a wall");

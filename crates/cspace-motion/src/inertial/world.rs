@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use cspace::Point;
-use cspace_mechanism::SpringKind;
+use cspace_model::SpringKind;
 use nalgebra::{DMatrix, DVector};
 
 use crate::contact::{
@@ -502,7 +502,7 @@ impl World for Mechanical<'_> {
     }
 }
 
-fn has_dampers(mechanism: &cspace_mechanism::Mechanism) -> bool {
+fn has_dampers(mechanism: &cspace_model::Mechanism) -> bool {
     mechanism.dynamics.springs.iter().any(|s| match s.kind {
         SpringKind::Linear { damping, .. } | SpringKind::Torsion { damping, .. } => damping != 0.0,
     })

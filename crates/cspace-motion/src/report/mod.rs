@@ -35,7 +35,7 @@ impl Report {
     ///
     /// ```
     /// use cspace::{Part, Vertex};
-    /// use cspace_mechanism::{Drive, DriveMotion, Mechanism, PartEntry};
+    /// use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry};
     /// use cspace_motion::{Report, Settings, Simulation};
     /// let disc = |name: &str, x: f64| {
     ///     Part::new(name, vec![vec![Vertex::new(x - 10.0, 0.0, 1.0), Vertex::new(x + 10.0, 0.0, 1.0)]])

@@ -1,6 +1,6 @@
 //! Numbers in sentences.
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 /// An angle in degrees, to a thousandth.
 pub(super) fn degrees(radians: f64) -> String {

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::AxisMotion;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use super::contacts::{ContactInterval, together};
 use super::cycle::{Cycle, PartCycle};

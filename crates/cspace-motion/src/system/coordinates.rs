@@ -1,9 +1,7 @@
 //! All coordinates of a mechanism, and which of them are free.
 
 use cspace::{AreaMoments, AxisMotion, Configuration, Placement, Point, Real, Rotation};
-use cspace_mechanism::{
-    JointEntry, MassProperties, Mechanism, PartPosition, PartVelocity, SpringKind,
-};
+use cspace_model::{JointEntry, MassProperties, Mechanism, PartPosition, PartVelocity, SpringKind};
 
 use super::joint;
 use super::layout::{PartCoordinates, Placed, reach, rows_of};

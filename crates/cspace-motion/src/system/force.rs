@@ -1,7 +1,7 @@
 //! Forces on the coordinates: loads, weights and springs; and springs, whose dampers resist rates.
 
 use cspace::{Point, Vector};
-use cspace_mechanism::{LoadKind, SpringKind};
+use cspace_model::{LoadKind, SpringKind};
 
 use super::coordinates::System;
 use super::joint::Apart;

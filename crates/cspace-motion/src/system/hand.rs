@@ -1,8 +1,7 @@
 //! Mechanisms in a hand: drives released, and one part led or pulled.
 
 use cspace::{Point, Vector};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{Spring, SpringKind};
+use cspace_model::{Mechanism, Spring, SpringKind};
 
 use super::coordinates::System;
 use super::layout::PartCoordinates;

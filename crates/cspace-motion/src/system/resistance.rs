@@ -1,6 +1,6 @@
 //! The metric of motions without inertia: the outlines, and what springs and dampers resist.
 
-use cspace_mechanism::{Spring, SpringKind};
+use cspace_model::{Spring, SpringKind};
 
 use super::coordinates::{Law, System};
 use super::layout::PartCoordinates;

@@ -7,20 +7,20 @@ use std::path::Path;
 
 use cspace_motion::{EventKind, Record, Settings, SimulateError, Simulation, Status};
 
-fn prepared(document: cspace_io::Document) -> Simulation {
+fn prepared(document: cspace_model::Document) -> Simulation {
     match document {
-        cspace_io::Document::Model(model) => Simulation::new(&model.mechanism).unwrap(),
-        cspace_io::Document::Space(_) => panic!("it is a model"),
+        cspace_model::Document::Model(model) => Simulation::new(&model.mechanism).unwrap(),
+        cspace_model::Document::Space(_) => panic!("it is a model"),
     }
 }
 
 fn model(text: &str) -> Simulation {
-    prepared(cspace_io::read_from(text.as_bytes(), "test.toml").unwrap())
+    prepared(cspace_model::read_from(text.as_bytes(), "test.toml").unwrap())
 }
 
 fn shipped(name: &str) -> Simulation {
     let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    prepared(cspace_io::read(Path::new(&path)).unwrap())
+    prepared(cspace_model::read(Path::new(&path)).unwrap())
 }
 
 /// Samples at 40 even times.

@@ -1,7 +1,7 @@
 //! Why an assembly cannot be asked.
 
 use cspace::{PairError, PartError, QueryError};
-use cspace_mechanism::MechanismError;
+use cspace_model::MechanismError;
 
 use crate::planner::PlanError;
 

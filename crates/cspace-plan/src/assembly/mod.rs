@@ -24,7 +24,7 @@ mod way_out;
 mod wider;
 
 use cspace::{Part, Progress, Silent};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 pub use answer::{
     Branch, Enclosure, Kind, Locked, Outcome, PartFeature, Step, TakenApart, Tree, Tried,
@@ -44,7 +44,7 @@ use units::Units;
 ///
 /// ```
 /// use cspace::Part;
-/// use cspace_mechanism::{Mechanism, PartEntry};
+/// use cspace_model::{Mechanism, PartEntry};
 /// use cspace_plan::assembly::{Assembly, Outcome};
 /// // A block in a slot that it fills, and a lid on both.
 /// let slot = [(-3.0, -2.0), (3.0, -2.0), (3.0, 0.0), (1.0, 0.0), (1.0, -1.0), (-1.0, -1.0), (-1.0, 0.0), (-3.0, 0.0)];

@@ -1,7 +1,7 @@
 //! Units: parts that move as one.
 
 use cspace::{Axis, AxisMotion, Configuration, Part, Vertex, pair::Joint};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use crate::clash::depth;
 use crate::legs::Scene;
@@ -93,7 +93,7 @@ impl Units {
             return Err(AssemblyError::Nothing);
         }
         let rigid = set(&|parts| {
-            let could_move = |j: &cspace_mechanism::JointEntry| {
+            let could_move = |j: &cspace_model::JointEntry| {
                 parts.contains(&j.parts.0) && !matches!(j.joint, Joint::Rigid)
             };
             let is_held = |&i: &usize| {

@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use cspace::Part;
-//! use cspace_mechanism::{Mechanism, PartEntry};
+//! use cspace_model::{Mechanism, PartEntry};
 //! use cspace_plan::clash::{Assembly, Question, State};
 //! let mut mechanism = Mechanism::new("three discs");
 //! for (name, x) in [("a", 0.0), ("b", 1.5), ("c", 4.0)] {
@@ -28,7 +28,7 @@ mod depth;
 mod pair;
 
 use cspace::part::Bounds;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use crate::legs::Body;
 pub use answer::{Clash, Clashes, Question, Sample, State};

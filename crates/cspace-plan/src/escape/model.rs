@@ -1,8 +1,7 @@
 //! The field of force of a pair, from what its mechanism says.
 
 use cspace::{AxisMotion, Vector};
-use cspace_mechanism::{LoadKind, SpringKind};
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::{LoadKind, Mechanism, PairEntry, SpringKind};
 
 use super::energy::{Body, Field, Spring, Weight};
 

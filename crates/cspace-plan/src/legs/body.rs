@@ -2,7 +2,7 @@
 
 use cspace::part::Bounds;
 use cspace::{Axis, AxisMotion, Configuration, Part, Point, Vector};
-use cspace_mechanism::PartEntry;
+use cspace_model::PartEntry;
 
 use super::at::At;
 use super::depth::overlaps_deeper;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use cspace::fixed_axes::{Role, SweptPlane};
 use cspace::{Axis, AxisMotion, parallel};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 use crate::modes::error::ModesError;
 use crate::modes::extent::Extent;
@@ -43,7 +43,7 @@ impl Modes {
     ///
     /// ```
     /// use cspace::Part;
-    /// use cspace_mechanism::{Mechanism, PartEntry};
+    /// use cspace_model::{Mechanism, PartEntry};
     /// use cspace_plan::modes::Modes;
     /// // Three blocks on one rail: they cannot pass each other, so each order is a mode.
     /// let mut blocks = Mechanism::new("blocks");

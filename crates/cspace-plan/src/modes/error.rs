@@ -1,6 +1,6 @@
 //! Why three parts have no operating modes that can be computed.
 
-use cspace_mechanism::MechanismError;
+use cspace_model::MechanismError;
 
 /// Why the modes of three parts cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use cspace::Part;
-//! use cspace_mechanism::{Mechanism, PartEntry};
+//! use cspace_model::{Mechanism, PartEntry};
 //! use cspace_plan::modes::{ModePlace, Modes, moving_parts};
 //! // Two bolts and a slide across them, which has a slot that takes the end of one bolt at a time.
 //! let mut lock = Mechanism::new("lock");

@@ -33,7 +33,7 @@ impl Modes {
     ///
     /// ```
     /// use cspace::Part;
-    /// use cspace_mechanism::{Mechanism, PartEntry};
+    /// use cspace_model::{Mechanism, PartEntry};
     /// use cspace_plan::modes::Modes;
     /// let mut blocks = Mechanism::new("blocks");
     /// for (name, x) in [("a", -4.0), ("b", 0.0), ("c", 4.0)] {

@@ -2,7 +2,7 @@
 
 use cspace::fixed_axes::Role;
 use cspace::{Axis, AxisMotion, FixedAxesSpace, Options, PairError, PairSpace};
-use cspace_mechanism::{Mechanism, MechanismError, PairEntry};
+use cspace_model::{Mechanism, MechanismError, PairEntry};
 
 use crate::modes::error::ModesError;
 
@@ -35,7 +35,7 @@ pub(crate) struct Trio {
 ///
 /// ```
 /// use cspace::Part;
-/// use cspace_mechanism::{Mechanism, PartEntry};
+/// use cspace_model::{Mechanism, PartEntry};
 /// let mut lock = Mechanism::new("lock");
 /// for (name, x) in [("bolt", 0.0), ("plunger", 4.0), ("slide", 8.0)] {
 ///     let part = Part::rectangle(name, (x, 0.0), 2.0, 2.0)?;

@@ -4,8 +4,7 @@ use core::f64::consts::TAU;
 
 use cspace::pair::Joint;
 use cspace::{Configuration, Part, Point};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{JointEntry, PartEntry};
+use cspace_model::{JointEntry, Mechanism, PartEntry};
 use cspace_oracle::Oracle;
 use cspace_plan::clash::{Assembly, Clash, Question, Sample, State};
 use rand::{Rng, SeedableRng};

@@ -122,7 +122,7 @@ fn a_window_is_open_at_its_ends() {
 #[test]
 fn a_ball_in_a_c() {
     let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/ball_in_c.toml");
-    let model = cspace_io::model::read(model).unwrap();
+    let model = cspace_model::model::read(model).unwrap();
     let part = |i: usize| &model.parts[i].part;
     let ends = [at(0.0, 0.0, 0.0), at(60.0, 0.0, 0.0)];
     for depth in [None, Some(0.2)] {
@@ -136,7 +136,7 @@ fn a_hook_in_its_catch() {
         env!("CARGO_MANIFEST_DIR"),
         "/../../models/snap_fastener.toml"
     );
-    let model = cspace_io::model::read(model).unwrap();
+    let model = cspace_model::model::read(model).unwrap();
     let part = |i: usize| &model.parts[i].part;
     let ends = [at(0.0, 0.05, 0.0), at(0.0, 60.0, 0.0)];
     asked((part(0), part(1)), None, ends, None).unwrap();

@@ -2,7 +2,7 @@
 
 use cspace::pair::Joint;
 use cspace::{Point, Vector};
-use cspace_mechanism::JointEntry;
+use cspace_model::JointEntry;
 use serde::Serialize;
 
 /// A permanent connection of two parts.

@@ -8,7 +8,7 @@ pub use joint::{JointKind, SceneJoint};
 pub use pair::{Counts, ScenePair, SceneRegion};
 pub use part::{SceneMotion, ScenePart};
 
-use cspace_mechanism::{Mechanism, PairEntry};
+use cspace_model::{Mechanism, PairEntry};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

@@ -1,7 +1,7 @@
 //! Pairs of a scene.
 
 use cspace::{Coordinates, FeatureCounts, PairClass, PairSpace, Part};
-use cspace_mechanism::PairEntry;
+use cspace_model::PairEntry;
 use serde::Serialize;
 
 /// A pair, with its configuration space if that is known.

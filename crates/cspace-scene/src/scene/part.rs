@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use cspace::part::PartFeature;
 use cspace::{Axis, AxisMotion, FeatureKind, FeatureName, Part, Point, Vector, Vertex};
-use cspace_mechanism::PartEntry;
+use cspace_model::PartEntry;
 use serde::{Deserialize, Serialize};
 
 /// A part and how it moves.

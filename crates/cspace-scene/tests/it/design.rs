@@ -1,8 +1,8 @@
 //! Parameters that are given other values.
 
 use cspace::{Classification, Configuration, Coordinates, Silent};
-use cspace_io::model::{Setting, Template};
-use cspace_io::{Document, Host};
+use cspace_model::model::{Setting, Template};
+use cspace_model::{Document, Host};
 use cspace_scene::{Edits, Opened, SceneSource};
 use serde_json::{Value, json};
 
@@ -146,7 +146,8 @@ fn the_text_of_the_file_is_saved_with_the_values() {
         .unwrap();
     assert!(text.contains("r = 1.25          # of the coin"), "{text}");
     assert!(text.contains("tilt = \"12deg\"") && text.contains("gap = \"r/2\""));
-    let Document::Model(read) = cspace_io::read_from(text.as_bytes(), "coin.toml").unwrap() else {
+    let Document::Model(read) = cspace_model::read_from(text.as_bytes(), "coin.toml").unwrap()
+    else {
         panic!("a model")
     };
     let r = read.parameters.iter().find(|p| p.name == "r").unwrap();

@@ -4,9 +4,7 @@ use core::fmt::{Debug, Display};
 
 use cspace::pair::Joint;
 use cspace::{Classification, Configuration, Coordinates, Part, Point, Silent, Vector};
-use cspace_io::SavedFile;
-use cspace_mechanism::{Drive, DriveMotion};
-use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
+use cspace_model::{Drive, DriveMotion, JointEntry, Mechanism, PartEntry, SavedFile};
 use cspace_scene::{Edits, Opened};
 use serde_json::{Value, json};
 
@@ -71,7 +69,7 @@ fn fails<T: Debug, E: Display>(result: Result<T, E>, words: &[&str]) {
 
 fn saved(opened: &Opened, edits: &[Value]) -> Mechanism {
     let text = opened.edited_text(&parts(edits)).unwrap();
-    cspace_io::model::from_toml(&text, "answer.toml").unwrap()
+    cspace_model::model::from_toml(&text, "answer.toml").unwrap()
 }
 
 #[test]

@@ -4,14 +4,13 @@ use std::collections::BTreeSet;
 
 use cspace::part::PartFeature;
 use cspace::{Configuration, Coordinates, Options, PairClass, PairSpace, Part, Vertex};
-use cspace_io::{Document, SavedFile};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Document, Mechanism, PartEntry, SavedFile};
 use cspace_scene::{Opened, Scene, ScenePair, SceneRecord};
 use serde_json::{Value, json};
 
 fn model(name: &str) -> Mechanism {
     let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    cspace_io::model::read(path).unwrap()
+    cspace_model::model::read(path).unwrap()
 }
 
 /// A sequence of numbers from 0 to 1 that looks random.
@@ -202,8 +201,9 @@ fn saved_spaces_are_scenes_of_two_parts() {
         let space = model
             .compute(&model.pairs[pair], &Options::default())
             .unwrap();
-        let text = cspace_io::saved::with_labels(&space, Some("saved"), None);
-        let Ok(Document::Space(file)) = cspace_io::read_from(text.as_bytes(), "saved.json") else {
+        let text = cspace_model::saved::with_labels(&space, Some("saved"), None);
+        let Ok(Document::Space(file)) = cspace_model::read_from(text.as_bytes(), "saved.json")
+        else {
             panic!("{name}");
         };
         let opened = Opened::saved(*file);

@@ -2,7 +2,7 @@
 
 use cspace::Part;
 use cspace::part::PartFeature;
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry};
 use cspace_scene::{Scene, SceneRecord};
 use cspace_view::{Page, PageError};
 use serde_json::{Value, json};

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use cspace::{ContactSpace, Options, Symmetry};
 use cspace_baseline::paper;
-use cspace_io::model;
+use cspace_model::model;
 use peak_alloc::PeakAlloc;
 
 // Counting costs time: this is a program of its own, and nothing is timed in it.

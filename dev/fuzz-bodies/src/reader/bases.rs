@@ -6,7 +6,7 @@ use cspace::pair::Joint;
 use cspace::{
     Axis, ContactSpace, FixedAxesSpace, LowerPair, Options, PairSpace, Part, Point, Vector, Vertex,
 };
-use cspace_io::SavedFile;
+use cspace_model::SavedFile;
 
 /// Shipped models in which every key occurs.
 const MODELS: [&str; 4] = [
@@ -79,8 +79,8 @@ mod tests {
     fn all_of_them_are_read() {
         assert_eq!(BASES.len(), MODELS.len() + 4);
         for text in BASES.iter() {
-            let model = cspace_io::model::from_toml(text, "m.toml").is_ok()
-                || cspace_io::model::from_json(text, "m.json").is_ok();
+            let model = cspace_model::model::from_toml(text, "m.toml").is_ok()
+                || cspace_model::model::from_json(text, "m.json").is_ok();
             assert!(
                 model || SavedFile::from_json(text, "s.json").is_ok(),
                 "{text}"

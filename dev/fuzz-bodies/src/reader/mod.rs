@@ -4,8 +4,7 @@ mod bases;
 pub(crate) mod edit;
 
 use cspace::{Coordinates, PairSpace};
-use cspace_io::{ModelError, SavedFile, model};
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, ModelError, SavedFile, model};
 
 use crate::Finding;
 use crate::draw::Bytes;

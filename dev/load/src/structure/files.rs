@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace::PairClass;
-use cspace_io::model;
+use cspace_model::model;
 use cspace_oracle::families::loops_of;
 
 use super::{Change, Specimen};
@@ -24,7 +24,7 @@ pub fn specimen(argument: &str) -> Result<Specimen, String> {
         None => (argument, None),
     };
     let model = model::read(path).map_err(|e| e.to_string())?;
-    let general = |p: &&cspace_mechanism::PairEntry| model.pair_class(p) == PairClass::General;
+    let general = |p: &&cspace_model::PairEntry| model.pair_class(p) == PairClass::General;
     let pairs = &model.pairs;
     let pair = pairs.iter().find(general).or(pairs.first());
     let parts = pair.and_then(|p| {

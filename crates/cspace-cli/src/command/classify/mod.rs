@@ -8,7 +8,7 @@ use std::path::Path;
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
 use cspace_answers::{Answer as Framed, Outcome};
 use cspace_classifier::Classifier;
-use cspace_io::shown;
+use cspace_model::shown;
 use rayon::prelude::*;
 use serde_json::{Map, Value};
 

@@ -9,8 +9,7 @@ use std::time::Instant;
 use cspace::{Axis, ComputeError, Coordinates, PairError};
 use cspace_answers::{Answer, Outcome as Word};
 use cspace_answers::{legs_in_words, motion_in_words};
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_plan::PlanError;
 use cspace_plan::assembly::{
     self, Assembly, AssemblyError, Enclosure, Kind, Outcome, PartFeature, TakenApart, Tried,

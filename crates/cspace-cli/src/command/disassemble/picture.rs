@@ -2,7 +2,7 @@
 
 use cspace::{Configuration, Coordinates};
 use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_plan::assembly::{Kind, Step, TakenApart};
 
 use crate::args::DisassembleArgs;

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use cspace::Coordinates;
-use cspace_io::shown;
+use cspace_model::shown;
 use cspace_plan::assembly::{Kind, Outcome, Tried};
 
 use crate::wording::{about_point, count, degrees, length};

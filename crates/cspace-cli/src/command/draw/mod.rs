@@ -86,7 +86,7 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
 }
 
 /// All parts as they are drawn.
-pub(super) fn assembly(model: &cspace_mechanism::Mechanism) -> PartsPicture<'_> {
+pub(super) fn assembly(model: &cspace_model::Mechanism) -> PartsPicture<'_> {
     PartsPicture {
         parts: (model.parts.iter().enumerate())
             .map(|(number, entry)| PlacedPart {

@@ -11,8 +11,7 @@ use std::path::Path;
 use cspace::Part;
 use cspace_answers::{Answer, Outcome};
 use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
-use cspace_io::model;
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry, model};
 
 use crate::args::{DrawingArgs, Format, ImportArgs, Side};
 use crate::drawing;

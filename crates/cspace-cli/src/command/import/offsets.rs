@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace_drawing::Outlines;
-use cspace_io::shown::quoted;
+use cspace_model::shown::quoted;
 
 use crate::args::ImportArgs;
 use crate::failure::{self, Failure};

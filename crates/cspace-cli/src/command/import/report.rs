@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use cspace::Part;
 use cspace_drawing::{Ignored, Origin, Outlines};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use serde::Serialize;
 
 use crate::wording::{count, length};
@@ -156,7 +156,7 @@ impl Report {
         imported: &[Outlines],
     ) -> std::fmt::Result {
         let files: Vec<String> = drawings.iter().map(|d| d.display().to_string()).collect();
-        writeln!(text, "{}", cspace_io::shown::text(&files.join(", ")))?;
+        writeln!(text, "{}", cspace_model::shown::text(&files.join(", ")))?;
         let unit = self
             .unit
             .as_ref()

@@ -1,9 +1,8 @@
 //! Masses, forces and drives of a mechanism, as `cspace info` prints them.
 
 use cspace::{AxisMotion, Point, Vector};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{
-    Drive, DriveMotion, Load, LoadKind, PartPosition, PartVelocity, Spring, SpringKind,
+use cspace_model::{
+    Drive, DriveMotion, Load, LoadKind, Mechanism, PartPosition, PartVelocity, Spring, SpringKind,
 };
 use serde::Serialize;
 

@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairSpace, Part};
 use cspace_answers::{Answer as Framed, Outcome};
-use cspace_io::model::Parameter;
+use cspace_model::model::Parameter;
 use serde::Serialize;
 
 use self::dynamics::{Forces, PartMotion, SurfaceInfo, forces, part_motion, surface};

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use cspace_io::shown;
+use cspace_model::shown;
 
 use crate::wording::{angle, count, length, symmetry};
 

@@ -3,8 +3,7 @@
 use std::fmt::{self, Write};
 
 use cspace::AxisMotion;
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_plan::modes::{Mode, ModePlace, Modes, PAIRS};
 use serde::Serialize;
 

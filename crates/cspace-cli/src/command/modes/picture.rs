@@ -1,7 +1,7 @@
 //! The region diagram of `cspace modes`.
 
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_plan::modes::{ModePlace, Modes};
 
 use super::ask::LETTERS;

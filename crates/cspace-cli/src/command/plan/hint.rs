@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use cspace::Vector;
 use cspace_answers::plan::{Name, Told};
-use cspace_io::shown;
+use cspace_model::shown;
 
 use crate::subject::Chosen;
 use crate::wording::{degrees, length};

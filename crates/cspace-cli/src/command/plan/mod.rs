@@ -10,7 +10,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cspace::{Coordinates, Vector};
-use cspace_io::shown;
+use cspace_model::shown;
 use cspace_plan::legs::Scene;
 use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touching_distance};
 

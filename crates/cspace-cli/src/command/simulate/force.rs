@@ -1,6 +1,6 @@
 //! Forces as columns of a table.
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{ContactForce, DriveForce, Forces, What};
 
 /// A column: its name, and its number.
@@ -94,8 +94,7 @@ impl Column {
 mod tests {
     use super::*;
     use cspace::Part;
-    use cspace_mechanism::PartEntry;
-    use cspace_mechanism::{Drive, DriveMotion};
+    use cspace_model::{Drive, DriveMotion, PartEntry};
 
     /// The forces of a pair are added up, a part's range and its drive have columns of their own.
     #[test]

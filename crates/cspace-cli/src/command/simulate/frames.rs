@@ -3,7 +3,7 @@
 use cspace::pair::Joint;
 use cspace::{Configuration, Point, Rotation, Vector};
 use cspace_draw::{ContactMark, MotionFrame, PartsPicture, PlacedPart};
-use cspace_mechanism::JointEntry;
+use cspace_model::JointEntry;
 use cspace_motion::{PartCoordinates, Record, Report, Sample, Simulation, Trajectory};
 
 use crate::failure::Failure;

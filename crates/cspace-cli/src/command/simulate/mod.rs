@@ -11,8 +11,7 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status, Way};
 use cspace_plan::clash::{Assembly, Sample};
 

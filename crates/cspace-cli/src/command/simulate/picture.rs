@@ -5,7 +5,7 @@ use cspace_draw::{
     ContactBar, ContactRow, MotionPicture, PictureOptions, PlanePath, Scene, Track, TrackCurve,
     motion,
 };
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{
     EventKind, PartCoordinates, Record, Report, Simulation, System, Trajectory, What,
 };

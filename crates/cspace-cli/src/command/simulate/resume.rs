@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Event, Record, Sample, Status, System};
 use serde::de::DeserializeOwned;
 use serde_json::Value;

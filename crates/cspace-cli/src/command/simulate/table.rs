@@ -1,6 +1,6 @@
 //! A motion as CSV.
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Forces, Record, Simulation};
 
 use crate::failure::Failure;

@@ -2,8 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use cspace_io::shown;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Mechanism, shown};
 use cspace_motion::{Energy, Event, EventKind, Status, What};
 
 use crate::subject::placed_by_name;

@@ -6,7 +6,7 @@ mod table;
 
 use cspace_answers::{Answer, Outcome};
 use cspace_design::{Change, Sweep, Varied};
-use cspace_io::{Model, shown};
+use cspace_model::{Model, shown};
 use serde_json::{Map, Value};
 
 use crate::args::{Format, SweepArgs};

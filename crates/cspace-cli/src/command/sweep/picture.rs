@@ -2,8 +2,8 @@
 
 use cspace_design::{Row, Sweep, Value};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
-use cspace_io::model::{Dimension, Target};
-use cspace_io::{Model, shown};
+use cspace_model::model::{Dimension, Target};
+use cspace_model::{Model, shown};
 
 use super::rows::all;
 use super::table::Table;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace_design::{Row, Value};
-use cspace_io::shown;
+use cspace_model::shown;
 
 use crate::args::Vary;
 use crate::failure::Failure;
@@ -70,7 +70,7 @@ pub(super) fn read(file: &Path) -> Result<Table, Failure> {
             let number = text
                 .parse::<f64>()
                 .ok()
-                .or_else(|| cspace_io::parse_angle(text));
+                .or_else(|| cspace_model::parse_angle(text));
             number.filter(|x| x.is_finite()).ok_or_else(|| {
                 wrong(format!(
                     "line {line}, column {name}: {} is no number",

@@ -3,7 +3,7 @@
 use std::fmt::{Display, Write};
 
 use cspace_design::{Allocation, Criterion, Unallocated, Variations};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 

@@ -5,8 +5,8 @@ use std::fmt::Write;
 use cspace_answers::{Answer, Outcome};
 use cspace_design::{Band, Extreme, Station, ToleranceOptions, Variations, Varied, along};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
-use cspace_io::Model;
-use cspace_io::model::{Dimension, Setting, Template};
+use cspace_model::Model;
+use cspace_model::model::{Dimension, Setting, Template};
 use serde::Serialize;
 
 use super::answer::{End, end};

@@ -44,9 +44,10 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let outside = (model.parameters.iter())
         .find(|p| p.has_limits && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));
     if let Some(outside) = outside {
-        let name = cspace_io::shown::quoted(&outside.name);
+        let name = cspace_model::shown::quoted(&outside.name);
         let (below, above) = outside.deviations.unwrap_or_default();
-        let [lo, hi] = [outside.value - below, outside.value + above].map(cspace_io::shown::number);
+        let [lo, hi] =
+            [outside.value - below, outside.value + above].map(cspace_model::shown::number);
         let error = format_args!("{name} is set to a value outside its limits, {lo} to {hi}");
         return Err(Failure::new(error).help("set it to a value within them"));
     }
@@ -135,7 +136,7 @@ fn costs(variations: &Variations, given: &[(String, f64)]) -> Result<Vec<f64>, F
     for (name, cost) in given {
         let mut all = variations.list.iter();
         let Some(i) = all.position(|v| v.parameter.name == *name) else {
-            let quoted = cspace_io::shown::quoted(name);
+            let quoted = cspace_model::shown::quoted(name);
             let names = variations.list.iter().map(|v| v.parameter.name.as_str());
             let names = names.collect::<Vec<_>>().join(", ");
             return Err(Failure::new(format_args!(

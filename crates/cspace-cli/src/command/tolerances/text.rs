@@ -3,8 +3,8 @@
 use std::fmt::{self, Write};
 
 use cspace_design::{Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
-use cspace_io::model::{Dimension, Target};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
+use cspace_model::model::{Dimension, Target};
 
 use super::answer::outcome;
 use crate::subject::placed_by_name;

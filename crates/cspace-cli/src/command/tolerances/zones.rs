@@ -6,9 +6,8 @@ use cspace::{ContactSpace, Options, PairSpace, Slice};
 use cspace_answers::{Answer as Framed, Outcome, PairAnswer};
 use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
-use cspace_io::Model;
-use cspace_io::model::{Coordinate, Requirement, Setting, Subject, Template};
-use cspace_mechanism::PairEntry;
+use cspace_model::model::{Coordinate, Requirement, Setting, Subject, Template};
+use cspace_model::{Model, PairEntry};
 use serde::Serialize;
 
 use crate::args::TolerancesArgs;

@@ -1,8 +1,8 @@
 //! Helpers that tests of designs share.
 
 use cspace_design::{Checked, Value};
-use cspace_io::model::{Setting, Template};
-use cspace_io::{Document, Host, Model, read_from_hosted};
+use cspace_model::model::{Setting, Template};
+use cspace_model::{Document, Host, Model, read_from_hosted};
 
 /// The template in the text of a model.
 pub(crate) fn template(text: &str) -> Template {

@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2, TAU};
 
 use cspace::{Part, Vertex};
-use cspace_mechanism::{Drive, DriveMotion, PartPosition};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry, PartPosition};
 use cspace_motion::{EventKind, Record, Status};
 
 use crate::motion::helpers::{at, mechanism, model, run};

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use cspace::{Axis, Part, Point, Vector};
-use cspace_mechanism::{Drive, DriveMotion, Load, LoadKind, PartPosition, Spring, SpringKind};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{
+    Drive, DriveMotion, Load, LoadKind, Mechanism, PartEntry, PartPosition, Spring, SpringKind,
+};
 use cspace_motion::{EventKind, Status, What};
 
 use crate::motion::helpers::{at, driven, mechanism, polygon, run};
@@ -264,7 +265,7 @@ fn freedoms_are_counted() {
                  [[joint]]\nparts = [\"crank {k}\", \"coupler\"]\ntype = \"revolute\"\nat = [{x}, 8.5]\n"
             );
         }
-        let mechanism = cspace_io::model::from_toml(&text, "m.toml").unwrap();
+        let mechanism = cspace_model::model::from_toml(&text, "m.toml").unwrap();
         let freedom = cspace_motion::Simulation::new(&mechanism)
             .unwrap()
             .freedom();

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cspace_mechanism::SpringKind;
+use cspace_model::SpringKind;
 use cspace_motion::{EventKind, Record, Sample, Status, What};
 
 use crate::motion::helpers::{model, near, read, run};

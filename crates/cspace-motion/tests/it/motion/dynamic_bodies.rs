@@ -1,7 +1,6 @@
 //! Discs and rollers that pass from feature to feature of smooth outlines, cams, and wheels that are driven.
 
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{Load, LoadKind, Mass, PartDynamics};
+use cspace_model::{Load, LoadKind, Mass, Mechanism, PartDynamics};
 use cspace_motion::{EventKind, Settings, Status};
 
 use crate::motion::helpers::{balanced, judge, model, near, thrown, thrown_model};
@@ -174,7 +173,7 @@ fn weighed(name: &str, density: f64, held: &str, torque: f64) -> Mechanism {
     for part in &mut dynamics.parts {
         part.mass = Some(Mass::Density(density));
     }
-    let named = |p: &cspace_mechanism::PartEntry| p.part.name() == held;
+    let named = |p: &cspace_model::PartEntry| p.part.name() == held;
     dynamics.loads.push(Load {
         part: mechanism.parts.iter().position(named).unwrap(),
         kind: LoadKind::Torque(torque),

@@ -93,7 +93,7 @@ fn what_cannot_be_followed_is_given_up() {
     ));
     for text in all.iter().step_by(effort(9, 1)) {
         let begun = Instant::now();
-        let Ok(mechanism) = cspace_io::model::from_toml(text, "m.toml") else {
+        let Ok(mechanism) = cspace_model::model::from_toml(text, "m.toml") else {
             continue;
         };
         let Ok(simulation) = Simulation::new(&mechanism) else {

@@ -162,7 +162,7 @@ rate = 4
     assert_eq!(record.status, Status::Done, "{:?}", record.reason);
     let first = |name: &str| {
         let system = simulation.system();
-        let named = |p: &cspace_mechanism::PartEntry| p.part.name() == name;
+        let named = |p: &cspace_model::PartEntry| p.part.name() == name;
         let i = system.mechanism().parts.iter().position(named).unwrap();
         system.parts()[i].indices().start
     };

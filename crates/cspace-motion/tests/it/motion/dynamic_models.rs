@@ -1,7 +1,6 @@
 //! Models that ship, with their masses or with some: energy, free space, and how they are written down.
 
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::{Mass, PartDynamics};
+use cspace_model::{Mass, Mechanism, PartDynamics};
 use cspace_motion::{Event, EventKind, Record, Settings, Simulation, Status, What};
 use cspace_oracle::effort;
 

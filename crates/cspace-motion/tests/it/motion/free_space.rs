@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cspace::Silent;
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Settings, Simulation, Status};
 use cspace_oracle::effort;
 use rayon::prelude::*;
@@ -28,7 +28,7 @@ fn moved() -> Vec<(String, Mechanism)> {
             continue;
         }
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
-        if let cspace_io::Document::Model(model) = cspace_io::read(&path).unwrap() {
+        if let cspace_model::Document::Model(model) = cspace_model::read(&path).unwrap() {
             let mechanism = model.mechanism;
             let driven = !mechanism.dynamics.drives.is_empty();
             if driven || cspace_motion::has_forces(&mechanism) {

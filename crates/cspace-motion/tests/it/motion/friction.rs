@@ -19,7 +19,7 @@ fn contacts(sample: &Sample) -> Vec<ContactForce> {
 }
 
 /// A wedge that slides, under a follower that is pressed down on its slope.
-fn wedge(slope: f64, friction: f64, pressed: &str) -> cspace_mechanism::Mechanism {
+fn wedge(slope: f64, friction: f64, pressed: &str) -> cspace_model::Mechanism {
     let (rise, up) = (100.0 * slope, 5.0 * (1.0 + slope));
     read(&format!(
         r#"

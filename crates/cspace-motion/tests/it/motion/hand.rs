@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use cspace::{Configuration, Part, Point};
-use cspace_mechanism::PartPosition;
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry, PartPosition};
 use cspace_motion::{Dragged, Ending, Hand, PartCoordinates, SimulateError, Target, What};
 use cspace_oracle::Oracle;
 
@@ -16,7 +15,7 @@ fn judge(hand: &Hand, mechanism: &Mechanism) {
     let system = hand.system();
     for pair in &mechanism.pairs {
         let [a, b] = [pair.fixed, pair.moving].map(|i| &mechanism.parts[i].part);
-        let joined = |j: &cspace_mechanism::JointEntry| {
+        let joined = |j: &cspace_model::JointEntry| {
             j.parts == (pair.fixed, pair.moving) || j.parts == (pair.moving, pair.fixed)
         };
         if mechanism.joints.iter().any(joined) {

@@ -1,8 +1,7 @@
 //! Helpers shared by the tests.
 
 use cspace::{Part, Vertex};
-use cspace_mechanism::{Drive, DriveMotion};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry};
 use cspace_motion::{Record, Sample, Settings, Simulation};
 use cspace_oracle::Oracle;
 
@@ -80,16 +79,16 @@ pub(crate) fn at(record: &Record, time: f64) -> &[f64] {
 /// A model that ships.
 pub(crate) fn model(name: &str) -> Mechanism {
     let path = format!("{}/../../models/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-    match cspace_io::read(std::path::Path::new(&path)).unwrap() {
-        cspace_io::Document::Model(model) => model.mechanism,
-        cspace_io::Document::Space(_) => panic!("{name} is a model"),
+    match cspace_model::read(std::path::Path::new(&path)).unwrap() {
+        cspace_model::Document::Model(model) => model.mechanism,
+        cspace_model::Document::Space(_) => panic!("{name} is a model"),
     }
 }
 
 /// A model as it is written in a file.
 #[track_caller]
 pub(crate) fn read(text: &str) -> Mechanism {
-    cspace_io::model::from_toml(text, "m.toml").unwrap_or_else(|e| panic!("{e}: {text}"))
+    cspace_model::model::from_toml(text, "m.toml").unwrap_or_else(|e| panic!("{e}: {text}"))
 }
 
 /// Motion of a model with masses.

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Settings, Simulation, Status};
 use cspace_oracle::effort;
 
@@ -31,7 +31,7 @@ loops = [ [[5, -1], [7, -1], [7, 1], [5, 1]] ]
 }
 
 fn read(text: &str) -> Result<Mechanism, String> {
-    cspace_io::model::from_toml(text, "m.toml").map_err(|e| e.to_string())
+    cspace_model::model::from_toml(text, "m.toml").map_err(|e| e.to_string())
 }
 
 /// Why a model is refused, when it is read or when it is prepared.

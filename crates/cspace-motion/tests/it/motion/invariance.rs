@@ -1,8 +1,7 @@
 //! Motions do not depend on how a mechanism is written down: which part of a pair is called fixed, the order of the
 //! parts, the number of threads, and when samples are taken.
 
-use cspace_mechanism::Dynamics;
-use cspace_mechanism::Mechanism;
+use cspace_model::{Dynamics, Mechanism};
 use cspace_motion::{Event, Record, Settings, Simulation, What};
 use cspace_oracle::effort;
 

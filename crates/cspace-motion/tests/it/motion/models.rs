@@ -136,7 +136,7 @@ fn a_tappet_rises_and_falls() {
 #[test]
 fn a_rack_is_pushed_on() {
     let mut rack = model("rack_pinion");
-    rack.dynamics.drives[0].motion = cspace_mechanism::DriveMotion::Rate(1.0);
+    rack.dynamics.drives[0].motion = cspace_model::DriveMotion::Rate(1.0);
     let tooth = TAU / 12.0;
     let (_, record) = run(&rack, 4.5 * tooth, tooth / 8.0);
     is_done(&record);

@@ -1,8 +1,7 @@
 //! A disc larger than its hole does not pass, whatever pushes it.
 
 use cspace::{Part, Vector};
-use cspace_mechanism::PartEntry;
-use cspace_mechanism::{Load, LoadKind};
+use cspace_model::{Load, LoadKind, PartEntry};
 use cspace_motion::{Record, Status};
 
 use crate::motion::helpers::{mechanism, polygon, run};

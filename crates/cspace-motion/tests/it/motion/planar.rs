@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use cspace::pair::Joint;
 use cspace::{Part, Point, Vector, Vertex};
-use cspace_mechanism::{JointEntry, Mechanism, PartEntry};
-use cspace_mechanism::{Load, LoadKind, Mass, PartPosition};
+use cspace_model::{JointEntry, Load, LoadKind, Mass, Mechanism, PartEntry, PartPosition};
 use cspace_motion::{EventKind, Settings, SimulateError, Simulation, Status};
 
 use crate::motion::helpers::{at, driven, judge, mechanism, polygon, run};
@@ -336,10 +335,10 @@ fn rigid_and_prismatic_joints_hold() {
     };
     mechanism.dynamics.loads.push(Load { part: 2, kind });
     // A spring holds the slide against the load.
-    mechanism.dynamics.springs.push(cspace_mechanism::Spring {
+    mechanism.dynamics.springs.push(cspace_model::Spring {
         part: 1,
         other: None,
-        kind: cspace_mechanism::SpringKind::Linear {
+        kind: cspace_model::SpringKind::Linear {
             at: (Point::new(3.0, 0.0), Point::ORIGIN),
             stiffness: 4.0,
             length: 3.0,

@@ -1,7 +1,7 @@
 //! Random parts pushed about by a paddle: brute force judges every sample.
 
 use cspace::{Part, Vertex};
-use cspace_mechanism::PartEntry;
+use cspace_model::PartEntry;
 use cspace_motion::Status;
 
 use crate::motion::helpers::{driven, mechanism, run};

@@ -3,8 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Part, Vertex};
-use cspace_mechanism::{Drive, DriveMotion};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Drive, DriveMotion, Mechanism, PartEntry};
 use cspace_motion::{ContactForce, Cycle, DriveForce, Forces, PartCycle, Report, Trajectory, What};
 
 use crate::report::{model, run, told};
@@ -154,7 +153,7 @@ fn rest_is_a_cycle_of_what_goes_on() {
     (mechanism.parts).push(PartEntry::revolute(disc("cam", 3.0), (0.0, 0.0)));
     (mechanism.parts).push(PartEntry::prismatic(disc("roller", 22.0), (1.0, 0.0)));
     mechanism.pairs = mechanism.every_two();
-    mechanism.dynamics.part_mut(0).start = Some(cspace_mechanism::PartPosition::Axis(1.5));
+    mechanism.dynamics.part_mut(0).start = Some(cspace_model::PartPosition::Axis(1.5));
     let motion = DriveMotion::Rate(TAU);
     mechanism.dynamics.drives.push(Drive { part: 0, motion });
     let (simulation, record) = run(&mechanism, 3.0, None);

@@ -4,15 +4,15 @@ mod known;
 
 use std::path::Path;
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Record, Report, Settings, Simulation};
 
 /// A shipped model.
 fn model(name: &str) -> Mechanism {
     let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models");
-    match cspace_io::read(models.join(format!("{name}.toml"))).unwrap() {
-        cspace_io::Document::Model(model) => model.mechanism,
-        cspace_io::Document::Space(_) => panic!("{name} is a model"),
+    match cspace_model::read(models.join(format!("{name}.toml"))).unwrap() {
+        cspace_model::Document::Model(model) => model.mechanism,
+        cspace_model::Document::Space(_) => panic!("{name} is a model"),
     }
 }
 

@@ -1,8 +1,7 @@
 //! Steps judged without contact spaces.
 
 use cspace::{Axis, Configuration, Coordinates, Part, Point, Rotation, Vector};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::PartEntry;
+use cspace_model::{Mechanism, PartEntry};
 use cspace_oracle::Oracle;
 use cspace_plan::assembly::{Assembly, Kind, Step, TakenApart};
 

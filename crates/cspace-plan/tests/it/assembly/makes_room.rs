@@ -1,8 +1,7 @@
 //! Parts that leave after others have made room.
 
 use cspace::{Axis, Coordinates, Part, Vector};
-use cspace_mechanism::Mechanism;
-use cspace_mechanism::PartEntry;
+use cspace_model::{Mechanism, PartEntry};
 use cspace_plan::assembly::{Kind, Outcome, TakenApart};
 
 use crate::assembly::judged::{asked, mechanism, polygon};

@@ -1,7 +1,7 @@
 //! An assembly as it is played: all parts, those that have left as well, step by step. None ever meets another.
 
 use cspace::{Axis, Configuration, Coordinates, Part};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_oracle::Oracle;
 use cspace_plan::assembly::{Kind, Step, TakenApart};
 

@@ -1,7 +1,7 @@
 //! Assemblies that do not come apart.
 
 use cspace::{Part, Vertex, pair::Joint};
-use cspace_mechanism::JointEntry;
+use cspace_model::JointEntry;
 use cspace_plan::assembly::{Assembly, AssemblyError, Outcome};
 
 use crate::assembly::judged::{asked, mechanism, polygon};

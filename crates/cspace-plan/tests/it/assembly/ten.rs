@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use cspace::{Axis, Part, Vector, Vertex};
-use cspace_mechanism::PartEntry;
+use cspace_model::PartEntry;
 use cspace_plan::assembly::{Kind, Outcome};
 
 use crate::assembly::judged::{asked, mechanism};

@@ -1,7 +1,7 @@
 //! Modes whose number is known by arithmetic.
 
 use cspace::{Axis, Part, Vector};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry};
 use cspace_plan::modes::Modes;
 
 fn slide(x: f64, y: f64, reach: f64) -> Axis {

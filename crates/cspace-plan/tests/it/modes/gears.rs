@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Part, Point, Vector, Vertex};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry};
 use cspace_plan::modes::{ModePlace, Modes};
 
 /// The gear (12 teeth, about the origin) and the pinion (10 teeth, about (44, 0)) of a model that is drawn with its shafts.
@@ -15,7 +15,8 @@ fn drawn() -> [Part; 2] {
         env!("CARGO_MANIFEST_DIR"),
         "/../../models/gears_on_shafts.toml"
     );
-    let cspace_io::Document::Model(model) = cspace_io::read(std::path::Path::new(file)).unwrap()
+    let cspace_model::Document::Model(model) =
+        cspace_model::read(std::path::Path::new(file)).unwrap()
     else {
         unreachable!()
     };
@@ -87,7 +88,8 @@ fn gears_in_a_triangle_are_locked() {
 #[test]
 fn a_geneva_drive_comes_back_after_six_turns_of_its_driver() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/geneva.toml");
-    let cspace_io::Document::Model(model) = cspace_io::read(std::path::Path::new(file)).unwrap()
+    let cspace_model::Document::Model(model) =
+        cspace_model::read(std::path::Path::new(file)).unwrap()
     else {
         unreachable!()
     };

@@ -1,7 +1,7 @@
 //! Interlocks: rails that a plunger between them lets move one at a time, and the lengths of the plunger at which that changes.
 
 use cspace::{Axis, Part, Vector, Vertex};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry};
 use cspace_plan::modes::{ModePlace, Modes};
 
 const GAP: f64 = 10.0;

@@ -4,14 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cspace::{Options, PairSpace};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
 }
 
 pub(crate) fn read(text: &str) -> Mechanism {
-    cspace_io::model::from_toml(text, "test.toml").unwrap()
+    cspace_model::model::from_toml(text, "test.toml").unwrap()
 }
 
 /// The space of a pair of a model: of its first if it is not said which.

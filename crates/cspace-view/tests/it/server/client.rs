@@ -5,8 +5,7 @@ use std::net::TcpStream;
 use std::time::Duration;
 
 use cspace::{Classification, Configuration, Coordinates, Part};
-use cspace_io::SavedFile;
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry, SavedFile};
 use cspace_scene::Opened;
 use cspace_view::{Page, Server};
 use serde_json::Value;

@@ -59,7 +59,7 @@ fn a_model_is_made_of_the_page_alone() {
     let text = opened
         .toml(&[picked("left", 0), picked("right", 1)])
         .unwrap();
-    let model = cspace_io::model::from_toml(&text, "model.toml").unwrap();
+    let model = cspace_model::model::from_toml(&text, "model.toml").unwrap();
     let areas: Vec<f64> = model.parts.iter().map(|p| p.part.area()).collect();
     assert!(areas[0] < 10.0 && areas[1] == 6.0, "{areas:?}");
     assert_eq!(model.name, "square");

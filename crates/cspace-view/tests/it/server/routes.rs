@@ -42,8 +42,7 @@ fn the_page_is_there_at_once_and_its_pairs_when_they_are_asked_for() {
 #[test]
 fn a_pair_that_cannot_be_computed_says_why() {
     let mut model = mechanism();
-    model.parts[2] =
-        cspace_mechanism::PartEntry::prismatic(model.parts[2].part.clone(), (0.0, 0.0));
+    model.parts[2] = cspace_model::PartEntry::prismatic(model.parts[2].part.clone(), (0.0, 0.0));
     let pairs = model.pairs.clone();
     let client = Client::of(Opened::model(model, pairs, false));
     let pair = client.get("pair/1").json();

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use cspace::{Configuration, Coordinates, Options, PairSpace, Slice};
-use cspace_io::saved;
+use cspace_model::saved;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;

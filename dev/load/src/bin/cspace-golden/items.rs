@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use cspace::{Axis, Part, Point, Relation, Vector};
-use cspace_io::Document;
 use cspace_load::Source;
-use cspace_mechanism::{Dynamics, Mechanism};
+use cspace_model::{Document, Dynamics, Mechanism};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -71,7 +70,7 @@ fn of_file(root: &Path, path: &Path, all: &mut Vec<Item>) {
         .unwrap_or(path)
         .display()
         .to_string();
-    let model = match cspace_io::read(path) {
+    let model = match cspace_model::read(path) {
         Ok(Document::Model(model)) => Box::new(model.mechanism),
         Ok(Document::Space(_)) => return,
         Err(error) => {
@@ -113,7 +112,7 @@ fn general(relation: Relation) -> Option<Relation> {
     (relation != Relation::Planar).then_some(Relation::Planar)
 }
 
-fn question(model: &Mechanism, pair: &cspace_mechanism::PairEntry, relation: Relation) -> Question {
+fn question(model: &Mechanism, pair: &cspace_model::PairEntry, relation: Relation) -> Question {
     let part = |i: usize| model.parts[i].part.clone();
     Question {
         fixed: part(pair.fixed),

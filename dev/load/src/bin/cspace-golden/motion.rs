@@ -1,6 +1,6 @@
 //! Motion of a mechanism.
 
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_motion::{Record, Settings, Simulation};
 use serde_json::{Value, json};
 

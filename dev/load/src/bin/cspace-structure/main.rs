@@ -9,9 +9,9 @@ mod run;
 use std::process::ExitCode;
 
 use clap::Parser;
-use cspace_io::shown;
 use cspace_load::output::{note, print};
 use cspace_load::structure::{Specimen, TABLE, files, specimens};
+use cspace_model::shown;
 
 use args::Args;
 

@@ -6,7 +6,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use cspace::{ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::critical::{Criticalities, Known, search};
 use cspace_baseline::paper;
-use cspace_io::model;
+use cspace_model::model;
 
 /// Largest difference, in radians, of equal orientations: where contact curves become tangent, both methods know them
 /// only to the square root of their rounding, and the product grows the fixed part by 2⁻⁴⁰.

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use cspace::{ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::kinds::{self, Kinds};
 use cspace_baseline::paper;
-use cspace_io::model;
+use cspace_model::model;
 
 fn space(fixed: &Part, moving: &Part) -> ContactSpace {
     let options = Options {

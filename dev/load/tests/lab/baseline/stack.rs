@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, SQRT_2};
 use cspace::{Classification, Configuration, ContactSpace, Options, Part, Symmetry, Vertex};
 use cspace_baseline::compare::{Errors, errors, missed_bands};
 use cspace_baseline::{Stack, Surface, evenly, paper, with_bands};
-use cspace_io::model;
+use cspace_model::model;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

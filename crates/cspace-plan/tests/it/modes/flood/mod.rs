@@ -6,7 +6,7 @@ mod walk;
 use core::f64::consts::TAU;
 
 use cspace::{Axis, Classification, Part, Point, Vector, Vertex};
-use cspace_mechanism::{Mechanism, PartEntry};
+use cspace_model::{Mechanism, PartEntry};
 use cspace_oracle::effort;
 use cspace_plan::modes::{ModePlace, Modes};
 use grid::Grid;

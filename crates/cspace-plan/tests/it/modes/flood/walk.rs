@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{Axis, AxisMotion, Configuration, Part, Rotation};
-use cspace_mechanism::Mechanism;
+use cspace_model::Mechanism;
 use cspace_oracle::Oracle;
 use cspace_plan::modes::{ModePlace, Modes};
 

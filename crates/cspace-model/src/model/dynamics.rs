@@ -1,0 +1,79 @@
+//! Reads masses, drives, loads, springs and friction from a file's tree of values.
+
+use cspace::Vector;
+
+use super::error::ModelError;
+use super::forces::{read_drives, read_loads, read_springs};
+use super::node::Node;
+use super::place::Place;
+use super::table::{Result, Table};
+use crate::mechanism::{
+    Dynamics, DynamicsError, DynamicsItem, Mechanism, PairSurface, PartDynamics,
+};
+use crate::shown::quoted;
+
+/// Gravity, friction, drives, loads and springs of the file's `table`; with what its parts and pairs say, checked as a whole.
+pub(super) fn read_dynamics(
+    table: &Table<'_>,
+    mechanism: &Mechanism,
+    mut parts: Vec<PartDynamics>,
+    pairs: Vec<PairSurface>,
+) -> Result<Dynamics> {
+    // Default values are not stored.
+    while parts.last() == Some(&PartDynamics::default()) {
+        parts.pop();
+    }
+    let entries = &mechanism.parts;
+    let (place, list) = item_lists(table)?;
+    let [drives, loads, springs] = list;
+    let gravity = table.point("gravity")?.unwrap_or_default();
+    let dynamics = Dynamics {
+        gravity: Vector::new(gravity.0, gravity.1),
+        friction: table.number("friction")?.unwrap_or_default(),
+        restitution: table.number("restitution")?.unwrap_or_default(),
+        parts,
+        pairs,
+        drives: read_drives(&place[0], drives, entries)?,
+        loads: read_loads(&place[1], loads, entries)?,
+        springs: read_springs(&place[2], springs, entries)?,
+    };
+    (dynamics.check(mechanism)).map_err(|e| in_the_file(table, mechanism, &e))?;
+    Ok(dynamics)
+}
+
+type Lists<'a> = ([Place; 3], [&'a [Node]; 3]);
+
+/// The items of drives, loads and springs, and where they are.
+fn item_lists<'a>(table: &Table<'a>) -> Result<Lists<'a>> {
+    const KEYS: [&str; 3] = ["drive", "load", "spring"];
+    let mut lists: [&[Node]; 3] = [&[]; 3];
+    for (list, key) in lists.iter_mut().zip(KEYS) {
+        let help = format!("write each {key} as [[{key}]], in two brackets");
+        *list = table.list(key, &help)?.unwrap_or_default();
+    }
+    Ok((KEYS.map(|key| table.place.key(key)), lists))
+}
+
+/// Error for values that can be read but are invalid, at their key in the file.
+fn in_the_file(table: &Table<'_>, mechanism: &Mechanism, error: &DynamicsError) -> ModelError {
+    let root = &table.place;
+    let item = |key: &str, i: usize| root.key(key).item(i).called(format!("{key} {i}"));
+    let place = match error.item {
+        DynamicsItem::Part(i) => {
+            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
+            let words = format!("part {i} {}", quoted(name));
+            item("part", i).called(words)
+        }
+        DynamicsItem::Pair(a, b) => {
+            let is = |p: &crate::mechanism::PairEntry| (p.fixed, p.moving) == (a, b);
+            let pair = mechanism.pairs.iter().position(is);
+            pair.map_or_else(|| root.clone(), |i| item("pair", i))
+        }
+        DynamicsItem::Drive(i) => item("drive", i),
+        DynamicsItem::Load(i) => item("load", i),
+        DynamicsItem::Spring(i) => item("spring", i),
+        _ => root.clone(),
+    };
+    let message = format!("`{}`: {}", error.key, error.fault);
+    ModelError::new(&place.key(error.key), message).with_help(error.fault.help())
+}

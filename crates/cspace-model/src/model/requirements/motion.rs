@@ -1,0 +1,107 @@
+//! Requirements on the motion of a mechanism.
+
+use cspace::AxisMotion;
+
+use super::pair::two_parts;
+use super::quantity::{Coordinate, Dimension, Happening, MotionQuantity, Subject};
+use crate::mechanism::Mechanism;
+use crate::model::relations::part_index;
+use crate::model::suggest::nearest;
+use crate::model::table::{Result, Table};
+use crate::shown::quoted;
+
+/// The quantity of a kind.
+pub(super) fn read_motion(
+    table: &Table<'_>,
+    kind: &str,
+    mechanism: &Mechanism,
+) -> Result<(Subject, Dimension)> {
+    let time = (table.number::<f64>("time")?)
+        .ok_or_else(|| table.missing("time", "time = 2, in seconds"))?;
+    if time <= 0.0 {
+        let error = table.error("time", "the time of a motion is not more than 0");
+        return Err(error.with_help("give how long the motion is followed, in seconds"));
+    }
+    let (quantity, dimension) = match kind {
+        "event" => (event(table, mechanism)?, Dimension::Time),
+        "stroke" => stroke(table, mechanism)?,
+        _ => (ratio(table, mechanism)?, Dimension::Number),
+    };
+    Ok((Subject::Motion(time, quantity), dimension))
+}
+
+fn event(table: &Table<'_>, mechanism: &Mechanism) -> Result<MotionQuantity> {
+    let name = (table.text("event")?).ok_or_else(|| table.missing("event", "event = \"touch\""))?;
+    let names = || Happening::ALL.iter().map(|h| h.0);
+    let Some(&(_, happens)) = Happening::ALL.iter().find(|h| h.0 == name) else {
+        let error = table.error("event", format!("unknown event {}", quoted(name)));
+        return Err(error.with_help(match nearest(name, names()) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => format!("the events are {}", names().collect::<Vec<_>>().join(", ")),
+        }));
+    };
+    Ok(MotionQuantity::Event {
+        happens,
+        parts: two_parts(table, mechanism)?,
+        number: table.count("number")?.unwrap_or(1),
+    })
+}
+
+fn stroke(table: &Table<'_>, mechanism: &Mechanism) -> Result<(MotionQuantity, Dimension)> {
+    let part = moving_part(table, "part", mechanism)?;
+    let names = Coordinate::PLANAR.map(|c| c.0).join(", ");
+    let given = table.text("of")?;
+    let (of, dimension) = match (mechanism.parts[part].axis, given) {
+        (Some(axis), None) => (
+            Coordinate::V,
+            match axis.motion {
+                AxisMotion::Revolute { .. } => Dimension::Angle,
+                _ => Dimension::Length,
+            },
+        ),
+        (Some(_), Some(_)) => {
+            let error = table.error("of", "the part moves on an axis, in one coordinate alone");
+            return Err(error.with_help("remove `of`"));
+        }
+        (None, None) => return Err(table.missing("of", "of = \"x\"")),
+        (None, Some(given)) => {
+            let Some(&(_, of)) = Coordinate::PLANAR.iter().find(|c| c.0 == given) else {
+                let error = table.error(
+                    "of",
+                    format!("the part has no coordinate {}", quoted(given)),
+                );
+                return Err(error.with_help(format!("its coordinates are {names}")));
+            };
+            let dimension = match of {
+                Coordinate::Theta => Dimension::Angle,
+                _ => Dimension::Length,
+            };
+            (of, dimension)
+        }
+    };
+    Ok((MotionQuantity::Stroke { part, of }, dimension))
+}
+
+fn ratio(table: &Table<'_>, mechanism: &Mechanism) -> Result<MotionQuantity> {
+    let [by, of] = ["by", "part"].map(|key| {
+        let part = moving_part(table, key, mechanism)?;
+        if mechanism.parts[part].axis.is_none() {
+            let error = table.error(key, "the part does not move on an axis");
+            return Err(error.with_help("name a part that turns or slides on an axis"));
+        }
+        Ok(part)
+    });
+    Ok(MotionQuantity::Ratio { by: by?, of: of? })
+}
+
+/// The part that a key names, which must be able to move.
+fn moving_part(table: &Table<'_>, key: &str, mechanism: &Mechanism) -> Result<usize> {
+    let name = (table.text(key)?)
+        .ok_or_else(|| table.missing(key, &format!("{key} = \"name of a part\"")))?;
+    let part = part_index(&table.place.key(key), name, &mechanism.parts)?;
+    if (mechanism.parts[part].axis).is_some_and(|a| matches!(a.motion, AxisMotion::Fixed)) {
+        let error = table.error(key, format!("the part {} is fixed", quoted(name)));
+        return Err(error.with_help("name a part that moves"));
+    }
+    Ok(part)
+}

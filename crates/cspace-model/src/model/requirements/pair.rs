@@ -1,0 +1,155 @@
+//! Requirements on the configuration space of a pair.
+
+use crate::mechanism::{Mechanism, PairEntry};
+
+use super::quantity::{Coordinate, Dimension, Quantity, Subject};
+use super::space::Space;
+use crate::model::measure::Measure;
+use crate::model::node::Node;
+use crate::model::relations::part_index;
+use crate::model::table::{Result, Table};
+use crate::shown::quoted;
+
+/// The quantity of a kind.
+pub(super) fn read_pair(
+    table: &Table<'_>,
+    kind: &str,
+    mechanism: &Mechanism,
+) -> Result<(Subject, Dimension)> {
+    let pair = pair_of(table, mechanism)?;
+    let space = Space::of(mechanism, &pair, table)?;
+    let at = space.configuration(table)?;
+    let vector = |key: &str| {
+        let given = table
+            .get(key)
+            .ok_or_else(|| table.missing(key, &format!("{key} = {}", space.example())))?;
+        space.list(&table.place.key(key), key, given)
+    };
+    let needed = || {
+        let of = space.coordinate(table)?;
+        of.ok_or_else(|| table.missing("of", &format!("of = \"{}\"", space.names()[0].0)))
+    };
+    let quantity = match kind {
+        "play" => Quantity::Play { of: needed()?, at },
+        "angle" => Quantity::Angle {
+            at,
+            along: table.get("along").map(|_| vector("along")).transpose()?,
+            of: needed()?,
+        },
+        "extreme" => Quantity::Extreme {
+            at,
+            of: needed()?,
+            upper: is_upper(table, &space)?,
+        },
+        "bottleneck" => Quantity::Bottleneck {
+            at,
+            to: vector("to")?,
+        },
+        "position" => {
+            let along = vector("along")?;
+            let changed: Vec<Coordinate> = (space.names().iter())
+                .map(|n| n.1)
+                .filter(|c| c.of(along).is_some_and(|d| d != 0.0))
+                .collect();
+            let of = match (space.coordinate(table)?, &changed[..]) {
+                (_, []) => {
+                    let error = table.error("along", "the motion goes nowhere");
+                    return Err(error.with_help("give a displacement that is not 0"));
+                }
+                (Some(of), _) => of,
+                (None, [one]) => *one,
+                (None, several) => {
+                    let names: Vec<&str> = several.iter().map(|c| c.name()).collect();
+                    let message = format!("the motion changes {}", names.join(", "));
+                    return Err(table
+                        .error("along", message)
+                        .with_help(format!("say which is measured: of = \"{}\"", names[0])));
+                }
+            };
+            Quantity::Position {
+                from: at,
+                along,
+                of,
+            }
+        }
+        "clearance" => Quantity::Clearance { at },
+        "caged" => Quantity::Caged { at },
+        _ => Quantity::Connected {
+            at,
+            to: vector("to")?,
+        },
+    };
+    let dimension = match quantity {
+        Quantity::Play { of, .. }
+        | Quantity::Position { of, .. }
+        | Quantity::Extreme { of, .. } => match space.measure(of) {
+            Measure::Angle | Measure::AngleRate => Dimension::Angle,
+            Measure::Number => Dimension::Length,
+        },
+        Quantity::Angle { .. } => Dimension::Angle,
+        Quantity::Clearance { .. } | Quantity::Bottleneck { .. } => Dimension::Length,
+        Quantity::Caged { .. } | Quantity::Connected { .. } => Dimension::Truth,
+    };
+    Ok((Subject::Pair(pair, quantity), dimension))
+}
+
+/// Whether the key `end` names the upper end of a coordinate's range, which is the default.
+fn is_upper(table: &Table<'_>, space: &Space) -> Result<bool> {
+    if matches!(space, Space::Planar) {
+        let error = table.error(
+            "measure",
+            "the pair moves in x, y and theta, of whose regions no extremes are known",
+        );
+        return Err(error.with_help("measure the play, or the position where a motion touches"));
+    }
+    match table.text("end")? {
+        None | Some("upper") => Ok(true),
+        Some("lower") => Ok(false),
+        Some(other) => Err(table
+            .error("end", format!("unknown end {}", quoted(other)))
+            .with_help("give end = \"lower\" or end = \"upper\"")),
+    }
+}
+
+/// The pair that is named, or the model's only one.
+fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
+    let Some([fixed, moving]) = two_parts(table, mechanism)? else {
+        return match mechanism.pairs[..] {
+            [pair] => Ok(pair),
+            _ => Err(table.missing("pair", "pair = [\"fixed part\", \"moving part\"]")),
+        };
+    };
+    let listed = mechanism
+        .pairs
+        .iter()
+        .find(|p| (p.fixed, p.moving) == (fixed, moving));
+    Ok(PairEntry {
+        fixed,
+        moving,
+        window: listed.and_then(|p| p.window),
+    })
+}
+
+/// The two parts that are named as the pair, if they are.
+pub(super) fn two_parts(table: &Table<'_>, mechanism: &Mechanism) -> Result<Option<[usize; 2]>> {
+    const HELP: &str = "give it as pair = [\"fixed part\", \"moving part\"]";
+    let Some(names) = table.list("pair", HELP)? else {
+        return Ok(None);
+    };
+    let [Node::Text(fixed), Node::Text(moving)] = names else {
+        return Err(table
+            .error("pair", "the pair is not the names of two parts")
+            .with_help(HELP));
+    };
+    let part = |i: usize, name: &str| {
+        let place = table.place.key("pair").item(i);
+        part_index(&place, name, &mechanism.parts)
+    };
+    let (fixed, moving) = (part(0, fixed)?, part(1, moving)?);
+    if fixed == moving {
+        return Err(table
+            .error("pair", "a part is paired with itself")
+            .with_help("name two different parts"));
+    }
+    Ok(Some([fixed, moving]))
+}

@@ -1,0 +1,131 @@
+//! The coordinates of the pair that a requirement is about, as they are written.
+
+use std::collections::HashMap;
+
+use cspace::{Axis, AxisMotion, Configuration, Coordinates, Relation};
+
+use super::quantity::Coordinate;
+use crate::mechanism::{Mechanism, PairEntry};
+use crate::model::measure::{Measure, read_list};
+use crate::model::node::Node;
+use crate::model::place::Place;
+use crate::model::table::{Result, Table};
+use crate::shown::quoted;
+
+/// The coordinates of a pair.
+pub(super) enum Space {
+    Planar,
+    Axes([Axis; 2]),
+}
+
+impl Space {
+    pub(super) fn of(mechanism: &Mechanism, pair: &PairEntry, table: &Table<'_>) -> Result<Self> {
+        match mechanism.relation(pair) {
+            Relation::Planar => Ok(Self::Planar),
+            Relation::Axes { fixed, moving } => Ok(Self::Axes([fixed, moving])),
+            Relation::Joint(..) => Err(table
+                .error("pair", "a joint connects the parts, which never part")
+                .with_help("name a pair that meets by contact")),
+        }
+    }
+
+    pub(super) fn names(&self) -> &'static [(&'static str, Coordinate)] {
+        match self {
+            Self::Planar => &Coordinate::PLANAR,
+            Self::Axes(_) => &Coordinate::AXES,
+        }
+    }
+
+    pub(super) fn example(&self) -> &'static str {
+        match self {
+            Self::Planar => "[0, -10, 0]",
+            Self::Axes(_) => "[0, -10]",
+        }
+    }
+
+    pub(super) fn measure(&self, of: Coordinate) -> Measure {
+        match (self, of) {
+            (Self::Axes([fixed, _]), Coordinate::U) => Measure::along(fixed),
+            (Self::Axes([_, moving]), Coordinate::V) => Measure::along(moving),
+            (_, Coordinate::Theta) => Measure::Angle,
+            _ => Measure::Number,
+        }
+    }
+
+    pub(super) fn at(&self, value: impl Fn(Coordinate) -> f64) -> Coordinates {
+        match self {
+            Self::Planar => Coordinates::Planar(Configuration::new(
+                value(Coordinate::X),
+                value(Coordinate::Y),
+                value(Coordinate::Theta),
+            )),
+            Self::Axes(_) => Coordinates::Axes {
+                u: value(Coordinate::U),
+                v: value(Coordinate::V),
+            },
+        }
+    }
+
+    /// The configuration in the table `at`; coordinates that it leaves out are as drawn.
+    pub(super) fn configuration(&self, table: &Table<'_>) -> Result<Coordinates> {
+        let Some(node) = table.get("at") else {
+            return Ok(self.at(|_| 0.0));
+        };
+        let names: Vec<&str> = self.names().iter().map(|n| n.0).collect();
+        let help = format!(
+            "give the coordinates {}, such as at = {{ {} = 0 }}",
+            names.join(", "),
+            names[0]
+        );
+        let at = Table::new(node, table.place.key("at"), &names, &help)?;
+        let mut values = HashMap::new();
+        for &(name, of) in self.names() {
+            if let Some(node) = at.get(name) {
+                values.insert(
+                    name,
+                    self.measure(of).read(&at.place.key(name), name, node)?,
+                );
+            }
+        }
+        Ok(self.at(|of| values.get(of.name()).copied().unwrap_or(0.0)))
+    }
+
+    /// Reads the coordinates of a list.
+    pub(super) fn list(&self, place: &Place, key: &str, node: &Node) -> Result<Coordinates> {
+        let measures: Vec<Measure> = self.names().iter().map(|n| self.measure(n.1)).collect();
+        let help = format!("give it as {key} = {}", self.example());
+        match *measures {
+            [u, v] => {
+                let [u, v] = read_list(place, key, node, [u, v], &help)?;
+                Ok(Coordinates::Axes { u, v })
+            }
+            _ => {
+                let measures = [Measure::Number, Measure::Number, Measure::Angle];
+                let [x, y, theta] = read_list(place, key, node, measures, &help)?;
+                Ok(Coordinates::Planar(Configuration::new(x, y, theta)))
+            }
+        }
+    }
+
+    pub(super) fn coordinate(&self, table: &Table<'_>) -> Result<Option<Coordinate>> {
+        let Some(text) = table.text("of")? else {
+            return Ok(None);
+        };
+        let names: Vec<&str> = self.names().iter().map(|n| n.0).collect();
+        let Some(&(_, of)) = self.names().iter().find(|n| n.0 == text) else {
+            let error = table.error("of", format!("the pair has no coordinate {}", quoted(text)));
+            return Err(error.with_help(format!("its coordinates are {}", names.join(", "))));
+        };
+        let is_fixed = |axis: &Axis| matches!(axis.motion, AxisMotion::Fixed);
+        if let Self::Axes([fixed, moving]) = self
+            && is_fixed(if of == Coordinate::U { fixed } else { moving })
+        {
+            let error = table.error(
+                "of",
+                format!("the part of the coordinate {text} does not move"),
+            );
+            return Err(error.with_help("name the coordinate of the other part"));
+        }
+        Ok(Some(of))
+    }
+}
