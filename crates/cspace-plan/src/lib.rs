@@ -2,7 +2,8 @@
 //!
 //! A contact space knows whether two configurations can be joined: they can if and only if they are in the same free region.
 //! [`Planner`] answers with a path whose legs are motions of constant rates, each with a clearance that is certain ([`legs`]), or
-//! with what keeps the two apart. [`modes`] are the free regions of three parts on fixed axes.
+//! with what keeps the two apart. [`proof`] writes the latter so that anyone can
+//! check it. [`modes`] are the free regions of three parts on fixed axes.
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
@@ -23,6 +24,7 @@ mod open;
 mod out;
 mod path;
 mod planner;
+pub mod proof;
 mod push;
 mod route;
 pub mod slide;

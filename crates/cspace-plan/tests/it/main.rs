@@ -1,9 +1,10 @@
-//! Paths, assemblies, clashes, slides and modes with known answers, judged by brute force.
+//! Paths, assemblies, clashes, slides, modes and proofs with known answers, judged by brute force.
 #![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
 
 mod assembly;
 mod clash;
 mod escape;
 mod modes;
+mod proof;
 mod slide;
 mod ways;

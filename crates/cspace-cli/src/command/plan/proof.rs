@@ -1,7 +1,7 @@
 //! The proof that there is no path, beside the answer.
 
 use cspace::{ComputeError, Coordinates, PairError, PairSpace};
-use cspace_proof::{ProofError, prove};
+use cspace_plan::proof::{ProofError, prove};
 
 use crate::failure::Failure;
 use crate::progress::Bar;

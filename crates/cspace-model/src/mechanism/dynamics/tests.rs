@@ -4,10 +4,11 @@ use super::{
     Drive, DriveMotion, DynamicsFault as Fault, DynamicsItem as Item, Load, LoadKind, Mass,
     PairSurface, PartPosition, PartVelocity, Spring, SpringKind,
 };
-use crate::mechanism::{Mechanism, MechanismError, PartEntry};
 use cspace::fixed_axes::Axis;
 use cspace::geometry::{Configuration, Point, Vector};
 use cspace::part::Part;
+
+use crate::mechanism::{Mechanism, MechanismError, PartEntry};
 
 /// A frame, a wheel at x = 4, a slider with limits, and a block that moves freely.
 fn four() -> Mechanism {

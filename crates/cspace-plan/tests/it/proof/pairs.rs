@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
 use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
 use cspace_check::Proof;
-use cspace_proof::{ProofError, prove};
+use cspace_plan::proof::{ProofError, prove};
 
 fn at(x: f64, y: f64, theta: f64) -> Configuration {
     Configuration::new(x, y, theta)

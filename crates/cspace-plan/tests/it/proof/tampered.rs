@@ -2,7 +2,7 @@
 
 use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
 use cspace_check::Proof;
-use cspace_proof::prove;
+use cspace_plan::proof::prove;
 
 fn square(half: f64) -> Vec<Vertex> {
     [(-half, -half), (half, -half), (half, half), (-half, half)]

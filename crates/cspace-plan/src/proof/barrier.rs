@@ -5,9 +5,9 @@ use cspace::{
     PairSpace, Part, PatchId, Point, Progress, RegionId, Relation, Vertex,
 };
 use cspace_model::write::mesh::{Mesh, MeshOptions};
-use cspace_plan::shrunk;
 
-use crate::error::ProofError;
+use crate::proof::error::ProofError;
+use crate::widest::shrunk;
 
 /// A proof of more is a file of some hundred megabytes.
 pub(crate) const MOST_TRIANGLES: usize = 1_000_000;

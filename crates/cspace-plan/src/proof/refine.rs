@@ -5,10 +5,10 @@ use core::f64::consts::TAU;
 use cspace::{Configuration, Coordinates, PairSpace, PatchId, Touching};
 use cspace_model::write::mesh::Mesh;
 
-use crate::barrier::{Barrier, MOST_TRIANGLES};
-use crate::complex::{Complex, Triangle};
-use crate::error::ProofError;
-use crate::witness::{Corners, Materials, Witness};
+use crate::proof::barrier::{Barrier, MOST_TRIANGLES};
+use crate::proof::complex::{Complex, Triangle};
+use crate::proof::error::ProofError;
+use crate::proof::witness::{Corners, Materials, Witness};
 
 /// Triangles are not split below this share of the depth: discs much larger than they overlap there, or none do.
 const SMALLEST: f64 = 1e-3;

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::{Configuration, ContactSpace, Options, Part, Silent, Vertex};
-use cspace_proof::prove;
+use cspace_plan::proof::prove;
 
 type Outline = Vec<Vertex>;
 

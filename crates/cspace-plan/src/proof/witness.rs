@@ -2,7 +2,7 @@
 
 use cspace::{Part, Point, Rotation, Touching, Vector};
 
-use crate::disc::{Disc, Material};
+use crate::proof::disc::{Disc, Material};
 
 /// Margin of a triangle's witness, as a share of the depth, so that rounding does not invalidate it.
 const MARGIN: f64 = 1e-6;

@@ -3,10 +3,10 @@
 use cspace::{Configuration, ContactSpace, Part, Progress};
 use cspace_check::Proof;
 
-use crate::barrier::{Barrier, pivot};
-use crate::error::ProofError;
-use crate::refine::{complex, refine};
-use crate::witness::Materials;
+use crate::proof::barrier::{Barrier, pivot};
+use crate::proof::error::ProofError;
+use crate::proof::refine::{complex, refine};
+use crate::proof::witness::Materials;
 
 fn written(part: &Part) -> cspace_check::Part {
     let vertices = |l: &cspace::Loop| l.vertices().iter().map(|v| [v.x, v.y, v.bulge]).collect();
@@ -32,7 +32,7 @@ fn written(part: &Part) -> cspace_check::Part {
 /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 1.0)?;
 /// let space = ContactSpace::compute(&frame, &block, &Options::default())?;
 /// let (inside, outside) = (Configuration::new(0.0, 0.0, 0.0), Configuration::new(9.0, 0.0, 0.0));
-/// let proof = cspace_proof::prove(&space, inside, outside, None, &cspace::Silent)?;
+/// let proof = cspace_plan::proof::prove(&space, inside, outside, None, &cspace::Silent)?;
 /// assert_eq!(proof.check(), Ok(()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -54,7 +54,7 @@ pub fn prove(
     let materials = Materials::new(parts, checked, pivot, barrier.depth);
     let lever = 0.5 * space.moving().size();
     let witnesses = refine(&mut complex, &barrier, &materials, lever)?;
-    let triangle = |t: &crate::complex::Triangle| {
+    let triangle = |t: &crate::proof::complex::Triangle| {
         let ([a, b, c], [i, j, k]) = (t.vertices.map(i64::from), t.turns.map(i64::from));
         [a, b, c, i, j, k, t.witness.map_or(-1, i64::from)]
     };
