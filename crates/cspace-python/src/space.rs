@@ -4,10 +4,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use cspace::{
-    Classification, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace, QueryError,
-    Relation, Vector,
+    Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
+    QueryError, Relation, Vector,
 };
-use cspace_classifier::Classifier;
 use cspace_design::{Motion, displace, free_range, pair_of, texts};
 use cspace_model::model::Coordinate;
 use cspace_model::write::mesh::{Mesh, MeshOptions};

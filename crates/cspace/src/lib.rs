@@ -62,7 +62,7 @@
 //! | a patch's contact function, gradient, Hessian, touching points, derivatives by the drawing | [`PairPatch::contact`] |
 //! | all contacts at one orientation | [`Slice`] |
 //! | where a part can be placed beside others or in a frame, including exact fits | [`NoFit`] |
-//! | millions of configurations | `Classifier` of the crate `cspace-classifier` |
+//! | millions of configurations | [`Classifier`] |
 //!
 //! # Pairs of all classes
 //!
@@ -95,11 +95,10 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod boxes;
+mod classifier;
 pub(crate) mod contact;
 pub(crate) mod feature;
 pub mod fixed_axes;
-#[doc(hidden)]
-pub mod for_classifier;
 #[cfg(feature = "fuzzing")]
 #[doc(hidden)]
 pub mod fuzzing;
@@ -115,6 +114,7 @@ pub mod slice;
 pub mod space;
 mod union_find;
 
+pub use classifier::Classifier;
 pub use contact::{
     ContactFunction, ContactValue, FeatureShape, Placement, Spiral, Swing, Touching, TouchingPlace,
     contact_function, overlap_as_drawn, touching, touching_place,

@@ -2,8 +2,9 @@
 
 use std::time::Instant;
 
-use cspace::{ComputeError, Configuration, ContactSpace, Options, Progress, Slicer, StageSeconds};
-use cspace_classifier::Classifier;
+use cspace::{
+    Classifier, ComputeError, Configuration, ContactSpace, Options, Progress, Slicer, StageSeconds,
+};
 use cspace_oracle::{Case, Oracle, Verdict};
 use rand_chacha::ChaCha8Rng;
 

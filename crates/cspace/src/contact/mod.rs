@@ -76,5 +76,4 @@ pub(crate) use pair::{Bodies, Exact, Fit, Geometry, Placed, Precision, growths};
 pub use placement::Placement;
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};
-pub(crate) use symmetry::Permutation;
-pub use symmetry::{SlabMotion, Steps};
+pub(crate) use symmetry::{Permutation, SlabMotion, Steps};

@@ -93,11 +93,11 @@ impl Permutation {
 
 /// Periodicity of a pair's space: see the module.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Steps {
+pub(crate) struct Steps {
     /// Number of periods in a turn: lcm(k, m).
-    pub slabs: u32,
+    pub(crate) slabs: u32,
     /// Fold k of the fixed part.
-    pub fixed_fold: u32,
+    pub(crate) fixed_fold: u32,
     /// Fold m of the moving part.
     pub(crate) moving_fold: u32,
     /// Steps a and b of the two parts for one period.
@@ -116,7 +116,7 @@ impl Steps {
     };
 
     /// Periodicity for a fixed part of fold k and a moving part of fold m. `None` if there are more periods than can be numbered.
-    pub fn new(k: u32, m: u32) -> Option<Self> {
+    pub(crate) fn new(k: u32, m: u32) -> Option<Self> {
         let slabs = u32::try_from(u64::from(k) / u64::from(gcd(k, m)) * u64::from(m)).ok()?;
         let (per_fixed, per_moving) = (u64::from(slabs / k), u64::from(slabs / m));
         // a · lcm/k + b · lcm/m = 1 modulo lcm; the two factors have no common divisor. The smallest a is used.
@@ -134,7 +134,7 @@ impl Steps {
     }
 
     /// Angle in radians of a number of periods.
-    pub fn period(&self, slabs: i64) -> f64 {
+    pub(crate) fn period(&self, slabs: i64) -> f64 {
         TAU * (slabs as f64 / f64::from(self.slabs))
     }
 
@@ -144,7 +144,7 @@ impl Steps {
     }
 
     /// The motion of the space onto itself by a number of periods.
-    pub fn motion(&self, slabs: i64) -> SlabMotion {
+    pub(crate) fn motion(&self, slabs: i64) -> SlabMotion {
         SlabMotion {
             fixed: Rotation::by(self.angle(slabs)),
             moving: Rotation::by(part_of_turn(self.moving, self.moving_fold, slabs)).inverse(),
@@ -165,9 +165,9 @@ fn gcd(a: u32, b: u32) -> u32 {
 
 /// The motion of the space onto itself by a number of periods: `R_α` for vectors of the fixed part, `R_−β` for those that turn with θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlabMotion {
+pub(crate) struct SlabMotion {
     /// `R_α`.
-    pub fixed: Rotation,
+    pub(crate) fixed: Rotation,
     /// `R_−β`.
     pub(crate) moving: Rotation,
 }
@@ -179,7 +179,7 @@ impl SlabMotion {
     }
 
     /// Image of a point that moves with orientation.
-    pub fn spiral(&self, s: Spiral) -> Spiral {
+    pub(crate) fn spiral(&self, s: Spiral) -> Spiral {
         Spiral {
             u: self.fixed * s.u,
             w: self.moving * s.w,
@@ -201,7 +201,7 @@ impl SlabMotion {
     }
 
     /// The function f(`R_−α` p, θ − T), again in closed form.
-    pub fn function(&self, f: ContactFunction) -> ContactFunction {
+    pub(crate) fn function(&self, f: ContactFunction) -> ContactFunction {
         match f {
             ContactFunction::FixedLine { normal, through } => ContactFunction::FixedLine {
                 normal: self.fixed * normal,

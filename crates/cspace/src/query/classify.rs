@@ -29,7 +29,7 @@ impl ContactSpace {
     /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise by the side
     /// from which a ray meets the first contact curve. At [`doubtful_orientations`](Self::doubtful_orientations) the parts themselves are
     /// tested for overlap instead, and a contact must also be confirmed by tests just beside it. `None` outside the window, or if the
-    /// configuration is not finite. For millions of configurations there is the crate `cspace-classifier`.
+    /// configuration is not finite. For millions of configurations there is [`Classifier`](crate::Classifier).
     ///
     /// ```
     /// use cspace::{Classification, Configuration, ContactSpace, Options, Part, Vertex};

@@ -18,7 +18,7 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// An interval of orientation, with data needed to enclose crossings.
 #[derive(Debug, Clone, Copy)]
-pub struct Orientations {
+pub(crate) struct Orientations {
     /// Its middle, radians.
     pub(super) mid: f64,
     /// Half its length.
@@ -31,7 +31,7 @@ pub struct Orientations {
 impl Orientations {
     /// The orientations from `lo` to `hi`.
     #[inline]
-    pub fn between(lo: f64, hi: f64) -> Self {
+    pub(crate) fn between(lo: f64, hi: f64) -> Self {
         Self::about(0.5 * (lo + hi), 0.5 * (hi - lo))
     }
 
@@ -53,7 +53,7 @@ impl Orientations {
 
     /// One of `pieces` equal pieces.
     #[inline]
-    pub fn piece(&self, index: u32, pieces: u32) -> Self {
+    pub(crate) fn piece(&self, index: u32, pieces: u32) -> Self {
         let length = 2.0 * self.half / f64::from(pieces);
         let lo = self.mid - self.half + length * f64::from(index);
         Self::between(lo, lo + length)
@@ -62,13 +62,13 @@ impl Orientations {
 
 /// A curve and a distance: the curves of a patch at all orientations of an interval are within `spread` of `shape`.
 #[derive(Debug, Clone, Copy)]
-pub struct Swept {
+pub(crate) struct Swept {
     /// The curve.
-    pub shape: CurveGeometry,
+    pub(crate) shape: CurveGeometry,
     /// The distance.
-    pub spread: f64,
+    pub(crate) spread: f64,
     /// Length by which the shape was extended at its ends.
-    pub slack: f64,
+    pub(crate) slack: f64,
     /// Largest speed of the curve, for an arc without its ends, and of its two ends (length per radian).
     speed: f64,
     ends: [f64; 2],
@@ -90,20 +90,20 @@ impl Swept {
     /// The ends are enclosed by interval arithmetic. A segment moves no more than its ends do, and sideways no more than its line; an arc
     /// moves with its centre by |w| · half. Both exceed the curve in the middle by no more than the displacement of their ends.
     #[inline]
-    pub fn new(patch: &Patch, over: &Orientations) -> Self {
+    pub(crate) fn new(patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, [None; 2])
     }
 
     /// Encloses the curves over an interval within one that is enclosed already: the known speeds of the ends are used again.
     #[inline]
-    pub fn within(&self, patch: &Patch, over: &Orientations) -> Self {
+    pub(crate) fn within(&self, patch: &Patch, over: &Orientations) -> Self {
         Self::of_ends(patch, over, self.ends.map(Some))
     }
 
     /// Number of equal pieces into which the interval must be divided so that in each the curve moves from its middle by no more than
     /// `distance`, and is longer by no more than `longer`. Infinite if the speeds are unknown.
     #[inline]
-    pub fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
+    pub(crate) fn pieces(&self, over: &Orientations, distance: f64, longer: f64) -> f64 {
         let ends = self.ends[0].max(self.ends[1]);
         over.half * (self.speed / distance).max(ends / longer)
     }

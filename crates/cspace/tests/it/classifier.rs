@@ -3,9 +3,9 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    Classification, Configuration, ContactSpace, Options, Part, Symmetry, Vector, Vertex,
+    Classification, Classifier, Configuration, ContactSpace, Options, Part, Symmetry, Vector,
+    Vertex,
 };
-use cspace_classifier::Classifier;
 use cspace_oracle::shapes::{gear, pawl, ratchet};
 use cspace_oracle::{Oracle, Pair, effort, is_long, near_contact_about, pair};
 use rand::{Rng, SeedableRng};

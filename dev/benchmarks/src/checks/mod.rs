@@ -7,8 +7,7 @@ pub(crate) mod parry;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{Classification, Configuration, ContactSpace, Options};
-use cspace_classifier::Classifier;
+use cspace::{Classification, Classifier, Configuration, ContactSpace, Options};
 use cspace_oracle::Oracle;
 use serde::Serialize;
 

@@ -5,9 +5,8 @@ mod columns;
 use core::f64::consts::TAU;
 use std::path::Path;
 
-use cspace::{Configuration, Coordinates, PairSpace, QueryError};
+use cspace::{Classifier, Configuration, Coordinates, PairSpace, QueryError};
 use cspace_answers::{Answer as Framed, Outcome};
-use cspace_classifier::Classifier;
 use cspace_model::shown;
 use rayon::prelude::*;
 use serde_json::{Map, Value};

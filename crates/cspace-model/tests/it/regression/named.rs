@@ -4,10 +4,9 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{
-    Axis, Classification, Configuration, ContactSpace, FixedAxesSpace, Options, Part, Point,
-    Slicer, Vector, Vertex,
+    Axis, Classification, Classifier, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
+    Point, Slicer, Vector, Vertex,
 };
-use cspace_classifier::Classifier;
 use cspace_oracle::{Oracle, effort};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

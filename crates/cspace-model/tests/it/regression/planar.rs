@@ -2,8 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Classification, Configuration, ContactSpace, Options, Slice, Slicer};
-use cspace_classifier::Classifier;
+use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Slice, Slicer};
 use cspace_model::Mechanism;
 use cspace_oracle::{Oracle, Verdict, effort, near_contact};
 use rand::{Rng, SeedableRng};

@@ -3,10 +3,9 @@
 use core::f64::consts::TAU;
 
 use cspace::{
-    BoundaryKind, Classification, Configuration, ContactSpace, FeatureName, Options, Part, Patch,
-    Symmetry, Vertex,
+    BoundaryKind, Classification, Classifier, Configuration, ContactSpace, FeatureName, Options,
+    Part, Patch, Symmetry, Vertex,
 };
-use cspace_classifier::Classifier;
 use cspace_oracle::shapes::*;
 use cspace_oracle::{Oracle, effort, near_contact, pairs};
 use rand::{Rng, SeedableRng};

@@ -1,7 +1,8 @@
 //! Windows that end at critical orientations, or just beside them: all properties must hold also at the very end.
 
-use cspace::{Classification, Configuration, ContactSpace, Options, Point, Slicer, Vector};
-use cspace_classifier::Classifier;
+use cspace::{
+    Classification, Classifier, Configuration, ContactSpace, Options, Point, Slicer, Vector,
+};
 use cspace_oracle::{Oracle, Pair, effort, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

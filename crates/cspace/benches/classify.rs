@@ -6,8 +6,7 @@ use core::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use cspace::{Classification, Configuration, ContactSpace, Options, Part, Symmetry};
-use cspace_classifier::Classifier;
+use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Part, Symmetry};
 use cspace_oracle::shapes::{gear, pawl, random_part, ratchet};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -1,7 +1,8 @@
 //! Classification of a position by following a ray from cell to cell.
 
-use cspace::for_classifier::{END_ERROR, alive};
-use cspace::{ContactSpace, Point, Rotation};
+use crate::geometry::{Point, Rotation};
+use crate::query::classify::END_ERROR;
+use crate::space::ContactSpace;
 
 use super::grid::Grid;
 use super::ray::{AxisDirection, Local, Meeting, may_meet};
@@ -55,7 +56,7 @@ pub(super) fn from_cell<'a>(
         let mut other = f64::INFINITY;
         for &i in patches {
             let patch = &space.patches()[i as usize];
-            if alive(space, patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
+            if space.alive(patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
                 continue;
             }
             match Local::new(patch, turn, p).meet(direction) {

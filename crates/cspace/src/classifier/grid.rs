@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use cspace::{ContactSpace, for_classifier};
+use crate::space::ContactSpace;
 
 use super::slab::Slab;
 
@@ -15,7 +15,9 @@ const CELLS_PER_PATCH: f64 = 32.0;
 const LEAST_CELLS: f64 = 16384.0;
 /// Upper bound of all cells, as a multiple of the mixed ones: each takes one bit of a tile's masks, so they are bounded as well.
 const ALL_CELLS: f64 = 32.0;
+/// Maximum number of intervals of orientation: each costs some time and memory of its own.
 const MOST_SLOTS: f64 = 4096.0;
+/// Maximum number of columns, and of rows, of an interval, for the same reason.
 const MOST_COLUMNS: f64 = 2048.0;
 
 /// A patch is entered in all cells that it comes within this distance of (length of the pair's frame, about 1e-9): above the contact
@@ -74,7 +76,7 @@ impl Grid {
             reach,
             cell,
             cell_density: 1.0 / cell,
-            margin: MARGIN.max(2.0 * for_classifier::rounding(space)),
+            margin: MARGIN.max(2.0 * space.data.frame.rounding()),
         }
     }
 

@@ -7,10 +7,10 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::for_classifier::{NARROWEST_BAND, SlabMotion, Steps};
-use cspace::{
-    Boundary, ContactFunction, ContactSpace, Patch, Point, Rotation, Spiral, Vector, Window,
-};
+use crate::contact::{ContactFunction, SlabMotion, Spiral, Steps};
+use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::{Point, Rotation, Vector};
+use crate::space::{Boundary, ContactSpace, Patch, Window};
 
 /// Tolerance, absolute or relative, of the numbers of a patch and of its image (radians, or length of the pair's frame): copies are made by
 /// one motion each, and differ by some roundings.

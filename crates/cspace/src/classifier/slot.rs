@@ -2,8 +2,9 @@
 
 use core::f64::consts::TAU;
 
-use cspace::for_classifier::Orientations;
-use cspace::{ContactSpace, Point, Rotation};
+use crate::geometry::{Point, Rotation};
+use crate::query::swept::Orientations;
+use crate::space::ContactSpace;
 
 use super::board::Board;
 use super::cells::CellStore;

@@ -2,7 +2,7 @@
 
 use core::ops::Range;
 
-use cspace::{ContactSpace, for_classifier};
+use crate::space::ContactSpace;
 
 use super::grid::{Grid, MARGIN};
 use super::slab::{ASIDE, Home, Slab};
@@ -58,7 +58,10 @@ impl Nearby {
     #[inline]
     pub(super) fn is_doubtful(&self, space: &ContactSpace, slot: usize, theta: f64) -> bool {
         let (first, end) = self.slots[slot].doubts;
-        first < end && for_classifier::is_doubtful(space, theta, first as usize..end as usize)
+        first < end
+            && space
+                .doubts()
+                .hold_among(theta, first as usize..end as usize)
     }
 
     /// Whether an orientation may be critical, up to rounding.

@@ -1,12 +1,15 @@
 //! Cells that a patch may reach over an interval of orientations.
 
-use cspace::for_classifier::{Orientations, Swept};
-use cspace::{CurveGeometry, Patch, Point, Rotation, Vector};
+use crate::geometry::{Point, Rotation, Vector};
+use crate::query::swept::{Orientations, Swept};
+use crate::slice::CurveGeometry;
+use crate::space::Patch;
 
 use super::grid::Grid;
 
-/// Displacement up to which moving curves are represented by one, in cells, and admissible excess length.
+/// Displacement up to which moving curves are represented by one, in cells.
 const LOOSE: f64 = 0.5;
+/// Admissible excess length of that one at its ends, in cells.
 const LOOSE_ENDS: f64 = 1.0;
 /// Maximum number of pieces into which an interval is divided at a time: the bounds of its speeds are too wide for more.
 const MOST_PIECES: f64 = 8.0;

@@ -1,6 +1,7 @@
 //! Position of the centre of the moving part without evaluating sine and cosine, accurate enough to find a cell.
 
-use cspace::{ContactSpace, Rotation, Vector};
+use crate::geometry::{Rotation, Vector};
+use crate::space::ContactSpace;
 
 use super::grid::{Grid, MARGIN};
 use super::slab::{Home, Slab};

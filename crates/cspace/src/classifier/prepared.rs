@@ -2,9 +2,10 @@
 
 use core::ops::Deref;
 
-use cspace::{
-    Classification, Configuration, ContactSpace, Point, Rotation, for_classifier, parallel,
-};
+use crate::geometry::{Configuration, Point, Rotation};
+use crate::parallel;
+use crate::query::Classification;
+use crate::space::ContactSpace;
 
 use super::cells::CellStore;
 use super::centers::Centers;
@@ -39,6 +40,18 @@ const SLOTS_TOGETHER: usize = 8;
 /// a patch with all indices, 0.1 to 0.3 MB in a small space. Preparation takes a millisecond or a few for small and symmetric pairs, about
 /// a third of the time that the space took for others, and for small ones as long as that. Building uses all threads, and gives the same
 /// result with any number of them.
+///
+/// ```
+/// use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Part};
+/// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+/// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
+/// let space = ContactSpace::compute(&table, &block, &Options::default())?;
+/// let classifier = Classifier::new(&space);
+/// let at = |x| classifier.classify(Configuration::new(x, 0.0, 1e-3));
+/// assert_eq!(at(4.0), Some(Classification::Free));
+/// assert_eq!(at(2.0), Some(Classification::Blocked));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Classifier<S> {
     space: S,
@@ -57,9 +70,10 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
     /// Prepares a space: a borrowed one, or one that is owned or shared, as by an [`Arc`](std::sync::Arc).
     pub fn new(owned: S) -> Self {
         let space = &*owned;
-        let frame = &space.data().frame;
-        let rounding = for_classifier::rounding(space);
-        let reach = for_classifier::reach(space) + MARGIN + 2.0 * rounding;
+        let data = &space.data;
+        let frame = &data.frame;
+        let rounding = frame.rounding();
+        let reach = frame.reach(&data.fixed, &data.moving) + MARGIN + 2.0 * rounding;
         let slab = Slab::new(space);
         let grid = Grid::new(space, &slab, reach);
         let drawn = frame.moving_center.to_vector().length();
@@ -162,7 +176,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             (Rotation::by(home.theta), self.slab.position(p, home))
         };
         let settled = if critical {
-            for_classifier::settled(&self.space, home.theta)
+            self.space.settled(home.theta)
         } else {
             home.theta
         };
@@ -207,7 +221,8 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
     #[cold]
     fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
         let patch = &self.space.patches()[patch as usize];
-        let curve = for_classifier::curve(&self.space, patch, c.theta)?;
+        let alive = self.space.alive(patch, self.space.settled(c.theta))?;
+        let curve = self.space.curve_as_at(patch, alive, c.theta);
         Some(curve.nearest(c.position()).distance(c.position()))
     }
 }

@@ -1,7 +1,9 @@
 //! Intersection of a ray parallel to an axis with a patch's curve at one orientation.
 
-use cspace::for_classifier::{self, END_ERROR, PASSED_ENDS, position};
-use cspace::{ContactFunction, Patch, Point, Rotation, Vector};
+use crate::contact::ContactFunction;
+use crate::geometry::{Point, Rotation, Vector};
+use crate::query::classify::END_ERROR;
+use crate::space::{PASSED_ENDS, Patch};
 
 /// Result of following a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,12 +58,10 @@ impl Local {
     #[inline]
     pub(super) fn new(patch: &Patch, turn: Rotation, p: Point) -> Self {
         let [(start, off), (end, end_off)] = [&patch.left, &patch.right]
-            .map(|b| for_classifier::end(b, &patch.function, turn))
+            .map(|b| b.inner_and_error(&patch.function, turn))
             .map(|(at, error)| (at - p, error));
         let circle = match patch.function {
-            ContactFunction::Circle { center, radius } => {
-                Some((position(&center, turn) - p, radius))
-            }
+            ContactFunction::Circle { center, radius } => Some((center.at(turn) - p, radius)),
             _ => None,
         };
         let height = match patch.function {
@@ -202,7 +202,7 @@ pub(super) fn may_meet(
     let (from, to) = (-END_ERROR, stretch + END_ERROR);
     let (normal, through) = match patch.function {
         ContactFunction::Circle { center, radius } => {
-            let c = direction.ahead(position(&center, turn) - p);
+            let c = direction.ahead(center.at(turn) - p);
             // Whether a point of the ray is outside a circle about the centre.
             let outside = |x: f64, r: f64| (x - c.x) * (x - c.x) > (r - c.y) * (r + c.y);
             let [inner, outer] = [-END_ERROR, END_ERROR].map(|by| radius.abs() + by);
@@ -216,7 +216,7 @@ pub(super) fn may_meet(
         ContactFunction::MovingLine { normal, through } => (turn * normal, through),
         ContactFunction::FlatCircle { .. } => return true,
     };
-    let off = normal.dot(p - position(&through, turn));
+    let off = normal.dot(p - through.at(turn));
     let slope = direction.ahead(normal).x;
     let (a, b) = (off + slope * from, off + slope * to);
     !(a.min(b) > END_ERROR || a.max(b) < -END_ERROR)
@@ -225,5 +225,5 @@ pub(super) fn may_meet(
 /// Distance of a position from the line or circle of a patch, up to rounding.
 #[inline]
 pub(super) fn off_cycle(patch: &Patch, turn: Rotation, p: Point) -> f64 {
-    for_classifier::value(&patch.function, p, turn).abs()
+    patch.function.cycle(turn).distance(p).abs()
 }
