@@ -6,7 +6,7 @@ from pathlib import Path
 
 from .circles import Imports, circles
 
-PAGE = "crates/cspace-view/page"
+PAGE = "crates/cspace-cli/page"
 PACKAGE = "crates/cspace-python/python/cspace"
 
 # Comments, and strings, in which nothing is a comment.

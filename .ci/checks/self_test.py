@@ -16,7 +16,7 @@ from .scripts import python_imports_go_one_way, typescript_imports_go_one_way
 
 A = "crates/a/src/"
 KERNEL = "crates/cspace/src/"
-UI = "crates/cspace-view/page/src/ui/"
+UI = "crates/cspace-cli/page/src/ui/"
 PACKAGE = "crates/cspace-python/python/cspace/"
 
 CIRCLE = {

@@ -14,6 +14,7 @@ mod progress;
 mod subject;
 mod template;
 mod traces;
+pub mod view;
 mod wording;
 
 use std::ffi::OsString;

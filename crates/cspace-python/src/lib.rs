@@ -72,7 +72,7 @@ mod _rust {
     /// Raises an error that says how to get the page of the command, if this package was built without it.
     #[pyfunction]
     fn _require_page() -> PyResult<()> {
-        let found = cspace_view::Page::bundled();
+        let found = cspace_cli::view::Page::bundled();
         found.map_err(|e| crate::error::with_help(&e, e.help()))?;
         Ok(())
     }

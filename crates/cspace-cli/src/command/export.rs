@@ -13,7 +13,6 @@ use cspace_model::write::mesh::{Mesh, MeshOptions};
 use cspace_model::write::obj::obj;
 use cspace_model::write::ply::{Encoding, ply};
 use cspace_model::write::stl::stl;
-use cspace_view::Page;
 
 use super::page;
 use crate::args::ExportArgs;
@@ -21,6 +20,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
 use crate::subject::{Chosen, Subject};
+use crate::view::Page;
 use crate::wording::count;
 
 /// A format of the output.

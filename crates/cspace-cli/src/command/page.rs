@@ -6,13 +6,13 @@ use std::time::Instant;
 use cspace_model::model::Template;
 use cspace_model::{Host, PairEntry};
 use cspace_scene::{Opened, ScenePair, SceneRecord};
-use cspace_view::{Page, PageError};
 
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
 use crate::subject::{Chosen, Subject};
+use crate::view::{Page, PageError};
 
 /// The page that was bundled with the program, by [`Page::bundled`]; a failure with help if there is none.
 pub(super) fn bundled(found: Result<Page, PageError>) -> Result<Page, Failure> {

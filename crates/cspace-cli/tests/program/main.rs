@@ -29,3 +29,4 @@ mod random;
 mod resume;
 mod schemas;
 mod simulate;
+mod view;

@@ -218,7 +218,7 @@ fn parts_that_import_makes_are_known_by_their_faces() {
 /// The keys of the page's types are those of the scene.
 #[test]
 fn the_page_knows_the_same_fields() {
-    let types = include_str!("../../../cspace-view/page/src/drawing/scene.ts");
+    let types = include_str!("../../../cspace-cli/page/src/drawing/scene.ts");
     let fields = |name: &str| -> Vec<String> {
         let (_, rest) = types
             .split_once(&format!("export interface {name} {{"))

@@ -254,7 +254,7 @@ fn limits_of_a_saved_joint_are_kept() {
 
 /// The names of the fields of an interface in `scene.ts`.
 fn fields(interface: &str) -> BTreeSet<String> {
-    let source = include_str!("../../../cspace-view/page/src/scene.ts");
+    let source = include_str!("../../../cspace-cli/page/src/scene.ts");
     let (_, rest) = source
         .split_once(&format!("export interface {interface} {{\n"))
         .unwrap();

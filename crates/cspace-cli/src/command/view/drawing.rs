@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use cspace_scene::{DrawingSource, OpenedDrawing, model_name};
-use cspace_view::{Page, Server};
 
 use crate::args::ViewArgs;
 use crate::command::page;
 use crate::drawing;
 use crate::failure::Failure;
 use crate::traces::quoted;
+use crate::view::{Page, Server};
 
 /// A server of the drawing.
 pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {

@@ -2,8 +2,6 @@
 
 mod drawing;
 
-use cspace_view::{Page, ServeError, Server};
-
 use super::page;
 use crate::args::ViewArgs;
 use crate::drawing as drawings;
@@ -11,6 +9,7 @@ use crate::failure::{Failure, note};
 use crate::interrupt::until_interrupted;
 use crate::output;
 use crate::subject::Subject;
+use crate::view::{Page, ServeError, Server};
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     if cspace_drawing::is_drawing(&args.file) {

@@ -9,8 +9,8 @@ use cspace::Silent;
 use cspace_scene::Opened;
 use serde::Serialize;
 
-use crate::html::Place;
-use crate::page::Page;
+use crate::view::html::Place;
+use crate::view::page::Page;
 
 /// A page with its scene.
 #[derive(Debug, Clone)]

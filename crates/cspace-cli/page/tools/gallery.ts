@@ -36,8 +36,8 @@ the parts on, one file that works offline. The pages are not kept with the proje
 
 \`\`\`sh
 cargo build --release -p cspace-cli
-npm --prefix crates/cspace-view/page ci
-npm --prefix crates/cspace-view/page run gallery
+npm --prefix crates/cspace-cli/page ci
+npm --prefix crates/cspace-cli/page run gallery
 \`\`\`
 
 The surfaces are positions (x, y) and, upwards, orientation θ at which the parts touch; colours are free regions. Of a pair on fixed axes

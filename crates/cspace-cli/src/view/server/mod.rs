@@ -16,7 +16,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use axum::Router;
 use cspace_scene::{DrawingScene, Opened};
 
-use crate::page::Page;
+use crate::view::page::Page;
 use work::{ServedPage, Work};
 
 /// A server that has an address and does not answer yet.

@@ -1,6 +1,6 @@
 //! Access control of the server.
 
-use crate::server::client::Client;
+use crate::view::server::client::Client;
 
 /// Checks that a path without the right token reveals nothing.
 #[track_caller]

@@ -1,11 +1,11 @@
 //! Server of a drawing: the page has its faces and all data from which a model is made, and there are no other routes.
 
 use cspace::Point;
+use cspace_cli::view::Server;
 use cspace_scene::{DrawingSource, OpenedDrawing, PickedPart};
-use cspace_view::Server;
 use serde_json::Value;
 
-use crate::server::client::{Answer, Client, page};
+use crate::view::server::client::{Answer, Client, page};
 
 /// A square of side 4 in which a circle of radius 0.5 is, divided by a line that goes beyond the square.
 const SQUARE: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 -4 8 8" fill="none" stroke="black">

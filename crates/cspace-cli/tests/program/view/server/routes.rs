@@ -1,11 +1,11 @@
 //! Paths that exist, and paths that do not.
 
 use cspace::Classification;
+use cspace_cli::view::{ServeError, Server};
 use cspace_scene::Opened;
-use cspace_view::{ServeError, Server};
 use serde_json::Value;
 
-use crate::server::client::{Client, class_at, mechanism, page};
+use crate::view::server::client::{Client, class_at, mechanism, page};
 
 #[test]
 fn the_page_is_there_at_once_and_its_pairs_when_they_are_asked_for() {

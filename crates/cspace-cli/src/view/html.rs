@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::page::{Kernel, Page};
+use crate::view::page::{Kernel, Page};
 use cspace_scene::Scene;
 
 /// Way in which a page is opened.

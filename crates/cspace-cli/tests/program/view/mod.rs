@@ -1,0 +1,4 @@
+//! The page as a file, and its server.
+
+mod page;
+mod server;
