@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
+use cspace_api::Given;
+use cspace_api::given;
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
 use cspace_plan::Prefer;
 
-use crate::angle;
 use crate::failure::Failure;
 use crate::picture::{PictureArgs, SheetArgs};
 use crate::template::{self, TEMPLATES, Template};
@@ -330,7 +331,7 @@ impl ResultArgs {
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct WindowArg {
     /// Compute only these orientations: two angles, in radians or such as 18deg, at most 1e6 rad from 0
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_window, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = given::window, allow_hyphen_values = true)]
     pub(crate) window: Option<(f64, f64)>,
 }
 
@@ -368,7 +369,7 @@ pub(crate) struct SliceArgs {
     pub(crate) common: Common,
     /// The orientation of the moving part, in radians or such as 18deg, at most 1e6 rad from 0; a pair with fixed axes
     /// has none
-    #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = given::angle, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
     /// Count exact fits as free: a loop of the slice may be a single point, or run along a segment or an arc and back; curves are
     /// those of the parts as drawn, and adjacent curves on one line or circle are merged
@@ -442,10 +443,10 @@ pub(crate) struct PlayArgs {
     pub(crate) about: AboutArg,
     /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) at: Option<String>,
+    pub(crate) at: Option<Given>,
     /// Move from there by this displacement, in the same coordinates, at constant rates, to the first contact
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
-    pub(crate) by: Option<String>,
+    pub(crate) by: Option<Given>,
     /// How far apart features may be that are near, in the model's unit [default: a hundredth of the smaller part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) touch: Option<f64>,
@@ -681,7 +682,7 @@ pub(crate) struct TolerancesArgs {
     #[arg(long, conflicts_with_all = ["allocate", "samples", "along"])]
     pub(crate) zones: bool,
     /// The orientation of --zones of a pair in the plane [default: that at which the requirement is measured]
-    #[arg(long, value_name = "A", value_parser = angle::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = given::angle, allow_hyphen_values = true)]
     pub(crate) at: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -1229,7 +1230,7 @@ fn pair_of_numbers(text: &str) -> Result<[f64; 2], String> {
 }
 
 fn turn(text: &str) -> Result<f64, String> {
-    angle::parse(text).and_then(|a| {
+    given::angle(text).and_then(|a| {
         if a > 0.0 {
             Ok(a)
         } else {

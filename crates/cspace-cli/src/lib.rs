@@ -1,13 +1,14 @@
 //! The command `cspace`, as a function of its arguments.
 
-mod angle;
 mod args;
+mod ask;
 mod cache;
 mod command;
 mod drawing;
 mod failure;
 mod input;
 mod interrupt;
+mod legacy;
 mod output;
 mod picture;
 mod progress;

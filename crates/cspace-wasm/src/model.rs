@@ -3,8 +3,8 @@
 use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
-use cspace_answers::check::Row;
-use cspace_answers::{plan, simulate};
+use cspace_api::check::Row;
+use cspace_api::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_io::model::{Coordinate, Template};
 use cspace_mechanism::DriveMotion;

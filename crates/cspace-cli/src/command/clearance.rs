@@ -3,8 +3,8 @@
 use std::fmt::{self, Write};
 use std::time::Instant;
 
+use crate::legacy::{Answer, Outcome, PairAnswer};
 use cspace::{Part, Point};
-use cspace_answers::{Answer, Outcome, PairAnswer};
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question, State};
@@ -12,10 +12,11 @@ use serde::Serialize;
 
 use super::record;
 use crate::args::ClearanceArgs;
+use crate::ask::{read_model, set_threads};
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
-use crate::subject::{named_pair, read_model, set_threads};
 use crate::wording::{count, length};
+use cspace_api::subject::named_pair;
 
 /// Number of parts up to which all pairs are listed: so many parts make some 20,000 pairs.
 const MANY: usize = 200;
@@ -64,7 +65,14 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         "clashes are found between all of its parts",
     )?;
     let pair = (args.pair.as_ref())
-        .map(|names| named_pair(&path, &model, names))
+        .map(|names| {
+            named_pair(
+                &path,
+                &model,
+                names,
+                &crate::ask::Terminal::new(crate::args::CacheArgs::default()),
+            )
+        })
         .transpose()?;
     let samples = (args.along.as_ref())
         .map(|file| record::samples(file, &model))

@@ -30,7 +30,8 @@ pub(crate) mod view;
 use std::fmt;
 use std::path::Path;
 
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
+use cspace_api::{Answer as Answered, Content, Is, Outcome as _};
 use cspace_io::Model;
 use cspace_io::shown::quoted;
 use cspace_mechanism::Mechanism;
@@ -81,11 +82,32 @@ fn varied_twice(name: &str) -> Failure {
     Failure::new(format_args!("{} is varied twice", quoted(name))).help("name it once")
 }
 
+/// Prints the answer to a question, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or
+/// leaves the question open, that is a failure without a message.
+fn tell<T: Content>(
+    result: &ResultArgs,
+    answer: &Answered<T>,
+    text: impl FnOnce(&mut String, &T) -> fmt::Result,
+) -> Result<(), Failure> {
+    print_as(result, answer, answer.outcome.is(), |written| {
+        text(written, &answer.content)
+    })
+}
+
 /// Prints an answer, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or leaves the
 /// question open, that is a failure without a message.
 fn print<T: Serialize>(
     result: &ResultArgs,
     answer: &Answer<T>,
+    text: impl FnOnce(&mut String) -> fmt::Result,
+) -> Result<(), Failure> {
+    print_as(result, answer, answer.outcome.is, text)
+}
+
+fn print_as(
+    result: &ResultArgs,
+    answer: &impl Serialize,
+    is: Is,
     text: impl FnOnce(&mut String) -> fmt::Result,
 ) -> Result<(), Failure> {
     let output = result.output.as_deref();
@@ -105,7 +127,7 @@ fn print<T: Serialize>(
         text(&mut printed).map_err(Failure::new)?;
         output::write(None, printed.as_bytes())?;
     }
-    Failure::of(answer.outcome)
+    Failure::of(is)
 }
 
 /// The rows of a table.

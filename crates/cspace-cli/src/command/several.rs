@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use cspace_answers::{Answer as Framed, Outcome};
+use crate::legacy::{Answer as Framed, Outcome};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -60,7 +60,7 @@ pub(super) fn run(
             }
             Err(failure) => {
                 failure.print_beside();
-                files.push(json!({ "file": name, "error": failure.told() }));
+                files.push(json!({ "file": name, "error": failure.error() }));
                 let is_worse = worst.as_ref().is_none_or(|w| failure.is_worse_than(w));
                 if is_worse {
                     worst = Some(failure);

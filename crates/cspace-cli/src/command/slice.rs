@@ -2,11 +2,12 @@
 
 use std::fmt::{self, Write};
 
+use crate::ask;
+use crate::legacy::{Answer, Outcome, PairAnswer};
 use cspace::{
     Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, FixedAxesSpace,
     PairClass, PairSpace, Point, Slice,
 };
-use cspace_answers::{Answer, Outcome};
 use cspace_draw::{PictureFormat, SlicesPicture, slices};
 use cspace_drawing::Drawn;
 
@@ -17,8 +18,9 @@ use crate::args::SliceArgs;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject};
+use crate::subject::InWords;
 use crate::wording::{angle, count, length};
+use cspace_api::{Chosen, Subject};
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -37,8 +39,8 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
             ));
         }
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, None)?;
+    let (subject, host) = ask::open(common)?;
+    let pair = subject.one_pair(&ask::which(common, None), &host)?;
     if !pair.is_planar() {
         return plane(args, &pair, format);
     }
@@ -54,7 +56,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         let drawn = Drawn::slice(&name, &slice);
         write_outlines(Some(path), &[drawn], pair.unit_label(), args.dxf)?;
     }
-    let answers = vec![pair.answer(Outcome::DONE, &slice)];
+    let answers = vec![PairAnswer::of(&pair, Outcome::DONE, &slice)];
     let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
     super::print(&common.result, &answer, |text| {
         describe(text, &pair, &slice)
@@ -148,7 +150,7 @@ fn plane(
     }
     let space = pair.space()?;
     let PairSpace::FixedAxes(space) = &*space else {
-        return Err(pair.no_orientation("a slice"));
+        return Err(pair.no_orientation("a slice").into());
     };
     if let Some(format) = format {
         let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
@@ -157,7 +159,7 @@ fn plane(
     let content = Whole {
         space: space.data(),
     };
-    let answers = vec![pair.answer(Outcome::DONE, content)];
+    let answers = vec![PairAnswer::of(&pair, Outcome::DONE, content)];
     let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
     super::print(&args.common.result, &answer, |text| {
         describe_plane(text, pair, space)

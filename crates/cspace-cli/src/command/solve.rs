@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use cspace_answers::{Answer as Framed, Outcome};
+use crate::legacy::{Answer as Framed, Outcome};
 use cspace_design::{Solved, Span, Value};
 use cspace_io::Model;
 use cspace_io::model::Dimension;
@@ -11,11 +11,11 @@ use serde::Serialize;
 use serde_json::Map;
 
 use crate::args::SolveArgs;
+use crate::ask::set_threads;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted};
 use crate::progress::Bar;
-use crate::subject::set_threads;
 
 /// The values that were found.
 #[derive(Debug, Serialize)]

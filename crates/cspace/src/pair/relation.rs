@@ -58,6 +58,7 @@ pub enum Relation {
 
 /// A configuration, or its rates, in the coordinates of a pair's class.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(untagged))]
 pub enum Coordinates {

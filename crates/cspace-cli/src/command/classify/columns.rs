@@ -4,7 +4,7 @@ use cspace::{Classification, Coordinates, PairSpace, QueryError};
 use serde_json::{Value, json};
 
 use crate::args::Column;
-use crate::subject::{pair_of, texts};
+use cspace_design::{pair_of, texts};
 
 impl Column {
     /// As it is asked for, and as it heads its column.

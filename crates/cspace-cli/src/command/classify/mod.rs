@@ -5,8 +5,9 @@ mod columns;
 use core::f64::consts::TAU;
 use std::path::Path;
 
+use crate::ask;
+use crate::legacy::{Answer as Framed, Outcome, PairAnswer};
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
-use cspace_answers::{Answer as Framed, Outcome};
 use cspace_classifier::Classifier;
 use cspace_io::shown;
 use rayon::prelude::*;
@@ -17,7 +18,8 @@ use crate::command::rows::{Rows, read};
 use crate::failure::Failure;
 use crate::input;
 use crate::output;
-use crate::subject::{Chosen, Subject};
+use crate::subject::InWords;
+use cspace_api::{Chosen, Subject};
 
 use columns::Answer;
 
@@ -34,8 +36,8 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
         let failure = Failure::new("the model and the rows both come from standard input");
         return Err(failure.help("give the model as a file, and the rows on standard input"));
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.window)?;
+    let (subject, host) = ask::open(common)?;
+    let pair = subject.one_pair(&ask::which(common, args.window.window), &host)?;
     let help = "divide the rows, and classify one part after the other";
     let bytes = input::stdin(MOST_BYTES, help)?;
     let columns = columns(args)?;
@@ -55,7 +57,7 @@ pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
     let answers = super::Rows {
         rows: objects(&rows, &columns, &answers),
     };
-    let answers = vec![pair.answer(Outcome::DONE, answers)];
+    let answers = vec![PairAnswer::of(&pair, Outcome::DONE, answers)];
     let answer = Framed::of_pairs("classify", pair.unit_label(), answers);
     super::print(&common.result, &answer, |text| {
         // Rows of text are text.
@@ -127,7 +129,7 @@ fn answers(
         .map(|(i, answers)| {
             answers.map_err(|e| {
                 if e == QueryError::Permanent {
-                    return pair.unanswered("--columns", &e);
+                    return pair.unanswered("--columns", &e).into();
                 }
                 let line = rows.records[i].position().map_or(0, csv::Position::line);
                 let why = beyond_range(pair, rows.configurations[i]).unwrap_or(e.to_string());

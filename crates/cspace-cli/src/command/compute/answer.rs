@@ -13,8 +13,9 @@ use serde::Serialize;
 
 use crate::command::regions;
 
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::{EXACT_FIT, count, degrees, length};
+use cspace_api::Chosen;
 
 /// Regions that are listed; of more the first are.
 const MOST_LISTED: usize = 12;

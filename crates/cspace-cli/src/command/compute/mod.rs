@@ -5,16 +5,19 @@ mod text;
 
 use std::time::Instant;
 
+use crate::ask;
+use crate::legacy::{Answer as Framed, Outcome, PairAnswer};
 use cspace::fixed_axes::{AxesRegion, AxesStatistics};
 use cspace::pair::{Joint, PermanentContact};
 use cspace::{Axis, Decisions, FreeRegion, PairSpace, StageSeconds, Statistics, Window};
-use cspace_answers::{Answer as Framed, Outcome};
 use serde::Serialize;
 
 use super::several::{self, Answer};
 use crate::args::{Common, ComputeArgs, Format};
 use crate::failure::{Failure, note};
-use crate::subject::{Chosen, Space, Subject};
+use crate::subject::InWords;
+use cspace_api::subject::{Source, Space};
+use cspace_api::{Chosen, Subject};
 
 /// The summary of a configuration space.
 #[derive(Serialize)]
@@ -159,10 +162,10 @@ pub(crate) fn run(args: &ComputeArgs) -> Result<(), Failure> {
 }
 
 fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
-    let subject = Subject::open(common)?;
-    subject.warn();
-    subject.tell_traces();
-    let pairs = subject.pairs(common, args.window.window)?;
+    let (subject, host) = ask::open(common)?;
+    subject.warn(&host);
+    ask::tell_traces(&subject);
+    let pairs = subject.pairs(&ask::which(common, args.window.window), &host)?;
     let spaces = pairs
         .iter()
         .map(|pair| {
@@ -171,7 +174,7 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
                 Some(clearance) => pair.space_with_clearance(clearance)?,
                 None => pair.space()?,
             };
-            if args.verbose && matches!(space, Space::Kept(_)) {
+            if args.verbose && space.source == Source::Kept {
                 note(format_args!(
                     "pair {}: its space was computed before and kept; --no-cache computes it",
                     pair.names()
@@ -186,7 +189,7 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
         .map(|(pair, (space, seconds))| {
             let mut summary = summary(pair, space, *seconds);
             // The stages that are read with a space are those of an earlier run.
-            if !matches!(space, Space::Computed(_)) {
+            if space.source != Source::Computed {
                 summary.cached = true;
                 summary.seconds = Seconds::Total { total: *seconds };
             }
@@ -196,7 +199,7 @@ fn answer(common: &Common, args: &ComputeArgs) -> Result<Answer, Failure> {
     Ok(match common.result.format() {
         Format::Json => {
             let framed = pairs.iter().zip(&summaries);
-            let framed = framed.map(|(pair, summary)| pair.answer(Outcome::DONE, summary));
+            let framed = framed.map(|(pair, summary)| PairAnswer::of(pair, Outcome::DONE, summary));
             let framed = Framed::of_pairs("compute", subject.unit(), framed.collect());
             Answer::Json(super::json(&framed)?)
         }

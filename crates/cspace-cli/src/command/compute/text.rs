@@ -5,8 +5,9 @@ use std::fmt::{self, Write};
 use cspace::pair::{Joint, PermanentContact, PermanentKind};
 use cspace::{Axis, AxisMotion, PairClass, PairSpace, Part};
 
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::{angle, count, length, symmetry};
+use cspace_api::Chosen;
 
 use super::{Counts, MotionSpace, Statistic, Summary, answer};
 

@@ -6,9 +6,9 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
+use crate::legacy::{Answer, Outcome as Word};
 use cspace::{Axis, ComputeError, Coordinates, PairError};
-use cspace_answers::{Answer, Outcome as Word};
-use cspace_answers::{legs_in_words, motion_in_words};
+use cspace_api::{legs_in_words, motion_in_words};
 use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_plan::PlanError;
@@ -19,11 +19,12 @@ use cspace_plan::legs::Scene;
 use serde::Serialize;
 
 use crate::args::DisassembleArgs;
+use crate::ask::{read_model, set_threads};
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::progress::Bar;
-use crate::subject::{placed, read_model, set_threads};
+use crate::subject::placed;
 
 /// The whole answer.
 #[derive(Debug, Serialize)]

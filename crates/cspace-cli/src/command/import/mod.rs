@@ -8,8 +8,8 @@ use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
+use crate::legacy::{Answer, Outcome};
 use cspace::Part;
-use cspace_answers::{Answer, Outcome};
 use cspace_drawing::{Drawing, DrawingError, FitSide, Outlines, Problem, Settings};
 use cspace_io::model;
 use cspace_mechanism::{Mechanism, PartEntry};

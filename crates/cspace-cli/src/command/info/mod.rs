@@ -6,9 +6,10 @@ mod text;
 
 use core::f64::consts::PI;
 
+use crate::ask;
+use crate::legacy::{Answer as Framed, Outcome};
 use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Edge, PairSpace, Part};
-use cspace_answers::{Answer as Framed, Outcome};
 use cspace_io::model::Parameter;
 use serde::Serialize;
 
@@ -16,7 +17,8 @@ use self::dynamics::{Forces, PartMotion, SurfaceInfo, forces, part_motion, surfa
 use super::several::{self, Answer};
 use crate::args::{Common, Format, InfoArgs};
 use crate::failure::Failure;
-use crate::subject::{Chosen, Subject};
+use crate::subject::InWords;
+use cspace_api::{Chosen, Subject};
 
 #[derive(Serialize)]
 struct Info {
@@ -127,10 +129,10 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
 }
 
 fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
-    let subject = Subject::open(common)?;
-    subject.warn();
-    subject.tell_traces();
-    let pairs = subject.pairs_if_any(common, args.window.window)?;
+    let (subject, host) = ask::open(common)?;
+    subject.warn(&host);
+    ask::tell_traces(&subject);
+    let pairs = subject.pairs_if_any(&ask::which(common, args.window.window), &host)?;
     for pair in &pairs {
         pair.check_window()?;
     }
@@ -151,25 +153,26 @@ fn answer(common: &Common, args: &InfoArgs) -> Result<Answer, Failure> {
 fn gather(subject: &Subject, pairs: &[Chosen<'_>]) -> Info {
     let pairs = pairs.iter().map(|p| pair_info(subject, p)).collect();
     match subject {
-        Subject::Model {
-            model, parameters, ..
-        } => Info {
-            name: model.name.clone(),
-            unit: model.unit.clone(),
-            parameters: parameters.iter().map(parameter_info).collect(),
-            parts: (model.parts.iter().enumerate())
-                .map(|(i, p)| part_info(&p.part, p.axis, part_motion(model, i)))
-                .collect(),
-            joints: (model.joints.iter())
-                .map(|j| {
-                    let (a, b) = j.parts;
-                    joint_info(j.joint, [a, b].map(|i| &model.parts[i].part))
-                })
-                .collect(),
-            pairs,
-            forces: forces(model),
-        },
-        Subject::Saved(file) => {
+        Subject::Model(file) => {
+            let (model, parameters) = (&file.model.mechanism, &file.model.parameters);
+            Info {
+                name: model.name.clone(),
+                unit: model.unit.clone(),
+                parameters: parameters.iter().map(parameter_info).collect(),
+                parts: (model.parts.iter().enumerate())
+                    .map(|(i, p)| part_info(&p.part, p.axis, part_motion(model, i)))
+                    .collect(),
+                joints: (model.joints.iter())
+                    .map(|j| {
+                        let (a, b) = j.parts;
+                        joint_info(j.joint, [a, b].map(|i| &model.parts[i].part))
+                    })
+                    .collect(),
+                pairs,
+                forces: forces(model),
+            }
+        }
+        Subject::Saved { file, .. } => {
             let space = &file.space;
             let parts = || format!("{} and {}", space.fixed().name(), space.moving().name());
             Info {
@@ -223,10 +226,12 @@ fn pair_info(subject: &Subject, pair: &Chosen<'_>) -> PairInfo {
         features: features(pair.fixed()).total + features(pair.moving()).total,
         theta: pair.window(),
         surface: match subject {
-            Subject::Model { model, .. } => {
-                surface(model, pair.fixed().name(), pair.moving().name())
-            }
-            Subject::Saved(_) => SurfaceInfo::default(),
+            Subject::Model(file) => surface(
+                &file.model.mechanism,
+                pair.fixed().name(),
+                pair.moving().name(),
+            ),
+            Subject::Saved { .. } => SurfaceInfo::default(),
         },
     }
 }

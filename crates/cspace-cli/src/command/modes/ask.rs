@@ -7,8 +7,8 @@ use cspace_io::shown;
 use cspace_mechanism::Mechanism;
 use cspace_modes::{ModesError, moving_parts};
 
-use crate::angle;
 use crate::failure::Failure;
+use cspace_api::given;
 
 /// Names of the coordinates.
 pub(super) const LETTERS: [&str; 3] = ["u", "v", "w"];
@@ -122,7 +122,7 @@ pub(super) fn configuration(
         let axis = model.parts[parts[k]].axis;
         let turns = axis.is_some_and(|a| matches!(a.motion, AxisMotion::Revolute { .. }));
         at[k] = if turns {
-            angle::parse(value).map_err(wrong)?
+            given::angle(value).map_err(wrong)?
         } else {
             (value.parse().ok())
                 .filter(|x: &f64| x.is_finite())

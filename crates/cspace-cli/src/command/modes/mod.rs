@@ -6,15 +6,15 @@ mod picture;
 
 use std::time::Instant;
 
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
 use cspace_modes::Modes;
 
 use crate::args::ModesArgs;
+use crate::ask::{read_model, set_threads};
 use crate::failure::Failure;
 use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::picture as pictures;
-use crate::subject::{read_model, set_threads};
 
 pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();

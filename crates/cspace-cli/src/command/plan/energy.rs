@@ -3,8 +3,9 @@
 use std::fmt::{self, Write};
 use std::time::Instant;
 
+use crate::legacy::{Answer, Outcome, PairAnswer};
 use cspace::{ComputeError, Coordinates, Vector};
-use cspace_answers::{Answer, Outcome};
+use cspace_api::Given;
 use cspace_plan::PlanError;
 use cspace_plan::escape::{Escape, Escaped, Field, FieldError};
 use serde::Serialize;
@@ -12,8 +13,10 @@ use serde::Serialize;
 use crate::args::PlanArgs;
 use crate::failure::Failure;
 use crate::progress::Bar;
-use crate::subject::{Chosen, FeaturePair};
+use crate::subject::InWords;
 use crate::wording::{count, length};
+use cspace_api::Chosen;
+use cspace_design::FeaturePair;
 
 use super::{goal, start};
 
@@ -78,7 +81,7 @@ pub(super) fn run(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(), Failure> {
         Name::FromBlocked => Outcome::no("from-blocked"),
         Name::ToBlocked => Outcome::no("to-blocked"),
     };
-    let answers = vec![pair.answer(outcome, &told)];
+    let answers = vec![PairAnswer::of(pair, outcome, &told)];
     let answer = Answer::of_pairs("plan", pair.unit_label(), answers);
     super::super::print(&args.common.result, &answer, |text| {
         describe(text, pair, &told)
@@ -108,18 +111,20 @@ fn field(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Field, bool), Failure> {
 fn escaped(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Told, Failure> {
     let from = start(args, pair)?;
     let to = goal(args)
-        .map(|to| pair.coordinates("--to", to))
+        .map(|to| pair.coordinates("to", &Given::Text(to.to_string())))
         .transpose()?;
     let (field, weighs) = field(args, pair)?;
-    let failed = |error: PlanError| match &error {
-        PlanError::From(e) | PlanError::Pair(e) => pair.unanswered("--from", e),
-        PlanError::To(e) => pair.unanswered("--to", e),
-        PlanError::NoGoal => Failure::new(&error).help("give --to U,V"),
-        PlanError::NoForce => Failure::new(&error)
-            .help("give --gravity X,Y, or gravity, loads or springs in the model"),
-        PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
-        PlanError::Stopped(ComputeError::Interrupted) => Failure::new("interrupted"),
-        _ => Failure::new(error),
+    let failed = |error: PlanError| -> Failure {
+        match &error {
+            PlanError::From(e) | PlanError::Pair(e) => pair.unanswered("--from", e).into(),
+            PlanError::To(e) => pair.unanswered("--to", e).into(),
+            PlanError::NoGoal => Failure::new(&error).help("give --to U,V"),
+            PlanError::NoForce => Failure::new(&error)
+                .help("give --gravity X,Y, or gravity, loads or springs in the model"),
+            PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
+            PlanError::Stopped(ComputeError::Interrupted) => Failure::new("interrupted"),
+            _ => Failure::new(error),
+        }
     };
     // Wrong arguments are reported before anything is computed.
     if field.is_none() {

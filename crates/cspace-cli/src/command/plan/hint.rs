@@ -3,11 +3,12 @@
 use std::fmt::{self, Write};
 
 use cspace::Vector;
-use cspace_answers::plan::{Name, Told};
+use cspace_api::plan::{Name, Told};
 use cspace_io::shown;
 
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::{degrees, length};
+use cspace_api::Chosen;
 
 /// A point that legs are about is far from a part if it is so many of the part's sizes from its middle: a turn by a quarter of a radian
 /// then moves the part by more than its size.

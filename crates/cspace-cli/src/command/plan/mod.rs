@@ -15,6 +15,7 @@ use cspace_plan::legs::Scene;
 use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touching_distance};
 
 use crate::args::{Format, PlanArgs};
+use crate::ask;
 use crate::command::draw::as_drawn;
 use crate::command::rows;
 use crate::failure::{Failure, note};
@@ -22,11 +23,14 @@ use crate::input;
 use crate::output;
 use crate::picture::format;
 use crate::progress::Bar;
-use crate::subject::{Chosen, Subject};
+use crate::subject::InWords;
 use crate::wording::{about_point, angle, count, length};
+use cspace_api::Given;
+use cspace_api::{Chosen, Subject};
 
-use cspace_answers::plan::{Contact, Name, Parts, Told};
-use cspace_answers::{Answer, Outcome, Rest};
+use crate::legacy::{Answer, Outcome, PairAnswer};
+use cspace_api::Rest;
+use cspace_api::plan::{Contact, Name, Parts, Told};
 
 /// Reason for a missing proof: there is a path, but it is too narrow.
 const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
@@ -53,8 +57,8 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         let help = "give another path after --proof; nothing was written";
         return Err(Failure::new(same).help(help));
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.window)?;
+    let (subject, host) = ask::open(common)?;
+    let pair = subject.one_pair(&ask::which(common, args.window.window), &host)?;
     if args.energy.energy {
         if picture.is_some() || output.is_some_and(|path| output::ends_in(path, "csv")) {
             return Err(
@@ -96,7 +100,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         Name::ToBlocked => Outcome::no("to-blocked"),
         Name::Unknown => Outcome::open("unknown"),
     };
-    let answers = vec![pair.answer(outcome, &told)];
+    let answers = vec![PairAnswer::of(&pair, outcome, &told)];
     let answer = Answer::of_pairs("plan", pair.unit_label(), answers);
     super::print(&common.result, &answer, |text| describe(text, &pair, &told))
 }
@@ -109,7 +113,7 @@ fn goal(args: &PlanArgs) -> Option<&str> {
 /// The start: the parts as drawn unless one is given.
 fn start(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Coordinates, Failure> {
     match &args.from {
-        Some(from) => pair.coordinates("--from", from),
+        Some(from) => Ok(pair.coordinates("from", &Given::Text(from.to_string()))?),
         None => Ok(as_drawn(pair)),
     }
 }
@@ -117,7 +121,7 @@ fn start(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Coordinates, Failure> {
 fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure> {
     let from = start(args, pair)?;
     let to = match goal(args) {
-        Some(to) => Some(pair.coordinates("--to", to)?),
+        Some(to) => Some(pair.coordinates("to", &Given::Text(to.to_string()))?),
         None => None,
     };
     let clearance = match args.clearance {
@@ -139,10 +143,10 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure>
     let ends: Vec<Coordinates> = [from].into_iter().chain(to).collect();
     let (space, gap) = pair.space_with_room(&ends)?;
     let failed = |error: PlanError| match &error {
-        PlanError::From(e) => pair.unanswered("--from", e),
-        PlanError::To(e) => pair.unanswered("--to", e),
-        PlanError::Pair(e) => pair.unanswered("--from", e),
-        PlanError::Grown(e) => pair.failure(e),
+        PlanError::From(e) => pair.unanswered("--from", e).into(),
+        PlanError::To(e) => pair.unanswered("--to", e).into(),
+        PlanError::Pair(e) => pair.unanswered("--from", e).into(),
+        PlanError::Grown(e) => pair.failure(e).into(),
         PlanError::NoGoal => Failure::new("--to is missing: on fixed axes no configuration is out")
             .help("give the configuration to come to: --to=U,V"),
         PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
@@ -152,7 +156,7 @@ fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure>
         _ => Failure::new(error),
     };
     let begin = Instant::now();
-    let planner = match pair.about(&args.about)? {
+    let planner = match pair.about(args.about.about)? {
         Some(about) => Planner::with_about(&space, about),
         None => Planner::new(&space),
     }
@@ -206,15 +210,17 @@ fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Sce
     if let Some(window) = pair.window() {
         scene = scene.with_window(window);
     }
-    if let Some(about) = pair.about(&args.about)? {
+    if let Some(about) = pair.about(args.about.about)? {
         scene = scene.with_about(about);
     }
     let begin = Instant::now();
     let judged = |scene: &Scene| {
-        check(scene, &rows.configurations).map_err(|error| match &error {
-            PlanError::Pair(e) => pair.unanswered(&source, e),
-            _ => Failure::new(format_args!("{source}: {error}"))
-                .help("let the path stay nearer to the parts"),
+        check(scene, &rows.configurations).map_err(|error| -> Failure {
+            match &error {
+                PlanError::Pair(e) => pair.unanswered(&source, e).into(),
+                _ => Failure::new(format_args!("{source}: {error}"))
+                    .help("let the path stay nearer to the parts"),
+            }
         })
     };
     let mut found = judged(&scene)?;

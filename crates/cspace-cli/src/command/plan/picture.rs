@@ -8,10 +8,12 @@ use crate::args::PlanArgs;
 use crate::command::draw::at_configuration;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::length;
+use cspace_api::Chosen;
+use cspace_api::Given;
 
-use cspace_answers::plan::{Place, Told};
+use cspace_api::plan::{Place, Told};
 
 /// So many outlines are shown along a path.
 const STEPS: usize = 40;
@@ -30,9 +32,10 @@ pub(super) fn write(
         vec![from, to]
     } else {
         // Without a path, what was asked about.
-        let to = super::goal(args).map(|text| pair.coordinates("--to", text));
+        let to = super::goal(args)
+            .map(|text| Ok(pair.coordinates("to", &Given::Text(text.to_string()))?));
         let from = args.verify.is_none().then(|| super::start(args, pair));
-        from.into_iter().chain(to).collect::<Result<_, _>>()?
+        from.into_iter().chain(to).collect::<Result<_, Failure>>()?
     };
     for (k, &at) in shown.iter().enumerate() {
         let [fixed, moving] = &at_configuration(pair, at).parts[..] else {

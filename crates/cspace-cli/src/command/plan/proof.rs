@@ -5,9 +5,10 @@ use cspace_proof::{ProofError, prove};
 
 use crate::failure::Failure;
 use crate::progress::Bar;
-use crate::subject::Chosen;
+use crate::subject::InWords;
+use cspace_api::Chosen;
 
-use cspace_answers::plan::Told;
+use cspace_api::plan::Told;
 
 /// Adds a proof to an answer, or why there is none.
 ///
@@ -38,7 +39,7 @@ pub(super) fn add(
             )));
         }
         Err(ProofError::Pair(e)) if e == PairError::Compute(ComputeError::Interrupted) => {
-            return Err(pair.failure(&e));
+            return Err(pair.failure(&e).into());
         }
         Err(error) => told.unproved = Some(error.to_string()),
     }

@@ -17,16 +17,16 @@ use cspace_motion::{Record, Report, Settings, SimulateError, Simulation, Status,
 use cspace_plan::clash::{Assembly, Sample};
 
 use crate::args::{Mode, SimulateArgs};
+use crate::ask::{read_model, set_threads};
 use crate::cache;
 use crate::failure::{Failure, note, warning};
 use crate::interrupt::{catch_interrupts, keep};
 use crate::output;
 use crate::picture::format;
 use crate::progress::Bar;
-use crate::subject::{read_model, set_threads};
 
-use cspace_answers::simulate::{Told, Wanted};
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
+use cspace_api::simulate::{Told, Wanted};
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();

@@ -11,8 +11,8 @@ use crate::args::Mode;
 use crate::command::record::{json, wrong};
 use crate::failure::Failure;
 
-use cspace_answers::MadeOf;
-use cspace_answers::simulate::moving;
+use cspace_api::MadeOf;
+use cspace_api::simulate::moving;
 
 /// Times nearer than this are the same, relative to the duration: rounding.
 const SAME: f64 = 1e-11;

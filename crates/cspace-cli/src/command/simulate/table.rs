@@ -6,7 +6,7 @@ use cspace_motion::{Forces, Record, Simulation};
 use crate::failure::Failure;
 
 use super::force;
-use cspace_answers::simulate::{Wanted, moving};
+use cspace_api::simulate::{Wanted, moving};
 
 /// The columns `t`, then those of each part that can move, then their rates and the forces if they are asked for.
 pub(super) fn csv(

@@ -9,7 +9,7 @@ use cspace_motion::{Energy, Event, EventKind, Status, What};
 use crate::subject::placed_by_name;
 use crate::wording::{count, degrees, length};
 
-use cspace_answers::simulate::{Numbers, Told};
+use cspace_api::simulate::{Numbers, Told};
 
 pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
     /// More of them are for programs.

@@ -4,18 +4,18 @@ mod picture;
 mod rows;
 mod table;
 
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
 use cspace_design::{Change, Sweep, Varied};
 use cspace_io::{Model, shown};
 use serde_json::{Map, Value};
 
 use crate::args::{Format, SweepArgs};
+use crate::ask::set_threads;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{catch_interrupts, is_interrupted, watched};
 use crate::output;
 use crate::progress::Steps;
-use crate::subject::set_threads;
 use crate::wording::count;
 
 use picture::drawn;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
 use cspace_design::{Band, Extreme, Station, ToleranceOptions, Variations, Varied, along};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_io::Model;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace_answers::Outcome;
+use crate::legacy::Outcome;
 use cspace_design::{ChangeKind, Extreme, MonteCarlo, Structural, Tolerances, Value, Variations};
 use serde::Serialize;
 use serde_json::{Map, Value as Json};

@@ -6,16 +6,17 @@ pub(crate) mod answer;
 mod text;
 mod zones;
 
-use cspace_answers::{Answer, Outcome};
+use crate::legacy::{Answer, Outcome};
 use cspace_design::{ToleranceOptions, Tolerances, Variations, allocate, tolerances_with};
+use std::path::Path;
 
 use crate::args::TolerancesArgs;
+use crate::ask::set_threads;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::{self, catch_interrupts};
 use crate::output;
 use crate::progress::Bar;
-use crate::subject::set_threads;
 
 pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let is_picture = crate::picture::format(args.result.output.as_deref()).is_some();
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     let (template, mut model) = input::template(&args.file, &args.values)?;
     let file = args.file.display();
     if model.requirements.is_empty() {
-        return Err(super::check::no_requirements(&args.file));
+        return Err(no_requirements(&args.file));
     }
     if Variations::of(&model).is_empty() {
         return Err(
@@ -51,7 +52,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
         return Err(Failure::new(error).help("set it to a value within them"));
     }
     if !args.requirement.is_empty() {
-        super::check::chosen(&mut model, &args.requirement)?;
+        chosen(&mut model, &args.requirement)?;
     }
     let chosen: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
     let options = ToleranceOptions {
@@ -146,4 +147,27 @@ fn costs(variations: &Variations, given: &[(String, f64)]) -> Result<Vec<f64>, F
         costs[i] = *cost;
     }
     Ok(costs)
+}
+
+/// A model without requirements.
+fn no_requirements(file: &Path) -> Failure {
+    let error = format_args!("{}: the model has no requirements", file.display());
+    Failure::new(error)
+        .help("add [[requirement]] tables with name, measure and limits: see docs/design.md")
+}
+
+/// Leaves the requirements of these names.
+fn chosen(model: &mut cspace_io::Model, names: &[String]) -> Result<(), Failure> {
+    if let Some(unknown) = names
+        .iter()
+        .find(|n| model.requirements.iter().all(|r| r.name != **n))
+    {
+        return Err(Failure::new(format_args!(
+            "--requirement {}: the model has no such requirement",
+            cspace_io::shown::quoted(unknown)
+        ))
+        .help(crate::command::requirements_of(model)));
+    }
+    model.requirements.retain(|r| names.contains(&r.name));
+    Ok(())
 }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::legacy::{Answer as Framed, Outcome, PairAnswer};
 use cspace::{ContactSpace, Options, PairSpace, Slice};
-use cspace_answers::{Answer as Framed, Outcome, PairAnswer};
 use cspace_design::{Cell, Zones, area, zones};
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_io::Model;

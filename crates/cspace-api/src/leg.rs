@@ -17,7 +17,7 @@ use crate::rounded::rounded;
 /// let disc = |name| Part::circle(name, (0.0, 0.0), 1.0);
 /// let scene = Scene::new(&disc("table")?, &disc("coin")?, None);
 /// let at = |x, y, theta| Coordinates::Planar(Configuration::new(x, y, theta));
-/// let legs = cspace_answers::legs_in_words(&scene, &[at(4.0, 0.0, 0.0), at(4.0, 2.5, 0.0), at(4.0, 2.5, 1.0)], Some("mm"));
+/// let legs = cspace_api::legs_in_words(&scene, &[at(4.0, 0.0, 0.0), at(4.0, 2.5, 0.0), at(4.0, 2.5, 1.0)], Some("mm"));
 /// assert_eq!(legs, ["up 2.5 mm", "turn 57.3\u{b0} counter-clockwise"]);
 /// # Ok::<(), cspace::PartError>(())
 /// ```
@@ -110,9 +110,9 @@ fn on_axes(motions: [(AxisMotion, &str, f64); 2], unit: &str) -> String {
 /// ```
 /// use cspace::AxisMotion;
 /// let door = AxisMotion::Revolute { center: (0.0, 40.0).into() };
-/// assert_eq!(cspace_answers::motion_in_words(door, -1.5, None), "turns \u{2212}85.94\u{b0} about (0, 40)");
+/// assert_eq!(cspace_api::motion_in_words(door, -1.5, None), "turns \u{2212}85.94\u{b0} about (0, 40)");
 /// let bolt = AxisMotion::Prismatic { direction: (2.0, 0.0).into() };
-/// assert_eq!(cspace_answers::motion_in_words(bolt, -12.0, Some("mm")), "slides 12 mm along (-1, 0)");
+/// assert_eq!(cspace_api::motion_in_words(bolt, -12.0, Some("mm")), "slides 12 mm along (-1, 0)");
 /// ```
 pub fn motion_in_words(motion: AxisMotion, by: f64, unit: Option<&str>) -> String {
     let two = |x: f64, y: f64| format!("({}, {})", rounded(x), rounded(y));

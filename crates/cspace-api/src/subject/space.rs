@@ -12,13 +12,14 @@ use cspace::{
 use cspace_io::shown;
 
 use super::{Chosen, Subject};
-use crate::cache;
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::error::Error;
 
 impl Chosen<'_> {
     /// The slice of a planar pair at one orientation; of a model that slice alone is computed. If `exact`, what fits exactly is free.
-    pub(crate) fn slice(&self, theta: f64, exact: bool) -> Result<Slice, Failure> {
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn slice(&self, theta: f64, exact: bool) -> Result<Slice, Error> {
         self.check_orientation(theta)?;
         if exact {
             ContactSpace::check_size(self.fixed(), self.moving())
@@ -26,11 +27,11 @@ impl Chosen<'_> {
             return Ok(NoFit::new(self.fixed(), self.moving()).at(theta));
         }
         Ok(match self.subject {
-            Subject::Saved(file) => match &file.space {
+            Subject::Saved { file, .. } => match &file.space {
                 PairSpace::Planar(space) => space.slice(theta),
                 _ => return Err(self.no_orientation("a slice")),
             },
-            Subject::Model { .. } => {
+            Subject::Model(_) => {
                 ContactSpace::check_size(self.fixed(), self.moving())
                     .map_err(|e| self.failure(&e.into()))?;
                 Slice::compute(self.fixed(), self.moving(), theta)
@@ -39,12 +40,16 @@ impl Chosen<'_> {
     }
 
     /// Refuses an orientation outside of the window.
-    pub(crate) fn check_orientation(&self, theta: f64) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn check_orientation(&self, theta: f64) -> Result<(), Error> {
         if let Some((lo, hi)) = self.window() {
             let turned = theta + TAU * ((lo - theta) / TAU).ceil();
             if turned > hi {
-                return Err(Failure::new(format_args!(
-                    "--theta {}: outside the orientations from {} to {} of the pair {}",
+                return Err(Error::new(format_args!(
+                    "{} {}: outside the orientations from {} to {} of the pair {}",
+                    self.option("theta"),
                     shown::number(theta),
                     shown::number(lo),
                     shown::number(hi),
@@ -57,65 +62,90 @@ impl Chosen<'_> {
     }
 
     /// The failure of a request that needs orientations, for a pair that has none.
-    pub(crate) fn no_orientation(&self, what: &str) -> Failure {
-        let class = self.class();
-        let failure = Failure::new(format_args!(
+    pub fn no_orientation(&self, what: &str) -> Error {
+        let (class, general) = (self.class(), self.option("general"));
+        let failure = Error::new(format_args!(
             "pair {}: {what} needs a pair with orientations, and this is a {class} pair",
             self.names()
         ));
         if self.is_saved() {
-            failure.help("give the model with --general, which computes it in x, y and theta")
+            failure.help(format_args!(
+                "give the model with {general}, which computes it in x, y and theta"
+            ))
         } else {
-            failure.help("with --general it is computed in x, y and theta")
+            failure.help(format_args!(
+                "with {general} it is computed in x, y and theta"
+            ))
         }
     }
 
     /// The contact space of a planar pair.
-    pub(crate) fn contact_space(&self, what: &str) -> Result<Arc<ContactSpace>, Failure> {
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn contact_space(&self, what: &str) -> Result<Arc<ContactSpace>, Error> {
         if !self.is_planar() {
             return Err(self.no_orientation(what));
         }
-        match self.space()? {
-            Space::Computed(PairSpace::Planar(space)) | Space::Kept(PairSpace::Planar(space)) => {
-                Ok(space)
-            }
-            Space::Saved(PairSpace::Planar(space)) => Ok(Arc::clone(space)),
+        match &*self.space()? {
+            PairSpace::Planar(space) => Ok(Arc::clone(space)),
             _ => Err(self.no_orientation(what)),
         }
     }
 
-    /// The configuration space.
-    pub(crate) fn space(&self) -> Result<Space<'_>, Failure> {
-        match self.subject {
-            Subject::Saved(file) => Ok(Space::Saved(&file.space)),
-            Subject::Model { .. } => self.computed(self.moving()),
+    /// The configuration space, computed once.
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn space(&self) -> Result<Space<'_>, Error> {
+        if let Subject::Saved { file, .. } = self.subject {
+            return Ok(Space {
+                space: Held::Of(&file.space),
+                source: Source::File,
+            });
         }
+        let (space, source) = match self.known.get() {
+            Some(known) => known,
+            None => {
+                let computed = self.computed(self.moving())?;
+                self.known.get_or_init(|| computed)
+            }
+        };
+        Ok(Space {
+            space: Held::Of(space),
+            source: *source,
+        })
     }
 
     /// The configuration space of the pair with a clearance: with the moving part grown by it all round.
-    pub(crate) fn space_with_clearance(&self, clearance: f64) -> Result<Space<'_>, Failure> {
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn space_with_clearance(&self, clearance: f64) -> Result<Space<'_>, Error> {
         if self.is_saved() {
-            return Err(Failure::new(
-                "--clearance: the file is a saved contact space, whose parts are as they were",
-            )
+            return Err(Error::new(format_args!(
+                "{}: the file is a saved contact space, whose parts are as they were",
+                self.option("clearance")
+            ))
             .help("give the model"));
         }
         let grown = cspace_plan::grown(self.moving(), clearance).map_err(|e| {
             let name = shown::text(self.moving().name());
-            Failure::new(format_args!(
-                "--clearance {clearance:?}: {name} cannot be grown by it: {e}"
+            Error::new(format_args!(
+                "{} {clearance:?}: {name} cannot be grown by it: {e}",
+                self.option("clearance")
             ))
             .help("give a smaller clearance")
         })?;
-        self.computed(&grown)
+        Ok(Space::own(self.computed(&grown)?))
     }
 
     /// The configuration space for a question at some configurations, and a gap: where the parts fit exactly at one of them, the moving
     /// part is smaller by the gap, so that there is room to move.
-    pub(crate) fn space_with_room(
-        &self,
-        at: &[Coordinates],
-    ) -> Result<(Space<'_>, Option<f64>), Failure> {
+    ///
+    /// # Errors
+    /// As the message says.
+    pub fn space_with_room(&self, at: &[Coordinates]) -> Result<(Space<'_>, Option<f64>), Error> {
         let space = self.space()?;
         // What cannot be asked there is told where it is asked.
         let fits = |&at: &Coordinates| cspace_plan::fits_exactly(&space, at).unwrap_or(false);
@@ -125,21 +155,11 @@ impl Chosen<'_> {
         let Some((smaller, gap)) = cspace_plan::with_gap(self.fixed(), self.moving()) else {
             return Ok((space, None));
         };
-        Ok((self.computed(&smaller)?, Some(gap)))
-    }
-
-    /// A line that says by which gap the moving part is smaller.
-    pub(crate) fn gap_in_words(&self, gap: f64) -> String {
-        format!(
-            "gap {:.1e}{}: the parts fit exactly, and {} is smaller by it all around",
-            gap,
-            self.unit(),
-            shown::text(self.moving().name())
-        )
+        Ok((Space::own(self.computed(&smaller)?), Some(gap)))
     }
 
     /// The configuration space with a moving part in place of the model's, computed or kept from before.
-    fn computed(&self, moving: &Part) -> Result<Space<'_>, Failure> {
+    fn computed(&self, moving: &Part) -> Result<(PairSpace, Source), Error> {
         let relation = match self.relation() {
             Some(relation) if !self.general => relation,
             None => match self.axes() {
@@ -157,24 +177,22 @@ impl Chosen<'_> {
             },
         };
         let fixed = self.fixed();
-        let bar = Bar::new(self.names());
-        let (space, kept) = bar
-            .watch(|bar| cache::space(self.keeps, (fixed, moving), relation, &options, bar))
-            .map_err(|e| self.failure(&e))?;
-        Ok(match kept {
-            true => Space::Kept(space),
-            false => Space::Computed(space),
-        })
+        let progress = self.host.begin(&self.names());
+        let found = (self.host).space((fixed, moving), relation, &options, &*progress);
+        let (space, kept) = found.map_err(|e| self.failure(&e))?;
+        Ok((space, Source::of(kept)))
     }
 
-    pub(crate) fn failure(&self, error: &PairError) -> Failure {
-        let failure = || Failure::new(format_args!("pair {}: {error}", self.names()));
+    /// The error of a pair that cannot be computed.
+    pub fn failure(&self, error: &PairError) -> Error {
+        let (window, general) = (self.option("window"), self.option("general"));
+        let failure = || Error::new(format_args!("pair {}: {error}", self.names()));
         let axis = |error: &AxesError| {
             let part = match error.part() {
                 Role::Fixed => self.fixed(),
                 Role::Moving => self.moving(),
             };
-            Failure::new(format_args!(
+            Error::new(format_args!(
                 "{}part {:?} of the pair {}: {error}",
                 self.file(),
                 part.name(),
@@ -183,7 +201,9 @@ impl Chosen<'_> {
         };
         match error {
             PairError::Compute(ComputeError::Window { .. }) => {
-                failure().help("give --window LO,HI with LO < HI, at most a turn apart")
+                failure().help(format_args!(
+                    "give {window} LO,HI with LO < HI, at most a turn apart"
+                ))
             }
             PairError::Compute(ComputeError::TooManyEdges { .. } | ComputeError::TooLarge { .. })
             | PairError::Axes(AxesError::TooLarge { .. } | AxesError::TooManyCrossings { .. }) => {
@@ -195,14 +215,17 @@ impl Chosen<'_> {
                 ComputeError::TooManyContacts { .. }
                 | ComputeError::TooManyCrossings { .. }
                 | ComputeError::TooManyPatches { .. },
-            ) => failure().help(
-                "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with --window",
-            ),
-            PairError::Window { .. } => failure().help(
-                "leave the window out, or name a pair that has orientations with --pair; limit the motion with `range`, or compute all of x, y and theta with --general",
-            ),
+            ) => failure().help(format_args!(
+                "replace runs of short lines by arcs, leave out what cannot touch, split a part, or limit the orientations with {window}",
+            )),
+            PairError::Window { .. } => failure().help(format_args!(
+                "leave the window out, or name a pair that has orientations with {}; limit the motion with `range`, or compute all of x, y and theta with {general}",
+                self.option("pair")
+            )),
             PairError::Axes(error @ AxesError::TooFar { .. }) => {
-                axis(error).help("draw the pivot nearer to the parts, or use --general")
+                axis(error).help(format_args!(
+                    "draw the pivot nearer to the parts, or use {general}"
+                ))
             }
             PairError::Axes(error) => axis(error).help("change the part's motion in the model"),
             _ => failure(),
@@ -210,23 +233,54 @@ impl Chosen<'_> {
     }
 }
 
-/// A configuration space that was read, or computed.
-pub(crate) enum Space<'a> {
-    /// Read.
-    Saved(&'a PairSpace),
-    /// Computed by a command before, and kept.
-    Kept(PairSpace),
-    /// Computed.
-    Computed(PairSpace),
+/// A configuration space, and where it is from.
+#[derive(Debug)]
+pub struct Space<'a> {
+    space: Held<'a>,
+    /// Where it is from.
+    pub source: Source,
+}
+
+#[derive(Debug)]
+enum Held<'a> {
+    Of(&'a PairSpace),
+    Own(PairSpace),
+}
+
+impl Space<'_> {
+    fn own((space, source): (PairSpace, Source)) -> Self {
+        let space = Held::Own(space);
+        Self { space, source }
+    }
+}
+
+/// Where a space is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// The file that was read.
+    File,
+    /// It was computed before, and kept.
+    Kept,
+    /// It was computed.
+    Computed,
+}
+
+impl Source {
+    fn of(kept: bool) -> Self {
+        match kept {
+            true => Self::Kept,
+            false => Self::Computed,
+        }
+    }
 }
 
 impl core::ops::Deref for Space<'_> {
     type Target = PairSpace;
 
     fn deref(&self) -> &PairSpace {
-        match self {
-            Self::Saved(space) => space,
-            Self::Computed(space) | Self::Kept(space) => space,
+        match &self.space {
+            Held::Of(space) => space,
+            Held::Own(space) => space,
         }
     }
 }

@@ -23,7 +23,7 @@ const ALONG: f64 = PI / 6.0;
 /// use cspace::{FeatureKind, FeatureName, Part};
 /// let block = Part::rectangle("block", (0.0, 0.0), 4.0, 2.0)?;
 /// let lines = [0, 1, 2, 3].map(|index| FeatureName { kind: FeatureKind::Line, loop_index: 0, index });
-/// let sides = lines.map(|line| cspace_answers::place_on_part(&block, line).unwrap_or_default());
+/// let sides = lines.map(|line| cspace_api::place_on_part(&block, line).unwrap_or_default());
 /// assert_eq!(sides, ["bottom side", "right side", "top side", "left side"]);
 /// # Ok::<(), cspace::PartError>(())
 /// ```

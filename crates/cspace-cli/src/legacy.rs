@@ -1,51 +1,41 @@
 //! The frame of every answer in JSON: the command, the units, and in one word how it came out.
 
+use cspace_api::{Is, Units};
 use serde::Serialize;
 
 /// Version of the form of answers.
 const VERSION: u32 = 1;
 
-/// Whether the answer to a question is yes, which is also that of a question for a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Is {
-    /// Yes, or a value.
-    Yes,
-    /// The question is open: nothing is decided.
-    Open,
-    /// No.
-    No,
-}
-
 /// How a question came out: a word of the answer's schema, and whether that is a yes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Outcome {
+pub(crate) struct Outcome {
     /// The word.
-    pub word: &'static str,
+    pub(crate) word: &'static str,
     /// Whether it says yes.
-    pub is: Is,
+    pub(crate) is: Is,
 }
 
 impl Outcome {
     /// Outcome of a question for values, which are known.
-    pub const DONE: Self = Self::yes("done");
+    pub(crate) const DONE: Self = Self::yes("done");
 
     /// An outcome that says yes.
-    pub const fn yes(word: &'static str) -> Self {
+    pub(crate) const fn yes(word: &'static str) -> Self {
         Self { word, is: Is::Yes }
     }
 
     /// An outcome that says no.
-    pub const fn no(word: &'static str) -> Self {
+    pub(crate) const fn no(word: &'static str) -> Self {
         Self { word, is: Is::No }
     }
 
     /// An outcome that leaves the question open.
-    pub const fn open(word: &'static str) -> Self {
+    pub(crate) const fn open(word: &'static str) -> Self {
         Self { word, is: Is::Open }
     }
 
     /// How a question came out that is about all of these: with no if one is no, otherwise open if one is; done if there is none.
-    pub fn worst(all: impl IntoIterator<Item = Self>) -> Self {
+    pub(crate) fn worst(all: impl IntoIterator<Item = Self>) -> Self {
         let worse = |a: Self, b: Self| if b.is > a.is { b } else { a };
         all.into_iter().reduce(worse).unwrap_or(Self::DONE)
     }
@@ -57,56 +47,26 @@ impl Serialize for Outcome {
     }
 }
 
-/// Units of the numbers of an answer.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Units {
-    /// Unit of lengths, as the model says; `None` if it says none.
-    pub length: Option<String>,
-    /// Unit of angles.
-    pub angle: &'static str,
-    /// Unit of times.
-    pub time: &'static str,
-    /// Unit of forces, kg times the unit of length per s²; `None` where that has no name.
-    pub force: Option<&'static str>,
-}
-
-impl Units {
-    /// The units of a model in which lengths have this unit.
-    ///
-    /// ```
-    /// assert_eq!(cspace_answers::Units::of(Some("mm")).force, Some("mN"));
-    /// ```
-    pub fn of(length: Option<&str>) -> Self {
-        Self {
-            length: length.map(str::to_owned),
-            angle: "rad",
-            time: "s",
-            force: match length {
-                Some("m") => Some("N"),
-                Some("cm") => Some("cN"),
-                Some("mm") => Some("mN"),
-                Some("µm" | "um") => Some("µN"),
-                _ => None,
-            },
-        }
-    }
-}
-
 /// An answer in its frame: `content` is an object, whose keys follow those of the frame.
 #[derive(Debug, Serialize)]
-pub struct Answer<T> {
+pub(crate) struct Answer<T> {
     answer: &'static str,
     version: u32,
     units: Units,
     /// How it came out; of several pairs the worst.
-    pub outcome: Outcome,
+    pub(crate) outcome: Outcome,
     #[serde(flatten)]
     content: T,
 }
 
 impl<T> Answer<T> {
     /// The answer of a command for a model in whose unit lengths are.
-    pub fn new(command: &'static str, unit: Option<&str>, outcome: Outcome, content: T) -> Self {
+    pub(crate) fn new(
+        command: &'static str,
+        unit: Option<&str>,
+        outcome: Outcome,
+        content: T,
+    ) -> Self {
         Self {
             answer: command,
             version: VERSION,
@@ -119,28 +79,44 @@ impl<T> Answer<T> {
 
 /// The answers for pairs.
 #[derive(Debug, Serialize)]
-pub struct Pairs<T> {
+pub(crate) struct Pairs<T> {
     pairs: Vec<PairAnswer<T>>,
 }
 
 /// The answer for one pair.
 #[derive(Debug, Serialize)]
-pub struct PairAnswer<T> {
+pub(crate) struct PairAnswer<T> {
     /// Name of the fixed part.
-    pub fixed: String,
+    pub(crate) fixed: String,
     /// Name of the moving part.
-    pub moving: String,
+    pub(crate) moving: String,
     /// How it came out.
-    pub outcome: Outcome,
+    pub(crate) outcome: Outcome,
     /// Keys of the pair, beside its names.
     #[serde(flatten)]
-    pub content: T,
+    pub(crate) content: T,
 }
 
 impl<T> Answer<Pairs<T>> {
     /// The answer of a command on pairs.
-    pub fn of_pairs(command: &'static str, unit: Option<&str>, pairs: Vec<PairAnswer<T>>) -> Self {
+    pub(crate) fn of_pairs(
+        command: &'static str,
+        unit: Option<&str>,
+        pairs: Vec<PairAnswer<T>>,
+    ) -> Self {
         let outcome = Outcome::worst(pairs.iter().map(|p| p.outcome));
         Self::new(command, unit, outcome, Pairs { pairs })
+    }
+}
+
+impl<T> PairAnswer<T> {
+    /// Answer about a pair, with its names.
+    pub(crate) fn of(pair: &cspace_api::Chosen<'_>, outcome: Outcome, content: T) -> Self {
+        Self {
+            fixed: pair.fixed().name().to_owned(),
+            moving: pair.moving().name().to_owned(),
+            outcome,
+            content,
+        }
     }
 }

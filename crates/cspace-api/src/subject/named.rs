@@ -4,21 +4,27 @@ use std::path::Path;
 
 use cspace_mechanism::{Mechanism, PairEntry};
 
-use crate::failure::Failure;
+use crate::error::Error;
+use crate::host::Host;
 
-/// The pair with the parts of these names; its window is that of the file where it lists the pair, in either order.
-pub(crate) fn named_pair(
+/// The pair with the parts of these names, with a comma between; its window is that of the file where it lists the pair, in either order.
+///
+/// # Errors
+/// If there are no such two parts.
+pub fn named_pair(
     path: &Path,
     model: &Mechanism,
     names: &str,
-) -> Result<PairEntry, Failure> {
+    host: &dyn Host,
+) -> Result<PairEntry, Error> {
+    let option = host.option("pair");
     let known = || {
         let list: Vec<&str> = model.parts.iter().map(|p| p.part.name()).collect();
         format!("the parts are {}", list.join(", "))
     };
     if !names.contains(',') {
-        return Err(Failure::new(format_args!(
-            "--pair {names}: two names are needed, with a comma between"
+        return Err(Error::new(format_args!(
+            "{option} {names}: two names are needed, with a comma between"
         ))
         .help(known()));
     }
@@ -34,15 +40,15 @@ pub(crate) fn named_pair(
             .map(str::trim)
             .find(|n| model.part_index(n).is_none())
             .unwrap_or(names);
-        return Err(Failure::new(format_args!(
+        return Err(Error::new(format_args!(
             "{}: there is no part {missing:?}",
             path.display()
         ))
         .help(known()));
     };
     if fixed == moving {
-        return Err(Failure::new(format_args!(
-            "--pair {names}: a pair is of two different parts"
+        return Err(Error::new(format_args!(
+            "{option} {names}: a pair is of two different parts"
         ))
         .help(known()));
     }

@@ -1,0 +1,33 @@
+//! Questions about parts, pairs and mechanisms, and their answers: the same for the command, Python, the page, and other programs.
+//!
+//! Each module has one question and its answer. An answer is data, with a schema in the folder `docs/answers` of the project's repository;
+//! [`frame`] says which command it is of, in which units, and how it came out in one word.
+
+pub mod check;
+pub mod error;
+pub mod frame;
+pub mod given;
+mod host;
+mod leg;
+mod made_of;
+mod outcome;
+pub mod plan;
+pub mod play;
+mod rest;
+mod rounded;
+mod side;
+pub mod simulate;
+pub mod subject;
+mod twin;
+
+pub use error::Error;
+pub use frame::{Answer, Content, PairAnswer, Pairs, Units};
+pub use given::Given;
+pub use host::{Deaf, Host, spaces};
+pub use leg::{legs_in_words, motion_in_words};
+pub use made_of::MadeOf;
+pub use outcome::{Done, Is, Outcome, worst};
+pub use rest::Rest;
+pub use side::place_on_part;
+pub use subject::{Chosen, Subject, Which};
+pub use twin::Twin;
