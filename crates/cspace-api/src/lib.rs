@@ -15,6 +15,7 @@ pub mod plan;
 pub mod play;
 mod rest;
 mod rounded;
+pub mod schemas;
 mod side;
 pub mod simulate;
 pub mod subject;
