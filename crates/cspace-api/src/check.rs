@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use cspace::Coordinates;
 use cspace_design::{Checked, Sensitivity, Value};
 use cspace_io::Model;
-use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject as Measured};
+use cspace_io::model::{Dimension, MotionQuantity, Quantity, Subject as About};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,7 +46,7 @@ outcomes! {
 #[schemars(title = "What `cspace check --json` prints")]
 pub struct Requirements {
     /// In the order of the model.
-    pub requirements: Vec<Row>,
+    pub requirements: Vec<Requirement>,
 }
 
 impl Content for Requirements {
@@ -56,7 +56,7 @@ impl Content for Requirements {
 
 /// A requirement, measured.
 #[derive(Debug, Serialize, JsonSchema)]
-pub struct Row {
+pub struct Requirement {
     /// The name of the requirement.
     pub name: String,
     /// The two parts that it is about, if it is about two.
@@ -68,7 +68,7 @@ pub struct Row {
     /// The kind of the quantity.
     pub measure: &'static str,
     /// In the model's unit or radians, or true or false; none where it has no value.
-    pub value: Option<Told>,
+    pub value: Option<Amount>,
     /// The unit of the value.
     pub dimension: Dimension,
     /// The smallest and the largest value that are allowed.
@@ -114,16 +114,16 @@ pub struct Row {
 /// The value of a quantity.
 #[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 #[serde(untagged)]
-pub enum Told {
+pub enum Amount {
     /// In the model's unit, or radians.
     Number(f64),
     /// Yes or no.
     Truth(bool),
 }
 
-impl Row {
+impl Requirement {
     /// The answer for a requirement of a model that was measured, with derivatives if they were computed.
-    pub fn of(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Self {
+    pub fn new(model: &Model, checked: &Checked, by: Option<Vec<Sensitivity>>) -> Self {
         let derivatives = || {
             let of = |s: &Sensitivity| Some((s.parameter.clone(), *s.derivative.as_ref().ok()?));
             by.iter().flatten().filter_map(of)
@@ -135,13 +135,13 @@ impl Row {
             name: requirement.name.clone(),
             pair: checked.parts.map(|parts| parts.map(name)),
             part: match requirement.subject {
-                Measured::Motion(_, MotionQuantity::Stroke { part, .. }) => Some(name(part)),
+                About::Motion(_, MotionQuantity::Stroke { part, .. }) => Some(name(part)),
                 _ => None,
             },
             measure: requirement.subject.name(),
             value: measured.map(|m| match m.value {
-                Value::Number(x) => Told::Number(x),
-                Value::Truth(b) => Told::Truth(b),
+                Value::Number(x) => Amount::Number(x),
+                Value::Truth(b) => Amount::Truth(b),
             }),
             limits: requirement.limits(),
             equals: requirement.equals(),
@@ -158,7 +158,7 @@ impl Row {
             margin: checked.margin(),
             range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
             at: match requirement.subject {
-                Measured::Pair(_, Quantity::Position { .. }) => {
+                About::Pair(_, Quantity::Position { .. }) => {
                     measured.and_then(|m| m.stops.first()).map(|s| s.at)
                 }
                 _ => None,
@@ -189,18 +189,18 @@ impl Question {
         let model = chosen(file, &self.requirement, host)?;
         let progress = host.begin(&model.mechanism.name);
         let spaces = spaces(host, &*progress);
-        let requirements: Vec<Row> = if self.sensitivities {
+        let requirements: Vec<Requirement> = if self.sensitivities {
             let (template, values) = file.template()?;
             cspace_design::sensitivities_by(template, &values, &model, &spaces, &*progress)
                 .map_err(Error::new)?
                 .into_iter()
-                .map(|(checked, by)| Row::of(&model, &checked, Some(by)))
+                .map(|(checked, by)| Requirement::new(&model, &checked, Some(by)))
                 .collect()
         } else {
             cspace_design::check_by(&model, &spaces, &*progress)
                 .map_err(Error::new)?
                 .iter()
-                .map(|checked| Row::of(&model, checked, None))
+                .map(|checked| Requirement::new(&model, checked, None))
                 .collect()
         };
         let outcome = worst(requirements.iter().map(|row| row.outcome));

@@ -107,6 +107,7 @@ impl<T: Content> Content for Pairs<T> {
 
 /// The answer for one pair.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "{T}OfPair")]
 pub struct PairAnswer<T: Content> {
     /// Name of the fixed part.
     pub fixed: String,

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
-use cspace_api::check::Row;
+use cspace_api::check::Requirement;
 use cspace_api::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_io::model::{Coordinate, Template};
@@ -137,7 +137,7 @@ impl Model {
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
-        let rows: Vec<Row> = (checked.iter()).map(|c| Row::of(&model, c, None)).collect();
+        let rows: Vec<Requirement> = (checked.iter()).map(|c| Requirement::new(&model, c, None)).collect();
         json(&rows)
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use cspace_api::check::{Question, Row, Told};
+use cspace_api::check::{Amount, Question, Requirement};
 use cspace_api::{Is, Outcome as _, Subject};
 use cspace_design::Sensitivity;
 use cspace_io::model::Dimension;
@@ -38,7 +38,7 @@ pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
 }
 
 /// How many of several requirements are not met, and not decided.
-fn summary(text: &mut String, rows: &[Row]) -> fmt::Result {
+fn summary(text: &mut String, rows: &[Requirement]) -> fmt::Result {
     let of = |is: Is| rows.iter().filter(|row| row.outcome.is() == is).count();
     let all = count(rows.len(), "requirement", "requirements");
     for (n, are) in [(of(Is::No), "not met"), (of(Is::Open), "without an answer")] {
@@ -49,7 +49,7 @@ fn summary(text: &mut String, rows: &[Row]) -> fmt::Result {
     Ok(())
 }
 
-fn describe(text: &mut String, model: &Mechanism, rows: &[Row], unit: &str) -> fmt::Result {
+fn describe(text: &mut String, model: &Mechanism, rows: &[Requirement], unit: &str) -> fmt::Result {
     /// More pairs of features are counted.
     const MOST: usize = 2;
     for (i, row) in rows.iter().enumerate() {
@@ -65,9 +65,9 @@ fn describe(text: &mut String, model: &Mechanism, rows: &[Row], unit: &str) -> f
         writeln!(text, "{}: {}", row.name, row.outcome.word())?;
         let value = match row.value {
             None => "none".to_owned(),
-            Some(Told::Number(x)) => number(x),
-            Some(Told::Truth(true)) => "yes".to_owned(),
-            Some(Told::Truth(false)) => "no".to_owned(),
+            Some(Amount::Number(x)) => number(x),
+            Some(Amount::Truth(true)) => "yes".to_owned(),
+            Some(Amount::Truth(false)) => "no".to_owned(),
         };
         writeln!(text, "  {:10} {value}", row.measure)?;
         if let Some(gap) = row.gap {
