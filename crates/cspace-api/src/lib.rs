@@ -5,6 +5,7 @@
 
 pub mod check;
 pub mod error;
+pub mod escape;
 pub mod frame;
 pub mod given;
 mod host;
