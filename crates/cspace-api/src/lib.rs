@@ -12,6 +12,7 @@ pub mod given;
 mod host;
 mod leg;
 mod made_of;
+pub mod modes;
 mod outcome;
 pub mod plan;
 pub mod play;

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::error::Failed;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, disassemble, escape, plan, play};
+use crate::{check, disassemble, escape, modes, plan, play};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
@@ -21,6 +21,7 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
             "error",
             "What a command prints with --json where it has no answer",
         ),
+        answer::<modes::OperatingModes>("modes"),
         answer::<Pairs<plan::Plan>>("plan"),
         answer::<Pairs<play::Play>>("play"),
     ]
