@@ -4,6 +4,7 @@
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
 pub mod check;
+pub mod clearance;
 pub mod disassemble;
 pub mod error;
 pub mod escape;

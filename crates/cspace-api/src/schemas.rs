@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 
 use crate::error::Failed;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, disassemble, escape, modes, plan, play};
+use crate::{check, clearance, disassemble, escape, modes, plan, play};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
     vec![
         answer::<check::Requirements>("check"),
+        answer::<clearance::Clearances>("clearance"),
         answer::<disassemble::Disassembly>("disassemble"),
         named::<Answer<Pairs<escape::Escape>>>(
             "energy",
