@@ -4,12 +4,16 @@
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
 pub mod check;
+pub mod clearance;
+pub mod disassemble;
 pub mod error;
+pub mod escape;
 pub mod frame;
 pub mod given;
 mod host;
 mod leg;
 mod made_of;
+pub mod modes;
 mod outcome;
 pub mod plan;
 pub mod play;

@@ -3,16 +3,17 @@
 use cspace::Coordinates;
 use cspace_plan::legs::Scene;
 use cspace_plan::{off_contacts, touches};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A path without the part of its first leg on which the clearance rises off a contact, and of its last on which it falls to one.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct Rest {
     /// Whether the path starts in contact.
     pub from_contact: bool,
     /// Whether it ends in contact.
     pub to_contact: bool,
-    /// The clearance of the rest; none of a path that is one configuration in contact.
+    /// The least distance of the parts along the rest, in the model's unit; none of a path of one configuration.
     pub clearance: Option<f64>,
 }
 

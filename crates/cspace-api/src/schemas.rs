@@ -6,16 +6,24 @@ use serde_json::{Value, json};
 
 use crate::error::Failed;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, play};
+use crate::{check, clearance, disassemble, escape, modes, plan, play};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
     vec![
         answer::<check::Requirements>("check"),
+        answer::<clearance::Clearances>("clearance"),
+        answer::<disassemble::Disassembly>("disassemble"),
+        named::<Answer<Pairs<escape::Escape>>>(
+            "energy",
+            "What `cspace plan --energy --json` prints",
+        ),
         named::<Failed<'_>>(
             "error",
             "What a command prints with --json where it has no answer",
         ),
+        answer::<modes::OperatingModes>("modes"),
+        answer::<Pairs<plan::Plan>>("plan"),
         answer::<Pairs<play::Play>>("play"),
     ]
 }

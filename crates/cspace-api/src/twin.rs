@@ -3,13 +3,14 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::{Configuration, Coordinates, Location, PairSpace, RegionId, Rotation};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// So many turns are looked at: a part with finer symmetry is all but round.
 const MOST: usize = 64;
 
 /// A configuration in which the moving part covers what it covers at the goal.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct Twin {
     /// The turn of the part by which it looks the same, radians.
     pub turn: f64,

@@ -509,10 +509,10 @@ pub(crate) struct PlanArgs {
     pub(crate) about: AboutArg,
     /// The configuration to begin at, x,y,theta, or u,v of a pair on fixed axes; as drawn unless given
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) from: Option<String>,
+    pub(crate) from: Option<Given>,
     /// The configuration to come to; `out`, where the parts can be taken apart for good, unless given
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) to: Option<String>,
+    pub(crate) to: Option<Given>,
     /// The path whose smallest clearance is largest, and its bottleneck
     #[arg(long, conflicts_with_all = ["clearance", "verify"])]
     pub(crate) widest: bool,

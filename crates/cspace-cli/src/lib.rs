@@ -36,22 +36,6 @@ pub fn tolerances_answer(
     serde_json::to_value(command::tolerances::answer::rows(variations, found))
 }
 
-/// The answer of `cspace modes --format json` for three parts of a mechanism, a requested configuration with its place among the modes, and
-/// the computing time in seconds; its schema is `docs/answers/modes.schema.json`.
-///
-/// # Errors
-/// If it cannot be written as JSON.
-pub fn modes_answer(
-    mechanism: &cspace_mechanism::Mechanism,
-    modes: &cspace_modes::Modes,
-    requested: ([f64; 3], cspace_modes::ModePlace),
-    seconds: f64,
-) -> serde_json::Result<serde_json::Value> {
-    serde_json::to_value(command::modes::answer::of(
-        mechanism, modes, requested, seconds,
-    ))
-}
-
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 where the answer
 /// is yes or a value, 1 where it is no, 2 where there is none.
 pub fn main(arguments: &[OsString]) -> u8 {

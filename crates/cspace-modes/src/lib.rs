@@ -52,6 +52,7 @@ mod graph;
 mod locate;
 mod mode;
 mod modes;
+mod parallel;
 mod plane;
 mod roots;
 mod section;

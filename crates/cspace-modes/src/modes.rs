@@ -6,11 +6,11 @@ use std::collections::HashMap;
 use cspace::fixed_axes::{Role, SweptPlane};
 use cspace::{Axis, AxisMotion};
 use cspace_mechanism::Mechanism;
-use rayon::prelude::*;
 
 use crate::error::ModesError;
 use crate::extent::Extent;
 use crate::mode::{Gathered, Mode};
+use crate::parallel::prelude::*;
 use crate::plane::{Opening, Plane};
 use crate::shape::Shape;
 use crate::sweep::{Planes, Swept};

@@ -1,9 +1,8 @@
 //! Free space of three coordinates, swept along one that two of the planes have in common.
 
-use rayon::prelude::*;
-
 use crate::column::{Column, Layer, Layers, clusters};
 use crate::error::ModesError;
+use crate::parallel::prelude::*;
 use crate::plane::{Opening, Plane};
 use crate::section::Place;
 use crate::turns::Sets;

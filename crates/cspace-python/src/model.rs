@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use cspace_api::modes::OperatingModes;
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_io::Host;
 use cspace_io::model::{Setting, Template};
@@ -298,8 +299,10 @@ impl Model {
             Ok((modes, place))
         })?;
         let seconds = begin.elapsed().as_secs_f64();
-        let answer = cspace_cli::modes_answer(mechanism, &modes, (at, place), seconds);
-        pythonize::pythonize(py, &answer.map_err(error)?).map_err(error)
+        let answer = OperatingModes::of(mechanism, modes, (at, place), seconds);
+        // Lists of a known length are lists, too.
+        let answer = serde_json::to_value(answer).map_err(error)?;
+        pythonize::pythonize(py, &answer).map_err(error)
     }
 
     /// The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a

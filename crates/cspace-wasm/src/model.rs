@@ -208,7 +208,7 @@ impl Model {
             Some(goal) => planner.plan_with(from, goal, &wishes, &Silent),
         };
         let answer = answer.map_err(fault)?;
-        json(&plan::Told::planned(
+        json(&plan::Plan::planned(
             &space,
             (planner.scene(), unit),
             goal,

@@ -34,30 +34,11 @@ use crate::legacy::{Answer, Outcome};
 use cspace_api::{Answer as Answered, Content, Is, Outcome as _};
 use cspace_io::Model;
 use cspace_io::shown::quoted;
-use cspace_mechanism::Mechanism;
 use serde::Serialize;
 
 use crate::args::{Format, ResultArgs};
-use crate::failure::{Failure, note};
+use crate::failure::Failure;
 use crate::output;
-
-/// Says of an answer about parts as drawn that some of them start elsewhere.
-fn tell_starts(model: &Mechanism) {
-    let starts = model.parts.iter().zip(&model.dynamics.parts);
-    let names: Vec<String> = starts
-        .filter(|(_, dynamics)| dynamics.start.is_some())
-        .map(|(part, _)| quoted(part.part.name()))
-        .collect();
-    if let [first, rest @ ..] = &names[..] {
-        let more = match rest.len() {
-            0 => String::new(),
-            n => format!(" and {n} more"),
-        };
-        note(format_args!(
-            "parts are where they are drawn, and not where motions start: {first}{more} has a `start`"
-        ));
-    }
-}
 
 /// The help for an unknown parameter: the names of the model's parameters.
 fn parameters_of(model: &Model) -> String {

@@ -3,45 +3,43 @@
 use cspace::{ComputeError, Coordinates, PairError, PairSpace};
 use cspace_proof::{ProofError, prove};
 
-use crate::failure::Failure;
-use crate::progress::Bar;
-use crate::subject::InWords;
-use cspace_api::Chosen;
-
-use cspace_api::plan::Told;
+use super::answer::Plan;
+use crate::error::Error;
+use crate::subject::Chosen;
 
 /// Adds a proof to an answer, or why there is none.
 ///
 /// # Errors
 /// If the depth that was asked for is none, or the computation was interrupted.
 pub(super) fn add(
-    told: &mut Told,
+    plan: &mut Plan,
     pair: &Chosen<'_>,
     space: &PairSpace,
     ends: [Coordinates; 2],
     depth: Option<f64>,
-) -> Result<(), Failure> {
+) -> Result<(), Error> {
     let (PairSpace::Planar(space), [Coordinates::Planar(from), Coordinates::Planar(to)]) =
         (space, ends)
     else {
-        told.unproved = Some(ProofError::NotPlanar.to_string());
+        plan.unproved = Some(ProofError::NotPlanar.to_string());
         return Ok(());
     };
-    let proved = Bar::new(pair.names()).watch(|bar| prove(space, from, to, depth, bar));
-    match proved {
+    let progress = pair.host().begin(&pair.names());
+    match prove(space, from, to, depth, &*progress) {
         Ok(mut proof) => {
             proof.unit = pair.unit_label().map(str::to_owned);
-            told.proof = Some(proof);
+            plan.proof = Some(proof);
         }
         Err(ProofError::Depth(d)) => {
-            return Err(Failure::new(format_args!(
-                "--depth {d:?}: it has to be positive"
+            return Err(Error::new(format_args!(
+                "{} {d:?}: it has to be positive",
+                pair.option("depth")
             )));
         }
         Err(ProofError::Pair(e)) if e == PairError::Compute(ComputeError::Interrupted) => {
-            return Err(pair.failure(&e).into());
+            return Err(pair.failure(&e));
         }
-        Err(error) => told.unproved = Some(error.to_string()),
+        Err(error) => plan.unproved = Some(error.to_string()),
     }
     Ok(())
 }
