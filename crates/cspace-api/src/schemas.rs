@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use crate::error::Failed;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, play};
+use crate::tolerances::{allocation, along, analysis, zones};
+use crate::{check, import, play, simulate, solve, sweep};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
@@ -16,12 +17,26 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
             "error",
             "What a command prints with --json where it has no answer",
         ),
+        answer::<import::Imported>("import"),
         answer::<Pairs<play::Play>>("play"),
+        answer::<simulate::Simulated>("simulate"),
+        answer::<solve::Solutions>("solve"),
+        answer::<sweep::Rows>("sweep"),
+        answer::<analysis::Analysis>("tolerances"),
+        with::<along::Bands>("along", "--along"),
+        with::<Pairs<zones::Zones>>("zones", "--zones"),
+        with::<allocation::Allocation>("allocation", "--allocate"),
     ]
 }
 
 fn answer<T: Content>(name: &'static str) -> (&'static str, Schema) {
     let title = format!("What `cspace {} --json` prints", T::COMMAND);
+    named::<Answer<T>>(name, &title)
+}
+
+/// The schema of the answer that a command gives with an option.
+fn with<T: Content>(name: &'static str, option: &str) -> (&'static str, Schema) {
+    let title = format!("What `cspace {} {option} --json` prints", T::COMMAND);
     named::<Answer<T>>(name, &title)
 }
 

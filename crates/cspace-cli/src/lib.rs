@@ -25,17 +25,6 @@ use cspace_io::shown;
 use args::{Cli, ColorWhen, Colored, Command};
 use failure::Failure;
 
-/// The answer of `cspace tolerances --format json` for an analysis; its schema is `docs/answers/tolerances.schema.json`.
-///
-/// # Errors
-/// If it cannot be written as JSON.
-pub fn tolerances_answer(
-    variations: &cspace_design::Variations,
-    found: &[cspace_design::Tolerances],
-) -> serde_json::Result<serde_json::Value> {
-    serde_json::to_value(command::tolerances::answer::rows(variations, found))
-}
-
 /// The answer of `cspace modes --format json` for three parts of a mechanism, a requested configuration with its place among the modes, and
 /// the computing time in seconds; its schema is `docs/answers/modes.schema.json`.
 ///
