@@ -209,14 +209,26 @@ impl Question {
     }
 }
 
+/// Refuses a model without requirements.
+pub(crate) fn has_requirements(file: &ModelFile) -> Result<(), Error> {
+    match file.model.requirements.is_empty() {
+        true => Err(file
+            .error("the model has no requirements")
+            .help("add [[requirement]] tables with name, measure and limits: see docs/design.md")),
+        false => Ok(()),
+    }
+}
+
 /// The model with the requirements of these names alone, or with all.
 pub(crate) fn chosen(file: &ModelFile, names: &[String], host: &dyn Host) -> Result<Model, Error> {
+    has_requirements(file)?;
     let mut model = file.model.clone();
-    if model.requirements.is_empty() {
-        return Err(file
-            .error("the model has no requirements")
-            .help("add [[requirement]] tables with name, measure and limits: see docs/design.md"));
-    }
+    retain(&mut model, names, host)?;
+    Ok(model)
+}
+
+/// Leaves the requirements of these names, or all where none is named.
+pub(crate) fn retain(model: &mut Model, names: &[String], host: &dyn Host) -> Result<(), Error> {
     let is_known = |name: &&String| model.requirements.iter().any(|r| r.name == **name);
     if let Some(unknown) = names.iter().find(|name| !is_known(name)) {
         return Err(Error::new(format_args!(
@@ -224,10 +236,10 @@ pub(crate) fn chosen(file: &ModelFile, names: &[String], host: &dyn Host) -> Res
             host.option("requirement"),
             cspace_io::shown::quoted(unknown)
         ))
-        .help(requirements_of(&model)));
+        .help(requirements_of(model)));
     }
     if !names.is_empty() {
         model.requirements.retain(|r| names.contains(&r.name));
     }
-    Ok(model)
+    Ok(())
 }

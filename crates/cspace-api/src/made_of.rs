@@ -1,8 +1,7 @@
 //! Hashes of those parts of a model that a motion depends on, kept in its record: a motion goes on only with what it was made of.
 
-use std::collections::BTreeMap;
-
 use cspace_mechanism::Mechanism;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
@@ -10,10 +9,28 @@ use sha2::{Digest, Sha256};
 /// So many bytes of a hash tell models apart that are not made to have the same.
 const BYTES: usize = 8;
 
-/// Hashes by what they are of. Neither the model's name nor its unit moves anything.
-#[derive(Debug, Serialize)]
-#[serde(transparent)]
-pub struct MadeOf(BTreeMap<&'static str, String>);
+/// The first eight bytes of the SHA-256 of what is in a model, as hexadecimal digits. Neither the model's name nor its unit moves anything.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct MadeOf {
+    /// Hash of outlines and axes of parts.
+    pub parts: String,
+    /// Hash of joints.
+    pub joints: String,
+    /// Hash of pairs.
+    pub pairs: String,
+    /// Hash of masses, starts and rates of parts.
+    pub masses: String,
+    /// Hash of gravity.
+    pub gravity: String,
+    /// Hash of friction and restitution.
+    pub friction: String,
+    /// Hash of drives.
+    pub drives: String,
+    /// Hash of loads.
+    pub loads: String,
+    /// Hash of springs.
+    pub springs: String,
+}
 
 impl MadeOf {
     /// Hashes of a model.
@@ -22,31 +39,40 @@ impl MadeOf {
     /// If it cannot be written as JSON, which plain data always can.
     pub fn of(model: &Mechanism) -> serde_json::Result<Self> {
         let dynamics = &model.dynamics;
-        let all = [
-            ("parts", hash(&model.parts)?),
-            ("joints", hash(&model.joints)?),
-            ("pairs", hash(&model.pairs)?),
-            ("masses", hash(&dynamics.parts)?),
-            ("gravity", hash(&dynamics.gravity)?),
-            (
-                "friction",
-                hash(&(dynamics.friction, dynamics.restitution, &dynamics.pairs))?,
-            ),
-            ("drives", hash(&dynamics.drives)?),
-            ("loads", hash(&dynamics.loads)?),
-            ("springs", hash(&dynamics.springs)?),
-        ];
-        Ok(Self(all.into()))
+        Ok(Self {
+            parts: hash(&model.parts)?,
+            joints: hash(&model.joints)?,
+            pairs: hash(&model.pairs)?,
+            masses: hash(&dynamics.parts)?,
+            gravity: hash(&dynamics.gravity)?,
+            friction: hash(&(dynamics.friction, dynamics.restitution, &dynamics.pairs))?,
+            drives: hash(&dynamics.drives)?,
+            loads: hash(&dynamics.loads)?,
+            springs: hash(&dynamics.springs)?,
+        })
     }
 
-    /// Names of the entries that differ in a record. Entries that an older record lacks count as the same.
+    /// Differences from a record, in words. Entries that an older record lacks count as the same.
     pub fn others(&self, told: &Value) -> Vec<&'static str> {
-        let is_other = |&(what, hash): &(&&str, &String)| {
-            let told = told.get(*what).and_then(Value::as_str);
+        let all = [
+            ("parts", "outlines or axes of parts", &self.parts),
+            ("joints", "joints", &self.joints),
+            ("pairs", "pairs", &self.pairs),
+            ("masses", "masses, starts or rates of parts", &self.masses),
+            ("gravity", "gravity", &self.gravity),
+            ("friction", "friction or restitution", &self.friction),
+            ("drives", "drives", &self.drives),
+            ("loads", "loads", &self.loads),
+            ("springs", "springs", &self.springs),
+        ];
+        let is_other = |key: &str, hash: &String| {
+            let told = told.get(key).and_then(Value::as_str);
             told.is_some_and(|told| told != hash)
         };
-        let others = self.0.iter().filter(is_other);
-        others.map(|(what, _)| in_words(what)).collect()
+        (all.into_iter())
+            .filter(|(key, _, hash)| is_other(key, hash))
+            .map(|(_, words, _)| words)
+            .collect()
     }
 }
 
@@ -56,13 +82,4 @@ fn hash(what: &impl Serialize) -> serde_json::Result<String> {
     let digest = Sha256::digest(&text);
     let bytes = digest.iter().take(BYTES);
     Ok(bytes.map(|b| format!("{b:02x}")).collect())
-}
-
-fn in_words(what: &'static str) -> &'static str {
-    match what {
-        "parts" => "outlines or axes of parts",
-        "masses" => "masses, starts or rates of parts",
-        "friction" => "friction or restitution",
-        what => what,
-    }
 }

@@ -6,7 +6,10 @@ use serde_json::{Value, json};
 
 use crate::error::Failed;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, clearance, disassemble, escape, modes, plan, play};
+use crate::tolerances::{allocation, along, analysis, zones};
+use crate::{
+    check, clearance, disassemble, escape, import, modes, plan, play, simulate, solve, sweep,
+};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
@@ -14,22 +17,33 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
         answer::<check::Requirements>("check"),
         answer::<clearance::Clearances>("clearance"),
         answer::<disassemble::Disassembly>("disassemble"),
-        named::<Answer<Pairs<escape::Escape>>>(
-            "energy",
-            "What `cspace plan --energy --json` prints",
-        ),
+        with::<Pairs<escape::Escape>>("energy", "--energy"),
         named::<Failed<'_>>(
             "error",
             "What a command prints with --json where it has no answer",
         ),
+        answer::<import::Imported>("import"),
         answer::<modes::OperatingModes>("modes"),
         answer::<Pairs<plan::Plan>>("plan"),
         answer::<Pairs<play::Play>>("play"),
+        answer::<simulate::Simulated>("simulate"),
+        answer::<solve::Solutions>("solve"),
+        answer::<sweep::Rows>("sweep"),
+        answer::<analysis::Analysis>("tolerances"),
+        with::<along::Bands>("along", "--along"),
+        with::<Pairs<zones::Zones>>("zones", "--zones"),
+        with::<allocation::Allocation>("allocation", "--allocate"),
     ]
 }
 
 fn answer<T: Content>(name: &'static str) -> (&'static str, Schema) {
     let title = format!("What `cspace {} --json` prints", T::COMMAND);
+    named::<Answer<T>>(name, &title)
+}
+
+/// The schema of the answer that a command gives with an option.
+fn with<T: Content>(name: &'static str, option: &str) -> (&'static str, Schema) {
+    let title = format!("What `cspace {} {option} --json` prints", T::COMMAND);
     named::<Answer<T>>(name, &title)
 }
 
@@ -49,8 +63,8 @@ fn named<T: JsonSchema>(name: &'static str, title: &str) -> (&'static str, Schem
     (name, value.try_into().unwrap_or_default())
 }
 
-/// Brings the schema of a type into the form of a document, in which objects have no other keys than those that are named: an answer says nothing that its schema does not describe. What is `open` to
-/// keys beside it is a piece of an object, which is closed as a whole.
+/// Brings the schema of a type into the form of a document, in which objects have no other keys than those that are named: an answer says
+/// nothing that its schema does not describe. What is not `closed` is a piece of an object, which is closed as a whole.
 fn tidy(schema: &mut Value, closed: bool) {
     const PIECES: [&str; 3] = ["oneOf", "anyOf", "allOf"];
     let Value::Object(keys) = schema else { return };

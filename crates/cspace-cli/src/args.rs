@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
-use cspace_api::Given;
 use cspace_api::given;
-use cspace_design::{Criterion, Goal, Relation, Value as Measured};
+use cspace_api::{Given, Vary, simulate};
+use cspace_design::{Criterion, Goal, Relation, Span, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
 use cspace_plan::Prefer;
@@ -724,28 +724,6 @@ pub(crate) struct SweepArgs {
     pub(crate) picture: PictureArgs,
 }
 
-/// A range of values.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Vary {
-    pub(crate) name: String,
-    pub(crate) lo: f64,
-    pub(crate) hi: f64,
-    pub(crate) count: usize,
-    /// Whether the range is given as angles.
-    pub(crate) is_angle: bool,
-}
-
-impl Vary {
-    /// The value number `i`.
-    pub(crate) fn value(&self, i: usize) -> f64 {
-        match self.count {
-            1 => self.lo,
-            n if i == n - 1 => self.hi,
-            n => self.lo + (self.hi - self.lo) * (i as f64 / (n - 1) as f64),
-        }
-    }
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct SolveArgs {
     /// A model (.toml, .json)
@@ -754,12 +732,12 @@ pub(crate) struct SolveArgs {
     pub(crate) values: SetArgs,
     /// A parameter that may be from LO to HI; of several the smallest change from the model's values is sought, relative to their ranges
     #[arg(long, value_name = "NAME=LO:HI", value_parser = bounds, allow_hyphen_values = true, required = true)]
-    pub(crate) vary: Vec<Bounds>,
+    pub(crate) vary: Vec<Span>,
     /// Condition to satisfy: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true
     #[arg(long, value_name = "MEASURE = VALUE", value_parser = wanted, allow_hyphen_values = true)]
     pub(crate) so_that: Goal,
     /// One parameter: the number of values at which is measured before solutions are sought between them
-    #[arg(long, value_name = "N", default_value_t = 65, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(long, value_name = "N", default_value_t = cspace_api::solve::SAMPLES, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) samples: u32,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -767,15 +745,7 @@ pub(crate) struct SolveArgs {
     pub(crate) threads: ThreadsArg,
 }
 
-/// A parameter and its smallest and largest value.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) name: String,
-    pub(crate) lo: f64,
-    pub(crate) hi: f64,
-}
-
-fn bounds(text: &str) -> Result<Bounds, String> {
+fn bounds(text: &str) -> Result<Span, String> {
     const HELP: &str = "give it as NAME=LO:HI, such as play=0.05:0.3";
     let (name, range) = text.split_once('=').ok_or(HELP)?;
     let (lo, hi) = range.split_once(':').ok_or(HELP)?;
@@ -783,8 +753,8 @@ fn bounds(text: &str) -> Result<Bounds, String> {
     if lo >= hi {
         return Err("the range is empty: give the smaller bound first".to_owned());
     }
-    Ok(Bounds {
-        name: name.trim().to_owned(),
+    Ok(Span {
+        parameter: name.trim().to_owned(),
         lo,
         hi,
     })
@@ -896,6 +866,15 @@ pub(crate) enum Mode {
     Kinematic,
 }
 
+impl From<Mode> for simulate::Mode {
+    fn from(mode: Mode) -> Self {
+        match mode {
+            Mode::Dynamic => Self::Dynamic,
+            Mode::Kinematic => Self::Kinematic,
+        }
+    }
+}
+
 /// How a motion with masses is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Scheme {
@@ -903,6 +882,15 @@ pub(crate) enum Scheme {
     Event,
     /// Moreau-Jean: in steps of one length, right to the order of a step; a check of the other
     Stepping,
+}
+
+impl From<Scheme> for simulate::Scheme {
+    fn from(scheme: Scheme) -> Self {
+        match scheme {
+            Scheme::Event => Self::Event,
+            Scheme::Stepping => Self::Stepping,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
-use cspace_api::{Error, Host, Subject, Which};
+use cspace_api::{Error, Host, Pieces, Subject, Which};
 use cspace_io::Document;
 use cspace_mechanism::Mechanism;
 
@@ -13,12 +13,13 @@ use crate::args::{CacheArgs, Common, SetArgs, ThreadsArg};
 use crate::cache;
 use crate::failure::{Failure, note};
 use crate::input;
-use crate::interrupt::catch_interrupts;
+use crate::interrupt::{self, catch_interrupts};
 use crate::output;
-use crate::progress::Bar;
+use crate::progress::{Bar, Steps};
 use crate::traces::{self, OTHER, quoted};
 
-/// This program: remarks go to stderr, with a bar for long work, and spaces that took long are kept.
+/// This program: remarks go to stderr, with a bar for long work, and spaces that took long are kept, but by default.
+#[derive(Default)]
 pub(crate) struct Terminal {
     /// Whether spaces are kept, and read where they were.
     keeps: bool,
@@ -36,6 +37,14 @@ impl Terminal {
 impl Host for Terminal {
     fn begin(&self, title: &str) -> Box<dyn Progress + '_> {
         Box::new(Bar::new(title.to_owned()))
+    }
+
+    fn begin_pieces(&self, count: usize) -> Box<dyn Pieces + '_> {
+        Box::new(Steps::new(count))
+    }
+
+    fn keep(&self) {
+        interrupt::keep();
     }
 
     fn note(&self, text: &dyn Display) {

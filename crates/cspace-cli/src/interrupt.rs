@@ -48,12 +48,6 @@ pub(crate) fn watching() -> Watched {
     Watched(())
 }
 
-/// Does work that ends soon after an interrupt by itself.
-pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
-    let _watched = watching();
-    work()
-}
-
 impl Drop for Watched {
     fn drop(&mut self) {
         WATCHED.store(false, Ordering::Relaxed);

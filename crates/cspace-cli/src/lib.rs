@@ -25,17 +25,6 @@ use cspace_io::shown;
 use args::{Cli, ColorWhen, Colored, Command};
 use failure::Failure;
 
-/// The answer of `cspace tolerances --format json` for an analysis; its schema is `docs/answers/tolerances.schema.json`.
-///
-/// # Errors
-/// If it cannot be written as JSON.
-pub fn tolerances_answer(
-    variations: &cspace_design::Variations,
-    found: &[cspace_design::Tolerances],
-) -> serde_json::Result<serde_json::Value> {
-    serde_json::to_value(command::tolerances::answer::rows(variations, found))
-}
-
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 where the answer
 /// is yes or a value, 1 where it is no, 2 where there is none.
 pub fn main(arguments: &[OsString]) -> u8 {

@@ -6,6 +6,7 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
+use cspace_api::Pieces;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::failure::is_quiet;
@@ -22,13 +23,11 @@ pub(crate) struct Bar {
     _watched: Watched,
 }
 
-/// What is shown.
+/// Text and stage that are shown.
 struct Shown {
     title: String,
     begin: Instant,
     stage: Mutex<Option<Stage>>,
-    /// Words that are told above the bar once it is shown.
-    known: Mutex<Option<String>>,
     done: AtomicBool,
 }
 
@@ -39,7 +38,6 @@ impl Bar {
             title,
             begin: Instant::now(),
             stage: Mutex::new(None),
-            known: Mutex::new(None),
             done: AtomicBool::new(false),
         });
         let ticking = Arc::clone(&shown);
@@ -57,11 +55,14 @@ impl Bar {
     pub(crate) fn watch<T>(&self, work: impl FnOnce(&Self) -> T) -> T {
         work(self)
     }
+}
 
-    /// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
-    pub(crate) fn tell(&self, known: String) {
-        *lock(&self.shown.known) = Some(known);
-    }
+/// Words that are told above the bar once one is shown.
+static KNOWN: Mutex<Option<String>> = Mutex::new(None);
+
+/// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
+pub(crate) fn tell_above(known: String) {
+    *lock(&KNOWN) = Some(known);
 }
 
 impl Drop for Bar {
@@ -91,7 +92,7 @@ impl Shown {
     }
 
     fn draw(&self, bar: &ProgressBar) {
-        if let Some(known) = lock(&self.known).take() {
+        if let Some(known) = lock(&KNOWN).take() {
             bar.println(known);
         }
         if let Some(stage) = *lock(&self.stage) {
@@ -112,7 +113,7 @@ impl Shown {
     }
 }
 
-/// What a mutex holds; nothing is left half done where a thread panics.
+/// Content of a mutex; nothing is left half done where a thread panics.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -121,6 +122,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 pub(crate) struct Steps {
     begin: Instant,
     bar: ProgressBar,
+    _watched: Watched,
 }
 
 impl Steps {
@@ -132,17 +134,25 @@ impl Steps {
         Self {
             begin: Instant::now(),
             bar,
+            _watched: interrupt::watching(),
         }
     }
+}
 
-    /// Does several pieces at once.
-    pub(crate) fn steps<T>(&self, count: u64, work: impl FnOnce() -> T) -> T {
+impl Pieces for Steps {
+    fn done(&self, count: usize) {
         if self.begin.elapsed() >= PATIENCE && self.bar.is_hidden() && !is_quiet() {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        let result = work();
-        self.bar.inc(count);
-        result
+        self.bar.inc(count as u64);
+    }
+
+    fn is_interrupted(&self) -> bool {
+        interrupt::is_interrupted()
+    }
+
+    fn seconds(&self) -> f64 {
+        self.begin.elapsed().as_secs_f64()
     }
 }
 

@@ -271,7 +271,7 @@ impl Model {
             cspace_design::tolerances(&template, &set, &model, &options, progress)
                 .map_err(|e| e.to_string())
         })?;
-        let answer = cspace_cli::tolerances_answer(&variations, &found).map_err(error)?;
+        let answer = cspace_api::tolerances::effects(&variations, &found);
         pythonize::pythonize(py, &answer).map_err(error)
     }
 

@@ -267,14 +267,14 @@ fn answer(
     simulation: &Simulation,
     record: &Record,
     seconds: f64,
-) -> serde_json::Result<simulate::Told> {
+) -> serde_json::Result<simulate::Motion> {
     let report = Report::of(simulation, record);
-    let wanted = simulate::Wanted {
+    let reported = simulate::Reported {
         rates: false,
         forces: false,
         states: true,
     };
-    simulate::Told::of(model, simulation, (record, &report), wanted, seconds)
+    simulate::Motion::of(model, simulation, (record, &report), reported, seconds)
 }
 
 /// An error of a model, and what to do.

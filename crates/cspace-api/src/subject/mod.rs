@@ -389,6 +389,11 @@ pub(crate) fn requirements_of(model: &Model) -> String {
     }
 }
 
+/// A name that is varied and was varied before.
+pub(crate) fn varied_twice(name: &str) -> Error {
+    Error::new(format_args!("{} is varied twice", shown::quoted(name))).help("name it once")
+}
+
 /// Notes of an answer about parts as drawn that some of them start elsewhere.
 pub(crate) fn tell_starts(model: &Mechanism, host: &dyn Host) {
     let starts = model.parts.iter().zip(&model.dynamics.parts);

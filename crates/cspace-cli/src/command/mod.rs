@@ -40,29 +40,6 @@ use crate::args::{Format, ResultArgs};
 use crate::failure::Failure;
 use crate::output;
 
-/// The help for an unknown parameter: the names of the model's parameters.
-fn parameters_of(model: &Model) -> String {
-    let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
-    match known.is_empty() {
-        true => "the model has no parameters: add them under [parameter]".to_owned(),
-        false => format!("its parameters are {}", known.join(", ")),
-    }
-}
-
-/// The help for an unknown requirement: the names of the model's requirements.
-fn requirements_of(model: &Model) -> String {
-    let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
-    match known.is_empty() {
-        true => "say what is measured in [[requirement]] tables: see docs/design.md".to_owned(),
-        false => format!("its requirements are {}", known.join(", ")),
-    }
-}
-
-/// A name that is varied and was varied before.
-fn varied_twice(name: &str) -> Failure {
-    Failure::new(format_args!("{} is varied twice", quoted(name))).help("name it once")
-}
-
 /// Prints the answer to a question, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or
 /// leaves the question open, that is a failure without a message.
 fn tell<T: Content>(
@@ -73,6 +50,23 @@ fn tell<T: Content>(
     print_as(result, answer, answer.outcome.is(), |written| {
         text(written, &answer.content)
     })
+}
+
+/// Prints the answer to a question of a command that writes no file of it.
+fn tell_in<T: Content>(
+    format: Format,
+    answer: &Answered<T>,
+    text: impl FnOnce(&mut String, &T) -> fmt::Result,
+) -> Result<(), Failure> {
+    match format {
+        Format::Json => output::write(None, &json(answer)?)?,
+        Format::Text => {
+            let mut printed = String::new();
+            text(&mut printed, &answer.content).map_err(Failure::new)?;
+            output::write(None, printed.as_bytes())?;
+        }
+    }
+    Failure::of(answer.outcome.is())
 }
 
 /// Prints an answer, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or leaves the
@@ -115,12 +109,6 @@ fn print_as(
 #[derive(Serialize)]
 struct Rows<T> {
     rows: T,
-}
-
-/// Requirements, each with what concerns it.
-#[derive(Serialize)]
-struct Requirements<T> {
-    requirements: T,
 }
 
 /// The file that a command wrote.

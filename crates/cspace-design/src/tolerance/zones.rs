@@ -15,6 +15,8 @@ use cspace::{
 use cspace_io::Model;
 use cspace_io::model::{Setting, Subject, Template};
 use cspace_mechanism::PairEntry;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::Variations;
 use super::study::Study;
@@ -23,7 +25,7 @@ use crate::check::Interrupted;
 use crate::drawing::{Enclosed, TOLD_APART, drawn_pair};
 
 /// The zones of a pair in a window.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, JsonSchema)]
 pub struct Zones {
     /// Free in every drawing within the tolerances.
     pub free: Vec<Cell>,
@@ -34,7 +36,7 @@ pub struct Zones {
 }
 
 /// Where some features may touch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ZoneBand {
     /// The features of the fixed and of the moving part, as messages call them.
     pub features: [String; 2],

@@ -1,33 +1,33 @@
 //! A record that is taken up where its motion ends.
 
-use std::path::Path;
-
 use cspace_mechanism::Mechanism;
 use cspace_motion::{Event, Record, Sample, Status, System};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use crate::args::Mode;
-use crate::command::record::{json, wrong};
-use crate::failure::Failure;
-
-use cspace_api::MadeOf;
-use cspace_api::simulate::moving;
+use super::answer::moving;
+use super::question::{Earlier, Mode};
+use crate::error::Error;
+use crate::host::Host;
+use crate::made_of::MadeOf;
 
 /// Times nearer than this are the same, relative to the duration: rounding.
 const SAME: f64 = 1e-11;
 
 const HELP: &str = "give what `cspace simulate` wrote with -o RECORD.json, of the same model";
 
-/// Reads the record to resume; rejected unless it has this model and mode, can go on, and ends before `time`.
+/// The record to resume; refused unless it has this model and mode, can go on, and ends before `time`.
 pub(super) fn record(
-    file: &Path,
+    earlier: &Earlier,
     model: &Mechanism,
-    mode: Mode,
-    time: f64,
-) -> Result<Record, Failure> {
-    let value = json(file, model, false)?;
-    let bad = |what: &str| wrong(file, what, HELP);
+    (mode, time): (Mode, f64),
+    host: &dyn Host,
+) -> Result<Record, Error> {
+    let value = &earlier.answer;
+    let wrong = |what: &str, help: &str| {
+        Error::new(format_args!("{}: {what}", earlier.path.display())).help(help)
+    };
+    let bad = |what: &str| wrong(what, HELP);
     let system = System::new(model);
     let names: Vec<&str> = moving(model, &system).map(|(name, _)| name).collect();
     let told = value["parts"].as_array().into_iter().flatten();
@@ -35,7 +35,7 @@ pub(super) fn record(
         return Err(bad("its parts are not those that move in the model"));
     }
     let others = MadeOf::of(model)
-        .map_err(Failure::new)?
+        .map_err(Error::new)?
         .others(&value["model"]);
     if !others.is_empty() {
         let what = format!("it was made with other {}", others.join(", "));
@@ -48,23 +48,22 @@ pub(super) fn record(
     };
     if its_mode != mode {
         let what = format!("its motion is {its_name}");
-        let help = format!("go on with --mode {its_name}");
-        return Err(wrong(file, &what, &help));
+        let help = format!("go on with {} {its_name}", host.option("mode"));
+        return Err(wrong(&what, &help));
     }
-    let status: Status = part(&value, "status").map_err(|e| bad(&e))?;
+    let status: Status = part(value, "status").map_err(|e| bad(&e))?;
     if !matches!(status, Status::Done | Status::Interrupted) {
         return Err(bad("its motion cannot go on: it ended as its reason says"));
     }
-    let until: f64 = part(&value, "until").map_err(|e| bad(&e))?;
+    let until: f64 = part(value, "until").map_err(|e| bad(&e))?;
     if until >= time {
         return Err(wrong(
-            file,
             &format!("its motion has come to {until} s already"),
-            "ask for a longer --time",
+            &format!("ask for a longer {}", host.option("time")),
         ));
     }
     let states: Vec<Vec<f64>> = match value.get("states") {
-        Some(_) => part(&value, "states").map_err(|e| bad(&e))?,
+        Some(_) => part(value, "states").map_err(|e| bad(&e))?,
         None => return Err(bad("it has no states")),
     };
     let count = system.count();
@@ -111,9 +110,9 @@ pub(super) fn record(
             ..state.clone()
         });
     }
-    let events: Vec<Event> = part(&value, "events").map_err(|e| bad(&e))?;
+    let events: Vec<Event> = part(value, "events").map_err(|e| bad(&e))?;
     let energy = match value.get("energy") {
-        Some(_) => Some(part(&value, "energy").map_err(|e| bad(&e))?),
+        Some(_) => Some(part(value, "energy").map_err(|e| bad(&e))?),
         None => None,
     };
     Ok(Record {

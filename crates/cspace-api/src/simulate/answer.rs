@@ -1,4 +1,4 @@
-//! Answer of `cspace simulate`: its schema is `docs/answers/simulate.schema.json`.
+//! A motion as data.
 
 use std::collections::BTreeMap;
 
@@ -7,13 +7,14 @@ use cspace_motion::{
     ContactInterval, Cycle, Energy, Event, Forces, Gap, Obstacle, PartCoordinates, Record, Report,
     Sample, Simulation, Status, System, Trajectory,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::made_of::MadeOf;
 
-/// Options for what is reported beside coordinates.
-#[derive(Debug, Clone, Copy)]
-pub struct Wanted {
+/// Data that are reported beside coordinates.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Reported {
     /// Rates of coordinates.
     pub rates: bool,
     /// Forces of contacts.
@@ -22,53 +23,55 @@ pub struct Wanted {
     pub states: bool,
 }
 
-/// The whole answer.
-#[derive(Debug, Serialize)]
-pub struct Told {
-    /// How it ended.
+/// A motion.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Motion {
+    /// How it ended: `done` at the end of its time; `jammed` where what is driven cannot go on; `undetermined` where it cannot be told how it
+    /// goes on; `inconsistent` where no accelerations and forces satisfy the laws of contact and friction; `interrupted` where the user wanted
+    /// no more of it.
     pub status: Status,
     /// Why it ended before its time.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
-    /// Obstacles that stopped it.
+    /// Obstacles that jam it: the conditions that these functions do not decrease, each times its multiplier, add up to a contradiction.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<Obstacle>,
-    /// The parts that fit exactly at the start, and by how much they are smaller.
+    /// The parts that fit exactly into others at the start, and are smaller all around, so that there is room to move.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub gaps: Vec<Gap>,
-    /// The time of the last state (s).
+    /// When it ended, in seconds.
     pub until: f64,
     /// Parts that can move.
     pub parts: Vec<String>,
-    /// Samples at equal intervals.
+    /// All parts at even times, and where it ended.
     pub samples: Vec<Row>,
-    /// States along the motion, for a record that is kept.
+    /// All states that are known, in order of time, of a record that is kept.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub states: Option<States>,
-    /// Hashes of the model, for a record that is kept.
+    /// Hashes of all that the motion depends on, of a record that is kept: a motion goes on only with what it was made of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model: Option<MadeOf>,
     /// Events, in order of time.
     pub events: Vec<Event>,
-    /// Which features touched, and when.
+    /// Contacts from touch to release, in the order in which they begin.
     pub contacts: Vec<ContactInterval>,
-    /// The cycle in which it repeats.
+    /// The cycle in which it repeats; left out where it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycle: Option<Period>,
-    /// The energy at the beginning and the end.
+    /// The balance of energy, of a motion with masses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy: Option<Energy>,
-    /// Summary of the events, in sentences.
+    /// A summary of the motion, in sentences.
     pub summary: Vec<String>,
-    /// How long it took to compute (s).
+    /// How long it took to compute, in seconds.
     pub seconds: f64,
 }
 
 /// All states of a motion that are known: each is its time, then the coordinates of all parts in their order, then their rates. Where contacts
 /// come and go there are several of one time; what goes at once from one balance to another passes through them.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[serde(transparent)]
-pub struct States(Vec<Vec<f64>>);
+pub struct States(pub Vec<Vec<f64>>);
 
 impl States {
     fn of(record: &Record) -> Self {
@@ -83,9 +86,9 @@ impl States {
 }
 
 /// All parts at a time.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Row {
-    /// The time (s).
+    /// The time, in seconds.
     pub t: f64,
     /// Coordinates by the part's name.
     #[serde(flatten)]
@@ -99,39 +102,46 @@ pub struct Row {
 }
 
 /// The cycle in which the motion repeats.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 pub struct Period {
-    period: f64,
-    since: f64,
-    difference: f64,
-    /// Evenly driven part, to which ratios refer.
+    /// How long it takes, in seconds.
+    pub period: f64,
+    /// The time from which on the motion repeats, in seconds.
+    pub since: f64,
+    /// How far two cycles are from each other at most, in the unit of length; angles count by the sizes of their parts.
+    pub difference: f64,
+    /// The first part that is driven to turn at a constant rate, to which ratios refer.
     #[serde(skip_serializing_if = "Option::is_none")]
-    driver: Option<String>,
-    parts: BTreeMap<String, InCycle>,
+    pub driver: Option<String>,
+    /// The motion of each part that can move in it, by its name.
+    pub parts: BTreeMap<String, InCycle>,
 }
 
 /// Motion of a part in a cycle.
-#[derive(Debug, Serialize)]
-struct InCycle {
-    advance: Numbers,
-    least: Numbers,
-    greatest: Numbers,
-    /// Its advance, by that of the driver.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct InCycle {
+    /// How far it has gone on after a cycle, 0 if it is back.
+    pub advance: Numbers,
+    /// The smallest values in the last cycle.
+    pub least: Numbers,
+    /// The largest values in the last cycle.
+    pub greatest: Numbers,
+    /// Its advance by that of the driver: the ratio of transmission, or a length per radian.
     #[serde(skip_serializing_if = "Option::is_none")]
-    ratio: Option<f64>,
+    pub ratio: Option<f64>,
 }
 
 impl Period {
     fn of(model: &Mechanism, cycle: &Cycle) -> Self {
         let name = |i: usize| model.parts[i].part.name().to_owned();
         let parts = cycle.parts.iter().map(|p| {
-            let told = InCycle {
+            let in_cycle = InCycle {
                 advance: Numbers::of(&p.advance),
                 least: Numbers::of(&p.least),
                 greatest: Numbers::of(&p.greatest),
                 ratio: cycle.ratio(p.part),
             };
-            (name(p.part), told)
+            (name(p.part), in_cycle)
         });
         Self {
             period: cycle.period,
@@ -144,7 +154,7 @@ impl Period {
 }
 
 /// Numbers of a part with one degree of freedom, or with three.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Numbers {
     /// One degree of freedom.
@@ -172,8 +182,8 @@ pub fn moving<'a>(
     (names.zip(system.parts().iter().copied())).filter(|(_, p)| !p.indices().is_empty())
 }
 
-impl Told {
-    /// Answer for a motion, which took so many seconds to compute.
+impl Motion {
+    /// The data of a motion, which took so many seconds to compute.
     ///
     /// # Errors
     /// If the model cannot be written as JSON, which plain data always can.
@@ -181,7 +191,7 @@ impl Told {
         model: &Mechanism,
         simulation: &Simulation,
         (record, report): (&Record, &Report),
-        wanted: Wanted,
+        reported: Reported,
         seconds: f64,
     ) -> serde_json::Result<Self> {
         let system = simulation.system();
@@ -193,10 +203,10 @@ impl Told {
         let row = |s: &Sample| Row {
             t: s.t,
             parts: by_name(&s.coordinates),
-            rates: wanted.rates.then(|| by_name(&s.rates)),
-            forces: s.forces.clone().filter(|_| wanted.forces),
+            rates: reported.rates.then(|| by_name(&s.rates)),
+            forces: s.forces.clone().filter(|_| reported.forces),
         };
-        let made_of = wanted.states.then(|| MadeOf::of(model)).transpose()?;
+        let made_of = reported.states.then(|| MadeOf::of(model)).transpose()?;
         Ok(Self {
             status: record.status,
             reason: record.reason.clone(),
@@ -205,7 +215,7 @@ impl Told {
             until: record.until,
             parts: moving(model, system).map(|(n, _)| n.to_owned()).collect(),
             samples: record.samples.iter().map(row).collect(),
-            states: wanted.states.then(|| States::of(record)),
+            states: reported.states.then(|| States::of(record)),
             model: made_of,
             events: record.events.clone(),
             contacts: report.contacts.clone(),
