@@ -4,10 +4,13 @@
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
 pub mod check;
+pub mod compute;
 pub mod error;
+pub mod files;
 pub mod frame;
 pub mod given;
 mod host;
+pub mod info;
 mod leg;
 mod made_of;
 mod outcome;

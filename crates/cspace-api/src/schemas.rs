@@ -5,24 +5,34 @@ use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
 
 use crate::error::Failed;
+use crate::files::OneOrSeveral;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, play};
+use crate::{check, compute, info, play};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
     vec![
         answer::<check::Requirements>("check"),
+        one_or_several::<Pairs<compute::Summary>>("compute"),
         named::<Failed<'_>>(
             "error",
             "What a command prints with --json where it has no answer",
         ),
+        one_or_several::<info::Info>("info"),
         answer::<Pairs<play::Play>>("play"),
     ]
 }
 
 fn answer<T: Content>(name: &'static str) -> (&'static str, Schema) {
-    let title = format!("What `cspace {} --json` prints", T::COMMAND);
-    named::<Answer<T>>(name, &title)
+    named::<Answer<T>>(name, &title::<T>())
+}
+
+fn one_or_several<T: Content>(name: &'static str) -> (&'static str, Schema) {
+    named::<OneOrSeveral<T>>(name, &title::<T>())
+}
+
+fn title<T: Content>() -> String {
+    format!("What `cspace {} --json` prints", T::COMMAND)
 }
 
 fn named<T: JsonSchema>(name: &'static str, title: &str) -> (&'static str, Schema) {
