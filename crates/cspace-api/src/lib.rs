@@ -21,6 +21,7 @@ mod rounded;
 pub mod schemas;
 mod side;
 pub mod simulate;
+pub mod slice;
 pub mod subject;
 mod twin;
 

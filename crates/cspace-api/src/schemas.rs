@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::error::Failed;
 use crate::files::OneOrSeveral;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, compute, info, play};
+use crate::{check, compute, info, play, slice};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
@@ -20,6 +20,7 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
         ),
         one_or_several::<info::Info>("info"),
         answer::<Pairs<play::Play>>("play"),
+        answer::<Pairs<slice::Sliced<'_>>>("slice"),
     ]
 }
 
