@@ -4,6 +4,7 @@
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
 pub mod check;
+pub mod classify;
 pub mod compute;
 pub mod error;
 pub mod files;

@@ -7,12 +7,13 @@ use serde_json::{Value, json};
 use crate::error::Failed;
 use crate::files::OneOrSeveral;
 use crate::frame::{Answer, Content, Pairs};
-use crate::{check, compute, info, play, slice};
+use crate::{check, classify, compute, info, play, slice};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
     vec![
         answer::<check::Requirements>("check"),
+        answer::<Pairs<classify::Rows>>("classify"),
         one_or_several::<Pairs<compute::Summary>>("compute"),
         named::<Failed<'_>>(
             "error",

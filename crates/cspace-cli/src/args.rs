@@ -6,7 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use cspace::{Point, Vector};
 use cspace_api::Given;
-use cspace_api::given;
+use cspace_api::{classify, given};
 use cspace_design::{Criterion, Goal, Relation, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
@@ -417,6 +417,17 @@ pub(crate) enum Column {
     Distance,
     /// The features that touch
     Touching,
+}
+
+impl From<Column> for classify::Column {
+    fn from(column: Column) -> Self {
+        match column {
+            Column::Class => Self::Class,
+            Column::Region => Self::Region,
+            Column::Distance => Self::Distance,
+            Column::Touching => Self::Touching,
+        }
+    }
 }
 
 /// The point that legs and turns are about.
