@@ -25,6 +25,7 @@ pub mod simulate;
 pub mod slice;
 pub mod subject;
 mod twin;
+pub mod written;
 
 pub use error::Error;
 pub use frame::{Answer, Content, PairAnswer, Pairs, Units};

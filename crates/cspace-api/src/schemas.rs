@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::error::Failed;
 use crate::files::OneOrSeveral;
 use crate::frame::{Answer, Content, Pairs};
+use crate::written::Written;
 use crate::{check, classify, compute, info, play, slice};
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
@@ -22,6 +23,10 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
         one_or_several::<info::Info>("info"),
         answer::<Pairs<play::Play>>("play"),
         answer::<Pairs<slice::Sliced<'_>>>("slice"),
+        named::<Written>(
+            "written",
+            "What `cspace draw` and `cspace export` print with `--json`",
+        ),
     ]
 }
 

@@ -28,10 +28,10 @@ pub(crate) mod tolerances;
 pub(crate) mod view;
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::legacy::{Answer, Outcome};
-use cspace_api::{Answer as Answered, Content, Is, Outcome as _};
+use crate::legacy::Answer;
+use cspace_api::{Answer as Answered, Content, Done, Is, Outcome as _};
 use cspace_io::Model;
 use cspace_io::shown::quoted;
 use cspace_mechanism::Mechanism;
@@ -142,16 +142,10 @@ struct Requirements<T> {
     requirements: T,
 }
 
-/// The file that a command wrote.
-#[derive(Serialize)]
-struct Written<'a> {
-    written: &'a Path,
-}
-
 /// Runs a command whose answer is the file that it writes: as JSON, its name.
-pub(crate) fn writing(
-    command: &'static str,
+pub(crate) fn writing<T: Content<Outcome = Done>>(
     result: &ResultArgs,
+    answer: impl FnOnce(PathBuf) -> T,
     run: impl FnOnce() -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     if result.format() == Format::Text {
@@ -160,12 +154,13 @@ pub(crate) fn writing(
     let output = result.output.as_deref();
     let Some(written) = output.filter(|path| *path != Path::new(output::STANDARD)) else {
         return Err(Failure::new(format_args!(
-            "--json: what `{command}` writes is no JSON, and goes to standard output"
+            "--json: what `{}` writes is no JSON, and goes to standard output",
+            T::COMMAND
         ))
         .help("name a file: -o OUT"));
     };
     run()?;
-    let answer = Answer::new(command, None, Outcome::DONE, Written { written });
+    let answer = Answered::new(None, Done::Done, answer(written.to_owned()));
     output::write(None, &json(&answer)?)
 }
 

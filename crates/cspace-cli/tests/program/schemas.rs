@@ -212,7 +212,10 @@ fn schemas_are_made_of_the_types() {
             std::fs::write(path, text).unwrap();
         } else {
             let kept = std::fs::read_to_string(&path).unwrap_or_default();
-            assert!(kept == text, "{path} is not that of the types: CSPACE_DOCS=write writes it");
+            assert!(
+                kept == text,
+                "{path} is not that of the types: CSPACE_DOCS=write writes it"
+            );
         }
     }
 }
