@@ -4,14 +4,18 @@
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
 pub mod check;
+pub mod classify;
 pub mod clearance;
+pub mod compute;
 pub mod disassemble;
 pub mod error;
 pub mod escape;
+pub mod files;
 pub mod frame;
 pub mod given;
 mod host;
 pub mod import;
+pub mod info;
 mod leg;
 mod made_of;
 pub mod modes;
@@ -23,12 +27,14 @@ mod rounded;
 pub mod schemas;
 mod side;
 pub mod simulate;
+pub mod slice;
 pub mod solve;
 pub mod subject;
 pub mod sweep;
 pub mod tolerances;
 mod twin;
 mod vary;
+pub mod written;
 
 pub use error::Error;
 pub use frame::{Answer, Content, PairAnswer, Pairs, Units};

@@ -5,16 +5,21 @@ use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
 
 use crate::error::Failed;
+use crate::files::OneOrSeveral;
 use crate::frame::{Answer, Content, Pairs};
 use crate::tolerances::{allocation, along, analysis, zones};
+use crate::written::Written;
 use crate::{
-    check, clearance, disassemble, escape, import, modes, plan, play, simulate, solve, sweep,
+    check, classify, clearance, compute, disassemble, escape, import, info, modes, plan, play,
+    simulate, slice, solve, sweep,
 };
 
 /// The schema of each answer, by the name of its file in `docs/answers`.
 pub fn schemas() -> Vec<(&'static str, Schema)> {
     vec![
         answer::<check::Requirements>("check"),
+        answer::<Pairs<classify::Rows>>("classify"),
+        one_or_several::<Pairs<compute::Summary>>("compute"),
         answer::<clearance::Clearances>("clearance"),
         answer::<disassemble::Disassembly>("disassemble"),
         with::<Pairs<escape::Escape>>("energy", "--energy"),
@@ -25,7 +30,6 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
         answer::<import::Imported>("import"),
         answer::<modes::OperatingModes>("modes"),
         answer::<Pairs<plan::Plan>>("plan"),
-        answer::<Pairs<play::Play>>("play"),
         answer::<simulate::Simulated>("simulate"),
         answer::<solve::Solutions>("solve"),
         answer::<sweep::Rows>("sweep"),
@@ -33,12 +37,26 @@ pub fn schemas() -> Vec<(&'static str, Schema)> {
         with::<along::Bands>("along", "--along"),
         with::<Pairs<zones::Zones>>("zones", "--zones"),
         with::<allocation::Allocation>("allocation", "--allocate"),
+        one_or_several::<info::Info>("info"),
+        answer::<Pairs<play::Play>>("play"),
+        answer::<Pairs<slice::Sliced<'_>>>("slice"),
+        named::<Written>(
+            "written",
+            "What `cspace draw` and `cspace export` print with `--json`",
+        ),
     ]
 }
 
 fn answer<T: Content>(name: &'static str) -> (&'static str, Schema) {
-    let title = format!("What `cspace {} --json` prints", T::COMMAND);
-    named::<Answer<T>>(name, &title)
+    named::<Answer<T>>(name, &title::<T>())
+}
+
+fn one_or_several<T: Content>(name: &'static str) -> (&'static str, Schema) {
+    named::<OneOrSeveral<T>>(name, &title::<T>())
+}
+
+fn title<T: Content>() -> String {
+    format!("What `cspace {} --json` prints", T::COMMAND)
 }
 
 /// The schema of the answer that a command gives with an option.

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use cspace::{Point, Vector};
+use cspace::Point;
 use cspace_api::given;
-use cspace_api::{Given, Vary, simulate};
+use cspace_api::{Given, Vary, classify, simulate};
 use cspace_design::{Criterion, Goal, Relation, Span, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_io::model::Setting;
@@ -419,18 +419,23 @@ pub(crate) enum Column {
     Touching,
 }
 
+impl From<Column> for classify::Column {
+    fn from(column: Column) -> Self {
+        match column {
+            Column::Class => Self::Class,
+            Column::Region => Self::Region,
+            Column::Distance => Self::Distance,
+            Column::Touching => Self::Touching,
+        }
+    }
+}
+
 /// The point that legs and turns are about.
 #[derive(Debug, Args)]
 pub(crate) struct AboutArg {
     /// The point of the moving part, in its frame, that moves straight and about which the part turns
     #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) about: Option<[f64; 2]>,
-}
-
-impl AboutArg {
-    pub(crate) fn vector(&self) -> Option<Vector> {
-        self.about.map(|[x, y]| Vector::new(x, y))
-    }
 }
 
 #[derive(Debug, Args)]

@@ -1,13 +1,12 @@
 //! What a command asks about, and this program as the one that asks.
 
 use std::fmt::Display;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
 use cspace_api::{Error, Host, Pieces, Subject, Which};
 use cspace_io::Document;
-use cspace_mechanism::Mechanism;
 
 use crate::args::{CacheArgs, Common, SetArgs, ThreadsArg};
 use crate::cache;
@@ -136,22 +135,5 @@ pub(crate) fn tell_traces(subject: &Subject) {
                 "cspace draw {path} -o parts.dxf && cspace import parts.dxf --trace --fit {fit} -o {OTHER}"
             )
         });
-    }
-}
-
-/// Reads a model of which all parts are wanted; `why` says so of a file that has none.
-pub(crate) fn read_model(
-    file: &Path,
-    values: &SetArgs,
-    why: &str,
-) -> Result<(PathBuf, Box<Mechanism>), Failure> {
-    let (path, document) = input::document(file, values)?;
-    match document {
-        Document::Model(model) => Ok((path, Box::new(model.mechanism))),
-        Document::Space(_) => Err(Failure::new(format_args!(
-            "{}: the file is a saved contact space of two parts",
-            path.display()
-        ))
-        .help(format_args!("give the model file: {why}"))),
     }
 }

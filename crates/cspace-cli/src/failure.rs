@@ -58,16 +58,6 @@ impl Failure {
         .help("choose another place with -o; nothing was written")
     }
 
-    /// Whether it is reported rather than another one: what was not answered comes before what is answered with no.
-    pub(crate) fn is_worse_than(&self, other: &Self) -> bool {
-        self.code > other.code
-    }
-
-    /// The message, without the help.
-    pub(crate) fn message(&self) -> &str {
-        &self.error.message
-    }
-
     /// Says it on stderr as a warning: the rest of the work is done all the same.
     pub(crate) fn warn(&self) {
         if !is_quiet() {
@@ -77,14 +67,6 @@ impl Failure {
                 &self.error.message,
                 self.error.help.as_deref(),
             );
-        }
-    }
-
-    /// This failure without message and help, for one that has been printed already.
-    pub(crate) fn said(self) -> Self {
-        Self {
-            error: Error::new(""),
-            ..self
         }
     }
 

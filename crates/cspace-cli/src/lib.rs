@@ -8,7 +8,6 @@ mod drawing;
 mod failure;
 mod input;
 mod interrupt;
-mod legacy;
 mod output;
 mod picture;
 mod progress;
@@ -20,6 +19,7 @@ mod wording;
 use std::ffi::OsString;
 
 use clap::FromArgMatches;
+use cspace_api::written::{Export, Picture};
 use cspace_io::shown;
 
 use args::{Cli, ColorWhen, Colored, Command};
@@ -99,7 +99,8 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
         Command::Draw(args) => {
-            command::writing("draw", &args.common.result, || command::draw::run(&args))
+            let answer = |written| Picture { written };
+            command::writing(&args.common.result, answer, || command::draw::run(&args))
         }
         Command::Plan(args) => command::plan::run(&args),
         Command::Disassemble(args) => command::disassemble::run(&args),
@@ -112,9 +113,10 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),
-        Command::Export(args) => command::writing("export", &args.common.result, || {
-            command::export::run(&args)
-        }),
+        Command::Export(args) => {
+            let answer = |written| Export { written };
+            command::writing(&args.common.result, answer, || command::export::run(&args))
+        }
         Command::Import(args) => command::import::run(&args),
         Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),

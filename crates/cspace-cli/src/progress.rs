@@ -50,11 +50,6 @@ impl Bar {
             _watched: interrupt::watching(),
         }
     }
-
-    /// Does work with the bar.
-    pub(crate) fn watch<T>(&self, work: impl FnOnce(&Self) -> T) -> T {
-        work(self)
-    }
 }
 
 /// Words that are told above the bar once one is shown.

@@ -23,6 +23,8 @@ use crate::host::Host;
 pub use named::named_pair;
 pub use space::{Source, Space};
 
+use space::Found;
+
 /// What a question is about.
 #[derive(Debug)]
 pub enum Subject {
@@ -94,7 +96,7 @@ pub struct Chosen<'a> {
     /// Whether symmetry is to be ignored.
     general: bool,
     /// Its space, once it is computed.
-    known: OnceLock<(PairSpace, Source)>,
+    known: OnceLock<Found>,
 }
 
 impl Chosen<'_> {

@@ -102,9 +102,10 @@ impl Chosen<'_> {
             return Ok(Space {
                 space: Held::Of(&file.space),
                 source: Source::File,
+                seconds: 0.0,
             });
         }
-        let (space, source) = match self.known.get() {
+        let found = match self.known.get() {
             Some(known) => known,
             None => {
                 let computed = self.computed(self.moving())?;
@@ -112,8 +113,9 @@ impl Chosen<'_> {
             }
         };
         Ok(Space {
-            space: Held::Of(space),
-            source: *source,
+            space: Held::Of(&found.space),
+            source: found.source,
+            seconds: found.seconds,
         })
     }
 
@@ -159,7 +161,7 @@ impl Chosen<'_> {
     }
 
     /// The configuration space with a moving part in place of the model's, computed or kept from before.
-    fn computed(&self, moving: &Part) -> Result<(PairSpace, Source), Error> {
+    fn computed(&self, moving: &Part) -> Result<Found, Error> {
         let relation = match self.relation() {
             Some(relation) if !self.general => relation,
             None => match self.axes() {
@@ -178,9 +180,14 @@ impl Chosen<'_> {
         };
         let fixed = self.fixed();
         let progress = self.host.begin(&self.names());
+        let begin = progress.seconds();
         let found = (self.host).space((fixed, moving), relation, &options, &*progress);
         let (space, kept) = found.map_err(|e| self.failure(&e))?;
-        Ok((space, Source::of(kept)))
+        Ok(Found {
+            space,
+            source: Source::of(kept),
+            seconds: progress.seconds() - begin,
+        })
     }
 
     /// The error of a pair that cannot be computed.
@@ -239,6 +246,15 @@ pub struct Space<'a> {
     space: Held<'a>,
     /// Where it is from.
     pub source: Source,
+    /// How long it took to compute, or to read where it was kept, by the clock of the program that asks.
+    pub seconds: f64,
+}
+
+/// A configuration space that was found.
+pub(super) struct Found {
+    space: PairSpace,
+    source: Source,
+    seconds: f64,
 }
 
 #[derive(Debug)]
@@ -248,9 +264,12 @@ enum Held<'a> {
 }
 
 impl Space<'_> {
-    fn own((space, source): (PairSpace, Source)) -> Self {
-        let space = Held::Own(space);
-        Self { space, source }
+    fn own(found: Found) -> Self {
+        Self {
+            space: Held::Own(found.space),
+            source: found.source,
+            seconds: found.seconds,
+        }
     }
 }
 

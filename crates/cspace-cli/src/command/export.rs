@@ -21,9 +21,8 @@ use crate::ask;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::InWords;
 use crate::wording::count;
-use cspace_api::{Chosen, Subject};
+use cspace_api::Chosen;
 
 /// A format of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

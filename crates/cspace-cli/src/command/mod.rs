@@ -28,12 +28,9 @@ pub(crate) mod tolerances;
 pub(crate) mod view;
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use crate::legacy::{Answer, Outcome};
-use cspace_api::{Answer as Answered, Content, Is, Outcome as _};
-use cspace_io::Model;
-use cspace_io::shown::quoted;
+use cspace_api::{Answer, Content, Done, Outcome as _};
 use serde::Serialize;
 
 use crate::args::{Format, ResultArgs};
@@ -44,83 +41,38 @@ use crate::output;
 /// leaves the question open, that is a failure without a message.
 fn tell<T: Content>(
     result: &ResultArgs,
-    answer: &Answered<T>,
+    answer: &Answer<T>,
     text: impl FnOnce(&mut String, &T) -> fmt::Result,
 ) -> Result<(), Failure> {
-    print_as(result, answer, answer.outcome.is(), |written| {
-        text(written, &answer.content)
-    })
+    let output = result.output.as_deref();
+    if output.is_some_and(|path| output::ends_in(path, "json")) {
+        output::write(output, &json(answer)?)?;
+    }
+    tell_in(result.format(), answer, text)
 }
 
-/// Prints the answer to a question of a command that writes no file of it.
+/// Prints the answer to a question, as [`tell`] does.
 fn tell_in<T: Content>(
     format: Format,
-    answer: &Answered<T>,
+    answer: &Answer<T>,
     text: impl FnOnce(&mut String, &T) -> fmt::Result,
 ) -> Result<(), Failure> {
-    match format {
-        Format::Json => output::write(None, &json(answer)?)?,
+    let printed = match format {
+        Format::Json => json(answer)?,
         Format::Text => {
             let mut printed = String::new();
             text(&mut printed, &answer.content).map_err(Failure::new)?;
-            output::write(None, printed.as_bytes())?;
+            printed.into_bytes()
         }
-    }
+    };
+    output::write(None, &printed)?;
     Failure::of(answer.outcome.is())
 }
 
-/// Prints an answer, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or leaves the
-/// question open, that is a failure without a message.
-fn print<T: Serialize>(
-    result: &ResultArgs,
-    answer: &Answer<T>,
-    text: impl FnOnce(&mut String) -> fmt::Result,
-) -> Result<(), Failure> {
-    print_as(result, answer, answer.outcome.is, text)
-}
-
-fn print_as(
-    result: &ResultArgs,
-    answer: &impl Serialize,
-    is: Is,
-    text: impl FnOnce(&mut String) -> fmt::Result,
-) -> Result<(), Failure> {
-    let output = result.output.as_deref();
-    let file = output.filter(|path| output::ends_in(path, "json"));
-    let is_json = result.format() == Format::Json;
-    let written = match is_json || file.is_some() {
-        true => json(answer)?,
-        false => Vec::new(),
-    };
-    if file.is_some() {
-        output::write(file, &written)?;
-    }
-    if is_json {
-        output::write(None, &written)?;
-    } else {
-        let mut printed = String::new();
-        text(&mut printed).map_err(Failure::new)?;
-        output::write(None, printed.as_bytes())?;
-    }
-    Failure::of(is)
-}
-
-/// The rows of a table.
-#[derive(Serialize)]
-struct Rows<T> {
-    rows: T,
-}
-
-/// The file that a command wrote.
-#[derive(Serialize)]
-struct Written<'a> {
-    written: &'a Path,
-}
-
 /// Runs a command whose answer is the file that it writes: as JSON, its name.
-pub(crate) fn writing(
-    command: &'static str,
+pub(crate) fn writing<T: Content<Outcome = Done>>(
     result: &ResultArgs,
+    answer: impl FnOnce(PathBuf) -> T,
     run: impl FnOnce() -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     if result.format() == Format::Text {
@@ -129,12 +81,13 @@ pub(crate) fn writing(
     let output = result.output.as_deref();
     let Some(written) = output.filter(|path| *path != Path::new(output::STANDARD)) else {
         return Err(Failure::new(format_args!(
-            "--json: what `{command}` writes is no JSON, and goes to standard output"
+            "--json: what `{}` writes is no JSON, and goes to standard output",
+            T::COMMAND
         ))
         .help("name a file: -o OUT"));
     };
     run()?;
-    let answer = Answer::new(command, None, Outcome::DONE, Written { written });
+    let answer = Answer::new(None, Done::Done, answer(written.to_owned()));
     output::write(None, &json(&answer)?)
 }
 

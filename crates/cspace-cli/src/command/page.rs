@@ -14,7 +14,6 @@ use crate::ask;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
-use crate::subject::InWords;
 use cspace_api::{Chosen, Subject};
 
 /// The page that was bundled with the program, by [`Page::bundled`]; a failure with help if there is none.

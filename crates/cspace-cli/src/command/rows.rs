@@ -6,10 +6,10 @@ use std::collections::BTreeSet;
 use cspace::{Configuration, Coordinates, PairClass};
 use cspace_io::shown;
 
-use crate::args::{Column, Format};
+use crate::args::Format;
 use crate::failure::Failure;
-use crate::subject::InWords;
 use cspace_api::Chosen;
+use cspace_api::classify::Column;
 use cspace_api::given;
 
 /// Where the coordinates of a row stand.

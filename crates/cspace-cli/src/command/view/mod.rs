@@ -11,7 +11,6 @@ use crate::drawing as drawings;
 use crate::failure::{Failure, note};
 use crate::interrupt::until_interrupted;
 use crate::output;
-use cspace_api::Subject;
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     if cspace_drawing::is_drawing(&args.file) {
