@@ -26,8 +26,10 @@ use serde::{Deserialize, Serialize};
 
 /// A proof that no motion leads from start to goal. Angles are in radians.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Proof {
     /// The version of the format: 1.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = 1)))]
     pub version: u32,
     /// The label of the unit of length.
     pub unit: Option<String>,

@@ -6,6 +6,7 @@ use crate::interval::{I, exact};
 
 /// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Part {
     /// Name of the part.
     pub name: String,

@@ -9,7 +9,7 @@ use std::process::Command;
 /// Crates that the kernel consists of.
 const CRATES: [&str; 10] = [
     "cspace",
-    "cspace-answers",
+    "cspace-api",
     "cspace-check",
     "cspace-design",
     "cspace-drawing",

@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use cspace::{Point, Vector};
-use cspace_design::{Criterion, Goal, Relation, Value as Measured};
+use cspace::Point;
+use cspace_api::given;
+use cspace_api::{Given, Vary, classify, simulate};
+use cspace_design::{Criterion, Goal, Relation, Span, Value as Measured};
 use cspace_drawing::Pick;
 use cspace_model::model::Setting;
 use cspace_plan::Prefer;
 
-use crate::angle;
 use crate::failure::Failure;
 use crate::picture::{PictureArgs, SheetArgs};
 use crate::template::{self, TEMPLATES, Template};
@@ -330,7 +331,7 @@ impl ResultArgs {
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct WindowArg {
     /// Compute only these orientations: two angles, in radians or such as 18deg, at most 1e6 rad from 0
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_window, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = given::window, allow_hyphen_values = true)]
     pub(crate) window: Option<(f64, f64)>,
 }
 
@@ -368,7 +369,7 @@ pub(crate) struct SliceArgs {
     pub(crate) common: Common,
     /// The orientation of the moving part, in radians or such as 18deg, at most 1e6 rad from 0; a pair with fixed axes
     /// has none
-    #[arg(long, value_name = "T", value_parser = angle::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = given::angle, allow_hyphen_values = true)]
     pub(crate) theta: Option<f64>,
     /// Count exact fits as free: a loop of the slice may be a single point, or run along a segment or an arc and back; curves are
     /// those of the parts as drawn, and adjacent curves on one line or circle are merged
@@ -418,18 +419,23 @@ pub(crate) enum Column {
     Touching,
 }
 
+impl From<Column> for classify::Column {
+    fn from(column: Column) -> Self {
+        match column {
+            Column::Class => Self::Class,
+            Column::Region => Self::Region,
+            Column::Distance => Self::Distance,
+            Column::Touching => Self::Touching,
+        }
+    }
+}
+
 /// The point that legs and turns are about.
 #[derive(Debug, Args)]
 pub(crate) struct AboutArg {
     /// The point of the moving part, in its frame, that moves straight and about which the part turns
     #[arg(long, value_name = "X,Y", value_parser = pair_of_numbers, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) about: Option<[f64; 2]>,
-}
-
-impl AboutArg {
-    pub(crate) fn vector(&self) -> Option<Vector> {
-        self.about.map(|[x, y]| Vector::new(x, y))
-    }
 }
 
 #[derive(Debug, Args)]
@@ -442,10 +448,10 @@ pub(crate) struct PlayArgs {
     pub(crate) about: AboutArg,
     /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) at: Option<String>,
+    pub(crate) at: Option<Given>,
     /// Move from there by this displacement, in the same coordinates, at constant rates, to the first contact
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
-    pub(crate) by: Option<String>,
+    pub(crate) by: Option<Given>,
     /// How far apart features may be that are near, in the model's unit [default: a hundredth of the smaller part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) touch: Option<f64>,
@@ -508,10 +514,10 @@ pub(crate) struct PlanArgs {
     pub(crate) about: AboutArg,
     /// The configuration to begin at, x,y,theta, or u,v of a pair on fixed axes; as drawn unless given
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) from: Option<String>,
+    pub(crate) from: Option<Given>,
     /// The configuration to come to; `out`, where the parts can be taken apart for good, unless given
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
-    pub(crate) to: Option<String>,
+    pub(crate) to: Option<Given>,
     /// The path whose smallest clearance is largest, and its bottleneck
     #[arg(long, conflicts_with_all = ["clearance", "verify"])]
     pub(crate) widest: bool,
@@ -681,7 +687,7 @@ pub(crate) struct TolerancesArgs {
     #[arg(long, conflicts_with_all = ["allocate", "samples", "along"])]
     pub(crate) zones: bool,
     /// The orientation of --zones of a pair in the plane [default: that at which the requirement is measured]
-    #[arg(long, value_name = "A", value_parser = angle::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "A", value_parser = given::angle, allow_hyphen_values = true)]
     pub(crate) at: Option<f64>,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -723,28 +729,6 @@ pub(crate) struct SweepArgs {
     pub(crate) picture: PictureArgs,
 }
 
-/// A range of values.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Vary {
-    pub(crate) name: String,
-    pub(crate) lo: f64,
-    pub(crate) hi: f64,
-    pub(crate) count: usize,
-    /// Whether the range is given as angles.
-    pub(crate) is_angle: bool,
-}
-
-impl Vary {
-    /// The value number `i`.
-    pub(crate) fn value(&self, i: usize) -> f64 {
-        match self.count {
-            1 => self.lo,
-            n if i == n - 1 => self.hi,
-            n => self.lo + (self.hi - self.lo) * (i as f64 / (n - 1) as f64),
-        }
-    }
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct SolveArgs {
     /// A model (.toml, .json)
@@ -753,12 +737,12 @@ pub(crate) struct SolveArgs {
     pub(crate) values: SetArgs,
     /// A parameter that may be from LO to HI; of several the smallest change from the model's values is sought, relative to their ranges
     #[arg(long, value_name = "NAME=LO:HI", value_parser = bounds, allow_hyphen_values = true, required = true)]
-    pub(crate) vary: Vec<Bounds>,
+    pub(crate) vary: Vec<Span>,
     /// Condition to satisfy: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true
     #[arg(long, value_name = "MEASURE = VALUE", value_parser = wanted, allow_hyphen_values = true)]
     pub(crate) so_that: Goal,
     /// One parameter: the number of values at which is measured before solutions are sought between them
-    #[arg(long, value_name = "N", default_value_t = 65, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(long, value_name = "N", default_value_t = cspace_api::solve::SAMPLES, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) samples: u32,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
@@ -766,15 +750,7 @@ pub(crate) struct SolveArgs {
     pub(crate) threads: ThreadsArg,
 }
 
-/// A parameter and its smallest and largest value.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Bounds {
-    pub(crate) name: String,
-    pub(crate) lo: f64,
-    pub(crate) hi: f64,
-}
-
-fn bounds(text: &str) -> Result<Bounds, String> {
+fn bounds(text: &str) -> Result<Span, String> {
     const HELP: &str = "give it as NAME=LO:HI, such as play=0.05:0.3";
     let (name, range) = text.split_once('=').ok_or(HELP)?;
     let (lo, hi) = range.split_once(':').ok_or(HELP)?;
@@ -782,8 +758,8 @@ fn bounds(text: &str) -> Result<Bounds, String> {
     if lo >= hi {
         return Err("the range is empty: give the smaller bound first".to_owned());
     }
-    Ok(Bounds {
-        name: name.trim().to_owned(),
+    Ok(Span {
+        parameter: name.trim().to_owned(),
         lo,
         hi,
     })
@@ -895,6 +871,15 @@ pub(crate) enum Mode {
     Kinematic,
 }
 
+impl From<Mode> for simulate::Mode {
+    fn from(mode: Mode) -> Self {
+        match mode {
+            Mode::Dynamic => Self::Dynamic,
+            Mode::Kinematic => Self::Kinematic,
+        }
+    }
+}
+
 /// How a motion with masses is followed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Scheme {
@@ -902,6 +887,15 @@ pub(crate) enum Scheme {
     Event,
     /// Moreau-Jean: in steps of one length, right to the order of a step; a check of the other
     Stepping,
+}
+
+impl From<Scheme> for simulate::Scheme {
+    fn from(scheme: Scheme) -> Self {
+        match scheme {
+            Scheme::Event => Self::Event,
+            Scheme::Stepping => Self::Stepping,
+        }
+    }
 }
 
 #[derive(Debug, Args)]
@@ -1229,7 +1223,7 @@ fn pair_of_numbers(text: &str) -> Result<[f64; 2], String> {
 }
 
 fn turn(text: &str) -> Result<f64, String> {
-    angle::parse(text).and_then(|a| {
+    given::angle(text).and_then(|a| {
         if a > 0.0 {
             Ok(a)
         } else {

@@ -63,16 +63,6 @@ pub(crate) fn space(
     Ok((space, false))
 }
 
-/// A function that gives the spaces of pairs: read from the cache, or computed and then kept.
-pub(crate) fn compute(
-    keeps: bool,
-    progress: &dyn Progress,
-) -> impl Fn(&Part, &Part, Relation, &Options) -> Result<PairSpace, PairError> + Sync {
-    move |fixed, moving, relation, options| {
-        Ok(space(keeps, (fixed, moving), relation, options, progress)?.0)
-    }
-}
-
 /// The place for the space of a pair.
 struct Entry {
     path: PathBuf,

@@ -3,11 +3,12 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use cspace_drawing::{Conversion, Drawing, DrawingError, Settings, Source};
+use cspace_api::import::Lengths;
+use cspace_drawing::{Drawing, DrawingError, Source};
 use cspace_model::shown;
 
 use crate::args::DrawingArgs;
-use crate::failure::{self, Failure};
+use crate::failure::Failure;
 use crate::input;
 
 /// The drawing in a file.
@@ -80,17 +81,6 @@ pub(crate) fn check_option<'p>(
     Ok(())
 }
 
-/// How a drawing is joined and fitted, whose lengths are multiplied by `scale`.
-pub(crate) fn settings(args: &DrawingArgs, scale: f64) -> Settings {
-    Settings {
-        scale,
-        join: args.join,
-        fit: args.fit,
-        without_sheet: args.without_sheet,
-        ..Settings::default()
-    }
-}
-
 /// The options that were given, as a shell takes them, each with a space before.
 pub(crate) fn options(args: &DrawingArgs) -> String {
     let mut text = String::new();
@@ -111,7 +101,7 @@ pub(crate) fn options(args: &DrawingArgs) -> String {
     if args.without_sheet {
         text.push_str(" --without-sheet");
     }
-    for (option, value) in lengths(args) {
+    for (option, value) in given_lengths(args) {
         let _ = value.map(|x| write!(text, " {option} {x:?}"));
     }
     text
@@ -123,7 +113,7 @@ pub(crate) fn first_given(args: &DrawingArgs) -> Option<String> {
     given.split_whitespace().next().map(str::to_owned)
 }
 
-fn lengths(args: &DrawingArgs) -> [(&'static str, Option<f64>); 3] {
+fn given_lengths(args: &DrawingArgs) -> [(&'static str, Option<f64>); 3] {
     [
         ("--scale", args.scale),
         ("--join", args.join),
@@ -131,47 +121,10 @@ fn lengths(args: &DrawingArgs) -> [(&'static str, Option<f64>); 3] {
     ]
 }
 
-/// The unit that the model names: as asked for, or that of the first drawing that names one.
-pub(crate) fn of_model(
-    args: &DrawingArgs,
-    drawings: &[Drawing],
-) -> Result<Option<String>, Failure> {
-    if args.unit.is_some() {
-        return Ok(args.unit.clone());
+/// How lengths of drawings become those of a model.
+pub(crate) fn lengths(args: &DrawingArgs) -> Lengths {
+    Lengths {
+        scale: args.scale,
+        unit: args.unit.clone(),
     }
-    let mut named = drawings.iter().filter_map(|d| d.unit);
-    let first = named.next();
-    let Some(scale) = args.scale else {
-        return Ok(first.map(|u| u.label().to_owned()));
-    };
-    if let (Some(first), Some(other)) = (first, named.find(|u| Some(*u) != first)) {
-        return Err(Failure::new(format_args!(
-            "one drawing is in {:?}, another in {:?}, and --scale multiplies both by the same",
-            first.label(),
-            other.label()
-        ))
-        .help(
-            "leave out --scale to have them converted, or name the unit of the result with --unit",
-        ));
-    }
-    // What is scaled is no longer in the drawing's unit.
-    let kept = first.filter(|_| scale == 1.0);
-    Ok(kept.map(|u| u.label().to_owned()))
-}
-
-/// The scale factor for the lengths of a drawing: `--scale`, or the conversion between units.
-pub(crate) fn factor(
-    args: &DrawingArgs,
-    path: &Path,
-    drawing: &Drawing,
-    unit: Option<&str>,
-) -> f64 {
-    if let Some(scale) = args.scale {
-        return scale;
-    }
-    let conversion = Conversion::new(drawing.unit, unit);
-    if let Some(note) = conversion.note("--scale 1") {
-        failure::note(format_args!("{}: {note}", path.display()));
-    }
-    conversion.factor()
 }

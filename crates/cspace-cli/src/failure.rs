@@ -7,9 +7,9 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anstyle::AnsiColor;
-use cspace_answers::{Is, Outcome};
+use cspace_api::error::Failed;
+use cspace_api::{Error, Is};
 use cspace_model::{ModelError, shown};
-use serde::Serialize;
 
 /// Exit code of a question that was answered with no.
 const NO: u8 = 1;
@@ -20,47 +20,18 @@ pub(crate) const UNANSWERED: u8 = 2;
 #[derive(Debug)]
 pub(crate) struct Failure {
     code: u8,
-    message: String,
-    help: Option<String>,
-    place: Place,
-}
-
-/// Where bad input is.
-#[derive(Debug, Default, Serialize)]
-struct Place {
-    file: Option<String>,
-    line: Option<usize>,
-    column: Option<usize>,
-}
-
-/// An error as JSON.
-#[derive(Serialize)]
-struct Error<T> {
-    error: T,
-}
-
-#[derive(Serialize)]
-struct Told<'a> {
-    message: &'a str,
-    help: Option<&'a str>,
-    #[serde(flatten)]
-    place: &'a Place,
+    error: Error,
 }
 
 impl Failure {
     /// The question was not answered, because the input or the usage is wrong, or the work could not be done: exit code 2.
     pub(crate) fn new(message: impl Display) -> Self {
-        Self {
-            code: UNANSWERED,
-            message: message.to_string(),
-            help: None,
-            place: Place::default(),
-        }
+        Error::new(message).into()
     }
 
     /// The exit code of an answer that is printed: an error only if that is no or open.
-    pub(crate) fn of(outcome: Outcome) -> Result<(), Self> {
-        let code = match outcome.is {
+    pub(crate) fn of(outcome: Is) -> Result<(), Self> {
+        let code = match outcome {
             Is::Yes => return Ok(()),
             Is::No => NO,
             Is::Open => UNANSWERED,
@@ -74,7 +45,7 @@ impl Failure {
     /// Says what to do.
     #[must_use]
     pub(crate) fn help(mut self, help: impl Display) -> Self {
-        self.help = Some(help.to_string());
+        self.error = self.error.help(help);
         self
     }
 
@@ -87,34 +58,15 @@ impl Failure {
         .help("choose another place with -o; nothing was written")
     }
 
-    /// Whether it is reported rather than another one: what was not answered comes before what is answered with no.
-    pub(crate) fn is_worse_than(&self, other: &Self) -> bool {
-        self.code > other.code
-    }
-
-    /// The message, without the help.
-    pub(crate) fn message(&self) -> &str {
-        &self.message
-    }
-
     /// Says it on stderr as a warning: the rest of the work is done all the same.
     pub(crate) fn warn(&self) {
         if !is_quiet() {
             say(
                 "warning",
                 AnsiColor::Yellow,
-                &self.message,
-                self.help.as_deref(),
+                &self.error.message,
+                self.error.help.as_deref(),
             );
-        }
-    }
-
-    /// This failure without message and help, for one that has been printed already.
-    pub(crate) fn said(self) -> Self {
-        Self {
-            message: String::new(),
-            help: None,
-            ..self
         }
     }
 
@@ -125,7 +77,7 @@ impl Failure {
     /// Prints to stderr, control characters escaped. Where nobody listens nothing can be done.
     pub(crate) fn print(&self) {
         // An empty one has been said, or is an answer.
-        if self.message.is_empty() {
+        if self.error.message.is_empty() {
             return;
         }
         self.print_beside();
@@ -134,16 +86,17 @@ impl Failure {
 
     /// Prints to stderr alone.
     pub(crate) fn print_beside(&self) {
-        say("error", AnsiColor::Red, &self.message, self.help.as_deref());
+        say(
+            "error",
+            AnsiColor::Red,
+            &self.error.message,
+            self.error.help.as_deref(),
+        );
     }
 
-    /// Its message, help and place, for JSON.
-    pub(crate) fn told(&self) -> impl Serialize + '_ {
-        Told {
-            message: &self.message,
-            help: self.help.as_deref(),
-            place: &self.place,
-        }
+    /// What is wrong.
+    pub(crate) fn error(&self) -> &Error {
+        &self.error
     }
 
     /// Prints it as JSON, where that is asked for and no answer is printed.
@@ -151,9 +104,9 @@ impl Failure {
         if !JSON.load(Ordering::Relaxed) || ANSWERED.load(Ordering::Relaxed) {
             return;
         }
-        let error = self.told();
+        let error = &self.error;
         // Where nobody listens nothing can be done.
-        if let Ok(told) = serde_json::to_string_pretty(&Error { error }) {
+        if let Ok(told) = serde_json::to_string_pretty(&Failed { error }) {
             let mut out = std::io::stdout().lock();
             let _ = writeln!(out, "{told}").and_then(|()| out.flush());
         }
@@ -249,16 +202,17 @@ fn harmless(message: &str) -> Cow<'_, str> {
     }
 }
 
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self {
+            code: UNANSWERED,
+            error,
+        }
+    }
+}
+
 impl From<ModelError> for Failure {
     fn from(error: ModelError) -> Self {
-        Self {
-            help: error.help().map(str::to_owned),
-            place: Place {
-                file: Some(error.file().to_owned()),
-                line: error.line(),
-                column: error.column(),
-            },
-            ..Self::new(error)
-        }
+        Error::from(error).into()
     }
 }

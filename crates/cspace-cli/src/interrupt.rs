@@ -39,12 +39,19 @@ pub(crate) fn keep() {
     KEEPS.store(true, Ordering::Relaxed);
 }
 
-/// Does work that ends soon after an interrupt by itself.
-pub(crate) fn watched<T>(work: impl FnOnce() -> T) -> T {
+/// Work that ends soon after an interrupt by itself goes on until this is dropped.
+pub(crate) struct Watched(());
+
+/// Work begins that ends soon after an interrupt by itself.
+pub(crate) fn watching() -> Watched {
     WATCHED.store(true, Ordering::Relaxed);
-    let result = work();
-    WATCHED.store(false, Ordering::Relaxed);
-    result
+    Watched(())
+}
+
+impl Drop for Watched {
+    fn drop(&mut self) {
+        WATCHED.store(false, Ordering::Relaxed);
+    }
 }
 
 fn interrupted() {

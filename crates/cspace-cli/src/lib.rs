@@ -1,7 +1,7 @@
 //! The command `cspace`, as a function of its arguments.
 
-mod angle;
 mod args;
+mod ask;
 mod cache;
 mod command;
 mod drawing;
@@ -20,37 +20,11 @@ mod wording;
 use std::ffi::OsString;
 
 use clap::FromArgMatches;
+use cspace_api::written::{Export, Picture};
 use cspace_model::shown;
 
 use args::{Cli, ColorWhen, Colored, Command};
 use failure::Failure;
-
-/// The answer of `cspace tolerances --format json` for an analysis; its schema is `docs/answers/tolerances.schema.json`.
-///
-/// # Errors
-/// If it cannot be written as JSON.
-pub fn tolerances_answer(
-    variations: &cspace_design::Variations,
-    found: &[cspace_design::Tolerances],
-) -> serde_json::Result<serde_json::Value> {
-    serde_json::to_value(command::tolerances::answer::rows(variations, found))
-}
-
-/// The answer of `cspace modes --format json` for three parts of a mechanism, a requested configuration with its place among the modes, and
-/// the computing time in seconds; its schema is `docs/answers/modes.schema.json`.
-///
-/// # Errors
-/// If it cannot be written as JSON.
-pub fn modes_answer(
-    mechanism: &cspace_model::Mechanism,
-    modes: &cspace_plan::modes::Modes,
-    requested: ([f64; 3], cspace_plan::modes::ModePlace),
-    seconds: f64,
-) -> serde_json::Result<serde_json::Value> {
-    serde_json::to_value(command::modes::answer::of(
-        mechanism, modes, requested, seconds,
-    ))
-}
 
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 where the answer
 /// is yes or a value, 1 where it is no, 2 where there is none.
@@ -126,7 +100,8 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Slice(args) => command::slice::run(&args),
         Command::Classify(args) => command::classify::run(&args),
         Command::Draw(args) => {
-            command::writing("draw", &args.common.result, || command::draw::run(&args))
+            let answer = |written| Picture { written };
+            command::writing(&args.common.result, answer, || command::draw::run(&args))
         }
         Command::Plan(args) => command::plan::run(&args),
         Command::Disassemble(args) => command::disassemble::run(&args),
@@ -139,9 +114,10 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
         Command::Simulate(args) => command::simulate::run(&args),
         Command::Play(args) => command::play::run(&args),
         Command::View(args) => command::view::run(&args),
-        Command::Export(args) => command::writing("export", &args.common.result, || {
-            command::export::run(&args)
-        }),
+        Command::Export(args) => {
+            let answer = |written| Export { written };
+            command::writing(&args.common.result, answer, || command::export::run(&args))
+        }
         Command::Import(args) => command::import::run(&args),
         Command::New(args) => command::new::run(&args),
         Command::Completions(args) => command::completions::run(&args),

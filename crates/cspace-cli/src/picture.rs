@@ -6,9 +6,9 @@ use clap::{Args, ValueEnum};
 use cspace_draw::{Labels, PictureFormat, PictureOptions, Scene};
 use cspace_model::model::Dimension;
 
-use crate::angle;
 use crate::failure::Failure;
 use crate::output;
+use cspace_api::given;
 
 /// Options of every picture.
 #[derive(Debug, Clone, Args)]
@@ -38,10 +38,10 @@ pub(crate) struct PictureArgs {
     #[arg(long, value_name = "LO,HI", value_parser = range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) y: Option<(f64, f64)>,
     /// Fixed axes: range of u that is shown; angles in radians or such as 18deg
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = given::range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) u: Option<(f64, f64)>,
     /// Fixed axes: range of v that is shown
-    #[arg(long, value_name = "LO,HI", value_parser = angle::parse_range, allow_hyphen_values = true, hide_short_help = true)]
+    #[arg(long, value_name = "LO,HI", value_parser = given::range, allow_hyphen_values = true, hide_short_help = true)]
     pub(crate) v: Option<(f64, f64)>,
 }
 

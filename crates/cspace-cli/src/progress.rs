@@ -1,77 +1,96 @@
 //! The progress bar of a long computation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
+use cspace_api::Pieces;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::failure::is_quiet;
-use crate::interrupt;
+use crate::interrupt::{self, Watched};
 
 /// Nothing is shown for work that is done by then.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second.
+/// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second. It is kept up to date by a thread of its
+/// own, until it is dropped.
 pub(crate) struct Bar {
+    shown: Arc<Shown>,
+    ticker: Option<JoinHandle<()>>,
+    _watched: Watched,
+}
+
+/// Text and stage that are shown.
+struct Shown {
     title: String,
     begin: Instant,
-    bar: Mutex<Option<ProgressBar>>,
     stage: Mutex<Option<Stage>>,
-    /// Words that are told above the bar once it is shown.
-    known: Mutex<Option<String>>,
+    done: AtomicBool,
 }
 
 impl Bar {
+    /// Work of this title begins.
     pub(crate) fn new(title: String) -> Self {
-        Self {
+        let shown = Arc::new(Shown {
             title,
             begin: Instant::now(),
-            bar: Mutex::new(None),
             stage: Mutex::new(None),
-            known: Mutex::new(None),
+            done: AtomicBool::new(false),
+        });
+        let ticking = Arc::clone(&shown);
+        Self {
+            shown,
+            // Without a thread there is no bar.
+            ticker: std::thread::Builder::new()
+                .spawn(move || ticking.tick())
+                .ok(),
+            _watched: interrupt::watching(),
         }
     }
+}
 
-    /// Runs a computation, with the bar kept up to date by a thread of its own.
-    pub(crate) fn watch<T: Send>(&self, work: impl FnOnce(&Self) -> T + Send) -> T {
-        let done = AtomicBool::new(false);
-        std::thread::scope(|scope| {
-            let ticker = scope.spawn(|| {
-                while !done.load(Ordering::Relaxed) {
-                    std::thread::park_timeout(Duration::from_millis(100));
-                    self.draw();
-                }
-            });
-            let result = interrupt::watched(|| work(self));
-            done.store(true, Ordering::Relaxed);
+/// Words that are told above the bar once one is shown.
+static KNOWN: Mutex<Option<String>> = Mutex::new(None);
+
+/// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
+pub(crate) fn tell_above(known: String) {
+    *lock(&KNOWN) = Some(known);
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.shown.done.store(true, Ordering::Relaxed);
+        if let Some(ticker) = self.ticker.take() {
             ticker.thread().unpark();
-            result
-        })
-    }
-
-    /// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
-    pub(crate) fn tell(&self, known: String) {
-        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(known);
-    }
-
-    fn draw(&self) {
-        if self.begin.elapsed() < PATIENCE || is_quiet() {
-            return;
+            // It ends at once, with nothing to say.
+            let _ = ticker.join();
         }
-        let stage = *self.stage.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut bar = self.bar.lock().unwrap_or_else(PoisonError::into_inner);
-        let bar = bar.get_or_insert_with(|| self.open());
-        let known = self
-            .known
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .take();
-        if let Some(known) = known {
+    }
+}
+
+impl Shown {
+    /// Draws the bar again and again while the work is not done, and clears it.
+    fn tick(&self) {
+        let mut bar = None;
+        while !self.done.load(Ordering::Relaxed) {
+            std::thread::park_timeout(Duration::from_millis(100));
+            if self.begin.elapsed() >= PATIENCE && !is_quiet() {
+                self.draw(bar.get_or_insert_with(|| self.open()));
+            }
+        }
+        if let Some(bar) = bar {
+            bar.finish_and_clear();
+        }
+    }
+
+    fn draw(&self, bar: &ProgressBar) {
+        if let Some(known) = lock(&KNOWN).take() {
             bar.println(known);
         }
-        if let Some(stage) = stage {
+        if let Some(stage) = *lock(&self.stage) {
             bar.set_position(stage as u64);
             bar.set_message(name(stage));
         }
@@ -89,19 +108,16 @@ impl Bar {
     }
 }
 
-impl Drop for Bar {
-    fn drop(&mut self) {
-        let bar = self.bar.get_mut().unwrap_or_else(PoisonError::into_inner);
-        if let Some(bar) = bar.take() {
-            bar.finish_and_clear();
-        }
-    }
+/// Content of a mutex; nothing is left half done where a thread panics.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A bar on stderr over pieces of work, if stderr is a terminal and they take more than a second.
 pub(crate) struct Steps {
     begin: Instant,
     bar: ProgressBar,
+    _watched: Watched,
 }
 
 impl Steps {
@@ -113,17 +129,25 @@ impl Steps {
         Self {
             begin: Instant::now(),
             bar,
+            _watched: interrupt::watching(),
         }
     }
+}
 
-    /// Does several pieces at once.
-    pub(crate) fn steps<T>(&self, count: u64, work: impl FnOnce() -> T) -> T {
+impl Pieces for Steps {
+    fn done(&self, count: usize) {
         if self.begin.elapsed() >= PATIENCE && self.bar.is_hidden() && !is_quiet() {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        let result = work();
-        self.bar.inc(count);
-        result
+        self.bar.inc(count as u64);
+    }
+
+    fn is_interrupted(&self) -> bool {
+        interrupt::is_interrupted()
+    }
+
+    fn seconds(&self) -> f64 {
+        self.begin.elapsed().as_secs_f64()
     }
 }
 
@@ -135,7 +159,7 @@ impl Drop for Steps {
 
 impl Progress for Bar {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
-        *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage);
+        *lock(&self.shown.stage) = Some(stage);
         if interrupt::is_interrupted() {
             return Err(ComputeError::Interrupted);
         }
@@ -143,7 +167,7 @@ impl Progress for Bar {
     }
 
     fn seconds(&self) -> f64 {
-        self.begin.elapsed().as_secs_f64()
+        self.shown.begin.elapsed().as_secs_f64()
     }
 }
 

@@ -9,12 +9,15 @@ use cspace::{
 };
 use cspace_model::model::{Coordinate, Quantity};
 use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::motion::Motion;
 use crate::touching::{FeaturePair, texts, touching};
 
 /// Measured value of a quantity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
 pub enum Value {
     /// A length in the model's unit, or an angle in radians.
     Number(f64),

@@ -5,6 +5,7 @@
 use cspace::Part;
 use cspace_model::Mechanism;
 use cspace_plan::{fits_exactly, with_gap};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::contact::{names, overlap_at_start, overlap_error};
@@ -13,7 +14,7 @@ use crate::pairs::Pairs;
 use crate::system::System;
 
 /// A part that is smaller than drawn, all around, because it fits exactly into another.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Gap {
     /// Name of the part.
     pub part: String,

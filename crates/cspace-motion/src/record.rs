@@ -1,9 +1,10 @@
 //! Recording of a motion: samples and events.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Status at the end of a simulation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// The simulation reached the end of its time.
@@ -19,7 +20,7 @@ pub enum Status {
 }
 
 /// Kind of an event.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum EventKind {
     /// Two parts strike each other: their rates change at once.
@@ -43,7 +44,7 @@ pub enum EventKind {
 }
 
 /// An end of a range.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum End {
     /// The smallest value.
@@ -62,7 +63,7 @@ impl core::fmt::Display for End {
 }
 
 /// Subject of an event.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum What {
     /// Two features.
@@ -103,7 +104,7 @@ impl core::fmt::Display for What {
 }
 
 /// Something that happens.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Event {
     /// Time, in seconds.
     pub t: f64,
@@ -131,7 +132,7 @@ pub struct Sample {
 }
 
 /// The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s².
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Forces {
     /// Forces of all closed contacts and all ends of ranges that are reached.
     pub contacts: Vec<ContactForce>,
@@ -142,7 +143,7 @@ pub struct Forces {
 }
 
 /// The force at a contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ContactForce {
     /// Contact or limit.
     #[serde(flatten)]
@@ -157,7 +158,7 @@ pub struct ContactForce {
 }
 
 /// Force in a joint: the force on the second of its parts.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct JointForce {
     /// The names of its two parts.
     pub parts: [String; 2],
@@ -168,7 +169,7 @@ pub struct JointForce {
 }
 
 /// Force and power of a drive.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DriveForce {
     /// The name of the driven part.
     pub part: String,
@@ -180,7 +181,7 @@ pub struct DriveForce {
 
 /// Energy balance, in kg·unit²/s²: the energy at the end is that at the start plus the work of drives less the losses,
 /// but for `drift`.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Energy {
     /// Kinetic energy, and the potential energy of weights, loads and springs, at the start.
     pub start: f64,
@@ -197,7 +198,7 @@ pub struct Energy {
 }
 
 /// A contact that forbids a motion, with its share of the proof.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Obstacle {
     /// Contact or limit.
     #[serde(flatten)]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use cspace_api::modes::OperatingModes;
 use cspace_design::{Checked, Goal, Relation, Span, Value};
 use cspace_model::model::{Setting, Template};
 use cspace_model::{Host, Mechanism, PairEntry};
@@ -269,7 +270,7 @@ impl Model {
             cspace_design::tolerances(&template, &set, &model, &options, progress)
                 .map_err(|e| e.to_string())
         })?;
-        let answer = cspace_cli::tolerances_answer(&variations, &found).map_err(error)?;
+        let answer = cspace_api::tolerances::effects(&variations, &found);
         pythonize::pythonize(py, &answer).map_err(error)
     }
 
@@ -297,8 +298,10 @@ impl Model {
             Ok((modes, place))
         })?;
         let seconds = begin.elapsed().as_secs_f64();
-        let answer = cspace_cli::modes_answer(mechanism, &modes, (at, place), seconds);
-        pythonize::pythonize(py, &answer.map_err(error)?).map_err(error)
+        let answer = OperatingModes::of(mechanism, modes, (at, place), seconds);
+        // Lists of a known length are lists, too.
+        let answer = serde_json::to_value(answer).map_err(error)?;
+        pythonize::pythonize(py, &answer).map_err(error)
     }
 
     /// The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a

@@ -3,8 +3,8 @@
 use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
-use cspace_answers::check::Row;
-use cspace_answers::{plan, simulate};
+use cspace_api::check::Requirement;
+use cspace_api::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_model::model::{Coordinate, Template};
 use cspace_model::{DriveMotion, Mechanism};
@@ -136,7 +136,7 @@ impl Model {
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
-        let rows: Vec<Row> = (checked.iter()).map(|c| Row::of(&model, c, None)).collect();
+        let rows: Vec<Requirement> = (checked.iter()).map(|c| Requirement::new(&model, c, None)).collect();
         json(&rows)
     }
 
@@ -207,7 +207,7 @@ impl Model {
             Some(goal) => planner.plan_with(from, goal, &wishes, &Silent),
         };
         let answer = answer.map_err(fault)?;
-        json(&plan::Told::planned(
+        json(&plan::Plan::planned(
             &space,
             (planner.scene(), unit),
             goal,
@@ -266,14 +266,14 @@ fn answer(
     simulation: &Simulation,
     record: &Record,
     seconds: f64,
-) -> serde_json::Result<simulate::Told> {
+) -> serde_json::Result<simulate::Motion> {
     let report = Report::of(simulation, record);
-    let wanted = simulate::Wanted {
+    let reported = simulate::Reported {
         rates: false,
         forces: false,
         states: true,
     };
-    simulate::Told::of(model, simulation, (record, &report), wanted, seconds)
+    simulate::Motion::of(model, simulation, (record, &report), reported, seconds)
 }
 
 /// An error of a model, and what to do.

@@ -29,6 +29,14 @@ std::thread_local! {
     static UNDIVIDED: core::cell::Cell<bool> = const { core::cell::Cell::new(false) };
 }
 
+/// The number of threads that work is divided among.
+pub fn threads() -> usize {
+    #[cfg(feature = "rayon")]
+    return rayon::current_num_threads();
+    #[cfg(not(feature = "rayon"))]
+    1
+}
+
 /// Results of `work` for every item and its number, in order. Items are distributed to several threads; each item is processed by one
 /// thread.
 pub(crate) fn each<T: Sync, R: Send>(

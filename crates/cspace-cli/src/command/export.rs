@@ -16,12 +16,14 @@ use cspace_model::write::stl::stl;
 
 use super::page;
 use crate::args::ExportArgs;
+use crate::ask;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject};
-use crate::view::Page;
 use crate::wording::count;
+use cspace_api::Chosen;
+
+use crate::view::Page;
 
 /// A format of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,8 +61,8 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
         let file = page::file(&page, common, args.window.window, &args.with)?;
         return output::write(Some(path), &file);
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.window)?;
+    let (subject, host) = ask::open(common)?;
+    let pair = subject.one_pair(&ask::which(common, args.window.window), &host)?;
     let mut said = None;
     let bytes = match kind {
         // Written above: it is of all pairs.
@@ -192,7 +194,7 @@ fn picture(args: &ExportArgs, pair: &Chosen<'_>) -> Result<Scene, Failure> {
         let options = options(Plane::Motions)?;
         return match &*pair.space()? {
             PairSpace::FixedAxes(space) => Ok(plane(space, &options)),
-            _ => Err(pair.no_orientation("a picture")),
+            _ => Err(pair.no_orientation("a picture").into()),
         };
     }
     let options = options(Plane::Positions)?;

@@ -28,107 +28,51 @@ pub(crate) mod tolerances;
 pub(crate) mod view;
 
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use cspace_answers::{Answer, Outcome};
-use cspace_model::shown::quoted;
-use cspace_model::{Mechanism, Model};
+use cspace_api::{Answer, Content, Done, Outcome as _};
 use serde::Serialize;
 
 use crate::args::{Format, ResultArgs};
-use crate::failure::{Failure, note};
+use crate::failure::Failure;
 use crate::output;
 
-/// Says of an answer about parts as drawn that some of them start elsewhere.
-fn tell_starts(model: &Mechanism) {
-    let starts = model.parts.iter().zip(&model.dynamics.parts);
-    let names: Vec<String> = starts
-        .filter(|(_, dynamics)| dynamics.start.is_some())
-        .map(|(part, _)| quoted(part.part.name()))
-        .collect();
-    if let [first, rest @ ..] = &names[..] {
-        let more = match rest.len() {
-            0 => String::new(),
-            n => format!(" and {n} more"),
-        };
-        note(format_args!(
-            "parts are where they are drawn, and not where motions start: {first}{more} has a `start`"
-        ));
-    }
-}
-
-/// The help for an unknown parameter: the names of the model's parameters.
-fn parameters_of(model: &Model) -> String {
-    let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
-    match known.is_empty() {
-        true => "the model has no parameters: add them under [parameter]".to_owned(),
-        false => format!("its parameters are {}", known.join(", ")),
-    }
-}
-
-/// The help for an unknown requirement: the names of the model's requirements.
-fn requirements_of(model: &Model) -> String {
-    let known: Vec<&str> = model.requirements.iter().map(|r| r.name.as_str()).collect();
-    match known.is_empty() {
-        true => "say what is measured in [[requirement]] tables: see docs/design.md".to_owned(),
-        false => format!("its requirements are {}", known.join(", ")),
-    }
-}
-
-/// A name that is varied and was varied before.
-fn varied_twice(name: &str) -> Failure {
-    Failure::new(format_args!("{} is varied twice", quoted(name))).help("name it once")
-}
-
-/// Prints an answer, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or leaves the
-/// question open, that is a failure without a message.
-fn print<T: Serialize>(
+/// Prints the answer to a question, as JSON or as text, and writes it to the file of JSON that is asked for beside it. Where it says no, or
+/// leaves the question open, that is a failure without a message.
+fn tell<T: Content>(
     result: &ResultArgs,
     answer: &Answer<T>,
-    text: impl FnOnce(&mut String) -> fmt::Result,
+    text: impl FnOnce(&mut String, &T) -> fmt::Result,
 ) -> Result<(), Failure> {
     let output = result.output.as_deref();
-    let file = output.filter(|path| output::ends_in(path, "json"));
-    let is_json = result.format() == Format::Json;
-    let written = match is_json || file.is_some() {
-        true => json(answer)?,
-        false => Vec::new(),
+    if output.is_some_and(|path| output::ends_in(path, "json")) {
+        output::write(output, &json(answer)?)?;
+    }
+    tell_in(result.format(), answer, text)
+}
+
+/// Prints the answer to a question, as [`tell`] does.
+fn tell_in<T: Content>(
+    format: Format,
+    answer: &Answer<T>,
+    text: impl FnOnce(&mut String, &T) -> fmt::Result,
+) -> Result<(), Failure> {
+    let printed = match format {
+        Format::Json => json(answer)?,
+        Format::Text => {
+            let mut printed = String::new();
+            text(&mut printed, &answer.content).map_err(Failure::new)?;
+            printed.into_bytes()
+        }
     };
-    if file.is_some() {
-        output::write(file, &written)?;
-    }
-    if is_json {
-        output::write(None, &written)?;
-    } else {
-        let mut printed = String::new();
-        text(&mut printed).map_err(Failure::new)?;
-        output::write(None, printed.as_bytes())?;
-    }
-    Failure::of(answer.outcome)
-}
-
-/// The rows of a table.
-#[derive(Serialize)]
-struct Rows<T> {
-    rows: T,
-}
-
-/// Requirements, each with what concerns it.
-#[derive(Serialize)]
-struct Requirements<T> {
-    requirements: T,
-}
-
-/// The file that a command wrote.
-#[derive(Serialize)]
-struct Written<'a> {
-    written: &'a Path,
+    output::write(None, &printed)?;
+    Failure::of(answer.outcome.is())
 }
 
 /// Runs a command whose answer is the file that it writes: as JSON, its name.
-pub(crate) fn writing(
-    command: &'static str,
+pub(crate) fn writing<T: Content<Outcome = Done>>(
     result: &ResultArgs,
+    answer: impl FnOnce(PathBuf) -> T,
     run: impl FnOnce() -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     if result.format() == Format::Text {
@@ -137,12 +81,13 @@ pub(crate) fn writing(
     let output = result.output.as_deref();
     let Some(written) = output.filter(|path| *path != Path::new(output::STANDARD)) else {
         return Err(Failure::new(format_args!(
-            "--json: what `{command}` writes is no JSON, and goes to standard output"
+            "--json: what `{}` writes is no JSON, and goes to standard output",
+            T::COMMAND
         ))
         .help("name a file: -o OUT"));
     };
     run()?;
-    let answer = Answer::new(command, None, Outcome::DONE, Written { written });
+    let answer = Answer::new(None, Done::Done, answer(written.to_owned()));
     output::write(None, &json(&answer)?)
 }
 

@@ -8,10 +8,12 @@ use cspace_model::{Host, PairEntry};
 use cspace_scene::{Opened, ScenePair, SceneRecord};
 
 use crate::args::Common;
+use crate::ask;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
-use crate::subject::{Chosen, Subject};
+use cspace_api::{Chosen, Subject};
+
 use crate::view::{Page, PageError};
 
 /// The page that was bundled with the program, by [`Page::bundled`]; a failure with help if there is none.
@@ -27,8 +29,8 @@ pub(super) fn opened(
     common: &Common,
 ) -> Result<Opened, Failure> {
     Ok(match subject {
-        Subject::Model { model, .. } => {
-            let opened = Opened::model(*model, pairs, common.general);
+        Subject::Model(file) => {
+            let opened = Opened::model(file.model.mechanism, pairs, common.general);
             // With arcs made tangent the model is another than its text says.
             if common.snap || common.file == Path::new(output::STANDARD) {
                 return Ok(opened);
@@ -37,7 +39,7 @@ pub(super) fn opened(
             let template = Template::read(&common.file, &Host::default())?;
             opened.with_text(template, common.values.set.clone())
         }
-        Subject::Saved(file) => Opened::saved(*file),
+        Subject::Saved { file, .. } => Opened::saved(*file),
     })
 }
 
@@ -54,14 +56,14 @@ pub(super) fn file(
     window: Option<(f64, f64)>,
     with: &[PathBuf],
 ) -> Result<Vec<u8>, Failure> {
-    let subject = Subject::open(common)?;
+    let (subject, host) = ask::open(common)?;
     // Before anything is computed.
     for record in with {
         output::before_reading(record)?;
     }
-    let chosen = subject.pairs(common, window)?;
+    let chosen = subject.pairs(&ask::which(common, window), &host)?;
     let mut known = Vec::new();
-    if !matches!(subject, Subject::Saved(_)) {
+    if !matches!(subject, Subject::Saved { .. }) {
         known = computed(&chosen)?;
     }
     let entries = entries(&chosen);
@@ -94,20 +96,18 @@ fn computed(chosen: &[Chosen<'_>]) -> Result<Vec<Result<ScenePair, String>>, Fai
                 let pair = ScenePair::known(&entry, &space, seconds);
                 pairs.push(Ok(pair.map_err(Failure::new)?));
             }
-            Err(failure) if interrupt::is_interrupted() => return Err(failure),
+            Err(failure) if interrupt::is_interrupted() => return Err(failure.into()),
             Err(failure) => {
-                pairs.push(Err(failure.message().to_owned()));
+                pairs.push(Err(failure.message.clone()));
                 failures.push(failure);
             }
         }
     }
     if failures.len() == pairs.len() {
-        let worst = failures
-            .into_iter()
-            .reduce(|a, b| if b.is_worse_than(&a) { b } else { a });
-        return worst.map_or(Ok(pairs), Err);
+        let first = failures.into_iter().next();
+        return first.map_or(Ok(pairs), |error| Err(error.into()));
     }
-    failures.iter().for_each(Failure::warn);
+    (failures.iter()).for_each(|error| Failure::from(error.clone()).warn());
     Ok(pairs)
 }
 

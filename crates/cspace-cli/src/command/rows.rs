@@ -6,10 +6,11 @@ use std::collections::BTreeSet;
 use cspace::{Configuration, Coordinates, PairClass};
 use cspace_model::shown;
 
-use crate::angle;
-use crate::args::{Column, Format};
+use crate::args::Format;
 use crate::failure::Failure;
-use crate::subject::Chosen;
+use cspace_api::Chosen;
+use cspace_api::classify::Column;
+use cspace_api::given;
 
 /// Where the coordinates of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +67,7 @@ pub(crate) fn read(
         let number = |at: usize, is_angle: bool| {
             let text = record.get(at).unwrap_or_default();
             let value = if is_angle {
-                angle::parse(text)
+                given::angle(text)
             } else {
                 let number = text.parse::<f64>().ok().filter(|x| x.is_finite());
                 number.ok_or_else(|| format!("{} is no number", shown::quoted(text)))

@@ -4,20 +4,19 @@ use std::fmt::{self, Write};
 
 use cspace::{
     Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, FixedAxesSpace,
-    PairClass, PairSpace, Point, Slice,
+    PairSpace, Point, Slice,
 };
-use cspace_answers::{Answer, Outcome};
+use cspace_api::Chosen;
+use cspace_api::slice::{Question, Sliced};
 use cspace_draw::{PictureFormat, SlicesPicture, slices};
 use cspace_drawing::Drawn;
 
 use super::draw::{at_configuration, check_version, write_outlines};
-use serde::Serialize;
-
 use crate::args::SliceArgs;
+use crate::ask;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject};
 use crate::wording::{angle, count, length};
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
@@ -37,28 +36,68 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
             ));
         }
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, None)?;
-    if !pair.is_planar() {
-        return plane(args, &pair, format);
-    }
-    let Some(theta) = args.theta else {
-        return Err(Failure::new("slice needs an orientation")
-            .help("give --theta T, in radians or such as 18deg"));
+    let (subject, host) = ask::open(common)?;
+    let question = Question {
+        which: ask::which(common, None),
+        theta: args.theta,
+        exact: args.exact,
     };
-    let slice = pair.slice(theta, args.exact)?;
-    if let Some(format) = format {
-        picture(args, &pair, theta, format)?;
-    } else if let Some(path) = output.filter(|path| output::ends_in(path, "dxf")) {
-        let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
-        let drawn = Drawn::slice(&name, &slice);
-        write_outlines(Some(path), &[drawn], pair.unit_label(), args.dxf)?;
+    let pair = subject.one_pair(&question.which, &host)?;
+    question.check(&pair)?;
+    if !pair.is_planar() {
+        check_plane(args, &pair)?;
     }
-    let answers = vec![pair.answer(Outcome::DONE, &slice)];
-    let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
-    super::print(&common.result, &answer, |text| {
-        describe(text, &pair, &slice)
+    let answer = question.ask(&pair)?;
+    for sliced in answer.content.pairs.iter().map(|pair| &pair.content) {
+        draw(args, &pair, sliced, format)?;
+    }
+    super::tell(&common.result, &answer, |text, found| {
+        for sliced in found.pairs.iter().map(|pair| &pair.content) {
+            match sliced {
+                Sliced::Positions { slice } => describe(text, &pair, slice)?,
+                Sliced::Plane { space } => {
+                    if let PairSpace::FixedAxes(space) = &**space {
+                        describe_plane(text, &pair, space)?;
+                    }
+                }
+            }
+        }
+        Ok(())
     })
+}
+
+/// Writes the picture or the outlines that are asked for.
+fn draw(
+    args: &SliceArgs,
+    pair: &Chosen<'_>,
+    sliced: &Sliced<'_>,
+    format: Option<PictureFormat>,
+) -> Result<(), Failure> {
+    let output = args.common.result.output.as_deref();
+    match (sliced, format) {
+        (Sliced::Positions { slice }, Some(format)) => {
+            picture(args, pair, args.theta.unwrap_or(slice.theta), format)
+        }
+        (Sliced::Positions { slice }, None) => {
+            let Some(path) = output.filter(|path| output::ends_in(path, "dxf")) else {
+                return Ok(());
+            };
+            let name = format!("{} about {}", pair.moving().name(), pair.fixed().name());
+            let drawn = Drawn::slice(&name, slice);
+            write_outlines(Some(path), &[drawn], pair.unit_label(), args.dxf)
+        }
+        (Sliced::Plane { space }, Some(format)) => {
+            let options =
+                (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
+            match &**space {
+                PairSpace::FixedAxes(space) => {
+                    picture::write(output, format, &cspace_draw::plane(space, &options))
+                }
+                _ => Ok(()),
+            }
+        }
+        (Sliced::Plane { .. }, None) => Ok(()),
+    }
 }
 
 /// The slice, its regions numbered as `compute` lists them, and the parts beside it.
@@ -102,36 +141,8 @@ fn beside(space: &ContactSpace, theta: f64) -> (f64, f64) {
     (at.x, at.y)
 }
 
-/// The space of a pair with fixed axes, which is that of its plane.
-#[derive(Serialize)]
-struct Whole<T> {
-    space: T,
-}
-
 /// A pair with fixed axes has one plane, that of its motions.
-fn plane(
-    args: &SliceArgs,
-    pair: &Chosen<'_>,
-    format: Option<PictureFormat>,
-) -> Result<(), Failure> {
-    if args.theta.is_some() {
-        let class = pair.class();
-        return Err(Failure::new(format_args!(
-            "--theta: orientation is no coordinate of the {class} pair {}",
-            pair.names()
-        ))
-        .help(if class == PairClass::FixedAxes {
-            "leave --theta out: the plane of the two motions is shown; or use --general with the model"
-        } else {
-            "use --general with the model, which computes it in x, y and theta"
-        }));
-    }
-    if args.exact {
-        return Err(
-            Failure::new("--exact: the plane of two motions has no slices")
-                .help("leave --exact out, or use --general with the model"),
-        );
-    }
+fn check_plane(args: &SliceArgs, pair: &Chosen<'_>) -> Result<(), Failure> {
     if args.at.is_some() {
         return Err(
             Failure::new("--at: the plane of two motions is shown without parts")
@@ -146,22 +157,7 @@ fn plane(
         ))
         .help("write it as a picture: let the name after -o end in .svg, .png or .pdf"));
     }
-    let space = pair.space()?;
-    let PairSpace::FixedAxes(space) = &*space else {
-        return Err(pair.no_orientation("a slice"));
-    };
-    if let Some(format) = format {
-        let options = (args.picture).options(Plane::Motions, pair.title(), pair.unit_label())?;
-        picture::write(output, format, &cspace_draw::plane(space, &options))?;
-    }
-    let content = Whole {
-        space: space.data(),
-    };
-    let answers = vec![pair.answer(Outcome::DONE, content)];
-    let answer = Answer::of_pairs("slice", pair.unit_label(), answers);
-    super::print(&args.common.result, &answer, |text| {
-        describe_plane(text, pair, space)
-    })
+    Ok(())
 }
 
 fn describe_plane(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) -> fmt::Result {

@@ -1,149 +1,49 @@
 //! `cspace solve`.
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
-use cspace_answers::{Answer as Framed, Outcome};
-use cspace_design::{Solved, Span, Value};
-use cspace_model::Model;
-use cspace_model::model::Dimension;
-use cspace_model::shown::{self, quoted};
-use serde::Serialize;
-use serde_json::Map;
+use cspace_api::solve::{Question, Solutions};
+use cspace_design::Span;
+use cspace_model::shown::number;
 
 use crate::args::SolveArgs;
+use crate::ask::{self, Terminal};
 use crate::failure::Failure;
-use crate::input;
-use crate::interrupt::{catch_interrupts, is_interrupted};
-use crate::progress::Bar;
-use crate::subject::set_threads;
-
-/// The values that were found.
-#[derive(Debug, Serialize)]
-struct Answer {
-    solutions: Vec<Map<String, serde_json::Value>>,
-    /// The ranges of a single parameter in which the condition holds.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    ranges: Vec<[f64; 2]>,
-    /// The ranges of a single parameter in which nothing is known.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    undecided: Vec<[f64; 2]>,
-    /// Why there is no solution.
-    none: Option<String>,
-}
 
 pub(crate) fn run(args: &SolveArgs) -> Result<(), Failure> {
     args.result.artefact(&[])?;
-    catch_interrupts();
-    set_threads(args.threads)?;
-    let (template, model) = input::template(&args.file, &args.values)?;
-    check(args, &model)?;
-    let spans: Vec<Span> = (args.vary.iter())
-        .map(|v| Span {
-            parameter: v.name.clone(),
-            lo: v.lo,
-            hi: v.hi,
-        })
-        .collect();
-    let bar = Bar::new(model.mechanism.name.clone());
-    let solved = bar.watch(|bar| {
-        let (set, samples) = (&args.values.set, args.samples as usize);
-        cspace_design::solve(&template, set, &spans, &args.so_that, samples, bar)
-    });
-    if is_interrupted() {
-        return Err(Failure::new("the computation was interrupted"));
-    }
-    let found = answer(&spans, &solved);
-    let outcome = match solved.solutions.is_empty() && solved.ranges.is_empty() {
-        false => Outcome::yes("solved"),
-        true if !solved.undecided.is_empty() => Outcome::open("undecided"),
-        true => Outcome::no("none"),
+    let subject = ask::read_again(&args.file, &args.values, args.threads)?;
+    let question = Question {
+        vary: args.vary.clone(),
+        so_that: args.so_that.clone(),
+        samples: args.samples,
     };
-    let unit = model.mechanism.unit.as_deref();
-    let framed = Framed::new("solve", unit, outcome, &found);
-    super::print(&args.result, &framed, |text| {
-        *text = described(&spans, &solved);
-        Ok(())
+    let answer = question.ask(&subject, &Terminal::default())?;
+    super::tell(&args.result, &answer, |text, found| {
+        describe(text, &question.vary, found)
     })
 }
 
-/// Refuses names that the model does not have, and values of another kind than the measure.
-fn check(args: &SolveArgs, model: &Model) -> Result<(), Failure> {
-    let file = args.file.display();
-    for (i, v) in args.vary.iter().enumerate() {
-        if model.parameters.iter().all(|p| p.name != v.name) {
-            let error = format!("{file}: there is no parameter {}", quoted(&v.name));
-            return Err(Failure::new(error).help(super::parameters_of(model)));
-        }
-        if args.vary[..i].iter().any(|w| w.name == v.name) {
-            return Err(super::varied_twice(&v.name));
-        }
+fn describe(text: &mut String, spans: &[Span], found: &Solutions) -> fmt::Result {
+    for values in &found.solutions {
+        let named = spans.iter().filter_map(|span| {
+            let value = values.get(&span.parameter)?;
+            Some(format!("{} = {}", span.parameter, number(*value)))
+        });
+        writeln!(text, "{}", named.collect::<Vec<_>>().join(", "))?;
     }
-    let goal = &args.so_that;
-    let Some(requirement) = model
-        .requirements
-        .iter()
-        .find(|r| r.name == goal.requirement)
-    else {
-        let error = format!(
-            "{file}: there is no requirement {}",
-            quoted(&goal.requirement)
-        );
-        return Err(Failure::new(error).help(super::requirements_of(model)));
-    };
-    let yes_or_no = requirement.dimension == Dimension::Truth;
-    if yes_or_no != matches!(goal.value, Value::Truth(_)) {
-        let (is, give) = if yes_or_no {
-            ("yes or no", "true or false")
-        } else {
-            ("a number", "a number such as 0.1 or 0.5deg")
-        };
-        return Err(Failure::new(format_args!(
-            "--so-that: the measure {} is {is}",
-            quoted(&goal.requirement)
-        ))
-        .help(format_args!("give {give}")));
-    }
-    Ok(())
-}
-
-fn answer(spans: &[Span], solved: &Solved) -> Answer {
-    let named = |values: &Vec<f64>| {
-        let pairs = spans.iter().zip(values);
-        pairs
-            .map(|(span, value)| (span.parameter.clone(), (*value).into()))
-            .collect()
-    };
-    Answer {
-        solutions: solved.solutions.iter().map(named).collect(),
-        ranges: solved.ranges.iter().map(|&(lo, hi)| [lo, hi]).collect(),
-        undecided: (solved.undecided.iter())
-            .map(|&(lo, hi)| [lo, hi])
-            .collect(),
-        none: solved.none.clone(),
-    }
-}
-
-fn described(spans: &[Span], solved: &Solved) -> String {
-    let mut text = String::new();
-    for values in &solved.solutions {
-        let pairs = spans.iter().zip(values);
-        let named: Vec<String> = pairs
-            .map(|(span, value)| format!("{} = {}", span.parameter, shown::number(*value)))
-            .collect();
-        let _ = writeln!(text, "{}", named.join(", "));
-    }
-    let ranges = solved.ranges.iter().map(|range| ("it is so", range));
-    let undecided = (solved.undecided.iter()).map(|range| ("it could not be decided", range));
-    for (is, &(lo, hi)) in ranges.chain(undecided) {
+    let ranges = found.ranges.iter().map(|range| ("it is so", range));
+    let undecided = (found.undecided.iter()).map(|range| ("it could not be decided", range));
+    for (is, &[lo, hi]) in ranges.chain(undecided) {
         let name = &spans[0].parameter;
         let at = match lo == hi {
-            true => format!("at {}", shown::number(lo)),
-            false => format!("from {} to {}", shown::number(lo), shown::number(hi)),
+            true => format!("at {}", number(lo)),
+            false => format!("from {} to {}", number(lo), number(hi)),
         };
-        let _ = writeln!(text, "  {is} with {name} {at}");
+        writeln!(text, "  {is} with {name} {at}")?;
     }
-    if let Some(reason) = &solved.none {
-        let _ = writeln!(text, "none: {reason}");
+    if let Some(reason) = &found.none {
+        writeln!(text, "none: {reason}")?;
     }
-    text
+    Ok(())
 }

@@ -200,3 +200,22 @@ fn answers_are_as_their_schemas_say() {
         is_told(DISASSEMBLE, &framed(&["disassemble", &model(name)]));
     }
 }
+
+/// The schemas in `docs/answers` are those of the types; with `CSPACE_DOCS=write` they are written.
+#[test]
+fn schemas_are_made_of_the_types() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/answers");
+    for (name, schema) in cspace_api::schemas::schemas() {
+        let path = format!("{folder}/{name}.schema.json");
+        let text = serde_json::to_string_pretty(&schema).unwrap() + "\n";
+        if std::env::var("CSPACE_DOCS").is_ok_and(|v| v == "write") {
+            std::fs::write(path, text).unwrap();
+        } else {
+            let kept = std::fs::read_to_string(&path).unwrap_or_default();
+            assert!(
+                kept == text,
+                "{path} is not that of the types: CSPACE_DOCS=write writes it"
+            );
+        }
+    }
+}

@@ -3,13 +3,15 @@
 use cspace::Progress;
 use cspace_model::model::{Requirement, Setting, Template};
 use cspace_model::{Host, Model};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use crate::check::Spaces;
 use crate::measure::Value;
 use crate::sensitivity::derivative;
 
 /// A parameter and the values that it may take.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Span {
     /// The parameter.
     pub parameter: String,
@@ -20,7 +22,8 @@ pub struct Span {
 }
 
 /// How a quantity compares with a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum Relation {
     /// It is the value.
     Equal,
@@ -31,7 +34,7 @@ pub enum Relation {
 }
 
 /// Goal for a requirement's quantity.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Goal {
     /// The name of the requirement.
     pub requirement: String,

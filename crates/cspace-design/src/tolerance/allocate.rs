@@ -8,18 +8,58 @@
 use cspace::Progress;
 use cspace_model::Model;
 use cspace_model::model::{Setting, Template};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::{Analysis, Linear, ToleranceOptions, Tolerances, Variations};
 use crate::check::Interrupted;
 
 /// Criterion that the tolerances must meet.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(from = "CriterionForm", into = "CriterionForm")]
+#[schemars(with = "CriterionForm")]
 pub enum Criterion {
     /// Every part within the tolerances meets all limits.
     Worst,
     /// This share of the parts meets each limit.
     Yield(f64),
+}
+
+/// A criterion as it is written: the word `worst`, or a share.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+enum CriterionForm {
+    /// Every part within the tolerances meets all limits.
+    Word(Worst),
+    /// This share of the parts meets each limit.
+    Share(f64),
+}
+
+/// The word for the criterion that every part meets.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Worst {
+    /// Every part within the tolerances meets all limits.
+    Worst,
+}
+
+impl From<Criterion> for CriterionForm {
+    fn from(criterion: Criterion) -> Self {
+        match criterion {
+            Criterion::Worst => Self::Word(Worst::Worst),
+            Criterion::Yield(share) => Self::Share(share),
+        }
+    }
+}
+
+impl From<CriterionForm> for Criterion {
+    fn from(form: CriterionForm) -> Self {
+        match form {
+            CriterionForm::Word(Worst::Worst) => Self::Worst,
+            CriterionForm::Share(share) => Self::Yield(share),
+        }
+    }
 }
 
 /// Tolerances that meet a criterion.

@@ -3,6 +3,8 @@
 use crate::drawn::{DrawnContact, Encounter};
 use cspace::{Ball, Real};
 use cspace_model::model::{Subject, Target};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::extremes::Summit;
 use super::study::Study;
@@ -22,7 +24,8 @@ const TIE: f64 = 1e-9;
 const BEYOND: f64 = 1e-6;
 
 /// Kind of a change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum ChangeKind {
     /// Another contact decides the value.
     Contact,

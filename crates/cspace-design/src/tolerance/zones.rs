@@ -14,6 +14,8 @@ use cspace::{
 };
 use cspace_model::model::{Setting, Subject, Template};
 use cspace_model::{Model, PairEntry};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use super::Variations;
 use super::study::Study;
@@ -22,7 +24,7 @@ use crate::check::Interrupted;
 use crate::drawing::{Enclosed, TOLD_APART, drawn_pair};
 
 /// The zones of a pair in a window.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, JsonSchema)]
 pub struct Zones {
     /// Free in every drawing within the tolerances.
     pub free: Vec<Cell>,
@@ -33,7 +35,7 @@ pub struct Zones {
 }
 
 /// Where some features may touch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ZoneBand {
     /// The features of the fixed and of the moving part, as messages call them.
     pub features: [String; 2],

@@ -1,6 +1,8 @@
 //! Settings for making parts from a drawing.
 
 use cspace::Point;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 use crate::error::DrawingError;
 
@@ -40,16 +42,19 @@ pub struct Settings {
 }
 
 /// Faces that are one part.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Pick {
     /// Name of the part; the default name of the import if `None`.
+    #[serde(default)]
     pub name: Option<String>,
     /// A point in each face, in lengths after scaling.
     pub at: Vec<Point>,
 }
 
 /// Side of a curve on which fitted lines and arcs may be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum FitSide {
     /// Both sides.
     #[default]

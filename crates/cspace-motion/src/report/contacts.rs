@@ -1,12 +1,13 @@
 //! Contacts from touch to release.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::record::{EventKind, Record, What};
 
 /// Contact from the instant at which two features meet to that at which the parts separate there. In between the
 /// contact may pass on to adjacent features.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ContactInterval {
     /// The name of the pair's fixed part.
     pub fixed: String,

@@ -1,9 +1,12 @@
 //! Answer of the assembly planner: steps, tree of parts, and what was tried.
 
-use cspace::{Axis, Configuration, Coordinates, FeatureName, Vector};
+use cspace::{Axis, Configuration, Coordinates, FeatureName, Part, Vector};
+use cspace_model::Mechanism;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::Path;
+use crate::legs::Scene;
 
 /// Whether an assembly comes apart, and how. Parts are indices into the mechanism's.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,7 +38,7 @@ pub enum Outcome {
 }
 
 /// Kind of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
     /// Parts go out of the others.
@@ -62,6 +65,20 @@ pub struct Step {
 }
 
 impl Step {
+    /// The part that moves with the motion that it has, the first of several: of the mechanism's parts, or of others in their place. There is
+    /// none of a step that moves nothing.
+    pub fn scene(&self, parts: &[Part], mechanism: &Mechanism) -> Option<Scene> {
+        let &first = self.moving.first()?;
+        let part = &parts[first];
+        let is_on_axis = matches!(
+            self.path.configurations.first(),
+            Some(Coordinates::Axes { .. })
+        );
+        let axis = mechanism.parts[first].axis.filter(|_| is_on_axis);
+        let axes = axis.map(|axis| (Axis::FIXED, axis));
+        Some(Scene::new(part, part, axes).with_about(self.path.about))
+    }
+
     /// Where one of the moving parts is when the step has come to some coordinates, by where it was before the step: of a part on an
     /// axis to where it is drawn.
     pub fn placed(
@@ -101,7 +118,7 @@ pub struct Branch {
 }
 
 /// Effort spent where nothing leaves the set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Tried {
     /// So many parts were moved aside at a time, at most.
     pub aside: usize,

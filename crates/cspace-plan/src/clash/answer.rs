@@ -75,9 +75,9 @@ pub struct Clashes {
 }
 
 /// All parts at a time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, schemars::JsonSchema, serde::Deserialize)]
 pub struct Sample {
-    /// The time.
+    /// The time (s).
     pub time: f64,
     /// For every part x, y and θ, or its motion on its axis and twice 0.
     pub parts: Vec<Coords>,

@@ -8,7 +8,8 @@ use super::shorten::KEPT;
 use super::tracks::Tracks;
 
 /// Criterion for choosing among paths.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, schemars::JsonSchema, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Prefer {
     /// Few legs, each straight or a turn on the spot where that is possible.
     #[default]

@@ -11,6 +11,7 @@ use super::spiral::Spiral;
 /// Its value at a position p and orientation θ is the distance of the features' carriers along the contact normal:
 /// zero on the contact patch, positive on its free side.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "kind"))]
 pub enum ContactFunction {

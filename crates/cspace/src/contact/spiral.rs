@@ -8,6 +8,7 @@ use crate::number::Real;
 /// The ends of all contact curves are of this form (one normal there is that of a joint, fixed or turning with the moving part), and so are
 /// the centres of circular curves. The last term occurs only for arcs of large radius: see [`Swing`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spiral<T = f64> {
     /// Constant part.
@@ -27,6 +28,7 @@ pub struct Spiral<T = f64> {
 /// Where an arc of radius r touches, the contact is at r (n + R m) from a point of the arc, with opposing normals n and m of the parts. The
 /// two terms cancel. For an arc much larger than the parts all digits would be lost; so the difference is stored as one term.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Swing {
     /// The arm a; zero if there is no swing.

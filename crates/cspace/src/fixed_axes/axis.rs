@@ -4,6 +4,7 @@ use crate::geometry::{Configuration, Point, Rotation, Vector};
 
 /// Motion of a part.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "type"))]
 pub enum AxisMotion {
@@ -23,6 +24,7 @@ pub enum AxisMotion {
 
 /// Motion of a part, and its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Axis {
     /// The motion.

@@ -84,6 +84,7 @@ pub struct AxesData {
 
 /// Counts of a computation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesStatistics {
     /// Pairs of features that touch somewhere.

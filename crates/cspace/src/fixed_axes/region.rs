@@ -7,6 +7,7 @@ use core::f64::consts::TAU;
 
 /// A connected component of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesRegion {
     /// A configuration (u, v) within it, between the smallest and largest u and v below.

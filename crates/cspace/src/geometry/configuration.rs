@@ -14,6 +14,7 @@ use super::{Point, Rotation, Vector};
 /// assert!(q.distance(Point::new(1.0, 2.0)) < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Configuration {
     /// Displacement along the fixed part's first axis.

@@ -6,6 +6,7 @@ use crate::number::Real;
 
 /// A place in the plane, in some frame, in the model's unit of length; in numbers of any kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Point<T = f64> {
     /// First coordinate.
@@ -16,6 +17,7 @@ pub struct Point<T = f64> {
 
 /// A displacement in the plane; in numbers of any kind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Vector<T = f64> {
     /// First coordinate.

@@ -11,6 +11,7 @@ use crate::query::Classification;
 
 /// A permanent connection of two parts. Both are drawn in the assembly's frame as they are at zero motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case", tag = "type"))]
 pub enum Joint {
@@ -32,6 +33,7 @@ pub enum Joint {
 
 /// A permanent contact that follows from a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PermanentContact {
     /// Kind of contact: a point of the moving part on a line or an arc of the fixed part.
@@ -44,6 +46,7 @@ pub struct PermanentContact {
 
 /// Kind of a permanent contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum PermanentKind {

@@ -14,6 +14,7 @@ pub(crate) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
 
 /// Class of a configuration: free, blocked or in contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Classification {

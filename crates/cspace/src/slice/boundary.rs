@@ -8,6 +8,7 @@ use super::curve_geometry::CurveGeometry;
 
 /// A piece of the boundary of free space in a slice: blocked space is on its left, free space on its right.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SliceCurve {
     /// The feature of the fixed part that touches.
@@ -24,6 +25,7 @@ pub struct SliceCurve {
 
 /// All positions at one orientation, split into free and blocked by closed loops of contact curves.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Slice {
     /// The orientation in radians.

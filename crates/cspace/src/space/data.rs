@@ -102,6 +102,7 @@ pub struct VerticalLink {
 
 /// A connected component of free space over all orientations of the window.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FreeRegion {
     /// Whether it reaches arbitrarily far positions. Exactly one region does.

@@ -12,6 +12,7 @@ pub const LONGEST_WINDOW: f64 = TAU + WINDOW_SLACK;
 
 /// The orientations a contact space covers.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Window {
     /// First orientation, radians.

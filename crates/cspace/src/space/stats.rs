@@ -33,6 +33,7 @@ pub struct Statistics {
 ///
 /// Decisions for which the error bound of `f64` is too large are made in double-double.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Decisions {
     /// Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers.
@@ -54,6 +55,7 @@ pub struct Decisions {
 
 /// Seconds taken by each stage.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StageSeconds {
     /// Features, sheets and their names.

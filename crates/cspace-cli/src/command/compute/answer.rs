@@ -3,17 +3,12 @@
 use std::collections::BTreeSet;
 use std::fmt::{self, Write};
 
-use cspace::{
-    Configuration, ContactSpace, Coordinates, FixedAxesSpace, FreeRegion, Location, PairSpace,
-    RegionId,
-};
-
-use cspace_plan::fits_exactly;
-use serde::Serialize;
+use cspace::{Configuration, ContactSpace, FixedAxesSpace, FreeRegion, PairSpace, RegionId};
+use cspace_api::Chosen;
+use cspace_api::compute::{AsDrawn, Drawn};
 
 use crate::command::regions;
-
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::{EXACT_FIT, count, degrees, length};
 
 /// Regions that are listed; of more the first are.
@@ -21,42 +16,6 @@ const MOST_LISTED: usize = 12;
 
 /// How far from contact an example of the unbounded region is taken, as a share of the larger part.
 const BESIDE: f64 = 0.05;
-
-/// How the parts are at zero motion.
-#[derive(Serialize)]
-pub(super) struct Drawn {
-    outcome: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    region: Option<RegionId>,
-    /// How far the parts are apart where they are free.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    clearance: Option<f64>,
-}
-
-impl Drawn {
-    /// `None` for a lower pair, which is in contact in all configurations.
-    pub(super) fn of(space: &PairSpace) -> Option<Self> {
-        let at = match space {
-            PairSpace::Lower(_) => return None,
-            PairSpace::FixedAxes(_) => Coordinates::Axes { u: 0.0, v: 0.0 },
-            PairSpace::Planar(_) => Coordinates::Planar(Configuration::default()),
-        };
-        let (outcome, region) = match space.locate(at) {
-            Ok(Location::Free(region)) => ("free", Some(region)),
-            Ok(Location::Contact) => ("contact", None),
-            Ok(Location::Blocked) if fits_exactly(space, at).unwrap_or(false) => {
-                ("exact-fit", None)
-            }
-            Ok(Location::Blocked) => ("blocked", None),
-            Ok(Location::Outside) | Err(_) => ("outside", None),
-        };
-        Some(Self {
-            outcome,
-            region,
-            clearance: region.and_then(|_| space.clearance(at).ok()),
-        })
-    }
-}
 
 pub(super) fn describe(
     text: &mut String,
@@ -74,9 +33,9 @@ pub(super) fn describe(
             pair.is_free(region),
             length(drawn.clearance.unwrap_or(0.0))
         ),
-        ("contact", _) => "in contact".to_owned(),
-        ("exact-fit", _) => EXACT_FIT.to_owned(),
-        ("blocked", _) => "blocked: the parts overlap".to_owned(),
+        (AsDrawn::Contact, _) => "in contact".to_owned(),
+        (AsDrawn::ExactFit, _) => EXACT_FIT.to_owned(),
+        (AsDrawn::Blocked, _) => "blocked: the parts overlap".to_owned(),
         _ => "outside of what was computed".to_owned(),
     };
     writeln!(text, "  as drawn       {is}")?;

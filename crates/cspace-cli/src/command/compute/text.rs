@@ -4,18 +4,19 @@ use std::fmt::{self, Write};
 
 use cspace::pair::{Joint, PermanentContact, PermanentKind};
 use cspace::{Axis, AxisMotion, PairClass, PairSpace, Part};
+use cspace_api::Chosen;
+use cspace_api::compute::{Counts, Freedom, Statistic, Summary};
 
-use crate::subject::Chosen;
 use crate::wording::{angle, count, length, symmetry};
 
-use super::{Counts, MotionSpace, Statistic, Summary, answer};
+use super::answer;
 
 /// The answer first, then counts; with `verbose` also the numbers that show how certain the structure is.
 pub(super) fn describe(
     text: &mut String,
     pair: &Chosen<'_>,
     space: &PairSpace,
-    s: &Summary<'_>,
+    s: &Summary,
     verbose: bool,
 ) -> fmt::Result {
     let unit = pair.unit();
@@ -24,7 +25,7 @@ pub(super) fn describe(
         text,
         "{moving} relative to {fixed} ({fixed} is fixed, {moving} moves)"
     )?;
-    if let Some(model) = s.model {
+    if let Some(model) = &s.model {
         writeln!(text, "  model          {model}")?;
     }
     answer::describe(text, pair, space, s.drawn.as_ref())?;
@@ -35,7 +36,7 @@ pub(super) fn describe(
             "  method         {}: all of (x, y, theta), though the pair's class is {class}",
             s.class
         )?;
-    } else if s.class == PairClass::Symmetric.name() && s.slabs == 1 {
+    } else if s.class == PairClass::Symmetric && s.slabs == 1 {
         writeln!(
             text,
             "  method         {}, but nothing is a copy: {}",
@@ -63,12 +64,12 @@ pub(super) fn describe(
         )?;
     }
     match &s.motion {
-        Some(MotionSpace::Joint {
+        Some(Freedom::Joint {
             joint,
             limits,
             permanent,
         }) => describe_joint(text, joint, *limits, permanent, &unit)?,
-        Some(MotionSpace::Axes { fixed, moving }) => {
+        Some(Freedom::Axes { fixed, moving }) => {
             describe_axes(text, s, (fixed, moving), verbose)?;
         }
         None => describe_planar(text, s, verbose)?,
@@ -132,7 +133,7 @@ fn place((x, y): (f64, f64)) -> String {
 
 fn describe_axes(
     text: &mut String,
-    s: &Summary<'_>,
+    s: &Summary,
     axes: (&Axis, &Axis),
     verbose: bool,
 ) -> fmt::Result {
@@ -205,7 +206,7 @@ fn describe_doubt(text: &mut String, doubtful: &[(f64, f64)]) -> fmt::Result {
     )
 }
 
-fn describe_planar(text: &mut String, s: &Summary<'_>, verbose: bool) -> fmt::Result {
+fn describe_planar(text: &mut String, s: &Summary, verbose: bool) -> fmt::Result {
     match s.window {
         Some(w) if !w.full_turn => writeln!(
             text,
@@ -241,7 +242,7 @@ fn describe_planar(text: &mut String, s: &Summary<'_>, verbose: bool) -> fmt::Re
         && (verbose || counts.conflicts > 0)
     {
         describe_certainty(text, counts)?;
-        describe_doubt(text, s.doubtful_orientations.unwrap_or_default())?;
+        describe_doubt(text, s.doubtful_orientations.as_deref().unwrap_or_default())?;
     }
     Ok(())
 }

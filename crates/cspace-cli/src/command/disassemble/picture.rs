@@ -60,7 +60,7 @@ fn frame<'a>(
     let place = |c: Coordinates, before: Configuration| step.placed(c, axis, before);
     let mut picture = placed(model, at, &step.staying);
     let parts: Vec<_> = model.parts.iter().map(|p| p.part.clone()).collect();
-    if let Some(scene) = super::scene(&parts, model, step) {
+    if let Some(scene) = step.scene(&parts, model) {
         for c in along(&scene, &step.path.configurations) {
             (picture.swept).extend(step.moving.iter().map(|&i| part(model, i, place(c, at[i]))));
         }

@@ -3,17 +3,17 @@
 use std::fmt::{self, Write};
 
 use cspace::Coordinates;
-use cspace_model::shown;
-use cspace_plan::assembly::{Kind, Outcome, Tried};
+use cspace_api::disassemble::{Disassembly, Locked, Outcome, Step, Tree};
+use cspace_model::{Mechanism, shown};
+use cspace_plan::assembly::{Kind, PartFeature, Tried};
 
+use crate::subject::placed;
 use crate::wording::{about_point, count, degrees, length};
 
-use super::{Locked, Step, Told, Tree};
-
-pub(super) fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fmt::Result {
-    let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
-    let steps = count(told.steps.len(), "step", "steps");
-    match told.verdict {
+pub(super) fn describe(text: &mut String, model: &Mechanism, found: &Disassembly) -> fmt::Result {
+    let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
+    let steps = count(found.steps.len(), "step", "steps");
+    match found.verdict {
         Outcome::Apart => writeln!(text, "apart: {steps}")?,
         Outcome::Locked => writeln!(
             text,
@@ -24,18 +24,18 @@ pub(super) fn describe(text: &mut String, unit: Option<&str>, told: &Told) -> fm
             "unknown: no way was found to take all apart, and none is excluded, {steps}"
         )?,
     }
-    if let Some(Tried { aside, places }) = told.tried.filter(|_| told.verdict != Outcome::Apart) {
+    if let Some(Tried { aside, places }) = found.tried.filter(|_| found.verdict != Outcome::Apart) {
         let places = count(places, "place", "places");
         writeln!(text, "tried: at most {aside} parts moved aside, {places}")?;
     }
-    writeln!(text, "gap {}{unit}", length(told.gap))?;
-    writeln!(text, "{}", list(&told.tree.parts))?;
-    branches(text, &told.tree, &told.steps, 1)?;
-    for (i, step) in told.steps.iter().enumerate() {
+    writeln!(text, "gap {}{unit}", length(found.gap))?;
+    writeln!(text, "{}", list(&found.tree.parts))?;
+    branches(text, &found.tree, &found.steps, 1)?;
+    for (i, step) in found.steps.iter().enumerate() {
         describe_step(text, &unit, i + 1, step)?;
     }
-    match &told.locked {
-        Some(locked) => describe_locked(text, locked, told.verdict),
+    match &found.locked {
+        Some(locked) => describe_locked(text, model, locked, found.verdict),
         None => Ok(()),
     }
 }
@@ -89,7 +89,12 @@ fn describe_step(text: &mut String, unit: &str, number: usize, step: &Step) -> f
     Ok(())
 }
 
-fn describe_locked(text: &mut String, locked: &Locked, verdict: Outcome) -> fmt::Result {
+fn describe_locked(
+    text: &mut String,
+    model: &Mechanism,
+    locked: &Locked,
+    verdict: Outcome,
+) -> fmt::Result {
     /// Maximum number of pairs of features that are listed.
     const MOST: usize = 12;
     match verdict {
@@ -108,8 +113,10 @@ fn describe_locked(text: &mut String, locked: &Locked, verdict: Outcome) -> fmt:
             list(&why.staying),
             count(why.patches, "contact patch", "contact patches")
         )?;
-        for [a, b] in why.places.iter().take(MOST) {
-            writeln!(text, "    {} and {}", shown::text(a), shown::text(b))?;
+        let place = |f: PartFeature| placed(&model.parts[f.part].part, f.feature);
+        for &(a, b) in why.features.iter().take(MOST) {
+            let (a, b) = (place(a), place(b));
+            writeln!(text, "    {} and {}", shown::text(&a), shown::text(&b))?;
         }
         let more = why.touching.len().saturating_sub(MOST);
         if more > 0 {

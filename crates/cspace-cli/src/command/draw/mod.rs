@@ -13,11 +13,15 @@ use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
 use cspace_plan::fits_exactly;
 
 use crate::args::DrawArgs;
+use crate::ask;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, Plane};
-use crate::subject::{Chosen, Subject, pair_of};
+use crate::subject::InWords;
 use crate::wording::{EXACT_FIT, length};
+use cspace_api::Given;
+use cspace_api::{Chosen, Subject};
+use cspace_design::pair_of;
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -45,16 +49,19 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
         output::check(output)?;
         return drawing::run(args, format);
     }
-    let subject = Subject::open(common)?;
-    subject.warn();
+    let (subject, host) = ask::open(common)?;
+    subject.warn(&host);
     let one = common.pair.is_some() || args.at.is_some();
     let pair;
     let (drawn, title) = match &subject {
-        Subject::Model { model, .. } if !one => (assembly(model), model.name.clone()),
+        Subject::Model(file) if !one => {
+            let model = &file.model.mechanism;
+            (assembly(model), model.name.clone())
+        }
         _ => {
-            pair = subject.one_pair(common, None)?;
+            pair = subject.one_pair(&ask::which(common, None), &host)?;
             let at = match &args.at {
-                Some(text) => pair.coordinates("--at", text)?,
+                Some(text) => pair.coordinates("at", &Given::Text(text.to_string()))?,
                 None => as_drawn(&pair),
             };
             let mut drawn = at_configuration(&pair, at);
@@ -163,7 +170,7 @@ fn mark_contacts(
         Ok(Location::Contact) => "in contact".to_owned(),
         Ok(Location::Blocked) if fits_exactly(&space, at).unwrap_or(false) => EXACT_FIT.to_owned(),
         Ok(Location::Blocked) => "blocked: the parts overlap".to_owned(),
-        Ok(Location::Outside) => return Err(unanswered(QueryError::Outside)),
+        Ok(Location::Outside) => return Err(unanswered(QueryError::Outside).into()),
         Err(_) => "joined".to_owned(),
     };
     drawn.remarks.push(format!("{}: {is}", pair.place(at)));

@@ -6,9 +6,11 @@ use cspace_drawing::{Drawn, DxfVersion, Unit};
 
 use super::{as_drawn, assembly, at_configuration};
 use crate::args::{DrawArgs, DxfChoice};
+use crate::ask;
 use crate::failure::Failure;
 use crate::output;
-use crate::subject::Subject;
+use cspace_api::Given;
+use cspace_api::Subject;
 
 /// Whether a file's name asks for DXF.
 pub(crate) fn is_dxf(path: Option<&Path>) -> bool {
@@ -51,16 +53,16 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
         return Err(Failure::new(format_args!("{option} is about pictures"))
             .help("outlines are written to scale: leave the option out"));
     }
-    let subject = Subject::open(common)?;
+    let (subject, host) = ask::open(common)?;
     let pair;
     let picture = match &subject {
-        Subject::Model { model, .. } if common.pair.is_none() && args.at.is_none() => {
-            assembly(model)
+        Subject::Model(file) if common.pair.is_none() && args.at.is_none() => {
+            assembly(&file.model.mechanism)
         }
         _ => {
-            pair = subject.one_pair(common, None)?;
+            pair = subject.one_pair(&ask::which(common, None), &host)?;
             let at = match &args.at {
-                Some(text) => pair.coordinates("--at", text)?,
+                Some(text) => pair.coordinates("at", &Given::Text(text.to_string()))?,
                 None => as_drawn(&pair),
             };
             at_configuration(&pair, at)

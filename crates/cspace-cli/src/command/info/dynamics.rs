@@ -1,229 +1,174 @@
-//! Masses, forces and drives of a mechanism, as `cspace info` prints them.
+//! Masses, forces and drives of a mechanism as text.
 
-use cspace::{AxisMotion, Point, Vector};
-use cspace_model::{
-    Drive, DriveMotion, Load, LoadKind, Mechanism, PartPosition, PartVelocity, Spring, SpringKind,
-};
-use serde::Serialize;
+use std::fmt::{self, Write};
 
-/// Mass properties and initial state of a part, as far as the model determines them.
-#[derive(Serialize, Default)]
-pub(super) struct PartMotion {
-    /// kg, also where a density is given.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) mass: Option<f64>,
-    /// In the part's frame; the outline's centroid of a part with a mass and no centre of its own.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) center_of_mass: Option<[f64; 2]>,
-    /// About the centre of mass.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) inertia: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) start: Option<OneOrThree>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) rate: Option<OneOrThree>,
-    /// Whether its coordinate is an angle.
-    #[serde(skip)]
-    pub(super) turns: bool,
+use cspace_api::info::{DriveInfo, Dynamics, Forces, LoadInfo, OneOrThree, SpringInfo, Surface};
+use cspace_model::shown;
+
+use crate::wording::{angle, count};
+
+/// Digits after the first of numbers that were computed, such as an inertia, whose size may be any.
+const DIGITS: usize = 6;
+
+/// A number with a few digits, whatever its size.
+fn short(x: f64) -> String {
+    let rounded = format!("{x:.DIGITS$e}").parse().unwrap_or(x);
+    shown::number(rounded).to_string()
 }
 
-/// Along an axis, or in the plane.
-#[derive(Serialize, Clone, Copy)]
-#[serde(untagged)]
-pub(super) enum OneOrThree {
-    One(f64),
-    Three([f64; 3]),
+/// A list of numbers in brackets.
+fn list<const N: usize>(values: [f64; N]) -> String {
+    format!("({})", values.map(short).join(", "))
 }
 
-/// Friction and restitution of a pair, if the model gives them for the pair itself.
-#[derive(Serialize, Default)]
-pub(super) struct SurfaceInfo {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) friction: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) restitution: Option<f64>,
-}
-
-/// Forces, drives and surface constants of the whole mechanism.
-#[derive(Serialize, Default)]
-pub(super) struct Forces {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) gravity: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) friction: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) restitution: Option<f64>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) drives: Vec<DriveInfo>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) loads: Vec<LoadInfo>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) springs: Vec<SpringInfo>,
-}
-
-#[derive(Serialize)]
-pub(super) struct DriveInfo {
-    pub(super) part: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) rate: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) table: Option<Vec<(f64, f64)>>,
-    /// Whether the part's coordinate is an angle.
-    #[serde(skip)]
-    pub(super) turns: bool,
-}
-
-#[derive(Serialize)]
-pub(super) struct LoadInfo {
-    pub(super) part: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) force: Option<[f64; 2]>,
-    /// Where the force acts, in the part's frame; at the centre of mass if it does not say.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) at: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) torque: Option<f64>,
-}
-
-#[derive(Serialize)]
-pub(super) struct SpringInfo {
-    #[serde(rename = "type")]
-    pub(super) kind: &'static str,
-    /// One part if the spring is against the ground.
-    pub(super) parts: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) at: Option<[[f64; 2]; 2]>,
-    pub(super) stiffness: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) length: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) angle: Option<f64>,
-    pub(super) damping: f64,
-}
-
-fn numbers(p: Point) -> [f64; 2] {
-    [p.x, p.y]
-}
-
-fn components(v: Vector) -> [f64; 2] {
-    [v.x, v.y]
-}
-
-/// Whether a part's coordinate is an angle.
-fn turns(model: &Mechanism, part: usize) -> bool {
-    let axis = model.parts.get(part).and_then(|p| p.axis);
-    axis.is_some_and(|x| matches!(x.motion, AxisMotion::Revolute { .. }))
-}
-
-fn name(model: &Mechanism, part: usize) -> String {
-    (model.parts.get(part)).map_or_else(String::new, |p| p.part.name().to_owned())
-}
-
-pub(super) fn part_motion(model: &Mechanism, part: usize) -> PartMotion {
-    let given = model.dynamics.part(part);
-    let mass = model.mass_properties(part);
-    let center = mass.map(|m| m.center).or(given.center_of_mass);
-    PartMotion {
-        mass: mass.map(|m| m.mass),
-        center_of_mass: center.map(numbers),
-        inertia: mass.map(|m| m.inertia),
-        start: given.start.map(|s| match s {
-            PartPosition::Axis(u) => OneOrThree::One(u),
-            PartPosition::Planar(c) => OneOrThree::Three([c.x, c.y, c.theta]),
-        }),
-        rate: given.rate.map(|r| match r {
-            PartVelocity::Axis(u) => OneOrThree::One(u),
-            PartVelocity::Planar { linear, angular } => {
-                OneOrThree::Three([linear.x, linear.y, angular])
+/// Lines of a part; `unit` is the label of the model's unit, with a space before it, or empty.
+pub(super) fn part(text: &mut String, motion: &Dynamics, unit: &str) -> fmt::Result {
+    let squared = compound("kg·", unit, "²");
+    if let Some(mass) = motion.mass {
+        writeln!(text, "    mass       {} kg", short(mass))?;
+    }
+    if let Some(center) = motion.center_of_mass {
+        writeln!(text, "    centre     of mass at {}", list(center))?;
+    }
+    if let Some(inertia) = motion.inertia {
+        writeln!(text, "    inertia    {} {squared} about it", short(inertia))?;
+    }
+    if let Some(start) = motion.start {
+        let start = match start {
+            OneOrThree::One(u) if motion.turns => angle(u),
+            OneOrThree::One(u) => format!("{}{unit}", short(u)),
+            OneOrThree::Three([x, y, theta]) => format!("{}, {}", list([x, y]), angle(theta)),
+        };
+        writeln!(text, "    start      at {start}")?;
+    }
+    if let Some(rate) = motion.rate {
+        let rate = match rate {
+            OneOrThree::One(u) => one_rate(u, motion.turns, unit),
+            OneOrThree::Three([x, y, omega]) => {
+                let speed = compound("", unit, "/s");
+                format!("{} {speed}, {}", list([x, y]), one_rate(omega, true, unit))
             }
+        };
+        writeln!(text, "    rate       {rate}")?;
+    }
+    Ok(())
+}
+
+/// A unit made with that of length, which is called `unit` where the model does not name it.
+fn compound(before: &str, unit: &str, after: &str) -> String {
+    let unit = match unit.trim() {
+        "" => "unit",
+        named => named,
+    };
+    format!("{before}{unit}{after}")
+}
+
+fn one_rate(rate: f64, turns: bool, unit: &str) -> String {
+    if turns {
+        format!("{} rad/s ({} deg/s)", short(rate), short(rate.to_degrees()))
+    } else {
+        format!("{} {}", short(rate), compound("", unit, "/s"))
+    }
+}
+
+/// The friction and restitution of a pair, as far as given, each after a comma.
+pub(super) fn surface(surface: &Surface) -> String {
+    let own = |what: &str, x: Option<f64>| {
+        x.map_or_else(String::new, |x| format!(", {what} {}", short(x)))
+    };
+    own("friction", surface.friction) + &own("restitution", surface.restitution)
+}
+
+/// Gravity, friction, drives, loads and springs, under headings of their own.
+pub(super) fn forces(text: &mut String, forces: &Forces, unit: &str) -> fmt::Result {
+    let whole = [
+        forces.gravity.map(|g| {
+            let unit = compound("", unit, "/s²");
+            format!("gravity {} {unit}", list(g))
         }),
-        turns: turns(model, part),
-    }
+        forces.friction.map(|x| format!("friction {}", short(x))),
+        forces
+            .restitution
+            .map(|x| format!("restitution {}", short(x))),
+    ];
+    section(text, "everywhere", whole.into_iter().flatten())?;
+    section(text, "drives", forces.drives.iter().map(|d| drive(d, unit)))?;
+    section(text, "loads", forces.loads.iter().map(|l| load(l, unit)))?;
+    section(
+        text,
+        "springs",
+        forces.springs.iter().map(|s| spring(s, unit)),
+    )
 }
 
-/// The friction and restitution given for the pair of these parts.
-pub(super) fn surface(model: &Mechanism, fixed: &str, moving: &str) -> SurfaceInfo {
-    let parts = model.part_index(fixed).zip(model.part_index(moving));
-    let own = parts.and_then(|(a, b)| model.dynamics.surface(a, b));
-    SurfaceInfo {
-        friction: own.and_then(|s| s.friction),
-        restitution: own.and_then(|s| s.restitution),
-    }
-}
-
-pub(super) fn forces(model: &Mechanism) -> Forces {
-    let all = &model.dynamics;
-    let other_than_0 = |x: f64| (x != 0.0).then_some(x);
-    Forces {
-        gravity: (all.gravity != Vector::ZERO).then(|| components(all.gravity)),
-        friction: other_than_0(all.friction),
-        restitution: other_than_0(all.restitution),
-        drives: all.drives.iter().map(|d| drive(model, d)).collect(),
-        loads: all.loads.iter().map(|l| load(model, l)).collect(),
-        springs: all.springs.iter().map(|s| spring(model, s)).collect(),
-    }
-}
-
-fn drive(model: &Mechanism, drive: &Drive) -> DriveInfo {
-    let (rate, table) = match &drive.motion {
-        DriveMotion::Rate(rate) => (Some(*rate), None),
-        DriveMotion::Table(points) => (None, Some(points.clone())),
+fn section(
+    text: &mut String,
+    heading: &str,
+    mut lines: impl Iterator<Item = String>,
+) -> fmt::Result {
+    let Some(first) = lines.next() else {
+        return Ok(());
     };
-    DriveInfo {
-        part: name(model, drive.part),
-        rate,
-        table,
-        turns: turns(model, drive.part),
-    }
+    writeln!(text, "\n{heading}\n  {first}")?;
+    lines.try_for_each(|line| writeln!(text, "  {line}"))
 }
 
-fn load(model: &Mechanism, load: &Load) -> LoadInfo {
-    let (force, at, torque) = match load.kind {
-        LoadKind::Force { force, at } => (Some(components(force)), at.map(numbers), None),
-        LoadKind::Torque(torque) => (None, None, Some(torque)),
+fn drive(drive: &DriveInfo, unit: &str) -> String {
+    let how = match (&drive.table, drive.rate) {
+        (Some(points), _) => {
+            let ends = points.first().zip(points.last());
+            let (from, to) = ends.map_or((0.0, 0.0), |(a, b)| (a.0, b.0));
+            let points = count(points.len(), "point", "points");
+            format!("a table of {points}, {} s to {} s", short(from), short(to))
+        }
+        (None, rate) => one_rate(rate.unwrap_or_default(), drive.turns, unit),
     };
-    LoadInfo {
-        part: name(model, load.part),
-        force,
-        at,
-        torque,
-    }
+    format!("{}: {how}", drive.part)
 }
 
-fn spring(model: &Mechanism, spring: &Spring) -> SpringInfo {
-    let parts = [Some(spring.part), spring.other];
-    let parts = parts
-        .into_iter()
-        .flatten()
-        .map(|i| name(model, i))
-        .collect();
-    match spring.kind {
-        SpringKind::Linear {
-            at: (p, q),
-            stiffness,
-            length,
-            damping,
-        } => SpringInfo {
-            kind: "linear",
-            parts,
-            at: Some([p, q].map(numbers)),
-            stiffness,
-            length: Some(length),
-            angle: None,
-            damping,
-        },
-        SpringKind::Torsion {
-            stiffness,
-            angle,
-            damping,
-        } => SpringInfo {
-            kind: "torsion",
-            parts,
-            at: None,
-            stiffness,
-            length: None,
-            angle: Some(angle),
-            damping,
-        },
+fn load(load: &LoadInfo, unit: &str) -> String {
+    let what = match (load.force, load.torque) {
+        (Some(force), _) => {
+            let unit = compound("kg·", unit, "/s²");
+            let at = load
+                .at
+                .map_or_else(|| "its centre of mass".to_owned(), list);
+            format!("force {} {unit} at {at}", list(force))
+        }
+        (None, torque) => {
+            let unit = compound("kg·", unit, "²/s²");
+            format!("torque {} {unit}", short(torque.unwrap_or_default()))
+        }
+    };
+    format!("{}: {what}", load.part)
+}
+
+fn spring(spring: &SpringInfo, unit: &str) -> String {
+    let mut ends = spring.parts.clone();
+    if ends.len() == 1 {
+        ends.push("the ground".to_owned());
     }
+    if let Some(at) = spring.at {
+        for (end, at) in ends.iter_mut().zip(at) {
+            *end = format!("{end} at {}", list(at));
+        }
+    }
+    let (kind, per_move, per_rate) = match (spring.angle, spring.length) {
+        (Some(rest), _) => (
+            format!("torsion, at rest at {}", angle(rest)),
+            compound("kg·", unit, "²/s² per rad"),
+            compound("kg·", unit, "²/s"),
+        ),
+        (None, length) => (
+            format!("at rest at {}{unit}", short(length.unwrap_or_default())),
+            "kg/s²".to_owned(),
+            "kg/s".to_owned(),
+        ),
+    };
+    let damping = match spring.damping {
+        0.0 => String::new(),
+        damping => format!(", damping {} {per_rate}", short(damping)),
+    };
+    let stiffness = format!("stiffness {} {per_move}", short(spring.stiffness));
+    format!("{}: {kind}, {stiffness}{damping}", ends.join(" and "))
 }

@@ -2,22 +2,22 @@
 
 use std::fmt::{self, Write};
 
+use cspace_api::info::{Info, Motion, Parameter};
 use cspace_model::shown;
 
 use crate::wording::{angle, count, length, symmetry};
 
-use super::dynamics_text::{forces, part, surface};
-use super::{Info, MotionInfo, ParameterInfo};
+use super::dynamics::{forces, part, surface};
 
 /// A line for each parameter: name, value, how it is written or how far it may vary, and what depends on it.
-fn parameters(text: &mut String, all: &[ParameterInfo]) -> fmt::Result {
+fn parameters(text: &mut String, all: &[Parameter]) -> fmt::Result {
     /// More users than these are counted.
     const SHOWN: usize = 4;
     if all.is_empty() {
         return Ok(());
     }
     writeln!(text, "\nparameters")?;
-    let width = |of: &dyn Fn(&ParameterInfo) -> usize| all.iter().map(of).max().unwrap_or(0);
+    let width = |of: &dyn Fn(&Parameter) -> usize| all.iter().map(of).max().unwrap_or(0);
     let named = width(&|p| p.name.chars().count());
     let values: Vec<String> = (all.iter())
         .map(|p| shown::number(p.value).to_string())
@@ -116,7 +116,13 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
         writeln!(text, "\njoints")?;
     }
     for j in &info.joints {
-        write!(text, "  {} of {} and {}", j.kind, j.parts[0], j.parts[1])?;
+        write!(
+            text,
+            "  {} of {} and {}",
+            j.kind.name(),
+            j.parts[0],
+            j.parts[1]
+        )?;
         if let Some(at) = j.at {
             write!(text, " at {}", place(at))?;
         }
@@ -141,7 +147,7 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
         if let Some((lo, hi)) = p.theta {
             write!(text, ", theta from {} to {}", angle(lo), angle(hi))?;
         }
-        let own = surface(p.surface.friction, p.surface.restitution);
+        let own = surface(&p.surface);
         writeln!(text, "{own}")?;
     }
     forces(text, &info.forces, &unit)
@@ -152,18 +158,18 @@ fn place([x, y]: [f64; 2]) -> String {
     format!("({}, {})", shown::number(x), shown::number(y))
 }
 
-fn describe_motion(text: &mut String, motion: &MotionInfo, unit: &str) -> fmt::Result {
+fn describe_motion(text: &mut String, motion: &Motion, unit: &str) -> fmt::Result {
     match motion {
-        MotionInfo::Fixed => writeln!(text, "fixed"),
-        MotionInfo::Planar => writeln!(text, "planar"),
-        MotionInfo::Revolute { center, range } => {
+        Motion::Fixed => writeln!(text, "fixed"),
+        Motion::Planar => writeln!(text, "planar"),
+        Motion::Revolute { center, range } => {
             write!(text, "revolute about {}", place(*center))?;
             match range {
                 Some((lo, hi)) => writeln!(text, ", from {} to {}", angle(*lo), angle(*hi)),
                 None => writeln!(text),
             }
         }
-        MotionInfo::Prismatic { direction, range } => {
+        Motion::Prismatic { direction, range } => {
             write!(text, "prismatic along {}", place(*direction))?;
             match range {
                 Some((lo, hi)) => {

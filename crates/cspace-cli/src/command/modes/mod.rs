@@ -1,20 +1,15 @@
 //! `cspace modes`.
 
-pub(crate) mod answer;
-mod ask;
 mod picture;
+mod text;
 
-use std::time::Instant;
+use cspace_api::modes::Question;
 
-use cspace_answers::{Answer, Outcome};
-use cspace_plan::modes::Modes;
-
-use crate::args::ModesArgs;
+use crate::args::{CacheArgs, ModesArgs};
+use crate::ask::{self, Terminal};
 use crate::failure::Failure;
-use crate::interrupt::catch_interrupts;
 use crate::output;
 use crate::picture as pictures;
-use crate::subject::{read_model, set_threads};
 
 pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     let output = args.result.output.as_deref();
@@ -24,24 +19,17 @@ pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {
     }
     args.result.artefact(&["svg", "png", "pdf"])?;
     output::check(output)?;
-    catch_interrupts();
-    set_threads(args.threads)?;
-    let (path, model) = read_model(&args.file, &args.values, "modes are those of three parts")?;
-    let parts = ask::parts(&path, &model, args.parts.as_deref())?;
-    let at = ask::configuration(&model, parts, args.at.as_deref())?;
-    let begin = Instant::now();
-    let modes =
-        Modes::compute(&model, parts).map_err(|error| ask::rejected(&path, &model, &error))?;
-    let place = modes.locate(at).map_err(Failure::new)?;
+    let subject = ask::read(&args.file, &args.values, args.threads)?;
+    let question = Question {
+        parts: args.parts.clone(),
+        at: args.at.clone(),
+    };
+    let answer = question.ask(&subject, &Terminal::new(CacheArgs::default()))?;
     if let Some(format) = format {
-        let scene = picture::scene(args, &model, &modes, (at, place));
+        let scene = picture::scene(args, &subject, &answer.content);
         pictures::write(output, format, &scene)?;
     }
-    let seconds = begin.elapsed().as_secs_f64();
-    let answer = answer::of(&model, &modes, (at, place), seconds);
-    let framed = Answer::new("modes", model.unit.as_deref(), Outcome::DONE, &answer);
-    super::print(&args.result, &framed, |text| {
-        *text = answer::text(&model, &modes, &answer)?;
-        Ok(())
+    super::tell(&args.result, &answer, |text, found| {
+        text::describe(text, subject.unit(), found)
     })
 }

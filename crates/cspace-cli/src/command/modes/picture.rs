@@ -1,10 +1,10 @@
 //! The region diagram of `cspace modes`.
 
+use cspace_api::Subject;
+use cspace_api::modes::{Letter, OperatingModes};
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
-use cspace_model::Mechanism;
-use cspace_plan::modes::{ModePlace, Modes};
+use cspace_plan::modes::ModePlace;
 
-use super::ask::LETTERS;
 use crate::args::ModesArgs;
 use crate::failure::note;
 
@@ -13,16 +13,19 @@ const MOST: usize = 7;
 /// Fields of each plane along each coordinate: as many as a plane has dots in a picture of the usual size.
 const FIELDS: usize = 280;
 
-pub(super) fn scene(
-    args: &ModesArgs,
-    model: &Mechanism,
-    found: &Modes,
-    (at, place): ([f64; 3], ModePlace),
-) -> Scene {
-    let unit = model.unit.as_deref();
+pub(super) fn scene(args: &ModesArgs, subject: &Subject, answer: &OperatingModes) -> Scene {
+    let (found, unit) = (&answer.found, subject.unit());
+    let (at, place) = (
+        <[f64; 3]>::from(answer.requested.at),
+        answer.requested.place,
+    );
     let names = found.names();
     let of = unit.map_or(String::new(), |u| format!(", lengths in {u}"));
-    let title = format!("{}: modes of {}{of}", model.name, names.join(", "));
+    let title = format!(
+        "{}: modes of {}{of}",
+        subject.name().unwrap_or_default(),
+        names.join(", ")
+    );
     let options = PictureOptions {
         size: args.picture.size,
         title: args.picture.title.clone().unwrap_or(title),
@@ -33,7 +36,7 @@ pub(super) fn scene(
     let planes = [0, 1, 2].map(|k| {
         let pair = &found.pairs()[k];
         ModePlane {
-            coordinates: pair.coordinates.map(|c| LETTERS[c]),
+            coordinates: pair.coordinates.map(|c| Letter::ALL[c].name()),
             parts: pair.coordinates.map(|c| names[c].as_str()),
             axes: pair.coordinates.map(|c| found.axes()[c]),
             extents: pair.coordinates.map(|c| extents[c]),

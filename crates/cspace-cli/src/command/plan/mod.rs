@@ -3,33 +3,24 @@
 mod energy;
 mod hint;
 pub(crate) mod picture;
-mod proof;
 
 use std::fmt::{self, Write};
 use std::path::Path;
-use std::time::Instant;
 
-use cspace::{Coordinates, Vector};
+use cspace::Coordinates;
+use cspace_api::plan::{Contact, Judge, Outcome, Plan, Question};
+use cspace_api::{Answer, Chosen, Pairs, Rest};
 use cspace_model::shown;
-use cspace_plan::legs::Scene;
-use cspace_plan::{Checked, Clearance, PlanError, Planner, Wishes, check, touching_distance};
 
 use crate::args::{Format, PlanArgs};
-use crate::command::draw::as_drawn;
+use crate::ask;
 use crate::command::rows;
 use crate::failure::{Failure, note};
 use crate::input;
 use crate::output;
 use crate::picture::format;
-use crate::progress::Bar;
-use crate::subject::{Chosen, Subject};
+use crate::subject::InWords;
 use crate::wording::{about_point, angle, count, length};
-
-use cspace_answers::plan::{Contact, Name, Parts, Told};
-use cspace_answers::{Answer, Outcome, Rest};
-
-/// Reason for a missing proof: there is a path, but it is too narrow.
-const NARROW: &str = "there is a way, with less clearance than is asked for; what is proved is that there is no way at all";
 
 /// The largest path that is judged: as much as of rows that are classified.
 const MOST_BYTES: u64 = 1 << 30;
@@ -37,10 +28,45 @@ const MOST_BYTES: u64 = 1 << 30;
 pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     let common = &args.common;
     let output = (common.result).artefact(&["csv", "json", "svg", "png", "pdf"])?;
-    let picture = format(output);
-    if picture.is_none() {
+    if format(output).is_none() {
         args.picture.refuse()?;
     }
+    check_proof(args, output)?;
+    let (subject, host) = ask::open(common)?;
+    if args.energy.energy {
+        return energy::run(args, &subject, &host);
+    }
+    let question = Question {
+        which: ask::which(common, args.window.window),
+        from: args.from.clone(),
+        to: args.to.clone(),
+        about: args.about.about,
+        widest: args.widest,
+        clearance: args.clearance,
+        prefer: args.prefer.into(),
+        turn: args.turn,
+        travel: args.travel,
+        proof: args.proof.is_some(),
+        depth: args.depth,
+    };
+    let pairs = question.pairs(&subject, &host)?;
+    let answer = match &args.verify {
+        Some(path) => judged(args, &pairs, path)?,
+        None => question.ask(&pairs)?,
+    };
+    for (pair, found) in pairs.iter().zip(&answer.content.pairs) {
+        write_files(args, &question, pair, &found.content)?;
+    }
+    super::tell(&common.result, &answer, |text, found| {
+        for (pair, answer) in pairs.iter().zip(&found.pairs) {
+            describe(text, pair, &answer.content)?;
+        }
+        Ok(())
+    })
+}
+
+/// Refuses a file for the proof that cannot be written, or is for something else.
+fn check_proof(args: &PlanArgs, output: Option<&Path>) -> Result<(), Failure> {
     output::check(args.proof.as_deref())?;
     if args.proof.as_deref() == Some(Path::new(output::STANDARD)) {
         return Err(
@@ -53,208 +79,72 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         let help = "give another path after --proof; nothing was written";
         return Err(Failure::new(same).help(help));
     }
-    let subject = Subject::open(common)?;
-    let pair = subject.one_pair(common, args.window.window)?;
-    if args.energy.energy {
-        if picture.is_some() || output.is_some_and(|path| output::ends_in(path, "csv")) {
-            return Err(
-                Failure::new("-o: with --energy there is no picture and no table")
-                    .help("let the name end in .json"),
-            );
-        }
-        return energy::run(args, &pair);
-    }
-    let (told, scene) = match &args.verify {
-        Some(path) => checked(args, &pair, path)?,
-        None => planned(args, &pair)?,
-    };
-    if let Some(format) = picture {
-        picture::write(args, &pair, &told, format)?;
+    Ok(())
+}
+
+/// Writes the picture, the table and the proof that are asked for.
+fn write_files(
+    args: &PlanArgs,
+    question: &Question,
+    pair: &Chosen<'_>,
+    plan: &Plan,
+) -> Result<(), Failure> {
+    let output = args.common.result.output.as_deref();
+    if let Some(format) = format(output) {
+        picture::write(args, question, pair, plan, format)?;
     } else if let Some(path) = output.filter(|path| output::ends_in(path, "csv")) {
-        if told.path.is_empty() {
-            note(format_args!(
+        match as_csv(pair, plan)? {
+            Some(rows) => output::write(Some(path), &rows)?,
+            None => note(format_args!(
                 "{}: not written, there is no path",
                 path.display()
-            ));
-        } else {
-            output::write(Some(path), &as_csv(&pair, &told, &scene)?)?;
+            )),
         }
     }
-    match (&args.proof, &told.proof) {
+    match (&args.proof, &plan.proof) {
         (Some(path), Some(proof)) => output::write(Some(path), &super::json(proof)?)?,
-        (Some(path), None) if told.unproved.is_none() => note(format_args!(
+        (Some(path), None) if plan.unproved.is_none() => note(format_args!(
             "{}: not written, there is no proof",
             path.display()
         )),
         _ => {}
     }
-    let outcome = match told.verdict {
-        Name::Path => Outcome::yes("path"),
-        Name::NoPath => Outcome::no("no-path"),
-        Name::Blocked => Outcome::no("blocked"),
-        Name::FromBlocked => Outcome::no("from-blocked"),
-        Name::ToBlocked => Outcome::no("to-blocked"),
-        Name::Unknown => Outcome::open("unknown"),
+    Ok(())
+}
+
+/// The verdict on the path in a file.
+fn judged(
+    args: &PlanArgs,
+    pairs: &[Chosen<'_>],
+    path: &Path,
+) -> Result<Answer<Pairs<Plan>>, Failure> {
+    let mut judge = Judge {
+        path: Vec::new(),
+        source: path.display().to_string(),
+        about: args.about.about,
     };
-    let answers = vec![pair.answer(outcome, &told)];
-    let answer = Answer::of_pairs("plan", pair.unit_label(), answers);
-    super::print(&common.result, &answer, |text| describe(text, &pair, &told))
-}
-
-/// The goal that is given; none if it is any that is out.
-fn goal(args: &PlanArgs) -> Option<&str> {
-    args.to.as_deref().filter(|to| *to != "out")
-}
-
-/// The start: the parts as drawn unless one is given.
-fn start(args: &PlanArgs, pair: &Chosen<'_>) -> Result<Coordinates, Failure> {
-    match &args.from {
-        Some(from) => pair.coordinates("--from", from),
-        None => Ok(as_drawn(pair)),
+    for pair in pairs {
+        pair.check_window()?;
+        let help = "give a file as `cspace plan -o PATH.csv` writes it";
+        let bytes = input::bytes(path, MOST_BYTES, help)?;
+        let rows = rows::read((&judge.source, &bytes), pair, Format::Text, &[])?;
+        judge.path = rows.configurations;
     }
-}
-
-fn planned(args: &PlanArgs, pair: &Chosen<'_>) -> Result<(Told, Scene), Failure> {
-    let from = start(args, pair)?;
-    let to = match goal(args) {
-        Some(to) => Some(pair.coordinates("--to", to)?),
-        None => None,
-    };
-    let clearance = match args.clearance {
-        Some(least) => Clearance::AtLeast(least),
-        None if args.widest => Clearance::Widest,
-        None => Clearance::Half,
-    };
-    let (turn, travel) = (
-        args.turn.unwrap_or(f64::INFINITY),
-        args.travel.unwrap_or(f64::INFINITY),
-    );
-    let (u_turns, v_turns) = pair.turns();
-    let limit = |turns: bool| if turns { turn } else { travel };
-    let steps = if pair.is_on_axes() {
-        [limit(u_turns), limit(v_turns), f64::INFINITY]
-    } else {
-        [travel, travel, turn]
-    };
-    let ends: Vec<Coordinates> = [from].into_iter().chain(to).collect();
-    let (space, gap) = pair.space_with_room(&ends)?;
-    let failed = |error: PlanError| match &error {
-        PlanError::From(e) => pair.unanswered("--from", e),
-        PlanError::To(e) => pair.unanswered("--to", e),
-        PlanError::Pair(e) => pair.unanswered("--from", e),
-        PlanError::Grown(e) => pair.failure(e),
-        PlanError::NoGoal => Failure::new("--to is missing: on fixed axes no configuration is out")
-            .help("give the configuration to come to: --to=U,V"),
-        PlanError::TooFar { .. } => Failure::new(&error).help("choose one nearer to the parts"),
-        PlanError::TooManyLegs(_) => {
-            Failure::new(format_args!("--turn, --travel: {error}")).help("give larger ones")
-        }
-        _ => Failure::new(error),
-    };
-    let begin = Instant::now();
-    let planner = match pair.about(&args.about)? {
-        Some(about) => Planner::with_about(&space, about),
-        None => Planner::new(&space),
-    }
-    .map_err(failed)?;
-    let wishes = Wishes {
-        clearance,
-        steps,
-        prefer: args.prefer.into(),
-    };
-    let goal = to;
-    let (to, answer) = Bar::new(pair.names())
-        .watch(|bar| match to {
-            Some(to) => Ok((to, planner.plan_with(from, to, &wishes, bar)?)),
-            None => planner.plan_out(from, &wishes, bar),
-        })
-        .map_err(failed)?;
-    let mut told = Told::planned(
-        &space,
-        (planner.scene(), pair.unit_label()),
-        goal,
-        answer,
-        begin.elapsed().as_secs_f64(),
-    );
-    told.gap = gap;
-    if told.verdict == Name::NoPath && (args.depth.is_some() || args.proof.is_some()) {
-        if told.enclosed.is_some() {
-            proof::add(&mut told, pair, &space, [from, to], args.depth)?;
-        } else {
-            told.unproved = Some(NARROW.to_owned());
-        }
-    }
-    let about = told.about.map_or(Vector::ZERO, |[x, y]| Vector::new(x, y));
-    let scene = planner.scene().clone().with_about(about);
-    Ok((told, scene))
-}
-
-fn checked(args: &PlanArgs, pair: &Chosen<'_>, path: &Path) -> Result<(Told, Scene), Failure> {
-    pair.check_window()?;
-    let source = path.display().to_string();
-    let help = "give a file as `cspace plan -o PATH.csv` writes it";
-    let bytes = input::bytes(path, MOST_BYTES, help)?;
-    let rows = rows::read((&source, &bytes), pair, Format::Text, &[])?;
-    if rows.configurations.is_empty() {
+    if judge.path.is_empty() {
         return Err(
-            Failure::new(format_args!("{source}: there is no configuration"))
+            Failure::new(format_args!("{}: there is no configuration", judge.source))
                 .help("give one configuration in each row, below the names of the columns"),
         );
     }
-    let axes = if pair.is_on_axes() { pair.axes() } else { None };
-    let mut scene = Scene::new(pair.fixed(), pair.moving(), axes);
-    if let Some(window) = pair.window() {
-        scene = scene.with_window(window);
-    }
-    if let Some(about) = pair.about(&args.about)? {
-        scene = scene.with_about(about);
-    }
-    let begin = Instant::now();
-    let judged = |scene: &Scene| {
-        check(scene, &rows.configurations).map_err(|error| match &error {
-            PlanError::Pair(e) => pair.unanswered(&source, e),
-            _ => Failure::new(format_args!("{source}: {error}"))
-                .help("let the path stay nearer to the parts"),
-        })
-    };
-    let mut found = judged(&scene)?;
-    // A path from an exact fit was found with a gap, and is judged with it.
-    let mut gap = None;
-    let ends = [rows.configurations.first(), rows.configurations.last()];
-    let touches = |at: &Coordinates| {
-        let numbers = scene.numbers(*at).ok();
-        numbers.is_some_and(|n| scene.touches(n, touching_distance(pair.fixed(), pair.moving())))
-    };
-    if !matches!(found, Checked::Free(_))
-        && ends.into_iter().flatten().any(touches)
-        && let Some((smaller, by)) = cspace_plan::with_gap(pair.fixed(), pair.moving())
-    {
-        let mut narrower = Scene::new(pair.fixed(), &smaller, axes).with_about(scene.about());
-        if let Some(window) = pair.window() {
-            narrower = narrower.with_window(window);
-        }
-        (found, gap) = (judged(&narrower)?, Some(by));
-        scene = narrower;
-    }
-    let parts = Parts {
-        fixed: pair.fixed(),
-        moving: pair.moving(),
-    };
-    let seconds = begin.elapsed().as_secs_f64();
-    let mut told = Told::checked(
-        parts,
-        (&scene, pair.unit_label()),
-        rows.configurations,
-        &found,
-        seconds,
-    );
-    told.gap = gap;
-    Ok((told, scene))
+    Ok(judge.ask(pairs)?)
 }
 
-/// Rows of a path, in full precision, which are as free as the path where coordinates change straight from row to row.
-fn as_csv(pair: &Chosen<'_>, told: &Told, scene: &Scene) -> Result<Vec<u8>, Failure> {
-    let rows = cspace_plan::straight(scene, &told.path).map_err(Failure::new)?;
+/// Rows of a path, in full precision, which are as free as the path where coordinates change straight from row to row; none without a path.
+fn as_csv(pair: &Chosen<'_>, plan: &Plan) -> Result<Option<Vec<u8>>, Failure> {
+    let Some(scene) = &plan.scene else {
+        return Ok(None);
+    };
+    let rows = cspace_plan::straight(scene, &plan.path).map_err(Failure::new)?;
     let mut writer = csv::Writer::from_writer(Vec::new());
     match pair.is_on_axes() {
         true => writer.write_record(["u", "v"]),
@@ -268,69 +158,69 @@ fn as_csv(pair: &Chosen<'_>, told: &Told, scene: &Scene) -> Result<Vec<u8>, Fail
         }
         .map_err(Failure::new)?;
     }
-    writer.into_inner().map_err(Failure::new)
+    writer.into_inner().map(Some).map_err(Failure::new)
 }
 
-fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
+fn describe(text: &mut String, pair: &Chosen<'_>, plan: &Plan) -> fmt::Result {
     let unit = pair.unit();
-    if let Some(hit) = &told.contact {
+    if let Some(hit) = &plan.contact {
         return met(text, pair, hit);
     }
-    if let Some(gap) = told.gap {
+    if let Some(gap) = plan.gap {
         writeln!(text, "{}", pair.gap_in_words(gap))?;
     }
-    match told.verdict {
-        Name::Path => {
-            let legs = told.path.len().saturating_sub(1);
-            let is_out = if told.is_out && legs == 0 {
+    match plan.verdict {
+        Outcome::Path => {
+            let legs = plan.path.len().saturating_sub(1);
+            let is_out = if plan.is_out && legs == 0 {
                 ", it is out"
             } else {
                 ""
             };
             writeln!(text, "path: {}{is_out}", count(legs, "leg", "legs"))?;
-            for (i, &at) in told.path.iter().enumerate() {
+            for (i, &at) in plan.path.iter().enumerate() {
                 writeln!(text, "  {}", pair.place(at))?;
-                if let Some(words) = told.words.get(i) {
+                if let Some(words) = plan.words.get(i) {
                     writeln!(text, "    {words}")?;
                 }
             }
-            if let Some(point) = about_point(&told.path, told.about, &unit) {
+            if let Some(point) = about_point(&plan.path, plan.about, &unit) {
                 let name = shown::text(pair.moving().name());
                 writeln!(text, "legs are about the point {point} of {name}")?;
             }
         }
-        Name::NoPath if told.bottleneck.is_some() => {
+        Outcome::NoPath if plan.bottleneck.is_some() => {
             writeln!(text, "no-path: no way has the clearance that is asked for")?;
         }
-        Name::NoPath => writeln!(text, "no-path")?,
-        Name::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
-        Name::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
-        Name::Blocked => writeln!(text, "blocked: the given path meets a contact")?,
-        Name::Unknown if told.bottleneck.as_ref().is_some_and(|b| b.most.is_none()) => writeln!(
+        Outcome::NoPath => writeln!(text, "no-path")?,
+        Outcome::FromBlocked => writeln!(text, "from-blocked: the parts overlap at the start")?,
+        Outcome::ToBlocked => writeln!(text, "to-blocked: the parts overlap at the goal")?,
+        Outcome::Blocked => writeln!(text, "blocked: the given path meets a contact")?,
+        Outcome::Unknown if plan.bottleneck.as_ref().is_some_and(|b| b.most.is_none()) => writeln!(
             text,
             "unknown: no way with that clearance was found, and none is excluded off the contact"
         )?,
-        Name::Unknown if told.doubtful.is_empty() => writeln!(
+        Outcome::Unknown if plan.doubtful.is_empty() => writeln!(
             text,
             "unknown: no such way was found, and none is excluded: rounding hides it"
         )?,
-        Name::Unknown => writeln!(
+        Outcome::Unknown => writeln!(
             text,
             "unknown: no way was found, and none is excluded, at doubtful orientations"
         )?,
     }
-    if let (Some(clearance), Some(place)) = (told.clearance, &told.narrowest) {
-        let rest = (told.rest).map_or(String::new(), |rest| off_contact(&rest, &unit));
+    if let (Some(clearance), Some(place)) = (plan.clearance, &plan.narrowest) {
+        let rest = (plan.rest).map_or(String::new(), |rest| off_contact(&rest, &unit));
         writeln!(text, "clearance {}{unit}{rest}", length(clearance))?;
         writeln!(text, "  at       {}", pair.place(place.at))?;
         if let Some(features) = place.features {
             writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
-    if let Some(b) = &told.bottleneck {
+    if let Some(b) = &plan.bottleneck {
         write!(text, "bottleneck {}{unit}: ", length(b.clearance))?;
         match b.most {
-            Some(_) if told.gap.is_some() => writeln!(
+            Some(_) if plan.gap.is_some() => writeln!(
                 text,
                 "the parts fit exactly, and no way has more than the gap"
             )?,
@@ -350,12 +240,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             writeln!(text, "  there    {}", pair.beside(features))?;
         }
     }
-    if let Some(enclosed) = &told.enclosed {
+    if let Some(enclosed) = &plan.enclosed {
         /// Maximum number of pairs of features that are listed.
         const MOST: usize = 12;
         let region = pair.region(enclosed.region);
         let patches = count(enclosed.patches, "contact patch", "contact patches");
-        if told.is_out {
+        if plan.is_out {
             writeln!(text, "the start is in {region}, enclosed by {patches}:")?;
         } else {
             writeln!(
@@ -372,15 +262,15 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             writeln!(text, "  {pairs}")?;
         }
     }
-    if let Some(proof) = &told.proof {
+    if let Some(proof) = &plan.proof {
         let triangles = count(proof.triangles.len(), "triangle", "triangles");
         let depth = length(proof.depth);
         writeln!(text, "proof: {triangles} at a depth of {depth}{unit}")?;
     }
-    if let Some(why) = &told.unproved {
+    if let Some(why) = &plan.unproved {
         writeln!(text, "no proof: {why}")?;
     }
-    if let Some(blocked) = &told.blocked {
+    if let Some(blocked) = &plan.blocked {
         if let Some(features) = blocked.features {
             writeln!(text, "  overlap  {}", pair.beside(features))?;
         }
@@ -393,10 +283,10 @@ fn describe(text: &mut String, pair: &Chosen<'_>, told: &Told) -> fmt::Result {
             )?;
         }
     }
-    for &(lo, hi) in &told.doubtful {
+    for &(lo, hi) in &plan.doubtful {
         writeln!(text, "  doubtful {} to {}", angle(lo), angle(hi))?;
     }
-    hint::write(text, pair, told)
+    hint::write(text, pair, plan)
 }
 
 /// A given path that meets a contact.

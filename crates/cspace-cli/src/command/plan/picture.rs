@@ -1,6 +1,8 @@
 //! A picture of a path: the parts at start and goal, the swept part at steps, where it is narrowest.
 
 use cspace::{Configuration, Coordinates};
+use cspace_api::Chosen;
+use cspace_api::plan::{Place, Plan, Question};
 use cspace_draw::{ContactMark, PartsPicture, PictureFormat, parts};
 use cspace_plan::legs::Scene;
 
@@ -8,31 +10,31 @@ use crate::args::PlanArgs;
 use crate::command::draw::at_configuration;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};
-use crate::subject::Chosen;
+use crate::subject::InWords;
 use crate::wording::length;
-
-use cspace_answers::plan::{Place, Told};
 
 /// So many outlines are shown along a path.
 const STEPS: usize = 40;
 
 pub(super) fn write(
     args: &PlanArgs,
+    question: &Question,
     pair: &Chosen<'_>,
-    told: &Told,
+    plan: &Plan,
     format: PictureFormat,
 ) -> Result<(), Failure> {
     let axes = if pair.is_on_axes() { pair.axes() } else { None };
     let scene = Scene::new(pair.fixed(), pair.moving(), axes);
     let mut drawn = PartsPicture::default();
-    let ends = [told.path.first(), told.path.last()];
+    let ends = [plan.path.first(), plan.path.last()];
     let shown: Vec<Coordinates> = if let [Some(&from), Some(&to)] = ends {
         vec![from, to]
     } else {
         // Without a path, what was asked about.
-        let to = super::goal(args).map(|text| pair.coordinates("--to", text));
-        let from = args.verify.is_none().then(|| super::start(args, pair));
-        from.into_iter().chain(to).collect::<Result<_, _>>()?
+        let from = (args.verify.is_none())
+            .then(|| question.start(pair))
+            .transpose()?;
+        from.into_iter().chain(question.goal(pair)?).collect()
     };
     for (k, &at) in shown.iter().enumerate() {
         let [fixed, moving] = &at_configuration(pair, at).parts[..] else {
@@ -44,7 +46,7 @@ pub(super) fn write(
         }
         drawn.parts.push(*moving);
     }
-    for at in steps(&scene, &told.path) {
+    for at in steps(&scene, &plan.path) {
         for part in at_configuration(pair, at).parts {
             let stands = part.number == 0 && part.assembly_from_part == Configuration::default();
             if !stands {
@@ -52,9 +54,9 @@ pub(super) fn write(
             }
         }
     }
-    let narrow = (told.narrowest.as_ref().zip(told.clearance))
+    let narrow = (plan.narrowest.as_ref().zip(plan.clearance))
         .map(|(place, clearance)| (place, format!("clearance {}", length(clearance))));
-    let hit = (told.contact.as_ref()).map(|hit| (&hit.place, "contact".to_owned()));
+    let hit = (plan.contact.as_ref()).map(|hit| (&hit.place, "contact".to_owned()));
     if let Some((place, label)) = narrow.or(hit) {
         mark(&mut drawn, pair, &scene, place, label)?;
     }

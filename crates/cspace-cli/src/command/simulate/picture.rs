@@ -1,6 +1,7 @@
 //! A page of a motion.
 
 use cspace::{AxisMotion, PairSpace};
+use cspace_api::simulate::Simulated;
 use cspace_draw::{
     ContactBar, ContactRow, MotionPicture, PictureOptions, PlanePath, Scene, Track, TrackCurve,
     motion,
@@ -24,12 +25,13 @@ pub(super) fn options(args: &SimulateArgs, model: &Mechanism) -> Result<PictureO
     (args.picture).options(Plane::Positions, model.name.clone(), unit)
 }
 
-pub(super) fn scene(
-    simulation: &Simulation,
-    record: &Record,
-    report: &Report,
-    options: &PictureOptions,
-) -> Result<Scene, Failure> {
+pub(super) fn scene(simulated: &Simulated, options: &PictureOptions) -> Result<Scene, Failure> {
+    let Simulated {
+        simulation,
+        record,
+        report,
+        ..
+    } = simulated;
     let system = simulation.system();
     let trajectory = Trajectory::of(record);
     let mut tracks = coordinates(system, &trajectory);

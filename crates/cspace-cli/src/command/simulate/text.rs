@@ -8,25 +8,25 @@ use cspace_motion::{Energy, Event, EventKind, Status, What};
 use crate::subject::placed_by_name;
 use crate::wording::{count, degrees, length};
 
-use cspace_answers::simulate::{Numbers, Told};
+use cspace_api::simulate::{Motion, Numbers};
 
-pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt::Result {
+pub(super) fn describe(text: &mut String, model: &Mechanism, motion: &Motion) -> fmt::Result {
     /// More of them are for programs.
     const MOST: usize = 40;
     let unit = (model.unit.as_deref()).map_or(String::new(), |u| format!(" {}", shown::text(u)));
-    let until = shown::number(told.until);
-    match told.status {
+    let until = shown::number(motion.until);
+    match motion.status {
         Status::Done => writeln!(text, "done: {until} s")?,
         Status::Jammed => writeln!(text, "jammed at {until:.9} s")?,
         Status::Undetermined => writeln!(text, "undetermined from {until:.9} s on")?,
         Status::Interrupted => writeln!(text, "interrupted at {until:.9} s")?,
         Status::Inconsistent => writeln!(text, "inconsistent at {until:.9} s")?,
     }
-    if let Some(reason) = &told.reason {
+    if let Some(reason) = &motion.reason {
         writeln!(text, "  {}", shown::text(reason))?;
     }
-    if let (Some(first), Some(last)) = (told.samples.first(), told.samples.last()) {
-        for name in &told.parts {
+    if let (Some(first), Some(last)) = (motion.samples.first(), motion.samples.last()) {
+        for name in &motion.parts {
             let turns = model.parts.iter().any(|p| {
                 p.part.name() == name
                     && (p.axis)
@@ -48,18 +48,18 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, told: &Told) -> fmt
             }
         }
     }
-    for sentence in &told.summary {
+    for sentence in &motion.summary {
         writeln!(text, "{}", shown::text(sentence))?;
     }
-    if let Some(energy) = &told.energy {
+    if let Some(energy) = &motion.energy {
         describe_energy(text, model, energy)?;
     }
-    writeln!(text, "{}", count(told.events.len(), "event", "events"))?;
-    for event in told.events.iter().take(MOST) {
+    writeln!(text, "{}", count(motion.events.len(), "event", "events"))?;
+    for event in motion.events.iter().take(MOST) {
         describe_event(text, model, event)?;
     }
-    if told.events.len() > MOST {
-        let more = told.events.len() - MOST;
+    if motion.events.len() > MOST {
+        let more = motion.events.len() - MOST;
         writeln!(text, "  {more} more; --format json has all")?;
     }
     Ok(())

@@ -1,73 +1,80 @@
 //! The picture of a sweep.
 
-use cspace_design::{Row, Sweep, Value};
+use cspace_api::sweep::{Cell, Outcome, Row, Rows, Table};
+use cspace_api::{Answer, Subject};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_model::model::{Dimension, Target};
-use cspace_model::{Model, shown};
+use cspace_model::shown;
 
-use super::rows::all;
-use super::table::Table;
 use crate::args::SweepArgs;
 use crate::failure::Failure;
-use crate::interrupt::watched;
 use crate::picture::{Plane, strip_label};
 
-/// A picture of the rows: a strip for each measure over what is varied last, with a curve for each combination of the others.
-pub(super) fn drawn(
-    args: &SweepArgs,
-    model: &Model,
-    sweep: &Sweep<'_>,
-    table: &Table,
-    line: usize,
-) -> Result<Scene, Failure> {
-    /// Maximum number of curves in one strip: more are not distinguishable.
+/// Refuses a picture of which the curves could not be distinguished.
+pub(super) fn check(args: &SweepArgs, table: &Table) -> Result<(), Failure> {
+    /// Maximum number of curves in one strip.
     const MOST: usize = 12;
-    let Some(across) = args.vary.last() else {
+    if args.vary.is_empty() {
         return Err(
             Failure::new("a picture needs --vary, and the rows are those of a file")
                 .help("write CSV or JSON, or give --vary NAME=LO:HI:N"),
         );
-    };
-    let lines: Vec<&[Vec<f64>]> = table.rows.chunks(line.max(1)).collect();
-    if lines.len() > MOST {
+    }
+    let lines = table.lines().len();
+    if lines > MOST {
         return Err(Failure::new(format_args!(
-            "a picture has a curve for each combination of all but the last --vary, and these are {}",
-            lines.len()
+            "a picture has a curve for each combination of all but the last --vary, and these are {lines}"
         ))
         .help(format_args!("vary at most {MOST} combinations, or write CSV")));
     }
-    let done = watched(|| all(sweep, &table.rows));
-    if done.len() < table.rows.len() {
+    Ok(())
+}
+
+/// A picture of the rows: a strip for each measure over what is varied last, with a curve for each combination of the others, and marks
+/// where something changes.
+pub(super) fn drawn(
+    args: &SweepArgs,
+    subject: &Subject,
+    table: &Table,
+    (rows, changes): (&Answer<Rows>, Option<&Rows>),
+) -> Result<Scene, Failure> {
+    let file = subject.model("its requirements are drawn")?;
+    let model = &file.model;
+    if rows.outcome == Outcome::Interrupted {
         return Err(Failure::new("interrupted: a picture needs all rows"));
     }
-    let mut marks = Vec::new();
-    if args.changes {
-        for rows in &lines {
-            let found = watched(|| sweep.changes(rows));
-            marks.extend(found.iter().filter_map(|c| c.values.last().copied()));
-        }
-    }
-    let unit = model.mechanism.unit.as_deref();
-    let strips = sweep.measures().iter().enumerate().map(|(m, name)| {
+    let Some(across) = args.vary.last() else {
+        return Err(Failure::new("nothing is varied"));
+    };
+    let names = &table.values.names;
+    let changes = changes.map_or(&[][..], |changes| &changes.rows);
+    let marks = changes
+        .iter()
+        .filter_map(|row| match row.cells[names.len() - 1] {
+            Cell::Number(x) => Some(x),
+            _ => None,
+        });
+    let unit = subject.unit();
+    let strips = table.measures.iter().enumerate().map(|(m, name)| {
         let requirement = model.requirements.iter().find(|r| r.name == *name);
         let dimension = requirement.map_or(Dimension::Number, |r| r.dimension);
-        let curves = lines
-            .iter()
-            .zip(done.chunks(line.max(1)))
-            .map(|(rows, done)| {
-                let others = rows[0].iter().zip(&table.names).take(table.names.len() - 1);
+        let curves = table
+            .lines()
+            .zip(rows.content.rows.chunks(table.line()))
+            .map(|(values, rows)| {
+                let others = values[0].iter().zip(names).take(names.len() - 1);
                 let label: Vec<String> = others
                     .map(|(x, name)| format!("{name} = {}", shown::number(*x)))
                     .collect();
-                let value = |row: &Row| match row.measured[m] {
-                    Ok(Value::Number(x)) => Some(x),
-                    Ok(Value::Truth(b)) => Some(f64::from(u8::from(b))),
-                    Err(_) => None,
+                let value = |row: &Row| match row.cells[names.len() + m] {
+                    Cell::Number(x) => Some(x),
+                    Cell::Truth(is) => Some(f64::from(u8::from(is))),
+                    Cell::None | Cell::Text(_) => None,
                 };
-                let at = rows.iter().map(|r| r.last().copied().unwrap_or_default());
+                let at = values.iter().map(|r| r.last().copied().unwrap_or_default());
                 Curve {
                     label: label.join(", "),
-                    points: at.zip(done.iter().map(value)).collect(),
+                    points: at.zip(rows.iter().map(value)).collect(),
                 }
             });
         CurveStrip {
@@ -89,10 +96,9 @@ pub(super) fn drawn(
         },
         is_angle: across.is_angle,
         strips: strips.collect(),
-        marks,
+        marks: marks.collect(),
     };
-    let options = args
-        .picture
-        .options(Plane::Positions, model.mechanism.name.clone(), unit)?;
+    let name = model.mechanism.name.clone();
+    let options = args.picture.options(Plane::Positions, name, unit)?;
     Ok(cspace_draw::curves(&picture, &options))
 }

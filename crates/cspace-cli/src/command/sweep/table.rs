@@ -1,58 +1,18 @@
-//! The table of a sweep: what is varied, and what is measured.
+//! The table of a sweep as CSV.
 
 use std::path::Path;
 
-use cspace_design::{Row, Value};
+use cspace_api::sweep::{Cell, Rows, Table, Values};
 use cspace_model::shown;
 
-use crate::args::Vary;
 use crate::failure::Failure;
 use crate::input;
-
-/// The most rows.
-const MOST: usize = 10_000_000;
 
 /// The largest file of rows that is read, in bytes.
 const LARGEST: u64 = 1 << 28;
 
-/// The varied parameters and coordinates, with their values in each row.
-pub(super) struct Table {
-    pub(super) names: Vec<String>,
-    pub(super) rows: Vec<Vec<f64>>,
-}
-
-/// Every combination of values, the last of them changing first.
-pub(super) fn grid(vary: &[Vary]) -> Result<Table, Failure> {
-    if vary.is_empty() {
-        return Err(
-            Failure::new("nothing is varied").help("give --vary NAME=LO:HI:N, or --rows FILE.csv")
-        );
-    }
-    let total = vary.iter().try_fold(1_usize, |n, v| n.checked_mul(v.count));
-    let Some(total) = total.filter(|n| *n <= MOST) else {
-        return Err(Failure::new(format_args!("more than {MOST} rows"))
-            .help("give smaller numbers of values"));
-    };
-    let row = |k: usize| {
-        let mut rest = k;
-        let mut values: Vec<f64> = (vary.iter().rev())
-            .map(|v| {
-                let i = rest % v.count;
-                rest /= v.count;
-                v.value(i)
-            })
-            .collect();
-        values.reverse();
-        values
-    };
-    Ok(Table {
-        names: vary.iter().map(|v| v.name.clone()).collect(),
-        rows: (0..total).map(row).collect(),
-    })
-}
-
 /// The values in a file.
-pub(super) fn read(file: &Path) -> Result<Table, Failure> {
+pub(super) fn read(file: &Path) -> Result<Values, Failure> {
     let help = "give CSV with names of parameters in its first line and numbers below";
     let bytes = input::bytes(file, LARGEST, help)?;
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
@@ -80,87 +40,31 @@ pub(super) fn read(file: &Path) -> Result<Table, Failure> {
         });
         rows.push(values.collect::<Result<Vec<f64>, Failure>>()?);
     }
-    Ok(Table { names, rows })
+    Ok(Values { names, rows })
 }
 
-/// The reasons for the measures that a row lacks.
-fn failure(measures: &[String], row: &Row) -> String {
-    let mut reasons: Vec<String> = Vec::new();
-    for (name, measured) in measures.iter().zip(&row.measured) {
-        if let Err(reason) = measured {
-            reasons.push(format!("{name}: {reason}"));
-        }
-    }
-    reasons.join("; ")
-}
-
-pub(super) fn csv_of(
-    table: &Table,
-    measures: &[String],
-    (kept, done): (&Kept, &[Row]),
-) -> Result<Vec<u8>, Failure> {
+/// A table as CSV, of which the first lines are kept.
+pub(super) fn csv_of(kept: &Kept, found: &Rows) -> Result<Vec<u8>, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failed = |e: csv::Error| Failure::new(e);
-    writer
-        .write_record(columns(table, measures))
-        .map_err(failed)?;
+    writer.write_record(&*found.columns).map_err(failed)?;
     for record in &kept.0 {
         writer.write_record(record).map_err(failed)?;
     }
-    for (values, row) in table.rows[kept.count()..].iter().zip(done) {
-        let values = values.iter().map(|x| format!("{x:?}"));
-        let measured = row.measured.iter().map(|m| match m {
-            Ok(Value::Number(x)) => format!("{x:?}"),
-            Ok(Value::Truth(b)) => b.to_string(),
-            Err(_) => String::new(),
+    for row in found.rows.iter().skip(kept.0.len()) {
+        let fields = row.cells.iter().map(|cell| match cell {
+            Cell::None => String::new(),
+            Cell::Number(x) => format!("{x:?}"),
+            Cell::Truth(is) => is.to_string(),
+            Cell::Text(text) => text.clone(),
         });
-        let fields = values.chain(measured).chain([failure(measures, row)]);
         writer.write_record(fields).map_err(failed)?;
     }
     writer.into_inner().map_err(|e| Failure::new(e.to_string()))
 }
 
-pub(super) fn objects(
-    table: &Table,
-    measures: &[String],
-    (kept, done): (&Kept, &[Row]),
-) -> Vec<serde_json::Map<String, serde_json::Value>> {
-    let earlier = kept.0.iter().map(|record| {
-        let value = |text: &str| match text {
-            "" => serde_json::Value::Null,
-            text => serde_json::from_str(text).unwrap_or_else(|_| text.into()),
-        };
-        let names = columns(table, measures).map(str::to_owned);
-        let all = names.zip(record.iter().map(value));
-        all.filter(|(name, value)| name != "failure" || !value.is_null())
-            .collect()
-    });
-    let rows = (table.rows[kept.count()..].iter())
-        .zip(done)
-        .map(|(values, row)| {
-            let mut object = serde_json::Map::new();
-            for (name, x) in table.names.iter().zip(values) {
-                object.insert(name.clone(), (*x).into());
-            }
-            for (name, measured) in measures.iter().zip(&row.measured) {
-                let value = match measured {
-                    Ok(Value::Number(x)) => (*x).into(),
-                    Ok(Value::Truth(b)) => (*b).into(),
-                    Err(_) => serde_json::Value::Null,
-                };
-                object.insert(name.clone(), value);
-            }
-            let failure = failure(measures, row);
-            if !failure.is_empty() {
-                object.insert("failure".to_owned(), failure.into());
-            }
-            object
-        });
-    earlier.chain(rows).collect()
-}
-
 /// The lines of an earlier table, `path`, of the same columns and values, as they are: those of the first rows.
-pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Kept, Failure> {
+pub(super) fn kept(path: &Path, table: &Table) -> Result<Kept, Failure> {
     let wrong = |why: String| {
         Failure::new(format_args!("{}: {why}", path.display())).help(
             "leave --resume out to compute all rows, or give the arguments of the earlier sweep",
@@ -188,13 +92,13 @@ pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Ke
     }
     let mut reader = csv::Reader::from_reader(&bytes[..]);
     let header = reader.headers().map_err(|e| wrong(e.to_string()))?;
-    if !header.iter().eq(columns(table, measures)) {
+    if !header.iter().eq(table.columns()) {
         return Err(wrong("its columns are those of another sweep".to_owned()));
     }
     for record in reader.records() {
         let record = record.map_err(|e| wrong(e.to_string()))?;
         let line = record.position().map_or(0, csv::Position::line);
-        let Some(values) = table.rows.get(kept.count()) else {
+        let Some(values) = table.values.rows.get(kept.0.len()) else {
             return Err(wrong(format!("line {line} is more than the sweep has")));
         };
         let number = |text: &str| text.parse::<f64>().ok();
@@ -203,7 +107,7 @@ pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Ke
                 "line {line} has other values than the sweep"
             )));
         }
-        let mut measured = record.iter().skip(values.len()).take(measures.len());
+        let mut measured = (record.iter().skip(values.len())).take(table.measures.len());
         let is_value = |text: &str| {
             text.is_empty() || number(text).is_some() || matches!(text, "true" | "false")
         };
@@ -220,12 +124,18 @@ pub(super) fn kept(path: &Path, table: &Table, measures: &[String]) -> Result<Ke
 pub(super) struct Kept(Vec<csv::StringRecord>);
 
 impl Kept {
-    pub(super) fn count(&self) -> usize {
-        self.0.len()
+    /// The values of the lines.
+    pub(super) fn cells(&self) -> Vec<Vec<Cell>> {
+        let cell = |text: &str| match text {
+            "" => Cell::None,
+            "true" => Cell::Truth(true),
+            "false" => Cell::Truth(false),
+            text => match text.parse::<f64>() {
+                Ok(x) => Cell::Number(x),
+                Err(_) => Cell::Text(text.to_owned()),
+            },
+        };
+        let row = |record: &csv::StringRecord| record.iter().map(cell).collect();
+        self.0.iter().map(row).collect()
     }
-}
-
-fn columns<'a>(table: &'a Table, measures: &'a [String]) -> impl Iterator<Item = &'a str> {
-    let header = table.names.iter().chain(measures).map(String::as_str);
-    header.chain(["failure"])
 }

@@ -1,75 +1,46 @@
-//! Tolerances that are allocated, in words and as JSON.
+//! Tolerances that are allocated, in words.
 
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 
-use cspace_design::{Allocation, Criterion, Unallocated, Variations};
-use cspace_model::Mechanism;
-use serde::Serialize;
-use serde_json::{Map, Value as Json, json};
+use cspace_api::Subject;
+use cspace_api::tolerances::allocation::{Allocation, Question};
+use cspace_design::Criterion;
 
-use super::answer::{Row, rows};
 use super::text;
+use crate::args::TolerancesArgs;
+use crate::ask::Terminal;
 use crate::failure::Failure;
 
-/// The answer of `cspace tolerances --allocate --format json`.
-#[derive(Debug, Serialize)]
-pub(super) struct Answer {
-    /// "worst", or the yield that is required.
-    criterion: Json,
-    parameters: Map<String, Json>,
-    /// Costs of the given and of the allocated tolerances.
-    cost: [f64; 2],
-    /// The requirements under the allocated tolerances.
-    requirements: Vec<Row>,
-}
-
-pub(super) fn failure(file: &dyn Display, error: Unallocated) -> Failure {
-    let help = match &error {
-        Unallocated::Interrupted => return Failure::new(error),
-        Unallocated::NoLimits => {
-            "give a measure that is a number limits = [0, 0.5]; yes and no are not allocated"
-        }
-        Unallocated::NotMet(_) => "see what it is with cspace check",
-        Unallocated::NoYield(_) => "see what fails with cspace tolerances --samples 10000",
-    };
-    Failure::new(format_args!("{file}: {error}")).help(help)
-}
-
-pub(super) fn answer(criterion: Criterion, costs: &[f64], found: &Allocation) -> Answer {
-    let list = found.variations.list.iter().enumerate();
-    let parameter = |(i, v): (usize, &cspace_design::Variation)| {
-        let zone = found.variations.zone_of(i);
-        let given = match zone {
-            Some(zone) => json!({ "position": 2.0 * zone.radius }),
-            None => json!({ "minus": -v.deviations[0], "plus": v.deviations[1] }),
-        };
-        let mut entry = Map::new();
-        entry.insert("factor".into(), found.factors[i].into());
-        entry.insert("cost".into(), costs[i].into());
-        entry.insert("matters".into(), found.matters[i].into());
-        if let Json::Object(given) = given {
-            entry.extend(given);
-        }
-        (v.parameter.name.clone(), Json::Object(entry))
-    };
-    Answer {
-        criterion: match criterion {
-            Criterion::Worst => "worst".into(),
-            Criterion::Yield(share) => share.into(),
-        },
-        parameters: list.map(parameter).collect(),
-        cost: found.cost,
-        requirements: rows(&found.variations, &found.tolerances),
-    }
-}
-
-pub(super) fn text(
+pub(super) fn run(
+    args: &TolerancesArgs,
     criterion: Criterion,
-    (given, costs): (&Variations, &[f64]),
-    found: &Allocation,
-    (model, unit): (&Mechanism, &str),
-) -> String {
-    let mut text = match criterion {
+    subject: &Subject,
+    host: &Terminal,
+) -> Result<(), Failure> {
+    let question = Question {
+        requirement: args.requirement.clone(),
+        allocate: criterion,
+        cost: args.cost.iter().cloned().collect(),
+        samples: args.samples,
+        seed: args.seed,
+    };
+    let answer = question.ask(subject, host)?;
+    crate::command::tell(&args.result, &answer, |text, allocation| {
+        let unit = subject.unit().map_or(String::new(), |u| format!(" {u}"));
+        *text = described(allocation, &unit);
+        Ok(())
+    })
+}
+
+fn described(allocation: &Allocation, unit: &str) -> String {
+    let Allocation {
+        nominal,
+        costs,
+        found,
+        ..
+    } = allocation;
+    let (model, given) = (&nominal.model.mechanism, &nominal.variations);
+    let mut text = match allocation.criterion {
         Criterion::Worst => {
             "tolerances at which every part meets the limits, at the least cost\n".to_owned()
         }

@@ -1,152 +1,81 @@
-//! Bands along a motion, in words, as JSON and as a picture.
+//! Bands along a motion, in words and as a picture.
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
-use cspace_answers::{Answer, Outcome};
-use cspace_design::{Band, Extreme, Station, ToleranceOptions, Variations, Varied, along};
+use cspace_api::tolerances::Extreme;
+use cspace_api::tolerances::along::{Band, Bands, Question, Station};
+use cspace_api::{Subject, Vary};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
-use cspace_model::Model;
-use cspace_model::model::{Dimension, Setting, Template};
-use serde::Serialize;
+use cspace_model::model::Dimension;
 
-use super::answer::{End, end};
 use super::text::number;
-use crate::args::{TolerancesArgs, Vary};
+use crate::args::TolerancesArgs;
+use crate::ask::Terminal;
 use crate::failure::Failure;
 use crate::picture::{Plane, strip_label};
-use crate::progress::Bar;
 use crate::wording::{degrees, length};
-
-/// A requirement along a motion.
-#[derive(Debug, Serialize)]
-struct Row<'a> {
-    requirement: &'a str,
-    measure: &'static str,
-    /// The name of the coordinate.
-    along: &'a str,
-    stations: Vec<At>,
-}
-
-/// A requirement where the coordinate has a value.
-#[derive(Debug, Serialize)]
-struct At {
-    /// In the model's unit or radians.
-    at: f64,
-    nominal: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    failure: Option<String>,
-    lo: End,
-    hi: End,
-}
 
 pub(super) fn run(
     args: &TolerancesArgs,
-    set: &[Setting],
     vary: &Vary,
-    (template, model, variations): (&Template, &Model, &Variations),
-    options: &ToleranceOptions,
+    subject: &Subject,
+    host: &Terminal,
 ) -> Result<(), Failure> {
-    let name = &vary.name;
-    let Some(Varied::Coordinate(coordinate)) = Varied::named(name, model) else {
-        return Err(Failure::new(format_args!(
-            "--along {name}: a motion goes along a coordinate"
-        ))
-        .help("give one of x, y, theta, u, v, such as --along u=0deg:360deg:73"));
+    let question = Question {
+        requirement: args.requirement.clone(),
+        along: vary.clone(),
     };
-    let values: Vec<f64> = (0..vary.count).map(|i| vary.value(i)).collect();
-    let bar = Bar::new(model.mechanism.name.clone());
-    let bands = bar
-        .watch(|bar| along(template, set, model, options, (coordinate, &values), bar))
-        .map_err(Failure::new)?;
-    if bands.is_empty() {
-        return Err(Failure::new(format_args!(
-            "{}: no number is measured at a configuration with the coordinate {name}",
-            args.file.display()
-        ))
-        .help("vary a coordinate of the pair that is measured"));
-    }
+    let answer = question.ask(subject, host)?;
     let output = args.result.output.as_deref();
     if let Some(format) = crate::picture::format(output) {
-        let picture = drawn(args, vary, model, &bands)?;
+        let picture = drawn(args, vary, &answer.content)?;
         crate::picture::write(output, format, &picture)?;
     }
-    let unit = model.mechanism.unit.as_deref();
-    let requirements = rows(vary, variations, &bands);
-    let answer = Answer::new(
-        "tolerances",
-        unit,
-        Outcome::DONE,
-        crate::command::Requirements { requirements },
-    );
-    super::super::print(&args.result, &answer, |written| {
-        let unit = unit.map_or(String::new(), |u| format!(" {u}"));
-        *written = text(vary, &bands, &unit);
-        Ok(())
+    crate::command::tell(&args.result, &answer, |text, found| {
+        let unit = subject.unit().map_or(String::new(), |u| format!(" {u}"));
+        describe(text, vary, &found.requirements, &unit)
     })
 }
 
-fn rows<'a>(vary: &'a Vary, variations: &Variations, bands: &'a [Band]) -> Vec<Row<'a>> {
-    let at = |s: &Station| {
-        let [lo, hi] = &s.exact;
-        At {
-            at: s.at,
-            nominal: s.nominal.as_ref().ok().copied(),
-            failure: s.nominal.as_ref().err().cloned(),
-            lo: end(variations, lo),
-            hi: end(variations, hi),
-        }
-    };
-    let row = |band: &'a Band| Row {
-        requirement: &band.requirement.name,
-        measure: band.requirement.subject.name(),
-        along: &vary.name,
-        stations: band.stations.iter().map(at).collect(),
-    };
-    bands.iter().map(row).collect()
-}
-
-fn text(vary: &Vary, bands: &[Band], unit: &str) -> String {
-    let mut text = String::new();
+fn describe(text: &mut String, vary: &Vary, bands: &[Band], unit: &str) -> fmt::Result {
     let at = |x: f64| if vary.is_angle { degrees(x) } else { length(x) };
     for (i, band) in bands.iter().enumerate() {
         if i > 0 {
             text.push('\n');
         }
-        let value = |x: f64| number(band.requirement.dimension, unit, x);
-        // Writing to text does not fail.
-        let _ = writeln!(text, "{} along {}", band.requirement.name, vary.name);
-        let _ = writeln!(
+        let value = |x: f64| number(band.dimension, unit, x);
+        writeln!(text, "{} along {}", band.requirement, vary.name)?;
+        writeln!(
             text,
             "  {:>14}  {:>16}  {:>16}  {:>16}",
             vary.name, "nominal", "smallest", "largest"
-        );
+        )?;
         for s in &band.stations {
             let shown = |x: Option<f64>| x.map_or("none".to_owned(), value);
-            let [lo, hi] = &s.exact;
-            let of = |e: &Extreme| shown(e.value.as_ref().ok().copied());
-            let (nominal, reason) = match &s.nominal {
-                Ok(x) => (Some(*x), lo.value.as_ref().err()),
-                Err(reason) => (None, Some(reason)),
+            let reason = match s.nominal {
+                Some(_) => &s.lo.failure,
+                None => &s.failure,
             };
-            let _ = write!(
+            write!(
                 text,
                 "  {:>14}  {:>16}  {:>16}  {:>16}",
                 at(s.at),
-                shown(nominal),
-                of(lo),
-                of(hi)
-            );
-            let gaps = s.exact.iter().filter(|e| e.value.is_ok() && !e.certified);
+                shown(s.nominal),
+                shown(s.lo.value),
+                shown(s.hi.value)
+            )?;
+            let open = |e: &&Extreme| e.value.is_some() && !e.certified;
+            let gaps = [&s.lo, &s.hi].into_iter().filter(open);
             let gaps: Vec<Option<f64>> = gaps.map(|e| e.gap).collect();
             let most = gaps
                 .iter()
                 .try_fold(0.0_f64, |most, gap| Some(most.max((*gap)?)));
-            let _ = match (reason, most) {
-                (Some(reason), _) => writeln!(text, "  {reason}"),
-                (None, _) if gaps.is_empty() => writeln!(text),
-                (None, Some(most)) => writeln!(text, "  or beyond by at most {}", value(most)),
-                (None, None) => writeln!(text, "  not proved"),
-            };
+            match (reason, most) {
+                (Some(reason), _) => writeln!(text, "  {reason}")?,
+                (None, _) if gaps.is_empty() => writeln!(text)?,
+                (None, Some(most)) => writeln!(text, "  or beyond by at most {}", value(most))?,
+                (None, None) => writeln!(text, "  not proved")?,
+            }
         }
         let worst = |what: &str, of: &dyn Fn(&Station) -> Option<f64>, sign: f64| {
             let all = band.stations.iter().filter_map(|s| Some((of(s)?, s.at)));
@@ -161,43 +90,39 @@ fn text(vary: &Vary, bands: &[Band], unit: &str) -> String {
                 )
             })
         };
-        text += &worst("smallest", &|s| s.exact[0].value.clone().ok(), -1.0);
-        text += &worst("largest", &|s| s.exact[1].value.clone().ok(), 1.0);
-        text += &worst("widest", &Station::width, 1.0);
+        *text += &worst("smallest", &|s| s.lo.value, -1.0);
+        *text += &worst("largest", &|s| s.hi.value, 1.0);
+        *text += &worst("widest", &Station::width, 1.0);
     }
-    text
+    Ok(())
 }
 
 /// A strip for each requirement, with its nominal value and its extremes.
-fn drawn(
-    args: &TolerancesArgs,
-    vary: &Vary,
-    model: &Model,
-    bands: &[Band],
-) -> Result<Scene, Failure> {
-    let unit = model.mechanism.unit.as_deref();
+fn drawn(args: &TolerancesArgs, vary: &Vary, found: &Bands) -> Result<Scene, Failure> {
+    let (mechanism, bands) = (&found.nominal.model.mechanism, &found.requirements);
+    let unit = mechanism.unit.as_deref();
     let strip = |band: &Band| {
         let curve = |label: &str, of: &dyn Fn(&Station) -> Option<f64>| Curve {
             label: label.to_owned(),
             points: band.stations.iter().map(|s| (s.at, of(s))).collect(),
         };
-        let (name, dimension) = (&band.requirement.name, band.requirement.dimension);
+        let (name, dimension) = (&band.requirement, band.dimension);
         CurveStrip {
             label: strip_label(name, dimension, unit),
             is_angle: dimension == Dimension::Angle,
-            limits: band.requirement.limits().map(|[lo, hi]| (lo, hi)),
+            limits: band.limits.map(|[lo, hi]| (lo, hi)),
             seen: None,
             curves: vec![
-                curve("", &|s| s.nominal.clone().ok()),
-                curve("", &|s| s.exact[0].value.clone().ok()),
-                curve("", &|s| s.exact[1].value.clone().ok()),
+                curve("", &|s| s.nominal),
+                curve("", &|s| s.lo.value),
+                curve("", &|s| s.hi.value),
             ],
         }
     };
     // How far the extremes are off is seen in a strip of its own.
     let off = |band: &Band| {
-        let curve = |label: &str, i: usize| {
-            let of = |s: &Station| Some(s.exact[i].value.clone().ok()? - s.nominal.clone().ok()?);
+        let curve = |label: &str, end: fn(&Station) -> &Extreme| {
+            let of = |s: &Station| Some(end(s).value? - s.nominal?);
             Curve {
                 label: label.to_owned(),
                 points: band.stations.iter().map(|s| (s.at, of(s))).collect(),
@@ -207,7 +132,7 @@ fn drawn(
         CurveStrip {
             label: format!("off by, {}", value.label),
             limits: None,
-            curves: vec![curve("smallest", 0), curve("largest", 1)],
+            curves: vec![curve("smallest", |s| &s.lo), curve("largest", |s| &s.hi)],
             ..value
         }
     };
@@ -221,6 +146,6 @@ fn drawn(
         strips: bands.iter().flat_map(|b| [strip(b), off(b)]).collect(),
         marks: Vec::new(),
     };
-    let options = (args.picture).options(Plane::Positions, model.mechanism.name.clone(), unit)?;
+    let options = (args.picture).options(Plane::Positions, mechanism.name.clone(), unit)?;
     Ok(cspace_draw::curves(&picture, &options))
 }

@@ -2,11 +2,12 @@
 
 use std::fmt::{self, Write};
 
+use cspace_api::Outcome as _;
+use cspace_api::tolerances::Outcome;
 use cspace_design::{Extreme, Linear, MonteCarlo, Tolerances, Value, Variations};
 use cspace_model::Mechanism;
 use cspace_model::model::{Dimension, Target};
 
-use super::answer::outcome;
 use crate::subject::placed_by_name;
 use crate::wording::{degrees, length};
 
@@ -139,16 +140,17 @@ impl Words<'_> {
 
     /// The first line: whether the requirement holds within the tolerances, and the parameter that matters most.
     fn summary(&self, of: &Tolerances) -> String {
-        let outcome = outcome(of).word;
+        let outcome = Outcome::of(of);
+        let word = outcome.word();
         let fails = match (outcome, of.margin.factor) {
-            ("fails" | "jams", Some(factor)) => format!(
-                "{outcome} within the tolerances, from {} times them on",
+            (Outcome::Fails | Outcome::Jams, Some(factor)) => format!(
+                "{word} within the tolerances, from {} times them on",
                 share(factor)
             ),
-            ("not-met", _) => "not-met as drawn".to_owned(),
-            ("holds", Some(_)) => "holds within the tolerances".to_owned(),
-            ("holds", None) => "holds, nothing fails".to_owned(),
-            (word, _) => word.to_owned(),
+            (Outcome::NotMet, _) => format!("{word} as drawn"),
+            (Outcome::Holds, Some(_)) => format!("{word} within the tolerances"),
+            (Outcome::Holds, None) => format!("{word}, nothing fails"),
+            _ => word.to_owned(),
         };
         let parameters = of.linear.iter().flat_map(|l| &l.parameters);
         let most = parameters.max_by(|a, b| a.worst_share.total_cmp(&b.worst_share));

@@ -5,6 +5,7 @@ use std::path::Path;
 use cspace_scene::{DrawingSource, OpenedDrawing, model_name};
 
 use crate::args::ViewArgs;
+use crate::ask::Terminal;
 use crate::command::page;
 use crate::drawing;
 use crate::failure::Failure;
@@ -18,7 +19,8 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     let options = &args.drawing;
     drawing::check_options(options, std::iter::once(path))?;
     let (drawn, data) = drawing::read_with_bytes(options, path)?;
-    let unit = drawing::of_model(options, std::slice::from_ref(&drawn))?;
+    let (lengths, host) = (drawing::lengths(options), Terminal::default());
+    let unit = lengths.unit([&drawn], &host)?;
     let opened = OpenedDrawing {
         source: DrawingSource {
             file: path.to_string_lossy().into_owned(),
@@ -35,7 +37,7 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
             linetypes: options.linetype.clone(),
             without_sheet: options.without_sheet,
             hatches: options.hatches,
-            scale: drawing::factor(options, path, &drawn, unit.as_deref()),
+            scale: lengths.factor(path, &drawn, unit.as_deref(), &host),
             join: options.join,
             fit: options.fit,
             unit,

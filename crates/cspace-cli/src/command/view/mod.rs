@@ -4,11 +4,11 @@ mod drawing;
 
 use super::page;
 use crate::args::ViewArgs;
+use crate::ask;
 use crate::drawing as drawings;
 use crate::failure::{Failure, note};
 use crate::interrupt::until_interrupted;
 use crate::output;
-use crate::subject::Subject;
 use crate::view::{Page, ServeError, Server};
 
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
@@ -25,9 +25,9 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     }
     let page = page::bundled(Page::bundled())?;
     let common = args.common();
-    let subject = Subject::open(&common)?;
-    subject.warn();
-    let chosen = subject.pairs(&common, args.window.window)?;
+    let (subject, host) = ask::open(&common)?;
+    subject.warn(&host);
+    let chosen = subject.pairs(&ask::which(&common, args.window.window), &host)?;
     if args.pair.is_some() {
         for pair in &chosen {
             pair.check_window()?;

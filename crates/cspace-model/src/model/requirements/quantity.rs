@@ -99,7 +99,7 @@ impl Subject {
 }
 
 /// Dimension of a value, which determines its unit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, schemars::JsonSchema, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Dimension {
     /// A length in the model's unit.

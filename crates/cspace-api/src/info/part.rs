@@ -1,0 +1,154 @@
+//! A part: its outline, its size, and how it moves.
+
+use core::f64::consts::PI;
+
+use cspace::{Axis, AxisMotion, Edge, Part};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::dynamics::Dynamics;
+
+/// A part.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PartInfo {
+    /// Its name.
+    pub name: String,
+    /// Closed loops of the outline.
+    pub loops: usize,
+    /// Lines, arcs, and vertices that are not smooth joints.
+    pub features: FeatureCount,
+    /// The diagonal of its box.
+    pub size: f64,
+    /// The area of its material.
+    pub area: f64,
+    /// Least x and y, greatest x and y.
+    pub bounds: [f64; 4],
+    /// Loops around holes.
+    pub holes: usize,
+    /// Arcs with material inside of their circle.
+    pub convex_arcs: usize,
+    /// Arcs with material outside.
+    pub concave_arcs: usize,
+    /// Least and greatest radius of its arcs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radii: Option<(f64, f64)>,
+    /// How it moves relative to the ground.
+    pub motion: Motion,
+    /// Mass properties and initial state.
+    #[serde(flatten)]
+    pub dynamics: Dynamics,
+    /// The largest fold of a rotation about its own centre that maps the part to itself; 1 for none.
+    pub symmetry: u32,
+    /// Whether every rotation about its own centre maps it to itself.
+    pub round: bool,
+}
+
+/// Lines, arcs, and vertices that are not smooth joints.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, JsonSchema)]
+pub struct FeatureCount {
+    /// Line segments.
+    pub lines: usize,
+    /// Arcs.
+    pub arcs: usize,
+    /// Corners.
+    pub vertices: usize,
+    /// All of these.
+    pub total: usize,
+}
+
+/// How a part moves relative to the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "type", rename_all = "lowercase")]
+pub enum Motion {
+    /// It does not.
+    Fixed,
+    /// It turns about a point.
+    Revolute {
+        /// The point.
+        center: [f64; 2],
+        /// Least and greatest angle, radians, if it is limited.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        range: Option<(f64, f64)>,
+    },
+    /// It slides.
+    Prismatic {
+        /// The direction; its length does not matter.
+        direction: [f64; 2],
+        /// Least and greatest way, in the model's unit of length, if it is limited.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        range: Option<(f64, f64)>,
+    },
+    /// It goes and turns in the plane.
+    Planar,
+}
+
+impl PartInfo {
+    pub(super) fn of(part: &Part, axis: Option<Axis>, dynamics: Dynamics) -> Self {
+        let symmetry = part.symmetry();
+        let bounds = part.bounds();
+        let arcs = || part.edges().filter(|e| !e.is_line());
+        let convex = arcs().filter(|e| e.sweep() > 0.0).count();
+        let least = arcs().map(|e| e.radius()).fold(f64::INFINITY, f64::min);
+        let greatest = arcs().map(|e| e.radius()).fold(0.0, f64::max);
+        Self {
+            name: part.name().to_owned(),
+            loops: part.loops().len(),
+            features: FeatureCount::of(part),
+            size: part.size(),
+            area: part.area(),
+            bounds: [bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y],
+            holes: part
+                .loops()
+                .iter()
+                .filter(|l| l.signed_area() < 0.0)
+                .count(),
+            convex_arcs: convex,
+            concave_arcs: arcs().count() - convex,
+            radii: least.is_finite().then_some((least, greatest)),
+            motion: axis.map_or(Motion::Planar, Motion::of),
+            dynamics,
+            symmetry: symmetry.fold(),
+            round: symmetry.is_round(),
+        }
+    }
+}
+
+impl Motion {
+    fn of(axis: Axis) -> Self {
+        match axis.motion {
+            AxisMotion::Fixed => Self::Fixed,
+            AxisMotion::Revolute { center } => Self::Revolute {
+                center: [center.x, center.y],
+                range: axis.range,
+            },
+            AxisMotion::Prismatic { direction } => Self::Prismatic {
+                direction: [direction.x, direction.y],
+                range: axis.range,
+            },
+        }
+    }
+}
+
+impl FeatureCount {
+    pub(super) fn of(part: &Part) -> Self {
+        /// Edges that meet at a smaller angle (radians) are smoothly joined, as in the computation.
+        const SMOOTH: f64 = 1.0 / (1u64 << 26) as f64;
+        let corner = |before: &Edge, after: &Edge| {
+            let (d, e) = (before.end_direction(), after.start_direction());
+            let turn = d.cross(e).atan2(d.dot(e));
+            (SMOOTH..=PI).contains(&turn.abs())
+        };
+        let mut count = Self::default();
+        for boundary in part.loops() {
+            let edges: Vec<Edge> = boundary.edges().collect();
+            let lines = edges.iter().filter(|e| e.is_line()).count();
+            count.lines += lines;
+            count.arcs += edges.len() - lines;
+            count.vertices += (edges.iter().zip(edges.iter().cycle().skip(1)))
+                .filter(|(a, b)| corner(a, b))
+                .count();
+        }
+        count.total = count.lines + count.arcs + count.vertices;
+        count
+    }
+}

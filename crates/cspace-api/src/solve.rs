@@ -1,0 +1,157 @@
+//! Values of parameters at which a requirement's quantity is what it must be.
+
+use core::cmp::Ordering;
+use std::collections::BTreeMap;
+
+use cspace_design::{Goal, Solved, Span, Value};
+use cspace_model::Model;
+use cspace_model::model::Dimension;
+use cspace_model::shown::quoted;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::frame::{Answer, Content};
+use crate::host::{Host, is_interrupted};
+use crate::outcome::outcomes;
+use crate::subject::{ModelFile, Subject, parameters_of, requirements_of, varied_twice};
+
+/// The values at which one parameter is measured before solutions are sought between them, unless their number is given.
+pub const SAMPLES: u32 = 65;
+
+/// A condition, and the parameters that may change for it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Question {
+    /// The parameters with their ranges; of several the smallest change from the model's values is sought, relative to the ranges.
+    pub vary: Vec<Span>,
+    /// The condition: a requirement of the model, and the value that it is to have, in the model's unit or radians.
+    pub so_that: Goal,
+    /// With one parameter: the number of values at which is measured before solutions are sought between them; 65 without.
+    #[serde(default = "usual_samples")]
+    pub samples: u32,
+}
+
+const fn usual_samples() -> u32 {
+    SAMPLES
+}
+
+outcomes! {
+    /// Whether values were found.
+    Outcome {
+        /// There are values at which it is so.
+        Solved = "solved" is Yes,
+        /// The quantity may have a value, which could not be found.
+        Undecided = "undecided" is Open,
+        /// There are none.
+        None = "none" is No,
+    }
+}
+
+/// The values that were found.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Solutions {
+    /// Values of the parameters: of an equation in one parameter all that were found, otherwise the nearest.
+    pub solutions: Vec<BTreeMap<String, f64>>,
+    /// With one parameter: the ranges in which it is so; left out where it is so at single values alone, or nowhere.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub ranges: Vec<[f64; 2]>,
+    /// With one parameter: the ranges in which the quantity may have a value, which could not be found; left out where there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub undecided: Vec<[f64; 2]>,
+    /// Why there is no solution; null where there is one.
+    pub none: Option<String>,
+}
+
+impl Content for Solutions {
+    const COMMAND: &'static str = "solve";
+    type Outcome = Outcome;
+}
+
+impl Question {
+    /// The values of the parameters at which the condition is met.
+    ///
+    /// # Errors
+    /// If the model does not have what is named, the condition is none of its measure, or the work is interrupted.
+    pub fn ask(&self, subject: &Subject, host: &dyn Host) -> Result<Answer<Solutions>, Error> {
+        let file = subject.model("solutions are values of its parameters")?;
+        self.check(file, host)?;
+        let (template, _) = file.template()?;
+        let progress = host.begin(&file.model.mechanism.name);
+        let samples = self.samples as usize;
+        let found = cspace_design::solve(
+            template,
+            &file.set,
+            &self.vary,
+            &self.so_that,
+            samples,
+            &*progress,
+        );
+        if is_interrupted(&*progress) {
+            return Err(Error::new("the computation was interrupted"));
+        }
+        let outcome = match found.solutions.is_empty() && found.ranges.is_empty() {
+            false => Outcome::Solved,
+            true if !found.undecided.is_empty() => Outcome::Undecided,
+            true => Outcome::None,
+        };
+        let solutions = Solutions::of(&self.vary, found);
+        Ok(Answer::new(subject.unit(), outcome, solutions))
+    }
+
+    /// Refuses names that the model does not have, and values of another kind than the measure.
+    fn check(&self, file: &ModelFile, host: &dyn Host) -> Result<(), Error> {
+        let model: &Model = &file.model;
+        for (i, span) in self.vary.iter().enumerate() {
+            let name = &span.parameter;
+            if model.parameters.iter().all(|p| p.name != *name) {
+                let what = format_args!("there is no parameter {}", quoted(name));
+                return Err(file.error(what).help(parameters_of(model)));
+            }
+            if self.vary[..i].iter().any(|other| other.parameter == *name) {
+                return Err(varied_twice(name));
+            }
+            if span.lo.partial_cmp(&span.hi) != Some(Ordering::Less) {
+                let option = host.option("vary");
+                let what = format_args!("{option}: the range of {} is empty", quoted(name));
+                return Err(Error::new(what).help("give the smaller bound first"));
+            }
+        }
+        let goal = &self.so_that;
+        let mut all = model.requirements.iter();
+        let Some(requirement) = all.find(|r| r.name == goal.requirement) else {
+            let what = format_args!("there is no requirement {}", quoted(&goal.requirement));
+            return Err(file.error(what).help(requirements_of(model)));
+        };
+        let is_truth = requirement.dimension == Dimension::Truth;
+        if is_truth != matches!(goal.value, Value::Truth(_)) {
+            let (is, give) = match is_truth {
+                true => ("yes or no", "true or false"),
+                false => ("a number", "a number such as 0.1 or 0.5deg"),
+            };
+            return Err(Error::new(format_args!(
+                "{}: the measure {} is {is}",
+                host.option("so-that"),
+                quoted(&goal.requirement)
+            ))
+            .help(format_args!("give {give}")));
+        }
+        Ok(())
+    }
+}
+
+impl Solutions {
+    fn of(spans: &[Span], found: Solved) -> Self {
+        let named = |values: Vec<f64>| {
+            let names = spans.iter().map(|span| span.parameter.clone());
+            names.zip(values).collect()
+        };
+        let both = |(lo, hi)| [lo, hi];
+        Self {
+            solutions: found.solutions.into_iter().map(named).collect(),
+            ranges: found.ranges.into_iter().map(both).collect(),
+            undecided: found.undecided.into_iter().map(both).collect(),
+            none: found.none,
+        }
+    }
+}

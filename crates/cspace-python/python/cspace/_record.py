@@ -1,0 +1,70 @@
+"""Answers as records."""
+
+from collections.abc import Callable
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Record(dict[str, Any]):
+    """An answer: a dictionary with the keys of the command's JSON, which are attributes, too. What an answer may leave out is None as an
+    attribute. Configurations are arrays (x, y, theta) or (u, v), paths are arrays of them as rows."""
+
+    _read: ClassVar[dict[str, Callable[[Any], Any]]] = {}
+
+    def __init__(self, values: Any = ()) -> None:
+        super().__init__(values)
+        for key, read in self._read.items():
+            if key in self:
+                self[key] = _each(read, self[key])
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError:
+            if any(name in vars(of).get("__annotations__", ()) for of in type(self).__mro__):
+                return None
+        raise AttributeError(f"{type(self).__name__} has no {name!r}: it has {', '.join(self)}")
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({super().__repr__()})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, dict) and _plain(self) == _plain(other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The same as dictionaries, lists, numbers and texts, for `json.dumps`."""
+        plain: dict[str, Any] = _plain(self)
+        return plain
+
+
+def _each(read: Callable[[Any], Any], value: Any) -> Any:
+    """What is read of a value, or of every value of a list."""
+    if not isinstance(value, list):
+        return value if value is None else read(value)
+    rows = [_each(read, one) for one in value]
+    # Configurations are rows.
+    if rows and all(isinstance(row, np.ndarray) and row.ndim == 1 for row in rows):
+        return np.array(rows)
+    return rows
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(one) for one in value]
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+def configuration(value: dict[str, float]) -> NDArray[np.float64]:
+    """A configuration as an array (x, y, theta) or (u, v)."""
+    return np.array([value[key] for key in (("u", "v") if "u" in value else ("x", "y", "theta"))])
+
+
+def each_of(read: Callable[[Any], Any]) -> Callable[[dict[str, Any]], dict[str, Any]]:
+    """Reads a dictionary of records by name."""
+    return lambda values: {key: _each(read, value) for key, value in values.items()}
