@@ -32,7 +32,7 @@ pub struct Question {
     pub rows: Vec<Given>,
     /// Where the rows are from, for messages.
     pub source: Option<String>,
-    /// What is added to each row.
+    /// Columns that are added to each row.
     pub columns: Vec<Column>,
     /// How far apart features may be that touch, in the model's unit; the resolution without.
     pub touch: Option<f64>,

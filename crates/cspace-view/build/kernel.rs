@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Crates that the kernel consists of.
-const CRATES: [&str; 11] = [
+const CRATES: [&str; 12] = [
     "cspace",
     "cspace-api",
     "cspace-check",
+    "cspace-classifier",
     "cspace-design",
     "cspace-drawing",
     "cspace-io",
