@@ -3,11 +3,11 @@
 use core::f64::consts::TAU;
 use std::collections::BTreeMap;
 
-use cspace::{Classification, Classifier, Configuration, Coordinates, PairSpace, QueryError};
+use cspace::{
+    Classification, Classifier, Configuration, Coordinates, PairSpace, QueryError, parallel,
+};
 use cspace_design::{pair_of, texts};
 use cspace_model::shown;
-#[cfg(feature = "rayon")]
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -31,7 +31,7 @@ pub struct Question {
     pub rows: Vec<Given>,
     /// Where the rows are from, for messages.
     pub source: Option<String>,
-    /// What is added to each row.
+    /// Columns that are added to each row.
     pub columns: Vec<Column>,
     /// How far apart features may be that touch, in the model's unit; the resolution without.
     pub touch: Option<f64>,
@@ -281,16 +281,7 @@ fn rows(
         }
         Ok(row)
     };
-    each(given, one)
-}
-
-/// A function of each row, on all processors where there are threads.
-fn each<T: Send>(rows: &[Given], one: impl Fn(&Given) -> T + Send + Sync) -> Vec<T> {
-    #[cfg(feature = "rayon")]
-    let rows = rows.par_iter();
-    #[cfg(not(feature = "rayon"))]
-    let rows = rows.iter();
-    rows.map(one).collect()
+    parallel::map(given, 1, one)
 }
 
 /// Which coordinate is beyond the range of its motion, if one is.

@@ -135,20 +135,20 @@ impl Seconds {
 /// Lines, arcs, and vertices that are not smooth joints, of two parts.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct FeatureCount {
-    /// Those of the fixed part.
+    /// In the fixed part.
     pub fixed: u32,
-    /// Those of the moving part.
+    /// In the moving part.
     pub moving: u32,
-    /// Those of both.
+    /// In both.
     pub total: u32,
 }
 
 /// A number for each part.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PerPart {
-    /// That of the fixed part.
+    /// For the fixed part.
     pub fixed: u32,
-    /// That of the moving part.
+    /// For the moving part.
     pub moving: u32,
 }
 

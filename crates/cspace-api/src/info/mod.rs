@@ -46,7 +46,7 @@ pub struct Info {
     pub joints: Vec<JointInfo>,
     /// The pairs that are studied.
     pub pairs: Vec<PairInfo>,
-    /// What moves the parts.
+    /// Forces, drives and surface constants.
     #[serde(flatten)]
     pub forces: Forces,
 }

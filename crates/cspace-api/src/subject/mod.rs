@@ -1,6 +1,7 @@
 //! What a question is about: a model, or a configuration space that was computed before; and the pairs in it.
 
 mod chosen;
+mod found;
 mod named;
 mod place;
 mod space;
@@ -19,10 +20,11 @@ use crate::error::Error;
 use crate::frame::{Content, PairAnswer};
 use crate::host::Host;
 
+pub use found::Source;
 pub use named::named_pair;
-pub use space::{Source, Space};
+pub use space::Space;
 
-use space::Found;
+use found::Found;
 
 /// What a question is about.
 #[derive(Debug)]

@@ -11,6 +11,7 @@ use cspace::{
 };
 use cspace_model::shown;
 
+use super::found::{Found, Source};
 use super::{Chosen, Subject};
 use crate::error::Error;
 
@@ -250,13 +251,6 @@ pub struct Space<'a> {
     pub seconds: f64,
 }
 
-/// A configuration space that was found.
-pub(super) struct Found {
-    space: PairSpace,
-    source: Source,
-    seconds: f64,
-}
-
 #[derive(Debug)]
 enum Held<'a> {
     Of(&'a PairSpace),
@@ -269,26 +263,6 @@ impl Space<'_> {
             space: Held::Own(found.space),
             source: found.source,
             seconds: found.seconds,
-        }
-    }
-}
-
-/// Where a space is from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Source {
-    /// The file that was read.
-    File,
-    /// It was computed before, and kept.
-    Kept,
-    /// It was computed.
-    Computed,
-}
-
-impl Source {
-    fn of(kept: bool) -> Self {
-        match kept {
-            true => Self::Kept,
-            false => Self::Computed,
         }
     }
 }

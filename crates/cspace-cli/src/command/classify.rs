@@ -15,7 +15,7 @@ use crate::output;
 /// As of a saved space.
 const MOST_BYTES: u64 = 1 << 30;
 
-/// What the rows are read from.
+/// Where the rows are read from.
 const SOURCE: &str = "standard input";
 
 pub(crate) fn run(args: &ClassifyArgs) -> Result<(), Failure> {
