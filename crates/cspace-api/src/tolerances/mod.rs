@@ -45,8 +45,8 @@ impl Nominal {
                 .help("give one in [parameter], such as pin = { value = 6.0, tol = 0.02 }"));
         }
         let (template, _) = file.template()?;
-        let (set, mut model) = (template.about_middles(&file.set, file.model.clone()))
-            .map_err(Error::new)?;
+        let (set, mut model) =
+            (template.about_middles(&file.set, file.model.clone())).map_err(Error::new)?;
         let variations = Variations::of(&model);
         let outside = (model.parameters.iter())
             .find(|p| p.has_limits && p.deviations.is_some_and(|(a, b)| a < 0.0 || b < 0.0));

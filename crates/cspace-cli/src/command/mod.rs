@@ -32,7 +32,6 @@ use std::path::Path;
 
 use crate::legacy::{Answer, Outcome};
 use cspace_api::{Answer as Answered, Content, Is, Outcome as _};
-use cspace_io::Model;
 use cspace_io::shown::quoted;
 use cspace_mechanism::Mechanism;
 use serde::Serialize;

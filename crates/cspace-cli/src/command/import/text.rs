@@ -89,7 +89,7 @@ pub(super) fn describe(text: &mut String, drawings: &[PathBuf], made: &Imported)
 }
 
 /// Each kind once, however many there are; the layers of each.
-fn write_kinds(text: &mut String, what: &str, ignored: &[Entity]) -> std::fmt::Result {
+fn write_kinds(text: &mut String, what: &str, ignored: &[Entity]) -> fmt::Result {
     let mut kinds: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
     for i in ignored {
         let kind = kinds.entry((&i.r#type, &i.reason)).or_default();
