@@ -30,7 +30,7 @@ pub struct Question {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Zones {
     /// The names of the coordinates.
-    pub coordinates: [&'static str; 2],
+    pub coordinates: [Coordinate; 2],
     /// The orientation of a pair in the plane, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub theta: Option<f64>,
@@ -166,7 +166,7 @@ impl Pair {
             moving: name(self.space.moving()),
             outcome: Done::Done,
             content: Zones {
-                coordinates: self.coordinates.map(Coordinate::name),
+                coordinates: self.coordinates,
                 theta: is_planar.then_some(self.theta),
                 window,
                 found,

@@ -7,6 +7,7 @@ use cspace_api::Subject;
 use cspace_api::tolerances::zones::{Question, Zones};
 use cspace_design::area;
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
+use cspace_model::model::Coordinate;
 
 use crate::args::TolerancesArgs;
 use crate::ask::Terminal;
@@ -67,7 +68,7 @@ fn described(zones: &Zones) -> String {
     let found = &zones.found;
     let whole = area(&[zones.window]);
     let percent = |x: f64| format!("{:.3} %", 100.0 * x / whole + 0.0);
-    let [a, b] = zones.coordinates;
+    let [a, b] = zones.coordinates.map(Coordinate::name);
     let mut text = format!("of the window in {a} and {b}\n");
     let (free, blocked) = (area(&found.free), area(&found.blocked));
     // Writing to text does not fail.

@@ -173,7 +173,8 @@ impl Happening {
 }
 
 /// A coordinate of a pair's configuration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, schemars::JsonSchema, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Coordinate {
     /// The position of the moving part along the first axis of the fixed part's frame.
     X,
