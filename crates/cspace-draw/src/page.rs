@@ -2,8 +2,8 @@
 
 use crate::legend::{Legend, Sign};
 use crate::options::PictureOptions;
-use crate::plot::title;
-use crate::scene::{Dot, Item, Scene};
+use crate::plot::{Plot, title};
+use crate::scene::{Area, Dot, Item, Scene};
 
 /// A page that is drawn on.
 pub(crate) struct Page {
@@ -47,6 +47,15 @@ impl Page {
             legend,
             items,
             title: options.title.clone(),
+        }
+    }
+
+    /// Rectangle of the only plot of a picture, below the title and above the legend.
+    pub(crate) fn area(&self) -> Area {
+        let em = self.em;
+        Area {
+            lo: Dot::new(Plot::LEFT * em, 2.6 * em),
+            hi: Dot::new(self.width - Plot::RIGHT * em, self.foot - Plot::BELOW * em),
         }
     }
 

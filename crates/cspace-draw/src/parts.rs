@@ -97,7 +97,7 @@ pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
         left_out: 999_999,
     });
     let mut page = Page::with(options, size, legend(widest));
-    let area = Plot::alone(&page);
+    let area = page.area();
     let [x, y] = seen(picture);
     let plot = Plot::at_one_scale(area, options.x.unwrap_or(x), options.y.unwrap_or(y), em);
     let labels = AxisLabel::of_positions(options);

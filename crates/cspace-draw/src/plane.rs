@@ -27,7 +27,7 @@ pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
     let mut page = Page::of(options, USUAL, entries(space, options));
     let [x, y] = window(space, options);
     let plot = Plot {
-        area: Plot::alone(&page),
+        area: page.area(),
         x,
         y,
         em: page.em,

@@ -3,7 +3,6 @@
 use crate::colour::{GRID, INK, WHITE};
 use crate::font;
 use crate::options::PictureOptions;
-use crate::page::Page;
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Text};
 use crate::ticks::{Quantity, number, step, ticks};
 
@@ -53,15 +52,6 @@ impl Plot {
     pub(crate) const LEFT: f64 = 5.2;
     pub(crate) const BELOW: f64 = 3.4;
     pub(crate) const RIGHT: f64 = 1.2;
-
-    /// Rectangle of the only plot of a picture, below the title and above the text at its foot.
-    pub(crate) fn alone(page: &Page) -> Area {
-        let em = page.em;
-        Area {
-            lo: Dot::new(Self::LEFT * em, 2.6 * em),
-            hi: Dot::new(page.width - Self::RIGHT * em, page.foot - Self::BELOW * em),
-        }
-    }
 
     /// Both coordinates at one scale: the one with room to spare shows more.
     pub(crate) fn at_one_scale(area: Area, x: (f64, f64), y: (f64, f64), em: f64) -> Self {

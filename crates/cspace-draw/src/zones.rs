@@ -90,7 +90,7 @@ pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
         said.push((Sign::Field(GRID, INK), format!("and {more} more")));
     }
     let mut page = Page::of(options, USUAL, said);
-    let (area, em) = (Plot::alone(&page), page.em);
+    let (area, em) = (page.area(), page.em);
     let [x, y] = picture.nominal.window(options);
     let plot = match picture.nominal {
         Nominal::Plane(_) => Plot { area, x, y, em },
