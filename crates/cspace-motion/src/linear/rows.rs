@@ -1,7 +1,7 @@
 //! Linear equations of which some may depend on others: A y = b as A = R Q with orthonormal rows Q.
 //!
-//! Of dependent equations those that come first are kept, joints before contacts. The factorizations of `nalgebra` that tell the rank
-//! choose by size, and so others at each step.
+//! Dependent equations follow from those before them, contacts from joints. The factorizations of `nalgebra` that tell the rank choose
+//! by size, and so others at each step.
 
 use core::ops::Range;
 
