@@ -1,7 +1,7 @@
 //! The progress bar of a long computation.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, Progress, Stage};
@@ -17,10 +17,15 @@ const PATIENCE: Duration = Duration::from_secs(1);
 pub(crate) struct Bar {
     title: String,
     begin: Instant,
-    bar: Mutex<Option<ProgressBar>>,
-    stage: Mutex<Option<Stage>>,
+    news: Mutex<News>,
+}
+
+/// News that the bar does not show yet.
+#[derive(Default)]
+struct News {
+    stage: Option<Stage>,
     /// Words that are told above the bar once it is shown.
-    known: Mutex<Option<String>>,
+    known: Option<String>,
 }
 
 impl Bar {
@@ -28,10 +33,12 @@ impl Bar {
         Self {
             title,
             begin: Instant::now(),
-            bar: Mutex::new(None),
-            stage: Mutex::new(None),
-            known: Mutex::new(None),
+            news: Mutex::default(),
         }
+    }
+
+    fn news(&self) -> MutexGuard<'_, News> {
+        self.news.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Runs a computation, with the bar kept up to date by a thread of its own.
@@ -39,9 +46,15 @@ impl Bar {
         let done = AtomicBool::new(false);
         std::thread::scope(|scope| {
             let ticker = scope.spawn(|| {
+                let mut bar = None;
                 while !done.load(Ordering::Relaxed) {
                     std::thread::park_timeout(Duration::from_millis(100));
-                    self.draw();
+                    if self.begin.elapsed() >= PATIENCE && !is_quiet() {
+                        self.draw(bar.get_or_insert_with(|| self.open()));
+                    }
+                }
+                if let Some(bar) = bar {
+                    bar.finish_and_clear();
                 }
             });
             let result = interrupt::watched(|| work(self));
@@ -53,21 +66,11 @@ impl Bar {
 
     /// Tells what is known so far above the bar, if there is one: where stderr is a terminal, and the work takes more than a second.
     pub(crate) fn tell(&self, known: String) {
-        *self.known.lock().unwrap_or_else(PoisonError::into_inner) = Some(known);
+        self.news().known = Some(known);
     }
 
-    fn draw(&self) {
-        if self.begin.elapsed() < PATIENCE || is_quiet() {
-            return;
-        }
-        let stage = *self.stage.lock().unwrap_or_else(PoisonError::into_inner);
-        let mut bar = self.bar.lock().unwrap_or_else(PoisonError::into_inner);
-        let bar = bar.get_or_insert_with(|| self.open());
-        let known = self
-            .known
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .take();
+    fn draw(&self, bar: &ProgressBar) {
+        let News { stage, known } = core::mem::take(&mut *self.news());
         if let Some(known) = known {
             bar.println(known);
         }
@@ -86,15 +89,6 @@ impl Bar {
         }
         bar.set_prefix(self.title.clone());
         bar.with_elapsed(self.begin.elapsed())
-    }
-}
-
-impl Drop for Bar {
-    fn drop(&mut self) {
-        let bar = self.bar.get_mut().unwrap_or_else(PoisonError::into_inner);
-        if let Some(bar) = bar.take() {
-            bar.finish_and_clear();
-        }
     }
 }
 
@@ -135,7 +129,7 @@ impl Drop for Steps {
 
 impl Progress for Bar {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
-        *self.stage.lock().unwrap_or_else(PoisonError::into_inner) = Some(stage);
+        self.news().stage = Some(stage);
         if interrupt::is_interrupted() {
             return Err(ComputeError::Interrupted);
         }
