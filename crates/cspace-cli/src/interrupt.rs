@@ -67,8 +67,8 @@ fn interrupted() {
     if is_first && WATCHED.load(Ordering::Relaxed) {
         std::thread::sleep(GRACE);
     }
-    let abandoned = output::abandon();
-    if abandoned.is_written() && is_first {
+    let is_written = output::writing();
+    if *is_written && is_first {
         return;
     }
     let mut err = std::io::stderr();

@@ -74,7 +74,6 @@ pub(crate) fn printed(result: std::io::Result<()>) -> Result<(), Failure> {
 
 /// Into a temporary file beside it, which then takes its name.
 fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    check_apart(path)?;
     let failed = |e: std::io::Error| Failure::writing(path, &e);
     if !is_replaceable(path) {
         // A device or a pipe cannot be replaced.
@@ -84,53 +83,22 @@ fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".cspace-");
     permissions(&mut builder, &path);
-    let mut file = {
-        // Whoever ends the process waits until it is known what is to be removed.
-        let mut known = pending();
-        let file = builder.tempfile_in(directory(&path)).map_err(failed)?;
-        known.unnamed = Some(file.path().to_owned());
-        file
-    };
-    let written = (file.write_all(bytes)).and_then(|()| file.as_file().sync_all());
-    // An interrupt comes before the file has its name, or after.
-    let mut known = pending();
-    let result = written.and_then(|()| file.persist(&path).map(|_| ()).map_err(|e| e.error));
-    known.unnamed = None;
-    known.is_written |= result.is_ok();
-    result.map_err(failed)
+    let mut is_written = writing();
+    let mut file = builder.tempfile_in(directory(&path)).map_err(failed)?;
+    file.write_all(bytes).map_err(failed)?;
+    file.as_file().sync_all().map_err(failed)?;
+    file.persist(&path).map_err(|e| failed(e.error))?;
+    *is_written = true;
+    Ok(())
 }
 
-/// How far the writing has come.
-pub(crate) struct Pending {
-    /// A file that does not have its name yet.
-    unnamed: Option<PathBuf>,
-    is_written: bool,
-}
+/// Whether a result has been written; held while one is being written.
+static WRITTEN: Mutex<bool> = Mutex::new(false);
 
-impl Pending {
-    /// Whether a result has been written.
-    pub(crate) fn is_written(&self) -> bool {
-        self.is_written
-    }
-}
-
-static PENDING: Mutex<Pending> = Mutex::new(Pending {
-    unnamed: None,
-    is_written: false,
-});
-
-fn pending() -> MutexGuard<'static, Pending> {
-    PENDING.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Removes what was not written to the end. No file is begun, and none gets its name, as long as the result is held, which is to
-/// be until the process has ended: whoever waits to begin one would leave it behind.
-pub(crate) fn abandon() -> MutexGuard<'static, Pending> {
-    let mut pending = pending();
-    if let Some(path) = pending.unnamed.take() {
-        let _ = std::fs::remove_file(path);
-    }
-    pending
+/// Waits until no file is half written, and says whether a result has been written. No file is begun as long as the answer is held, which is
+/// to be until the process has ended.
+pub(crate) fn writing() -> MutexGuard<'static, bool> {
+    WRITTEN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Checks that the output can be written; to be called before any input is read and any work is done.
@@ -163,71 +131,50 @@ pub(crate) fn check(path: Option<&Path>) -> Result<(), Failure> {
             ));
         }
     }
-    files().output = Some(path.to_owned());
-    check_apart(path)?;
+    if let Some(identity) = identity(path) {
+        outputs().push((identity, path.to_owned()));
+    }
     if is_replaceable(path) {
         // Whether a file may be made there is known only by trying. If that needs a named file, the process does not end before it is removed.
         let target = target(path);
-        let _pending = pending();
+        let _held = writing();
         tempfile::tempfile_in(self::directory(&target)).map_err(|e| Failure::writing(path, &e))?;
     }
     Ok(())
 }
 
-/// The files of the command: what is read is not written over.
-#[derive(Debug)]
-struct Files {
-    output: Option<PathBuf>,
-    /// With what it is.
-    read: Vec<(Identity, &'static str)>,
+/// The outputs that are there already, none of which is to be read: it would be lost.
+static OUTPUTS: Mutex<Vec<(Identity, PathBuf)>> = Mutex::new(Vec::new());
+
+fn outputs() -> MutexGuard<'static, Vec<(Identity, PathBuf)>> {
+    OUTPUTS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-static FILES: Mutex<Files> = Mutex::new(Files {
-    output: None,
-    read: Vec::new(),
-});
-
-fn files() -> MutexGuard<'static, Files> {
-    FILES.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Registers a file that is about to be read; an error if the output, under whatever name, would overwrite it.
-///
-/// To be called before every file is read. From then on no output is written over that file.
+/// Checks that a file that is about to be read is not the output, under whatever name; to be called before every file is read.
 pub(crate) fn before_reading(path: &Path) -> Result<(), Failure> {
-    reading(identity(path), OVER_INPUT)
+    check_apart(identity(path), OVER_INPUT)
 }
 
-/// Registers the file that standard input comes from, if any, as one that is read; an error if it is the output.
+/// As [`before_reading`], for the file that standard input comes from, if any.
 pub(crate) fn before_reading_stdin() -> Result<(), Failure> {
-    reading(
+    check_apart(
         stdin_identity(),
         "the output is the file that standard input comes from",
     )
 }
 
-fn reading(read: Option<Identity>, what: &'static str) -> Result<(), Failure> {
-    let Some(read) = read else { return Ok(()) };
-    let output = {
-        let mut files = files();
-        files.read.push((read, what));
-        files.output.clone()
-    };
-    output.map_or(Ok(()), |path| check_apart(&path))
-}
-
-/// Checks that the output is none of the registered input files.
-fn check_apart(path: &Path) -> Result<(), Failure> {
-    let known = |output: Identity| {
-        let files = files();
-        let read = files.read.iter().find(|(read, _)| *read == output);
-        read.map(|(_, what)| *what)
-    };
-    let Some(what) = identity(path).and_then(known) else {
-        return Ok(());
-    };
-    let message = format_args!("{}: {what}", path.display());
-    Err(Failure::new(message).help(ANOTHER))
+fn check_apart(read: Option<Identity>, what: &str) -> Result<(), Failure> {
+    let outputs = outputs();
+    match outputs
+        .iter()
+        .find(|(output, _)| Some(output) == read.as_ref())
+    {
+        Some((_, path)) => {
+            let message = format_args!("{}: {what}", path.display());
+            Err(Failure::new(message).help(ANOTHER))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The reason why an output is refused, and what to do.
@@ -284,16 +231,9 @@ fn is_replaceable(path: &Path) -> bool {
 
 /// Where a symbolic link leads, also if nothing is there yet.
 fn target(path: &Path) -> PathBuf {
-    /// More links than that lead in a circle.
-    const MOST_LINKS: usize = 40;
-    let mut path = path.to_owned();
-    for _ in 0..MOST_LINKS {
-        match std::fs::read_link(&path) {
-            Ok(next) => path = directory(&path).join(next),
-            Err(_) => break,
-        }
-    }
-    path
+    let led = || std::fs::read_link(path).map(|to| directory(path).join(to));
+    let found = path.canonicalize().or_else(|_| led());
+    found.unwrap_or_else(|_| path.to_owned())
 }
 
 fn directory(path: &Path) -> &Path {

@@ -1,5 +1,7 @@
 //! Arcs as cubic curves, for formats without arcs.
 
+use cspace::{Edge, Point};
+
 use crate::scene::Dot;
 
 /// An arc as cubic curves: two control points and the end of each.
@@ -14,8 +16,8 @@ pub(crate) fn cubics(from: Dot, to: Dot, bulge: f64) -> Vec<[Dot; 3]> {
     if bulge.abs() < STRAIGHT {
         return vec![[from, to, to]];
     }
-    let sweep = 4.0 * bulge.atan();
-    let center = center(from, to, bulge);
+    let arc = edge(from, to, bulge);
+    let (center, sweep) = (arc.center(), arc.sweep());
     let n = (sweep.abs() / LONGEST).ceil().max(1.0);
     let (sin, cos) = (sweep / n).sin_cos();
     let reach = 4.0 / 3.0 * (0.25 * sweep / n).tan();
@@ -35,20 +37,9 @@ pub(crate) fn cubics(from: Dot, to: Dot, bulge: f64) -> Vec<[Dot; 3]> {
     pieces
 }
 
-/// The centre of an arc.
-fn center(from: Dot, to: Dot, bulge: f64) -> Dot {
-    // From the middle of the chord (1 − b²)/(4b) chords to the left of travel, y being downwards.
-    let height = (1.0 - bulge * bulge) / (4.0 * bulge);
-    let (dx, dy) = (to.x - from.x, to.y - from.y);
-    Dot::new(
-        0.5 * (from.x + to.x) - height * dy,
-        0.5 * (from.y + to.y) + height * dx,
-    )
-}
-
-/// The radius of an arc.
-pub(crate) fn radius(from: Dot, to: Dot, bulge: f64) -> f64 {
-    from.distance(to) * (1.0 + bulge * bulge) / (4.0 * bulge.abs())
+/// An arc, in dots: that y is downwards mirrors the centre as it does the ends.
+pub(crate) fn edge(from: Dot, to: Dot, bulge: f64) -> Edge {
+    Edge::between(Point::new(from.x, from.y), Point::new(to.x, to.y), bulge)
 }
 
 #[cfg(test)]
@@ -61,7 +52,8 @@ mod tests {
     fn cubics_stay_on_the_circle() {
         for bulge in [0.01, 0.3, 1.0, 2.5, -0.2, -1.0, -7.0] {
             let (from, to) = (Dot::new(3.0, 4.0), Dot::new(-1.0, 7.0));
-            let (c, r) = (center(from, to, bulge), radius(from, to, bulge));
+            let arc = edge(from, to, bulge);
+            let (c, r) = (Dot::new(arc.center().x, arc.center().y), arc.radius());
             let mut start = from;
             let mut turned = 0.0;
             for [p, q, end] in cubics(from, to, bulge) {

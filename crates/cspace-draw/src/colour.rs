@@ -4,6 +4,7 @@ use cspace::{FeatureKind, FeatureName};
 
 use crate::scene::Colour;
 
+pub(crate) const WHITE: Colour = Colour(0xff, 0xff, 0xff);
 pub(crate) const INK: Colour = Colour(0x22, 0x22, 0x22);
 pub(crate) const GRID: Colour = Colour(0xe6, 0xe6, 0xe6);
 pub(crate) const BLOCKED: Colour = Colour(0xc9, 0xcc, 0xd1);
@@ -28,7 +29,6 @@ pub(crate) fn kind(fixed: FeatureName, moving: FeatureName) -> usize {
 
 /// Colour of a contact in a row of them, and a legible text colour on it, by the number of its pair of features.
 pub(crate) fn bar(number: usize) -> (Colour, Colour) {
-    const WHITE: Colour = Colour(0xff, 0xff, 0xff);
     const BARS: [(Colour, Colour); 7] = [
         (Colour(0x00, 0x72, 0xb2), WHITE),
         (Colour(0xe6, 0x9f, 0x00), INK),
@@ -44,7 +44,7 @@ pub(crate) fn bar(number: usize) -> (Colour, Colour) {
 /// The ground of a free region, by its number.
 pub(crate) fn region(number: u32) -> Colour {
     const GROUNDS: [Colour; 7] = [
-        Colour(0xff, 0xff, 0xff),
+        WHITE,
         Colour(0xff, 0xf3, 0xb8),
         Colour(0xcf, 0xe8, 0xfa),
         Colour(0xfd, 0xd9, 0xc4),

@@ -2,9 +2,9 @@
 
 use crate::colour::{INK, MARK, part};
 use crate::options::{Labels, PictureOptions};
-use crate::plot::{AxisLabel, Plot, haloed, text, title};
+use crate::page::Page;
+use crate::plot::{AxisLabel, Plot, haloed, text};
 use crate::scene::{Anchor, Area, Dot, Item, Path, Scene};
-use crate::ticks::Quantity;
 
 /// Data of a picture of quantities over one that is varied.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -62,31 +62,32 @@ pub fn curves(picture: &CurvesPicture, options: &PictureOptions) -> Scene {
     const BELOW: f64 = 55.0;
     let count = picture.strips.len().max(1) as f64;
     let usual = (WIDE, ABOVE + BELOW + count * (STRIP + BETWEEN));
-    let ((width, height), em) = options.sized(usual);
-    let share = height / usual.1;
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
+    let mut page = Page::of(options, usual, Vec::new());
+    let (em, share) = (page.em, page.height / usual.1);
     let all = picture.strips.iter().flat_map(|s| &s.curves);
     let x = options
         .x
         .unwrap_or_else(|| range(all.flat_map(|c| &c.points).map(|p| p.0), 0.0));
-    let across = label(&picture.across, picture.is_angle);
     for (i, strip) in picture.strips.iter().enumerate() {
         let top = (ABOVE + i as f64 * (STRIP + BETWEEN)) * share;
         let left = (Plot::LEFT + 0.5) * em;
         let area = Area::new(
             left,
             top,
-            width - left - 2.0 * Plot::RIGHT * em,
+            page.width - left - 2.0 * Plot::RIGHT * em,
             STRIP * share,
         );
         let values = strip.curves.iter().flat_map(|c| &c.points);
         let values = values.filter_map(|p| p.1);
         let y = strip.seen.unwrap_or_else(|| range(values, 0.08));
         let plot = Plot { area, x, y, em };
-        let up = label(&strip.label, strip.is_angle);
+        let labels = [
+            AxisLabel::of(&picture.across, picture.is_angle),
+            AxisLabel::of(&strip.label, strip.is_angle),
+        ];
+        let items = &mut page.items;
         let is_last = i + 1 == picture.strips.len();
-        plot.grid(&mut items, [&across, &up]);
+        plot.grid(items, &labels);
         let mut inner = Vec::new();
         for at in strip.limits.iter().flat_map(|&(lo, hi)| [lo, hi]) {
             let path = Path::through([plot.place(x.0, at), plot.place(x.1, at)]);
@@ -101,7 +102,7 @@ pub fn curves(picture: &CurvesPicture, options: &PictureOptions) -> Scene {
         }
         items.push(Item::Clipped { area, items: inner });
         let with = options.labels != Labels::None;
-        plot.frame_with(&mut items, [&across, &up], [with && is_last, with]);
+        plot.frame_with(items, &labels, [with && is_last, with]);
         if strip.curves.len() > 1 && with {
             for (k, curve) in strip.curves.iter().enumerate() {
                 let last = curve.points.iter().rev().find_map(|p| Some((p.0, p.1?)));
@@ -115,23 +116,7 @@ pub fn curves(picture: &CurvesPicture, options: &PictureOptions) -> Scene {
             }
         }
     }
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
-}
-
-fn label(text: &str, is_angle: bool) -> AxisLabel {
-    AxisLabel {
-        text: text.to_owned(),
-        quantity: if is_angle {
-            Quantity::Angle
-        } else {
-            Quantity::Length
-        },
-    }
+    page.finished()
 }
 
 /// Range of some values, extended by a share `more` of its width on both sides.

@@ -2,10 +2,10 @@
 
 use crate::colour::{INK, part as colours};
 use crate::legend::{Legend, Sign};
-use crate::motion::cut;
 use crate::options::PictureOptions;
+use crate::page::Page;
 use crate::parts::{PartsPicture, frame_of, seen_of_all};
-use crate::plot::{text, title};
+use crate::plot::{fitting, text};
 use crate::scene::{Anchor, Area, Dot, Scene};
 
 /// Data of a picture of parts at several times.
@@ -63,26 +63,17 @@ pub fn frames(picture: &FramesPicture<'_>, options: &PictureOptions) -> Scene {
             (width, height, em)
         }
     };
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
+    let mut page = Page::with(options, (width, height), legend(em));
     for (k, (said, parts)) in picture.frames.iter().enumerate() {
         let left = (MARGIN + (k % across) as f64 * (wide + 1.0)) * em;
         let top = (TOP + (k / across) as f64 * (high + CAPTION)) * em;
         let area = Area::new(left, top, wide * em, high * em);
-        frame_of(&mut items, parts, area, [x, y], em);
+        frame_of(&mut page.items, parts, area, [x, y], em);
         let base = Dot::new(left, area.hi.y + 1.3 * em);
-        let said = cut(said, wide * em, em);
-        items.push(text(said, base, em, Anchor::Start, INK));
+        let said = fitting(said, em, wide * em);
+        page.items.push(text(said, base, em, Anchor::Start, INK));
     }
-    let legend = legend(em);
-    let foot = height - legend.height() - 0.5 * em;
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    page.finished()
 }
 
 /// The parts of all frames by their colours.

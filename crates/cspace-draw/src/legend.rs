@@ -19,7 +19,8 @@ pub(crate) enum Sign {
 /// Entries in lines of a width.
 pub(crate) struct Legend {
     lines: Vec<Vec<(f64, Sign, String)>>,
-    em: f64,
+    /// The size of letters.
+    pub(crate) em: f64,
 }
 
 impl Legend {

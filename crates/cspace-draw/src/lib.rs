@@ -53,6 +53,7 @@ mod modes;
 mod motion;
 mod options;
 mod outline;
+mod page;
 mod parts;
 mod pdf;
 mod placed_part;

@@ -2,11 +2,12 @@
 
 use cspace::{Axis, FixedAxesSpace};
 
-use crate::colour::{BLOCKED, INK, MARK, bar};
-use crate::legend::{Legend, Sign};
+use crate::colour::{BLOCKED, INK, MARK, WHITE, bar};
+use crate::legend::Sign;
 use crate::options::PictureOptions;
+use crate::page::Page;
 use crate::plane::{axis, draw_all_curves, seen};
-use crate::plot::{Plot, text, title};
+use crate::plot::{Plot, text};
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Stroke};
 use crate::strips::strips;
 use crate::view::View;
@@ -68,14 +69,10 @@ pub struct ModesPicture<'a> {
 pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
     /// Default width, and height of a row, in dots.
     const USUAL: (f64, f64) = (1100.0, 350.0);
-    const FREE: Colour = Colour(0xff, 0xff, 0xff);
     let rows = picture.modes.len().max(1);
     let usual = (USUAL.0, USUAL.1 * rows as f64 + 80.0);
-    let ((width, height), em) = options.sized(usual);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
     let mut said = vec![
-        (Sign::Field(FREE, INK), "free in the pair".to_owned()),
+        (Sign::Field(WHITE, INK), "free in the pair".to_owned()),
         (Sign::Field(BLOCKED, INK), "blocked".to_owned()),
     ];
     for (k, mode) in picture.modes.iter().enumerate() {
@@ -84,10 +81,10 @@ pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
     if picture.modes.iter().any(|m| m.mark.is_some()) {
         said.push((Sign::Mark(MARK), "the requested configuration".to_owned()));
     }
-    let legend = Legend::new(said, width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
+    let mut page = Page::of(options, usual, said);
+    let em = page.em;
     let top = 2.4 * em;
-    let size = (width / 3.0, (foot - top) / rows as f64);
+    let size = (page.width / 3.0, (page.foot - top) / rows as f64);
     let empty = ModeRow {
         name: "no mode".to_owned(),
         planes: [0; 3].map(|_| ModeFields {
@@ -116,7 +113,7 @@ pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
             let plot = Plot { area, x, y, em };
             let mark = mode.mark.map(|m| m[column]);
             draw(
-                &mut items,
+                &mut page.items,
                 plane,
                 plot,
                 (&mode.planes[column], bar(row).0),
@@ -124,18 +121,13 @@ pub fn modes(picture: &ModesPicture<'_>, options: &PictureOptions) -> Scene {
             );
             let labels =
                 [0, 1].map(|k| axis(plane.coordinates[k], plane.parts[k], plane.axes[k], options));
-            plot.frame(&mut items, [&labels[0], &labels[1]]);
+            plot.frame(&mut page.items, &labels);
         }
         let at = Dot::new(Plot::LEFT * em, upper + 1.1 * em);
-        items.push(text(mode.name.clone(), at, em, Anchor::Start, INK));
+        page.items
+            .push(text(mode.name.clone(), at, em, Anchor::Start, INK));
     }
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    page.finished()
 }
 
 fn draw(
@@ -145,19 +137,18 @@ fn draw(
     (fields, colour): (&ModeFields, Colour),
     mark: Option<(f64, f64)>,
 ) {
-    const FREE: Colour = Colour(0xff, 0xff, 0xff);
     let mut inner = Vec::new();
     match plane.space {
-        None => inner.push(Item::filled(Path::rectangle(plot.area), FREE)),
+        None => inner.push(Item::filled(Path::rectangle(plot.area), WHITE)),
         Some(space) => {
             inner.push(Item::filled(Path::rectangle(plot.area), BLOCKED));
             let view = View::of(space, plot);
             for strip in strips(space, &view) {
                 inner.push(Item::Shape {
                     path: strip.outline(),
-                    fill: Some(FREE),
+                    fill: Some(WHITE),
                     stroke: Some(Stroke {
-                        colour: FREE,
+                        colour: WHITE,
                         width: 0.04 * plot.em,
                     }),
                     title: None,
@@ -174,7 +165,7 @@ fn draw(
             path: Path::circle(plot.place(x, y), 0.4 * plot.em),
             fill: Some(MARK),
             stroke: Some(Stroke {
-                colour: FREE,
+                colour: WHITE,
                 width: 0.12 * plot.em,
             }),
             title: Some("the requested configuration".to_owned()),

@@ -2,14 +2,16 @@
 
 use cspace::{Axis, FixedAxesSpace};
 
-use crate::colour::{BLOCKED, INK, KINDS, MARK, kind, part as colours};
+use crate::colour::{BLOCKED, INK, MARK, kind, part as colours};
 use crate::font;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
+use crate::page::Page;
 use crate::parts::{PartsPicture, frame_of, seen_of_all};
-use crate::plane::{axis, draw as draw_plane, seen};
-use crate::plot::{Plot, text, title};
-use crate::scene::{Anchor, Area, Colour, Dot, Item, Scene};
+use crate::plane::{axes, draw as draw_plane, seen};
+use crate::plot::{Plot, fitting, text};
+use crate::scene::{Anchor, Area, Dot, Item, Scene};
+use crate::slice::{of_kinds, of_names};
 use crate::timeline::{ContactRow, Timeline, Track};
 use crate::view::turns_for_ever;
 
@@ -78,27 +80,16 @@ const NARROW: f64 = 26.0;
 /// assert!(drawn.contains(">wheel</text>") && drawn.contains(">time, s</text>"));
 /// ```
 pub fn motion(picture: &MotionPicture<'_>, options: &PictureOptions) -> Scene {
-    let page = Page::new(picture, options);
-    let em = page.em;
-    let mut items = Vec::new();
-    title(&mut items, &options.title, page.width, em);
-    let mut y = TOP * em;
-    y = page.frames(&mut items, y);
-    y = page.timeline(&mut items, y);
-    page.planes(&mut items, y);
-    let foot = page.height - page.legend.height() - 0.5 * em;
-    let height = page.height;
-    let width = page.width;
-    page.legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    let (layout, legend) = Layout::new(picture, options);
+    let mut page = Page::with(options, (layout.width, layout.height), legend);
+    let mut y = TOP * layout.em;
+    y = layout.frames(&mut page.items, y);
+    y = layout.timeline(&mut page.items, y);
+    layout.planes(&mut page.items, y);
+    page.finished()
 }
 
-struct Page<'a> {
+struct Layout<'a> {
     picture: &'a MotionPicture<'a>,
     options: &'a PictureOptions,
     width: f64,
@@ -107,11 +98,10 @@ struct Page<'a> {
     /// Height of a strip, in letter sizes.
     strip: f64,
     letters: Vec<(f64, char)>,
-    legend: Legend,
 }
 
-impl<'a> Page<'a> {
-    fn new(picture: &'a MotionPicture<'a>, options: &'a PictureOptions) -> Self {
+impl<'a> Layout<'a> {
+    fn new(picture: &'a MotionPicture<'a>, options: &'a PictureOptions) -> (Self, Legend) {
         /// Number of strips from which on they are lower.
         const MANY: usize = 6;
         const EM: f64 = 13.0;
@@ -124,7 +114,8 @@ impl<'a> Page<'a> {
             .map(|(frame, letter)| (frame.time, letter))
             .collect();
         let entries = entries(picture);
-        let mut page = Self {
+        let mut legend = Legend::new(entries.clone(), (WIDE - 2.0) * EM, EM);
+        let mut layout = Self {
             picture,
             options,
             width: WIDE * EM,
@@ -132,20 +123,19 @@ impl<'a> Page<'a> {
             em: EM,
             strip,
             letters,
-            legend: Legend::new(entries.clone(), (WIDE - 2.0) * EM, EM),
         };
-        let natural = page.natural();
-        page.height = natural * EM;
+        let natural = layout.natural(&legend);
+        layout.height = natural * EM;
         if let Some((width, height)) = options.size {
             let em = (width / WIDE).min(height / natural).max(LEAST);
-            (page.width, page.height, page.em) = (width, height, em);
-            page.legend = Legend::new(entries, width - 2.0 * em, em);
+            (layout.width, layout.height, layout.em) = (width, height, em);
+            legend = Legend::new(entries, width - 2.0 * em, em);
             // The remaining height goes to the strips.
-            let more = height / em - page.natural();
+            let more = height / em - layout.natural(&legend);
             let count = picture.tracks.len().max(1) as f64;
-            page.strip = (strip + more.max(0.0) / count).min(4.0 * strip);
+            layout.strip = (strip + more.max(0.0) / count).min(4.0 * strip);
         }
-        page
+        (layout, legend)
     }
 
     fn timeline_of(&self) -> Timeline<'_> {
@@ -160,8 +150,8 @@ impl<'a> Page<'a> {
     }
 
     /// The height of all of it, in sizes of letters.
-    fn natural(&self) -> f64 {
-        let legend = self.legend.height() / self.em + 1.0;
+    fn natural(&self, legend: &Legend) -> f64 {
+        let legend = legend.height() / self.em + 1.0;
         let (_, frames) = self.frame_size();
         let frames = match self.picture.frames.is_empty() {
             true => 0.0,
@@ -204,7 +194,7 @@ impl<'a> Page<'a> {
             let base = Dot::new(x, area.hi.y + 1.3 * em);
             items.push(text(letter.to_string(), base, em, Anchor::Start, MARK));
             let beside = base.moved(1.2 * em, 0.0);
-            let said = cut(&frame.caption, wide - 1.4 * em, 0.85 * em);
+            let said = fitting(&frame.caption, 0.85 * em, wide - 1.4 * em);
             items.push(text(said, beside, 0.85 * em, Anchor::Start, INK));
         }
         y + high + CAPTION * em
@@ -288,12 +278,7 @@ impl<'a> Page<'a> {
                 em,
             };
             draw_plane(items, plane.space, plot, Labels::None, &plane.path);
-            let names = [plane.space.fixed().name(), plane.space.moving().name()];
-            let labels = [
-                axis("u", names[0], u, self.options),
-                axis("v", names[1], v, self.options),
-            ];
-            plot.frame(items, [&labels[0], &labels[1]]);
+            plot.frame(items, &axes(plane.space, self.options));
         }
         let (planes, _) = self.below();
         let at = match self.is_beside() {
@@ -330,17 +315,6 @@ fn about(axis: Axis, way: impl Iterator<Item = f64>, all: (f64, f64)) -> (f64, f
     (lo - margin, hi + margin)
 }
 
-/// A text, cut where it would be wider than there is room.
-pub(crate) fn cut(said: &str, room: f64, size: f64) -> String {
-    let mut shown = said.to_owned();
-    while font::width(&shown, size) > room && shown.pop().is_some() {}
-    if shown.len() < said.len() {
-        shown.pop();
-        shown.push('…');
-    }
-    shown
-}
-
 fn entries(picture: &MotionPicture<'_>) -> Vec<(Sign, String)> {
     let mut all: Vec<(Sign, String)> = Vec::new();
     if let Some(frame) = picture.frames.first() {
@@ -355,16 +329,10 @@ fn entries(picture: &MotionPicture<'_>) -> Vec<(Sign, String)> {
         all.push((Sign::Line(MARK), "way in the plane".to_owned()));
         let patches = picture.planes.iter().flat_map(|p| p.space.patches());
         let kinds: Vec<usize> = patches.map(|p| kind(p.fixed, p.moving)).collect();
-        for (k, (colour, said)) in KINDS.iter().enumerate() {
-            if kinds.contains(&k) {
-                all.push((Sign::Line(*colour), (*said).to_owned()));
-            }
-        }
+        all.extend(of_kinds(|k| kinds.contains(&k)));
     }
-    let plain = Sign::Line(Colour(255, 255, 255));
     if picture.contacts.iter().any(|r| !r.bars.is_empty()) {
-        let said = "L line, A convex arc, a concave arc, V vertex; loop.index, fixed part first";
-        all.push((plain, said.to_owned()));
+        all.push(of_names());
     }
     if picture.contacts.iter().any(|r| !r.impacts.is_empty()) {
         all.push((Sign::Mark(MARK), "below a bar: impact".to_owned()));

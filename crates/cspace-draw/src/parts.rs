@@ -4,15 +4,16 @@ use cspace::pair::Joint;
 use cspace::{Axis, AxisMotion, Point, Rotation, Vector};
 use cspace_model::JointEntry;
 
-use crate::colour::{INK, MARK, part as colours};
+use crate::colour::{INK, MARK, WHITE, part as colours};
 use crate::feature_labels::{self, Fitting};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
 use crate::outline::{extent, of_edges, of_part, place, points, with_margin};
+use crate::page::Page;
 use crate::placed_part::PlacedPart;
-use crate::plot::{AxisLabel, Plot, title};
-use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Stroke};
+use crate::plot::{AxisLabel, Plot};
+use crate::scene::{Area, Dot, Item, Path, Scene, Stroke};
 use crate::ticks::brief;
 
 /// Contact of two parts.
@@ -84,38 +85,30 @@ pub struct PartsPicture<'a> {
 pub fn parts(picture: &PartsPicture<'_>, options: &PictureOptions) -> Scene {
     /// In dots, if the user does not say.
     const USUAL: (f64, f64) = (960.0, 720.0);
-    let ((width, height), em) = options.sized(USUAL);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
+    let (size, em) = options.sized(USUAL);
     let legend = |features: Option<Fitting>| {
-        let said = features.map(|f| (Sign::Line(Colour(255, 255, 255)), f.to_string()));
+        let said = features.map(|f| (Sign::Line(WHITE), f.to_string()));
         let entries = entries(picture, options).into_iter().chain(said).collect();
-        Legend::new(entries, width - 2.0 * em, em)
+        Legend::new(entries, size.0 - 2.0 * em, em)
     };
     // There is room for the largest numbers before it is known which fit.
     let widest = (options.labels == Labels::Features).then_some(Fitting {
         all: 999_999,
         left_out: 999_999,
     });
-    let foot = height - legend(widest).height() - 0.5 * em;
-    let area = Plot::alone(width, foot, em);
+    let mut page = Page::with(options, size, legend(widest));
+    let area = page.area();
     let [x, y] = seen(picture);
     let plot = Plot::at_one_scale(area, options.x.unwrap_or(x), options.y.unwrap_or(y), em);
-    let unit = options.unit.as_deref();
-    let (across, up) = (AxisLabel::length("x", unit), AxisLabel::length("y", unit));
-    plot.grid(&mut items, [&across, &up]);
+    let labels = AxisLabel::of_positions(options);
+    plot.grid(&mut page.items, &labels);
     let mut inner = Vec::new();
     let fitting = draw(&mut inner, picture, &plot, options.labels);
-    plot.scale_bar(&mut inner, unit);
-    items.push(Item::Clipped { area, items: inner });
-    plot.frame(&mut items, [&across, &up]);
-    legend(fitting).draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    plot.scale_bar(&mut inner, options.unit.as_deref());
+    page.items.push(Item::Clipped { area, items: inner });
+    plot.frame(&mut page.items, &labels);
+    page.legend = legend(fitting);
+    page.finished()
 }
 
 /// A frame of parts, with an edge around it.
@@ -323,7 +316,7 @@ fn motion(items: &mut Vec<Item>, p: &PlacedPart<'_>, plot: &Plot) {
 fn pivot(items: &mut Vec<Item>, at: Dot, em: f64) {
     items.push(Item::Shape {
         path: Path::circle(at, 0.55 * em),
-        fill: Some(Colour(255, 255, 255)),
+        fill: Some(WHITE),
         stroke: Some(Stroke {
             colour: INK,
             width: 0.13 * em,
@@ -346,7 +339,7 @@ fn slide(items: &mut Vec<Item>, at: Dot, direction: Vector, em: f64) {
         };
         path.line_through([wing(0.45), tip, wing(-0.45)]);
     }
-    items.push(Item::drawn(path.clone(), Colour(255, 255, 255), 0.4 * em));
+    items.push(Item::drawn(path.clone(), WHITE, 0.4 * em));
     items.push(Item::drawn(path, INK, 0.15 * em));
 }
 
@@ -370,7 +363,7 @@ fn contact_sign(items: &mut Vec<Item>, contact: &ContactMark, plot: &Plot, place
     };
     let mut arrow = Path::through([at, tip]);
     arrow.line_through([wing(0.45), tip, wing(-0.45)]);
-    items.push(Item::drawn(arrow.clone(), Colour(255, 255, 255), 0.4 * em));
+    items.push(Item::drawn(arrow.clone(), WHITE, 0.4 * em));
     items.push(Item::drawn(arrow, MARK, 0.15 * em));
     items.push(Item::Shape {
         path: Path::circle(at, 0.32 * em),
@@ -471,7 +464,7 @@ pub(crate) fn entries(picture: &PartsPicture<'_>, options: &PictureOptions) -> V
             .take(6)
             .map(|f| (Sign::Mark(MARK), (*f).to_owned())),
     );
-    let plain = Sign::Line(Colour(255, 255, 255));
+    let plain = Sign::Line(WHITE);
     all.extend(picture.remarks.iter().map(|r| (plain, r.clone())));
     all
 }

@@ -4,6 +4,7 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Filter, Finish, Pdf, Rect, Ref, TextStr};
 
 use crate::arc::cubics;
+use crate::colour::WHITE;
 use crate::font::{self, Placed, halo};
 use crate::scene::{Colour, Dot, Item, Path, Scene, Step, Text};
 
@@ -137,7 +138,7 @@ fn cubic(out: &mut Content, p: Dot, q: Dot, r: Dot) {
 
 fn write(out: &mut Content, text: &Text) {
     if text.halo {
-        pen(out, Colour(255, 255, 255), halo(text.size));
+        pen(out, WHITE, halo(text.size));
         letters(out, text);
         out.stroke();
     }

@@ -5,14 +5,15 @@ use core::f64::consts::PI;
 use cspace::fixed_axes::BranchForm;
 use cspace::{Axis, AxisMotion, FixedAxesSpace};
 
-use crate::colour::{BLOCKED, INK, KINDS, MARK, kind, region as ground};
+use crate::colour::{BLOCKED, INK, KINDS, MARK, WHITE, kind, region as ground};
 use crate::labels::Placed;
-use crate::legend::{Legend, Sign};
+use crate::legend::Sign;
 use crate::line::{follow, simplified};
 use crate::options::{Labels, PictureOptions};
-use crate::plot::{AxisLabel, Plot, title};
-use crate::scene::{Colour, Dot, Item, Path, Scene, Stroke};
-use crate::slice::short;
+use crate::page::Page;
+use crate::plot::{AxisLabel, Plot};
+use crate::scene::{Dot, Item, Path, Scene, Stroke};
+use crate::slice::{of_kinds, of_names, short};
 use crate::strips::{Strip, strips};
 use crate::ticks::Quantity;
 use crate::view::{View, turns_for_ever};
@@ -23,33 +24,17 @@ use crate::view::{View, turns_for_ever};
 pub fn plane(space: &FixedAxesSpace, options: &PictureOptions) -> Scene {
     /// In dots, if the user does not say.
     const USUAL: (f64, f64) = (920.0, 920.0);
-    let ((width, height), em) = options.sized(USUAL);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
-    let legend = Legend::new(entries(space, options), width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
-    let area = Plot::alone(width, foot, em);
-    let whole = space.extent();
-    let (fixed, moving) = space.axes();
+    let mut page = Page::of(options, USUAL, entries(space, options));
+    let [x, y] = window(space, options);
     let plot = Plot {
-        area,
-        x: options.x.unwrap_or(seen(fixed, whole[0])),
-        y: options.y.unwrap_or(seen(moving, whole[1])),
-        em,
+        area: page.area(),
+        x,
+        y,
+        em: page.em,
     };
-    let labels = [
-        axis("u", space.fixed().name(), fixed, options),
-        axis("v", space.moving().name(), moving, options),
-    ];
-    draw(&mut items, space, plot, options.labels, &[]);
-    plot.frame(&mut items, [&labels[0], &labels[1]]);
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    draw(&mut page.items, space, plot, options.labels, &[]);
+    plot.frame(&mut page.items, &axes(space, options));
+    page.finished()
 }
 
 /// The plane with its free regions and contact curves, and a path in it, in the rectangle of a plot.
@@ -115,11 +100,7 @@ fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
     for (_, line) in &lines {
         drawn.line_through(simplified(line));
     }
-    items.push(Item::drawn(
-        drawn.clone(),
-        Colour(0xff, 0xff, 0xff),
-        0.5 * em,
-    ));
+    items.push(Item::drawn(drawn.clone(), WHITE, 0.5 * em));
     items.push(Item::drawn(drawn, MARK, 0.22 * em));
     let ends = [(path.first(), true), (path.last(), false)];
     for (end, is_start) in ends.into_iter().filter_map(|(p, s)| Some((*p?, s))) {
@@ -127,11 +108,7 @@ fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
             let at = view.place((end.0 + du, end.1 + dv));
             items.push(Item::Shape {
                 path: Path::circle(at, 0.42 * em),
-                fill: Some(if is_start {
-                    Colour(0xff, 0xff, 0xff)
-                } else {
-                    MARK
-                }),
+                fill: Some(if is_start { WHITE } else { MARK }),
                 stroke: Some(Stroke {
                     colour: MARK,
                     width: 0.18 * em,
@@ -140,6 +117,25 @@ fn along(items: &mut Vec<Item>, view: &View, path: &[(f64, f64)]) {
             });
         }
     }
+}
+
+/// Ranges of both coordinates in view.
+pub(crate) fn window(space: &FixedAxesSpace, options: &PictureOptions) -> [(f64, f64); 2] {
+    let (fixed, moving) = space.axes();
+    let [u, v] = space.extent();
+    [
+        options.x.unwrap_or(seen(fixed, u)),
+        options.y.unwrap_or(seen(moving, v)),
+    ]
+}
+
+/// Labels of both coordinates.
+pub(crate) fn axes(space: &FixedAxesSpace, options: &PictureOptions) -> [AxisLabel; 2] {
+    let (fixed, moving) = space.axes();
+    [
+        axis("u", space.fixed().name(), fixed, options),
+        axis("v", space.moving().name(), moving, options),
+    ]
 }
 
 /// Range of a coordinate in view: for a full turn from −180° to 180°.
@@ -353,14 +349,11 @@ fn entries(space: &FixedAxesSpace, options: &PictureOptions) -> Vec<(Sign, Strin
         ));
     }
     all.push((Sign::Field(BLOCKED, INK), "blocked".to_owned()));
-    for (k, (colour, said)) in KINDS.iter().enumerate() {
-        if (space.patches().iter()).any(|p| kind(p.fixed, p.moving) == k) {
-            all.push((Sign::Line(*colour), (*said).to_owned()));
-        }
-    }
+    all.extend(of_kinds(|k| {
+        (space.patches().iter()).any(|p| kind(p.fixed, p.moving) == k)
+    }));
     if options.labels != Labels::None && !space.patches().is_empty() {
-        let said = "L line, A convex arc, a concave arc, V vertex; loop.index, fixed part first";
-        all.push((Sign::Line(Colour(255, 255, 255)), said.to_owned()));
+        all.push(of_names());
     }
     all
 }

@@ -1,7 +1,8 @@
 //! A rectangle of a picture with two axes, and where coordinates are in it.
 
-use crate::colour::{GRID, INK};
+use crate::colour::{GRID, INK, WHITE};
 use crate::font;
+use crate::options::PictureOptions;
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Text};
 use crate::ticks::{Quantity, number, step, ticks};
 
@@ -23,11 +24,26 @@ pub(crate) struct AxisLabel {
 }
 
 impl AxisLabel {
+    pub(crate) fn of(text: &str, is_angle: bool) -> Self {
+        Self {
+            text: text.to_owned(),
+            quantity: match is_angle {
+                true => Quantity::Angle,
+                false => Quantity::Length,
+            },
+        }
+    }
+
     pub(crate) fn length(name: &str, unit: Option<&str>) -> Self {
         Self {
             text: unit.map_or(name.to_owned(), |u| format!("{name}, {u}")),
             quantity: Quantity::Length,
         }
+    }
+
+    /// Labels of x and y.
+    pub(crate) fn of_positions(options: &PictureOptions) -> [Self; 2] {
+        ["x", "y"].map(|name| Self::length(name, options.unit.as_deref()))
     }
 }
 
@@ -36,14 +52,6 @@ impl Plot {
     pub(crate) const LEFT: f64 = 5.2;
     pub(crate) const BELOW: f64 = 3.4;
     pub(crate) const RIGHT: f64 = 1.2;
-
-    /// Rectangle of the only plot of a picture, below the title and above the text at its foot.
-    pub(crate) fn alone(width: f64, foot: f64, em: f64) -> Area {
-        Area {
-            lo: Dot::new(Self::LEFT * em, 2.6 * em),
-            hi: Dot::new(width - Self::RIGHT * em, foot - Self::BELOW * em),
-        }
-    }
 
     /// Both coordinates at one scale: the one with room to spare shows more.
     pub(crate) fn at_one_scale(area: Area, x: (f64, f64), y: (f64, f64), em: f64) -> Self {
@@ -83,7 +91,7 @@ impl Plot {
     }
 
     /// Grey lines at round numbers, to lie under everything.
-    pub(crate) fn grid(&self, items: &mut Vec<Item>, labels: [&AxisLabel; 2]) {
+    pub(crate) fn grid(&self, items: &mut Vec<Item>, labels: &[AxisLabel; 2]) {
         let (mut path, area) = (Path::new(), self.area);
         let [across, up] = self.ticks(labels);
         for (at, _) in across {
@@ -97,7 +105,7 @@ impl Plot {
         items.push(Item::drawn(path, GRID, 0.06 * self.em));
     }
 
-    fn ticks(&self, [x, y]: [&AxisLabel; 2]) -> [Vec<(f64, String)>; 2] {
+    fn ticks(&self, [x, y]: &[AxisLabel; 2]) -> [Vec<(f64, String)>; 2] {
         // A number is some four letters wide, and half as much apart from the next.
         let most = |dots: f64, letters: f64| (dots / (letters * self.em)).clamp(2.0, 12.0);
         /// Height of a strip below which numbers are closer together.
@@ -127,7 +135,7 @@ impl Plot {
     }
 
     /// The frame with its ticks, numbers and labels.
-    pub(crate) fn frame(&self, items: &mut Vec<Item>, labels: [&AxisLabel; 2]) {
+    pub(crate) fn frame(&self, items: &mut Vec<Item>, labels: &[AxisLabel; 2]) {
         self.frame_with(items, labels, [true, true]);
     }
 
@@ -135,7 +143,7 @@ impl Plot {
     pub(crate) fn frame_with(
         &self,
         items: &mut Vec<Item>,
-        labels: [&AxisLabel; 2],
+        labels: &[AxisLabel; 2],
         [with_x, with_y]: [bool; 2],
     ) {
         let (area, em) = (self.area, self.em);
@@ -194,11 +202,7 @@ impl Plot {
         bar.steps.dedup();
         let label = number(length, decimals);
         let label = unit.map_or(label.clone(), |u| format!("{label} {u}"));
-        items.push(Item::drawn(
-            bar.clone(),
-            Colour(255, 255, 255),
-            0.4 * self.em,
-        ));
+        items.push(Item::drawn(bar.clone(), WHITE, 0.4 * self.em));
         items.push(Item::drawn(bar, INK, 0.13 * self.em));
         let above = Dot::new(0.5 * (start.x + end.x), start.y - 0.7 * tick);
         items.push(haloed(text(
@@ -233,7 +237,7 @@ pub(crate) fn haloed(item: Item) -> Item {
 }
 
 /// A line of text, cut where it would be longer than there is room.
-fn fitting(text: &str, size: f64, room: f64) -> String {
+pub(crate) fn fitting(text: &str, size: f64, room: f64) -> String {
     let mut shown = text.to_owned();
     while font::width(&shown, size) > room && shown.pop().is_some() {}
     if shown.len() < text.len() {

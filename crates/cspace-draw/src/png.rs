@@ -5,6 +5,7 @@ use tiny_skia::{
 };
 
 use crate::arc::cubics;
+use crate::colour::WHITE;
 use crate::error::PictureError;
 use crate::font::{self, Placed, halo};
 use crate::scene::{Area, Colour, Dot, Item, Path, Scene, Step, Text};
@@ -149,7 +150,7 @@ fn write(map: &mut Pixmap, text: &Text, clip: Option<&Mask>) {
     let whole = Transform::identity();
     if text.halo {
         let edge = line(halo(text.size));
-        map.stroke_path(&letters, &paint(Colour(255, 255, 255)), &edge, whole, clip);
+        map.stroke_path(&letters, &paint(WHITE), &edge, whole, clip);
     }
     map.fill_path(
         &letters,

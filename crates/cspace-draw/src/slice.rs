@@ -4,13 +4,14 @@ use cspace::{
     ContactSpace, CurveGeometry, FeatureKind, FeatureName, Part, Point, Slice, SliceCurve,
 };
 
-use crate::colour::{BLOCKED, INK, KINDS, kind, region as ground};
+use crate::colour::{BLOCKED, INK, KINDS, WHITE, kind, region as ground};
 use crate::labels::Placed;
-use crate::legend::{Legend, Sign};
+use crate::legend::Sign;
 use crate::options::{Labels, PictureOptions};
 use crate::outline::{append, extent, place, with_margin};
+use crate::page::Page;
 use crate::parts::{PartsPicture, draw as draw_parts, entries as part_entries, seen};
-use crate::plot::{AxisLabel, Plot, text, title};
+use crate::plot::{AxisLabel, Plot, text};
 use crate::scene::{Anchor, Area, Dot, Item, Path, Scene, Step};
 use crate::ticks::brief;
 
@@ -43,13 +44,12 @@ fn beside(
 ) -> Scene {
     /// In dots, if the user does not say.
     const USUAL: (f64, f64) = (1240.0, 760.0);
-    let ((width, height), em) = options.sized(USUAL);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
     let mut said = entries(picture, options);
     said.extend(part_entries(parts, options));
-    let legend = Legend::new(said, width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
+    let mut page = Page::of(options, USUAL, said);
+    let Page {
+        width, foot, em, ..
+    } = page;
     let [sx, sy] = whole(picture, options, Some(at));
     let [px, py] = seen(parts);
     // Both at one scale, as wide as they show, unless one would be too small to see.
@@ -74,16 +74,16 @@ fn beside(
         let scale = plot.scale().min(of_parts.scale());
         (plot.at_scale(scale), of_parts.at_scale(scale))
     };
-    let unit = options.unit.as_deref();
-    let (x, y) = (AxisLabel::length("x", unit), AxisLabel::length("y", unit));
+    let labels = AxisLabel::of_positions(options);
+    let items = &mut page.items;
     let caption = |area: Area, said: String| {
         let above = Dot::new(area.lo.x, area.lo.y - 0.5 * em);
         text(said, above, em, Anchor::Start, INK)
     };
     items.push(caption(left, format!("slice at {}", orientation(slice))));
-    panel(&mut items, picture, slice, &plot, options.labels);
-    mark(&mut items, at, &plot);
-    plot.frame(&mut items, [&x, &y]);
+    panel(items, picture, slice, &plot, options.labels);
+    mark(items, at, &plot);
+    plot.frame(items, &labels);
     let (fixed, moving) = (picture.space.fixed().name(), picture.space.moving().name());
     let where_it_is = format!(
         "{moving} at x {}, y {} relative to {fixed}",
@@ -91,22 +91,16 @@ fn beside(
         brief(at.y)
     );
     items.push(caption(right, where_it_is));
-    of_parts.grid(&mut items, [&x, &y]);
+    of_parts.grid(items, &labels);
     let mut inner = Vec::new();
     draw_parts(&mut inner, parts, &of_parts, options.labels);
-    of_parts.scale_bar(&mut inner, unit);
+    of_parts.scale_bar(&mut inner, options.unit.as_deref());
     items.push(Item::Clipped {
         area: right,
         items: inner,
     });
-    of_parts.frame(&mut items, [&x, &y]);
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    of_parts.frame(items, &labels);
+    page.finished()
 }
 
 /// Slices in rows, all showing the same part of the plane.
@@ -122,19 +116,18 @@ fn grid(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Scene {
         columns as f64 * side + 100.0,
         rows as f64 * (side + 26.0) + 140.0,
     );
-    let ((width, height), em) = options.sized(usual);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
-    let legend = Legend::new(entries(picture, options), width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
+    let mut page = Page::of(options, usual, entries(picture, options));
+    let Page {
+        width, foot, em, ..
+    } = page;
     let (gap, caption) = (1.6 * em, 1.7 * em);
     let left = Plot::LEFT * em;
     let cell = (
         (width - left - Plot::RIGHT * em + gap) / columns as f64 - gap,
         (foot - Plot::BELOW * em - 2.3 * em) / rows as f64 - caption,
     );
-    let unit = options.unit.as_deref();
-    let (x, y) = (AxisLabel::length("x", unit), AxisLabel::length("y", unit));
+    let labels = AxisLabel::of_positions(options);
+    let items = &mut page.items;
     let [seen_x, seen_y] = whole(picture, options, None);
     for (i, slice) in picture.slices.iter().enumerate() {
         let (column, row) = (i % columns, i / columns);
@@ -146,18 +139,12 @@ fn grid(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Scene {
         let plot = Plot::at_one_scale(area, seen_x, seen_y, em);
         let above = at.moved(0.0, -0.45 * em);
         items.push(text(orientation(slice), above, em, Anchor::Start, INK));
-        panel(&mut items, picture, slice, &plot, options.labels);
+        panel(items, picture, slice, &plot, options.labels);
         // Numbers are beside the first and below the last of each row and column.
         let last = i + columns >= picture.slices.len();
-        plot.frame_with(&mut items, [&x, &y], [last, column == 0]);
+        plot.frame_with(items, &labels, [last, column == 0]);
     }
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    page.finished()
 }
 
 /// Window of the plane that contains all slices.
@@ -166,10 +153,7 @@ fn whole(
     options: &PictureOptions,
     mark: Option<Point>,
 ) -> [(f64, f64); 2] {
-    let curves = picture.slices.iter().flat_map(|s| &s.curves);
-    let mut points: Vec<Point> = curves
-        .flat_map(|c| (0..=4).map(|k| c.geometry.point(0.25 * f64::from(k))))
-        .collect();
+    let mut points: Vec<Point> = picture.slices.iter().flat_map(reached).collect();
     points.extend(mark);
     let size = picture
         .space
@@ -181,6 +165,11 @@ fn whole(
         options.x.unwrap_or(with_margin(x, 0.08 * size)),
         options.y.unwrap_or(with_margin(y, 0.08 * size)),
     ]
+}
+
+/// Points of a slice between which it lies.
+pub(crate) fn reached(slice: &Slice) -> impl Iterator<Item = Point> {
+    (slice.curves.iter()).flat_map(|c| (0..=4).map(|k| c.geometry.point(0.25 * f64::from(k))))
 }
 
 fn orientation(slice: &Slice) -> String {
@@ -406,6 +395,18 @@ pub(crate) fn short(part: &Part, name: FeatureName) -> String {
     }
 }
 
+/// Legend of the names that [`short`] gives.
+pub(crate) fn of_names() -> (Sign, String) {
+    let said = "L line, A convex arc, a concave arc, V vertex; loop.index, fixed part first";
+    (Sign::Line(WHITE), said.to_owned())
+}
+
+/// Legend of the kinds of contact curves that occur.
+pub(crate) fn of_kinds(occurs: impl Fn(usize) -> bool) -> impl Iterator<Item = (Sign, String)> {
+    let kinds = KINDS.iter().enumerate().filter(move |&(k, _)| occurs(k));
+    kinds.map(|(_, (colour, said))| (Sign::Line(*colour), (*said).to_owned()))
+}
+
 /// The position at which the parts beside are shown.
 fn mark(items: &mut Vec<Item>, at: Point, plot: &Plot) {
     let at = place(plot, at);
@@ -448,17 +449,9 @@ fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, 
         ));
     }
     all.push((Sign::Field(BLOCKED, INK), "blocked".to_owned()));
-    for (k, (colour, said)) in KINDS.iter().enumerate() {
-        if curves().any(|c| kind(c.fixed, c.moving) == k) {
-            all.push((Sign::Line(*colour), (*said).to_owned()));
-        }
-    }
+    all.extend(of_kinds(|k| curves().any(|c| kind(c.fixed, c.moving) == k)));
     if options.labels != Labels::None && curves().count() > 0 {
-        let said = "L line, A convex arc, a concave arc, V vertex; loop.index, fixed part first";
-        all.push((
-            Sign::Line(crate::scene::Colour(255, 255, 255)),
-            said.to_owned(),
-        ));
+        all.push(of_names());
     }
     all
 }

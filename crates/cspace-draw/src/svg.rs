@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::arc::radius;
+use crate::arc::edge;
 use crate::font::{FAMILY, halo};
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Scene, Step, Text};
 
@@ -132,7 +132,7 @@ fn arc(out: &mut String, from: Dot, to: Dot, bulge: f64) {
     const LONGEST: f64 = 1e7;
     let end = rounded(to);
     let (dx, dy) = (Number(end.x - from.x), Next(end.y - from.y));
-    let r = radius(from, to, bulge);
+    let r = edge(from, to, bulge).radius();
     if !(r < LONGEST && r > 0.0) {
         let _ = write!(out, "l{dx}{dy}");
         return;

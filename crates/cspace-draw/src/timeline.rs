@@ -3,9 +3,8 @@
 use crate::colour::{INK, MARK, bar, part as colours};
 use crate::font;
 use crate::line::simplified;
-use crate::plot::{AxisLabel, Plot, haloed, text};
+use crate::plot::{AxisLabel, Plot, fitting, haloed, text};
 use crate::scene::{Anchor, Area, Colour, Dot, Item, Path, Stroke};
-use crate::ticks::Quantity;
 
 /// A strip: curves over time.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -104,10 +103,6 @@ impl Timeline<'_> {
         let wide = width - (Self::LEFT + Self::RIGHT) * em;
         let mut y = at.y + Self::ABOVE * em;
         let top = y;
-        let time = AxisLabel {
-            text: "time, s".to_owned(),
-            quantity: Quantity::Length,
-        };
         let plot = |y: f64, high: f64, range: (f64, f64)| Plot {
             area: Area::new(left, y, wide, high),
             x: (0.0, self.until),
@@ -121,7 +116,7 @@ impl Timeline<'_> {
         );
         for track in self.tracks {
             let plot = plot(y, strip * em, range(track));
-            self.track(items, track, &plot, &time);
+            self.track(items, track, &plot);
             y = plot.area.hi.y + Self::BETWEEN * em;
         }
         for row in self.rows {
@@ -130,23 +125,13 @@ impl Timeline<'_> {
             y += high;
         }
         let axis = plot(y, 0.0, (0.0, 1.0));
-        let none = AxisLabel {
-            text: String::new(),
-            quantity: Quantity::Length,
-        };
-        axis.frame_with(items, [&time, &none], [true, false]);
+        axis.frame_with(items, &labels(false), [true, false]);
     }
 
-    fn track(&self, items: &mut Vec<Item>, track: &Track, plot: &Plot, time: &AxisLabel) {
+    fn track(&self, items: &mut Vec<Item>, track: &Track, plot: &Plot) {
         let (area, em) = (plot.area, self.em);
-        let values = AxisLabel {
-            text: String::new(),
-            quantity: match track.is_angle {
-                true => Quantity::Angle,
-                false => Quantity::Length,
-            },
-        };
-        plot.grid(items, [time, &values]);
+        let labels = labels(track.is_angle);
+        plot.grid(items, &labels);
         self.event_lines(items, plot);
         let mut inner = Vec::new();
         for curve in &track.curves {
@@ -164,7 +149,7 @@ impl Timeline<'_> {
             });
         }
         items.push(Item::Clipped { area, items: inner });
-        plot.frame_with(items, [time, &values], [false, true]);
+        plot.frame_with(items, &labels, [false, true]);
         let colour = match &track.curves[..] {
             [one] => colours(one.part).1,
             _ => INK,
@@ -186,14 +171,14 @@ impl Timeline<'_> {
     fn name(&self, items: &mut Vec<Item>, said: &str, right: f64, y: f64, colour: Colour) {
         let (em, size) = (self.em, self.em);
         let room = (Self::LEFT - 5.2) * em;
-        let mut shown = said.to_owned();
-        while font::width(&shown, size) > room && shown.pop().is_some() {}
-        if shown.len() < said.len() {
-            shown.pop();
-            shown.push('…');
-        }
         let at = Dot::new(right - (Self::LEFT - 1.0) * em, y);
-        items.push(text(shown, at, size, Anchor::Start, colour));
+        items.push(text(
+            fitting(said, size, room),
+            at,
+            size,
+            Anchor::Start,
+            colour,
+        ));
     }
 
     /// Lines at events; of very many only ticks at the top.
@@ -289,6 +274,11 @@ impl Timeline<'_> {
             items.push(haloed(said));
         }
     }
+}
+
+/// Labels of the axes of a strip, whose name stands beside.
+fn labels(is_angle: bool) -> [AxisLabel; 2] {
+    [AxisLabel::of("time, s", false), AxisLabel::of("", is_angle)]
 }
 
 /// Range of values that a strip shows.

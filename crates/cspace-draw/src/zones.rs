@@ -1,15 +1,16 @@
 //! Contact zones: what is free and what is blocked within tolerances, and the bands between.
 
-use cspace::{ContactSpace, FixedAxesSpace, Slice};
+use cspace::{ContactSpace, FixedAxesSpace, Point, Slice};
 
-use crate::colour::{BLOCKED, GRID, INK, MARK, bar};
-use crate::legend::{Legend, Sign};
+use crate::colour::{BLOCKED, GRID, INK, MARK, WHITE, bar};
+use crate::legend::Sign;
 use crate::options::PictureOptions;
 use crate::outline::{extent, with_margin};
-use crate::plane::{axis, draw_all_curves, seen};
-use crate::plot::{AxisLabel, Plot, title};
+use crate::page::Page;
+use crate::plane::{axes, draw_all_curves, window};
+use crate::plot::{AxisLabel, Plot};
 use crate::scene::{Colour, Dot, Item, Path, Scene, Stroke};
-use crate::slice::draw_curves;
+use crate::slice::{draw_curves, reached};
 
 /// The pair as it is drawn.
 #[derive(Debug, Clone, Copy)]
@@ -42,19 +43,9 @@ impl Nominal<'_> {
     /// Ranges of both coordinates in view.
     pub fn window(&self, options: &PictureOptions) -> Cell {
         match self {
-            Self::Plane(space) => {
-                let (fixed, moving) = space.axes();
-                let [u, v] = space.extent();
-                [
-                    options.x.unwrap_or(seen(fixed, u)),
-                    options.y.unwrap_or(seen(moving, v)),
-                ]
-            }
+            Self::Plane(space) => window(space, options),
             Self::Slice(space, slice) => {
-                let curves = slice.curves.iter();
-                let points: Vec<_> = curves
-                    .flat_map(|c| (0..=4).map(|k| c.geometry.point(0.25 * f64::from(k))))
-                    .collect();
+                let points: Vec<Point> = reached(slice).collect();
                 let size = space.fixed().size().max(space.moving().size());
                 // A square.
                 let [x, y] = extent(&points, 0.0);
@@ -72,16 +63,9 @@ impl Nominal<'_> {
     }
 
     fn labels(&self, options: &PictureOptions) -> [AxisLabel; 2] {
-        let unit = options.unit.as_deref();
         match self {
-            Self::Plane(space) => {
-                let (fixed, moving) = space.axes();
-                [
-                    axis("u", space.fixed().name(), fixed, options),
-                    axis("v", space.moving().name(), moving, options),
-                ]
-            }
-            Self::Slice(..) => ["x", "y"].map(|name| AxisLabel::length(name, unit)),
+            Self::Plane(space) => axes(space, options),
+            Self::Slice(..) => AxisLabel::of_positions(options),
         }
     }
 }
@@ -92,13 +76,9 @@ pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
     const USUAL: (f64, f64) = (920.0, 940.0);
     /// Largest number of bands that are named.
     const MOST: usize = 10;
-    const FREE: Colour = Colour(0xff, 0xff, 0xff);
-    let ((width, height), em) = options.sized(USUAL);
-    let mut items = Vec::new();
-    title(&mut items, &options.title, width, em);
     let mut said = vec![
         (
-            Sign::Field(FREE, INK),
+            Sign::Field(WHITE, INK),
             "free within all tolerances".to_owned(),
         ),
         (Sign::Field(BLOCKED, INK), "blocked within all".to_owned()),
@@ -109,17 +89,15 @@ pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
         let more = picture.bands.len() - MOST;
         said.push((Sign::Field(GRID, INK), format!("and {more} more")));
     }
-    let legend = Legend::new(said, width - 2.0 * em, em);
-    let foot = height - legend.height() - 0.5 * em;
-    let area = Plot::alone(width, foot, em);
+    let mut page = Page::of(options, USUAL, said);
+    let (area, em) = (page.area(), page.em);
     let [x, y] = picture.nominal.window(options);
     let plot = match picture.nominal {
         Nominal::Plane(_) => Plot { area, x, y, em },
         Nominal::Slice(..) => Plot::at_one_scale(area, x, y, em),
     };
-    let [across, up] = picture.nominal.labels(options);
     let mut inner = vec![Item::filled(Path::rectangle(area), GRID)];
-    inner.push(cells(picture.free, FREE, &plot, None));
+    inner.push(cells(picture.free, WHITE, &plot, None));
     inner.push(cells(picture.blocked, BLOCKED, &plot, None));
     for (i, (name, of)) in picture.bands.iter().enumerate() {
         inner.push(cells(of, bar(i).0, &plot, Some(name)));
@@ -139,15 +117,9 @@ pub fn zones(picture: &ZonesPicture<'_>, options: &PictureOptions) -> Scene {
             title: Some("where it is measured".to_owned()),
         });
     }
-    items.push(Item::Clipped { area, items: inner });
-    plot.frame(&mut items, [&across, &up]);
-    legend.draw(&mut items, Dot::new(em, foot));
-    Scene {
-        width,
-        height,
-        title: options.title.clone(),
-        items,
-    }
+    page.items.push(Item::Clipped { area, items: inner });
+    plot.frame(&mut page.items, &picture.nominal.labels(options));
+    page.finished()
 }
 
 /// Cells in one colour; their sides, which must not be seen between them, are drawn too.

@@ -89,12 +89,7 @@ impl Piece {
 
 /// Line or arc with a bulge between two points; a line if both points are equal, where a bulge has no meaning.
 pub(crate) fn edge(start: Point, end: Point, bulge: f64) -> Edge {
-    Edge {
-        start,
-        end,
-        bulge: if start == end { 0.0 } else { bulge },
-        index: 0,
-    }
+    Edge::between(start, end, if start == end { 0.0 } else { bulge })
 }
 
 impl Path {

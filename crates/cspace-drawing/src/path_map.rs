@@ -1,6 +1,6 @@
 //! Paths under affine maps.
 
-use cspace::{Point, Vector};
+use cspace::Edge;
 
 use crate::affine::Affine;
 use crate::curve::{Curve, EllipseArc};
@@ -26,7 +26,7 @@ impl Path {
                     bulge: bulge * turn,
                 },
                 Piece::Edge { to, bulge } => {
-                    let arc = Curve::Ellipse(circle_arc(from, *to, *bulge));
+                    let arc = Curve::Ellipse(circle_arc(&Edge::between(from, *to, *bulge)));
                     Piece::Curve(Box::new(arc.mapped(map)))
                 }
                 Piece::Curve(curve) => Piece::Curve(Box::new(curve.mapped(map))),
@@ -38,16 +38,15 @@ impl Path {
     }
 }
 
-/// The arc of a bulge as an arc of an ellipse.
-fn circle_arc(from: Point, to: Point, bulge: f64) -> EllipseArc {
-    let chord = to - from;
-    let center = from.midpoint(to) + chord.left() * ((1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge));
-    let u: Vector = from - center;
+/// The arc of a circle as an arc of an ellipse.
+fn circle_arc(arc: &Edge) -> EllipseArc {
+    let center = arc.center();
+    let u = arc.start - center;
     EllipseArc {
         center,
         u,
         v: u.left(),
         from: 0.0,
-        to: 4.0 * bulge.atan(),
+        to: arc.sweep(),
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use cspace::{
-    Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, FixedAxesSpace,
+    Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, Edge, FixedAxesSpace,
     PairSpace, Point, Slice,
 };
 use cspace_api::Chosen;
@@ -236,12 +236,12 @@ fn describe(text: &mut String, pair: &Chosen<'_>, slice: &Slice) -> fmt::Result 
                 )?;
             }
             if let CurveGeometry::FlatArc { start, end, bulge } = curve.geometry {
-                let chord = start.distance(end);
+                let arc = Edge::between(start, end, bulge);
                 write!(
                     text,
                     ", arc of radius {}, {} high",
-                    length(chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs())),
-                    length(0.5 * chord * bulge.abs())
+                    length(arc.radius()),
+                    length(0.5 * start.distance(end) * bulge.abs())
                 )?;
             }
             writeln!(

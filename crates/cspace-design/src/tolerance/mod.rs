@@ -128,21 +128,13 @@ pub fn tolerances_with(
 ) -> Result<Vec<Tolerances>, Interrupted> {
     let analysis = Analysis::new(template, set, model, options, progress)?;
     let variations = Variations::of(model);
-    let checked = analysis.checked();
-    let at_once: Vec<Tolerances> = (checked.iter())
-        .map(|(nominal, by)| analysis.at_once(&variations, nominal, by))
-        .collect();
-    known(&at_once);
-    let all = checked.into_iter().zip(at_once);
-    Ok(all
-        .map(|((nominal, by), mut known)| {
-            let is_whole = analysis.go_on().is_ok()
-                && (nominal.measured.is_err()
-                    || analysis.of_one(&variations, &by, &mut known).is_ok());
-            known.interrupted = !is_whole;
-            known
-        })
-        .collect())
+    let mut all = analysis.at_once(&variations);
+    known(&all);
+    for known in &mut all {
+        let whole = (analysis.go_on()).and_then(|()| analysis.beyond(&variations, known));
+        known.interrupted = whole.is_err();
+    }
+    Ok(all)
 }
 
 /// The requirements that are analysed, with their nominal values.
@@ -203,75 +195,48 @@ impl<'a> Analysis<'a> {
 
     /// Effects of these variations on each requirement.
     fn of(&self, variations: &Variations) -> Result<Vec<Tolerances>, Interrupted> {
-        let all = self.checked().into_iter().map(|(nominal, by)| {
+        let mut all = self.at_once(variations);
+        for known in &mut all {
             self.go_on()?;
-            self.of_any(variations, nominal, &by)
-        });
-        all.collect()
+            self.beyond(variations, known)?;
+            known.interrupted = false;
+        }
+        Ok(all)
     }
 
-    /// The requirements as drawn, with their derivatives.
-    fn checked(&self) -> Vec<(Checked, Vec<Sensitivity>)> {
+    /// Effects of tolerances on each requirement as far as derivatives as drawn say.
+    fn at_once(&self, variations: &Variations) -> Vec<Tolerances> {
         let host = Host {
             set: self.set,
             ..Host::default()
         };
         let all = sensitivities_on(&self.spaces, self.template, &host, &self.model);
-        (all.into_iter())
-            .map(|(nominal, by)| (self.spaces.with_room(nominal), by))
-            .collect()
-    }
-
-    /// Effects of tolerances as far as derivatives as drawn say.
-    fn at_once(
-        &self,
-        variations: &Variations,
-        nominal: &Checked,
-        by: &[Sensitivity],
-    ) -> Tolerances {
-        let mut known = unmeasured(nominal.clone());
-        if let Ok(measured) = &nominal.measured {
-            if let Value::Number(_) = measured.value {
-                known.linear = self.study(variations, &nominal.requirement).linear(by);
+        let known = |(nominal, by): (Checked, Vec<Sensitivity>)| {
+            let mut known = unmeasured(self.spaces.with_room(nominal));
+            let nominal = &known.nominal;
+            if let Ok(measured) = &nominal.measured {
+                if let Value::Number(_) = measured.value {
+                    known.linear = self.study(variations, &nominal.requirement).linear(&by);
+                }
+                known.interrupted = true;
+                known.margin = Margin {
+                    factor: None,
+                    what: "not known: the computation was interrupted".to_owned(),
+                };
             }
-            known.interrupted = true;
-            known.margin = Margin {
-                factor: None,
-                what: "not known: the computation was interrupted".to_owned(),
-            };
-        }
-        known
-    }
-
-    fn of_any(
-        &self,
-        variations: &Variations,
-        nominal: Checked,
-        by: &[Sensitivity],
-    ) -> Result<Tolerances, Interrupted> {
-        let mut known = self.at_once(variations, &nominal, by);
-        if nominal.measured.is_ok() {
-            self.of_one(variations, by, &mut known)?;
-        }
-        known.interrupted = false;
-        Ok(known)
+            known
+        };
+        all.into_iter().map(known).collect()
     }
 
     /// Adds to what is known at once of a requirement, as far as the progress lets it.
-    fn of_one(
-        &self,
-        variations: &Variations,
-        by: &[Sensitivity],
-        known: &mut Tolerances,
-    ) -> Result<(), Interrupted> {
+    fn beyond(&self, variations: &Variations, known: &mut Tolerances) -> Result<(), Interrupted> {
         let nominal = &known.nominal;
+        let Ok(measured) = &nominal.measured else {
+            return Ok(());
+        };
+        let is_number = matches!(measured.value, Value::Number(_));
         let mut study = self.study(variations, &nominal.requirement);
-        let measured = nominal.measured.as_ref().map(|m| m.value);
-        let is_number = matches!(measured, Ok(Value::Number(_)));
-        // It is known already, and by it the study knows where to look.
-        if is_number {
-            study.linear(by);
-        }
         study.know();
         self.go_on()?;
         let structure = study.all_changes();

@@ -199,12 +199,7 @@ fn stretches(edges: &[Edge], through: Point, bounds: Bounds, upright: bool) -> V
         true => Point::new(through.x, bounds.center().y + side * beyond),
         false => Point::new(bounds.center().x + side * beyond, through.y),
     });
-    let line = Edge {
-        start,
-        end,
-        bulge: 0.0,
-        index: 0,
-    };
+    let line = Edge::between(start, end, 0.0);
     let mut places: Vec<f64> = (edges.iter())
         .flat_map(|e| line.meetings(e, 0.0))
         .map(|p| line.fraction_at(p))

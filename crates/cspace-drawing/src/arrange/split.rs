@@ -41,12 +41,7 @@ impl Arrangement {
     /// A piece as the curve between its vertices.
     pub(crate) fn curve(&self, piece: &Piece) -> Edge {
         let [start, end] = piece.ends.map(|v| self.vertices[v as usize]);
-        Edge {
-            start,
-            end,
-            bulge: piece.bulge,
-            index: 0,
-        }
+        Edge::between(start, end, piece.bulge)
     }
 }
 

@@ -19,7 +19,7 @@ pub(super) fn range(
     let n = vertices.len();
     let piece = |i: usize| {
         let next = vertices.get(i + 1).map_or(end, |v| v.point());
-        (vertices[i].point(), next, vertices[i].bulge)
+        Edge::between(vertices[i].point(), next, vertices[i].bulge)
     };
     let mut range = [0.0_f64; 2];
     for (i, between) in joints.windows(2).enumerate() {
@@ -32,7 +32,7 @@ pub(super) fn range(
         for k in between[0]..=between[1] {
             let (at, normal) = (run.point(k), run.normal(k));
             let nearest = (near.iter())
-                .map(|&i| nearest_on(piece(i), at))
+                .map(|&i| piece(i).nearest(at))
                 .min_by(|a, b| a.distance(at).total_cmp(&b.distance(at)))?;
             let away = nearest - at;
             let distance = away.length();
@@ -52,7 +52,7 @@ pub(crate) fn of_others(others: &Run, run: &Run, fitted: &Fitted) -> Option<f64>
     let n = fitted.vertices.len();
     let piece = |i: usize| {
         let next = fitted.vertices.get(i + 1).map_or(fitted.end, |v| v.point());
-        (fitted.vertices[i].point(), next, fitted.vertices[i].bulge)
+        Edge::between(fitted.vertices[i].point(), next, fitted.vertices[i].bulge)
     };
     // The pieces near a sample change slowly: a window moves on with the samples.
     let step = |i: usize, by: isize| -> usize {
@@ -65,14 +65,14 @@ pub(crate) fn of_others(others: &Run, run: &Run, fitted: &Fitted) -> Option<f64>
     };
     let first = others.points.first()?;
     let mut at = (0..n).min_by(|&a, &b| {
-        let apart = |i: usize| nearest_on(piece(i), *first).distance(*first);
+        let apart = |i: usize| piece(i).distance(*first);
         apart(a).total_cmp(&apart(b))
     })?;
     let mut worst = 0.0_f64;
     for p in &others.points {
         let (nearest, apart) = (-1..=2)
             .map(|by| step(at, by))
-            .map(|i| (i, nearest_on(piece(i), *p).distance(*p)))
+            .map(|i| (i, piece(i).distance(*p)))
             .min_by(|a, b| a.1.total_cmp(&b.1))?;
         at = nearest;
         worst = worst.max(apart);
@@ -89,19 +89,9 @@ pub(crate) fn of_edges(edges: &[Edge], vertices: &[Vertex]) -> Option<Vec<f64>> 
     let n = vertices.len();
     let piece = |i: usize| {
         let (from, to) = (vertices[i % n], vertices[(i + 1) % n]);
-        Edge {
-            start: from.point(),
-            end: to.point(),
-            bulge: from.bulge,
-            index: i,
-        }
+        Edge::between(from.point(), to.point(), from.bulge)
     };
-    let away = |i: usize, at: Point| {
-        let Edge {
-            start, end, bulge, ..
-        } = piece(i);
-        nearest_on((start, end, bulge), at).distance(at)
-    };
+    let away = |i: usize, at: Point| piece(i).distance(at);
     let first = edges.first()?.start;
     let mut here = (0..n).min_by(|&a, &b| away(a, first).total_cmp(&away(b, first)))?;
     let mut all = Vec::with_capacity(edges.len());
@@ -158,27 +148,5 @@ fn alike(edge: &Edge, piece: &Edge) -> [Option<f64>; 2] {
             };
             [across, -across].map(|way| Some(share(edge, edge.center() + way)))
         }
-    }
-}
-
-/// The point of a line or an arc that is nearest to a point.
-pub(super) fn nearest_on((p, q, bulge): (Point, Point, f64), at: Point) -> Point {
-    let chord = q - p;
-    if bulge == 0.0 {
-        let s = (at - p).dot(chord) / chord.length_squared();
-        return p + chord * s.clamp(0.0, 1.0);
-    }
-    let center = p.midpoint(q) + chord.left() * ((1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge));
-    let radius = chord.length() * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
-    let out = (at - center).unit();
-    // An arc is the part of its circle on the right of the chord if it turns left, and the other way round.
-    let on = center + out * radius;
-    let is_on = chord.cross(on - p) * bulge.signum() <= 0.0;
-    if is_on {
-        on
-    } else if at.distance(p) < at.distance(q) {
-        p
-    } else {
-        q
     }
 }

@@ -560,17 +560,18 @@ fn meet(vertices: &mut Vec<Vertex>, starts: &[usize], corners: &[Corner]) {
             Corner::After(_) => {
                 let before = (last + n - 1) % n;
                 let after = (first + 1) % n;
-                let piece = |a: usize, b: usize| (vertices[a], vertices[b].point());
+                let piece = |a: usize, b: usize| {
+                    let (from, to) = (vertices[a], vertices[b].point());
+                    Edge::between(from.point(), to, from.bulge)
+                };
                 if before == first || is_dropped[before] {
                     continue;
                 }
-                let Some(at) = meeting(piece(before, last), piece(first, after)) else {
+                let pieces = [piece(before, last), piece(first, after)];
+                let Some(at) = meeting(&pieces) else {
                     continue;
                 };
-                let bulges = [
-                    extended(vertices[before], vertices[last].point(), at, 1),
-                    extended(vertices[first], vertices[after].point(), at, 0),
-                ];
+                let bulges = [extended(&pieces[0], at, 1), extended(&pieces[1], at, 0)];
                 vertices[before].bulge = bulges[0];
                 vertices[first] = Vertex::new(at.x, at.y, bulges[1]);
                 is_dropped[last] = true;
@@ -585,8 +586,8 @@ fn meet(vertices: &mut Vec<Vertex>, starts: &[usize], corners: &[Corner]) {
 }
 
 /// Intersection of two pieces that are continued, one forward, the other backward. `None` if it is far away.
-fn meeting(before: (Vertex, Point), after: (Vertex, Point)) -> Option<Point> {
-    let (p, q) = (before.1, after.0.point());
+fn meeting([before, after]: &[Edge; 2]) -> Option<Point> {
+    let (p, q) = (before.end, after.start);
     let gap = p.distance(q);
     // Straight on is near enough to begin with; then the circles themselves, by Newton's method.
     let mut at = p.midpoint(q);
@@ -603,47 +604,32 @@ fn meeting(before: (Vertex, Point), after: (Vertex, Point)) -> Option<Point> {
             break;
         }
     }
-    let forward = direction_at(before, 1).dot(at - p) >= 0.0;
-    let backward = direction_at(after, 0).dot(q - at) >= 0.0;
+    let forward = before.end_direction().dot(at - p) >= 0.0;
+    let backward = after.start_direction().dot(q - at) >= 0.0;
     let is_near = at.distance(p) < 2.0 * gap && at.distance(q) < 2.0 * gap;
     (forward && backward && is_near).then_some(at)
 }
 
-fn center((v, to): (Vertex, Point)) -> Point {
-    let chord = to - v.point();
-    v.point().midpoint(to) + chord.left() * ((1.0 - v.bulge) * (1.0 + v.bulge) / (4.0 * v.bulge))
-}
-
 /// The distance of a point from the line or circle of a piece, and its gradient.
-fn offset(piece: (Vertex, Point), at: Point) -> (f64, Vector) {
-    let (v, to) = piece;
-    if v.bulge == 0.0 {
-        let normal = (to - v.point()).unit().left();
-        return (normal.dot(at - to), normal);
+fn offset(piece: &Edge, at: Point) -> (f64, Vector) {
+    if piece.is_line() {
+        let normal = piece.start_direction().left();
+        return (normal.dot(at - piece.end), normal);
     }
-    let center = center(piece);
+    let center = piece.center();
     let out = at - center;
-    (out.length() - center.distance(to), out.unit())
-}
-
-/// The direction of travel at the start (0) or the end (1).
-fn direction_at(piece: (Vertex, Point), side: usize) -> Vector {
-    let (v, to) = piece;
-    let half = 2.0 * v.bulge.atan();
-    let (sin, cos) = (if side == 0 { -half } else { half }).sin_cos();
-    let chord = (to - v.point()).unit();
-    chord * cos + chord.left() * sin
+    (out.length() - center.distance(piece.end), out.unit())
 }
 
 /// The bulge of a piece whose end (1) or start (0) is moved along it.
-fn extended(v: Vertex, to: Point, at: Point, side: usize) -> f64 {
-    if v.bulge == 0.0 {
+fn extended(piece: &Edge, at: Point, side: usize) -> f64 {
+    if piece.is_line() {
         return 0.0;
     }
-    let center = center((v, to));
-    let moved = if side == 1 { to } else { v.point() };
+    let center = piece.center();
+    let moved = if side == 1 { piece.end } else { piece.start };
     let (a, b) = (moved - center, at - center);
     let more = a.cross(b).atan2(a.dot(b));
-    let sweep = 4.0 * v.bulge.atan() + if side == 1 { more } else { -more };
+    let sweep = piece.sweep() + if side == 1 { more } else { -more };
     (sweep / 4.0).tan()
 }

@@ -294,7 +294,7 @@ fn one_sided_fits_stay_on_their_side() {
                             _ => fitted.end,
                         };
                         let v = fitted.vertices[i];
-                        super::deviation::nearest_on((v.point(), to, v.bulge), *at)
+                        cspace::Edge::between(v.point(), to, v.bulge).nearest(*at)
                     })
                     .min_by(|a, b| a.distance(*at).total_cmp(&b.distance(*at)));
                 let off = nearest.map_or(f64::NAN, |p| (p - *at).dot(*normal));

@@ -106,7 +106,7 @@ impl<'l> Centres<'l> {
             let beyond = [past, length - past];
             let is_own = || beyond.iter().all(|b| *b <= OWN * radius);
             let ends_outside = |p: Point| {
-                let d = outside(around, p);
+                let d = around.distance(p);
                 d > 0.0 && d <= OUTSIDE * around.diagonal()
             };
             aside <= self.reach
@@ -139,10 +139,4 @@ fn envelope(bounds: Bounds) -> AABB<[f64; 2]> {
 fn boxed<T>(bounds: Bounds, data: T) -> GeomWithData<Rectangle<[f64; 2]>, T> {
     let [lo, hi] = corners(bounds);
     GeomWithData::new(Rectangle::from_corners(lo, hi), data)
-}
-
-/// How far a point is outside of a box; 0 inside.
-fn outside(bounds: Bounds, p: Point) -> f64 {
-    let beyond = |lo: f64, x: f64, hi: f64| (lo - x).max(x - hi).max(0.0);
-    beyond(bounds.min.x, p.x, bounds.max.x).hypot(beyond(bounds.min.y, p.y, bounds.max.y))
 }

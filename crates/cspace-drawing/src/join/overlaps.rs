@@ -6,7 +6,7 @@
 use core::f64::consts::TAU;
 use std::collections::HashSet;
 
-use cspace::{Point, Vector};
+use cspace::{Edge, Point, Vector};
 
 use super::joined::Joined;
 use super::paths::remove_repeated;
@@ -129,8 +129,8 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
             unit,
         });
     }
-    let to_center = chord.left() * ((1.0 - bulge) * (1.0 + bulge) / (4.0 * bulge));
-    let center = (p + q) * 0.5 + to_center;
+    let arc = Edge::between(Point::ORIGIN + p, Point::ORIGIN + q, bulge);
+    let center = arc.center() - Point::ORIGIN;
     let radius = (p - center).length();
     let is_backward = bulge < 0.0;
     let first = if is_backward { q } else { p };
@@ -140,7 +140,7 @@ fn lay(pieces: &Pieces<'_>, piece: usize, middle: Point) -> Option<Laid> {
         kind: CIRCLE,
         key: [center.x, center.y, radius],
         from,
-        to: from + 4.0 * bulge.abs().atan(),
+        to: from + arc.sweep().abs(),
         is_backward,
         unit: 1.0 / radius,
     })

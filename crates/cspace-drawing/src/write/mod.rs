@@ -4,7 +4,7 @@ mod dxf;
 mod svg;
 
 use cspace::CurveGeometry;
-use cspace::{Configuration, Part, Point, Slice, Vertex};
+use cspace::{Configuration, Edge, Part, Point, Slice, Vertex};
 
 pub use dxf::{DxfVersion, dxf};
 pub use svg::svg;
@@ -74,7 +74,13 @@ impl Drawn {
     fn extent(all: &[Self]) -> [Point; 2] {
         let mut lo = Point::new(f64::INFINITY, f64::INFINITY);
         let mut hi = Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
-        for (p, q, bulge) in all.iter().flat_map(|d| &d.loops).flat_map(|l| edges(l)) {
+        for Edge {
+            start: p,
+            end: q,
+            bulge,
+            ..
+        } in all.iter().flat_map(|d| &d.loops).flat_map(|l| edges(l))
+        {
             // An arc is within its height of its chord.
             let high = 0.5 * bulge.abs() * p.distance(q)
                 + if bulge.abs() > 1.0 {
@@ -95,14 +101,9 @@ impl Drawn {
     }
 }
 
-/// The edges of a closed loop: start, end and bulge.
-fn edges(vertices: &[Vertex]) -> impl Iterator<Item = (Point, Point, f64)> {
-    let n = vertices.len();
-    (0..n).map(move |i| {
-        (
-            vertices[i].point(),
-            vertices[(i + 1) % n].point(),
-            vertices[i].bulge,
-        )
-    })
+/// The edges of a closed loop.
+fn edges(vertices: &[Vertex]) -> impl Iterator<Item = Edge> {
+    let ends = vertices.iter().cycle().skip(1);
+    let pairs = vertices.iter().zip(ends);
+    pairs.map(|(from, to)| Edge::between(from.point(), to.point(), from.bulge))
 }

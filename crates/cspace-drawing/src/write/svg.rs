@@ -61,15 +61,16 @@ fn data(out: &mut String, vertices: &[Vertex]) {
         return;
     };
     let _ = write!(out, "M{} {}", first.x, -first.y);
-    for (p, q, bulge) in edges(vertices) {
-        if bulge == 0.0 {
+    for edge in edges(vertices) {
+        let q = edge.end;
+        if edge.is_line() {
             let _ = write!(out, "L{} {}", q.x, -q.y);
             continue;
         }
-        let radius = p.distance(q) * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
-        let large = u8::from(4.0 * bulge.abs().atan() > PI);
+        let (radius, sweep) = (edge.radius(), edge.sweep());
+        let large = u8::from(sweep.abs() > PI);
         // Counter-clockwise with y up is the negative direction with y down.
-        let sweep = u8::from(bulge < 0.0);
+        let sweep = u8::from(sweep < 0.0);
         let _ = write!(out, "A{radius} {radius} 0 {large} {sweep} {} {}", q.x, -q.y);
     }
     out.push('Z');

@@ -11,8 +11,6 @@ use cspace::{FeatureId, FeatureKind, FeatureName, Part};
 
 use crate::pairs::{MovingPair, Touch};
 
-use super::ends::Edge;
-
 /// Whether two contacts of a pair at one place are of one feature of each part, or of two features that meet at a
 /// convex corner: then the parts are apart there if either contact is open.
 pub(crate) fn one_is_enough(pair: &MovingPair, a: &Touch, b: &Touch) -> bool {
@@ -46,14 +44,15 @@ fn is_convex(part: &Part, a: FeatureName, b: FeatureName) -> bool {
                 (false, true) => (b, a),
                 _ => return false,
             };
-            let edges = Edge::of(part, before).zip(Edge::of(part, after));
+            let edge = |name: FeatureName| of.edge(name.index as usize);
+            let edges = edge(before).zip(edge(after));
             edges.is_some_and(|(before, after)| {
                 let (before, after) = if of.is_reversed() {
                     (after, before)
                 } else {
                     (before, after)
                 };
-                before.arrives.cross(after.leaves) >= 0.0
+                before.end_direction().cross(after.start_direction()) >= 0.0
             })
         }
     }

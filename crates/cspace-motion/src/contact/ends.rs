@@ -12,9 +12,7 @@
 //! For an arc of more than half a turn the functions are correct only near the ends they belong to, where they are
 //! evaluated.
 
-use cspace::{
-    Coordinates, FeatureId, FeatureKind, FeatureName, FeatureShape, Part, Placement, Vector,
-};
+use cspace::{Coordinates, FeatureId, FeatureKind, FeatureName, Part, Placement, Point, Vector};
 
 use crate::pairs::{MovingPair, Touch};
 use crate::system::System;
@@ -35,11 +33,11 @@ pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64])
     let [x, y] = moving_from_fixed.point([place.on_moving.x, place.on_moving.y]);
     let [nx, ny] = moving_from_fixed.vector([-n.x, -n.y]);
     let fixed = Contact {
-        at: Vector::new(place.on_fixed.x, place.on_fixed.y),
+        at: place.on_fixed,
         normal: n,
     };
     let moving = Contact {
-        at: Vector::new(x, y),
+        at: Point::new(x, y),
         normal: Vector::new(nx, ny),
     };
     let (f, m) = touch.features;
@@ -53,73 +51,34 @@ pub(crate) fn ends(pair: &MovingPair, touch: &Touch, system: &System, q: &[f64])
 
 /// The place and the outward normal of a contact, in a part's frame.
 struct Contact {
-    at: Vector,
+    at: Point,
     normal: Vector,
 }
 
 impl Contact {
     fn ends(&self, part: &Part, name: FeatureName) -> Option<[f64; 2]> {
+        let outline = part.loops().get(name.loop_index as usize)?;
+        let (index, count) = (name.index as usize, outline.vertices().len());
         if name.kind != FeatureKind::Vertex {
-            let edge = Edge::of(part, name)?;
+            let edge = outline.edge(index)?;
             return Some([
-                edge.leaves.dot(self.at - edge.start),
-                edge.arrives.dot(edge.end - self.at),
+                edge.start_direction().dot(self.at - edge.start),
+                edge.end_direction().dot(edge.end - self.at),
             ]);
         }
-        let count = part.loops().get(name.loop_index as usize)?.vertices().len() as u32;
-        // Any kind but a vertex names an edge.
-        let edge = |index: u32| {
-            let kind = FeatureKind::Line;
-            Edge::of(
-                part,
-                FeatureName {
-                    kind,
-                    index,
-                    ..name
-                },
-            )
-        };
-        let (before, after) = (edge((name.index + count - 1) % count)?, edge(name.index)?);
-        let reversed = part.loops()[name.loop_index as usize].is_reversed();
-        let (before, after) = if reversed {
+        let (before, after) = (
+            outline.edge((index + count - 1) % count)?,
+            outline.edge(index)?,
+        );
+        let (before, after) = if outline.is_reversed() {
             (after, before)
         } else {
             (before, after)
         };
         Some([
-            self.normal.dot(before.arrives),
-            -self.normal.dot(after.leaves),
+            self.normal.dot(before.end_direction()),
+            -self.normal.dot(after.start_direction()),
         ])
-    }
-}
-
-/// An edge with material on its left, and the directions of travel at its ends.
-pub(super) struct Edge {
-    start: Vector,
-    end: Vector,
-    pub(super) leaves: Vector,
-    pub(super) arrives: Vector,
-}
-
-impl Edge {
-    pub(super) fn of(part: &Part, name: FeatureName) -> Option<Self> {
-        let FeatureShape::Edge { start, end, bulge } = part.feature_shape(name)? else {
-            return None;
-        };
-        let (start, end) = (Vector::new(start[0], start[1]), Vector::new(end[0], end[1]));
-        let chord = (end - start).unit();
-        // Half of the sweep, by its tangent of a quarter.
-        let square = bulge * bulge;
-        let (cos, sin) = (
-            (1.0 - square) / (1.0 + square),
-            2.0 * bulge / (1.0 + square),
-        );
-        Some(Self {
-            start,
-            end,
-            leaves: chord * cos - chord.left() * sin,
-            arrives: chord * cos + chord.left() * sin,
-        })
     }
 }
 

@@ -86,10 +86,9 @@ impl Lightness {
                 if own > 0.0 { own.sqrt().recip() } else { 1.0 }
             })
             .collect();
-        let mut square = Square::default();
-        square.factor(count, |i, k| {
+        let square = Square::of(DMatrix::from_fn(count, count, |i, k| {
             self.product((row(i), within(i)), (direction(k), within(k))) * units[i] * units[k]
-        })?;
+        }))?;
         if !square.is_regular() {
             return None;
         }
@@ -101,7 +100,7 @@ impl Lightness {
                     (system.targets[i] - is) * units[i]
                 })
                 .collect();
-            for (k, more) in square.basic(&missing).into_iter().enumerate() {
+            for (k, more) in square.basic(&missing).iter().enumerate() {
                 let more = more * units[k];
                 forces[k] += more;
                 for j in within(k).clone() {

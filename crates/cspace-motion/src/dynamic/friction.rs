@@ -15,8 +15,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linear::Square;
-
 use super::lemke::{Complementary, Outcome, lemke_from};
 use super::problem::{Bearing, Mode, Problem, Solution};
 use super::reduced::Reduced;
@@ -160,7 +158,6 @@ impl<'a> Complementarity<'a> {
 /// Solutions that Lemke's method finds, from several covering vectors; several may be the same.
 pub(super) fn solutions(problem: &Problem, reduced: &Reduced) -> Vec<Solution> {
     let complementarity = Complementarity::of(&problem.bearings, reduced);
-    let mut square = Square::default();
     let mut found = Vec::new();
     for time in 0..COVERS {
         let cover = complementarity.cover(time);
@@ -170,7 +167,7 @@ pub(super) fn solutions(problem: &Problem, reduced: &Reduced) -> Vec<Solution> {
         };
         let (modes, forces) = complementarity.read(&z);
         // The forces that belong to the modes, if they do: those that share a load share it evenly.
-        let even = reduced.forces(&modes, &mut square);
+        let even = reduced.forces(&modes);
         let own = reduced.with(forces);
         let solution = even.and_then(|f| {
             let solution = reduced.solution(&modes, &f);

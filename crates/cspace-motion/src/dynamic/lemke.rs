@@ -92,17 +92,16 @@ pub(super) fn lemke_from(m: &DMatrix<f64>, q: &DVector<f64>, cover: &DVector<f64
 fn answer(m: &DMatrix<f64>, q: &DVector<f64>, basic: Vec<bool>) -> Outcome {
     let n = q.len();
     let inside: Vec<usize> = (0..n).filter(|&i| basic[i]).collect();
-    let mut square = Square::default();
-    let factored = square.factor(inside.len(), |i, j| m[(inside[i], inside[j])]);
-    if factored.is_none() {
+    let among = DMatrix::from_fn(inside.len(), inside.len(), |i, j| m[(inside[i], inside[j])]);
+    let Some(square) = Square::of(among) else {
         return Outcome::TooLong;
-    }
+    };
     let mut z = DVector::zeros(n);
     let mut w = q.clone();
     // The second time what rounding has left.
     for _ in 0..2 {
         let right: Vec<f64> = inside.iter().map(|&i| -w[i]).collect();
-        for (&i, more) in inside.iter().zip(square.basic(&right)) {
+        for (&i, more) in inside.iter().zip(&square.basic(&right)) {
             z[i] += more;
         }
         w = m * &z + q;

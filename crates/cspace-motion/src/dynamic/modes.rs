@@ -14,8 +14,6 @@
 //! other redundantly, their forces are the smallest that do so (least squares). With too many combinations Lemke's
 //! method finds a solution (`friction.rs`).
 
-use crate::linear::Square;
-
 use super::friction;
 pub use super::problem::Mode;
 pub(super) use super::problem::{Bearing, Problem, Solution};
@@ -47,9 +45,8 @@ impl Problem<'_> {
         let choices: Vec<&[Mode]> = self.bearings.iter().map(Bearing::choices).collect();
         let mut modes: Vec<Mode> = choices.iter().map(|c| c[0]).collect();
         let mut odometer = vec![0; choices.len()];
-        let mut square = Square::default();
         loop {
-            if let Some(forces) = reduced.forces(&modes, &mut square)
+            if let Some(forces) = reduced.forces(&modes)
                 && reduced.bears(&modes, &forces)
             {
                 let solution = reduced.solution(&modes, &forces);
@@ -80,7 +77,7 @@ impl Problem<'_> {
     /// The solution of the linear equations of some modes, whether its inequalities hold or not; `None` if they have none.
     pub(super) fn within(&self, modes: &[Mode]) -> Option<Solution> {
         let reduced = Reduced::of(self)?;
-        let forces = reduced.forces(modes, &mut Square::default())?;
+        let forces = reduced.forces(modes)?;
         Some(reduced.solution(modes, &forces))
     }
 }

@@ -10,7 +10,7 @@
 //! W, Delassus's operator, is computed once; each combination of modes is then a small system in the forces of the contacts that bear.
 //! Dependent joints are allowed if they do not contradict each other.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::linear::{Cholesky, Rows, Square, add_scaled, dot, length};
 
@@ -119,7 +119,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The forces in some modes, whether the inequalities hold or not; `None` if the equations have no solution.
-    pub(super) fn forces(&self, modes: &[Mode], square: &mut Square) -> Option<Forces> {
+    pub(super) fn forces(&self, modes: &[Mode]) -> Option<Forces> {
         let count = self.rates.len();
         let mut sought = Vec::with_capacity(count);
         for (i, (mode, bearing)) in modes.iter().zip(&self.problem.bearings).enumerate() {
@@ -139,19 +139,20 @@ impl<'a> Reduced<'a> {
             if own > 0.0 { own.sqrt().recip() } else { 1.0 }
         };
         let units: Vec<f64> = sought.iter().map(unit).collect();
-        square.factor(sought.len(), |i, j| {
+        let effects = DMatrix::from_fn(sought.len(), sought.len(), |i, j| {
             let (row, column) = (sought[i].row, &sought[j]);
             let mut effect = entry(row, column.row);
             if column.drag != 0.0 {
                 effect += column.drag * entry(row, column.row + 1);
             }
             effect * units[i] * units[j]
-        })?;
+        });
+        let square = Square::of(effects)?;
         let target = |(s, unit): (&Sought, &f64)| -self.rates[s.row] * unit;
         let target: Vec<f64> = sought.iter().zip(&units).map(target).collect();
-        let spread = |found: &[f64]| {
+        let spread = |found: &DVector<f64>| {
             let mut forces = vec![0.0; count];
-            for ((s, unit), found) in sought.iter().zip(&units).zip(found) {
+            for ((s, unit), found) in sought.iter().zip(&units).zip(found.iter()) {
                 forces[s.row] = unit * found;
                 if s.drag != 0.0 {
                     forces[s.row + 1] = s.drag * unit * found;

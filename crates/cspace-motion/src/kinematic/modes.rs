@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::linear::{add_scaled, dot, eigen};
+use crate::linear::{add_scaled, dot};
 
 /// Largest stiffness that counts as 0, relative to that of the forces over the mechanism's size: the error of the
 /// differences.
@@ -33,7 +33,6 @@ pub(super) fn modes(
     smooth: bool,
 ) -> (Vec<Mode>, bool, f64) {
     let n = basis.len();
-    let entry = |j: usize, k: usize| -dot(&basis[j], &changes[k]);
     let combined = |shares: &mut dyn Iterator<Item = f64>| {
         let mut all = vec![0.0; rest.len()];
         for (share, direction) in shares.zip(basis) {
@@ -41,20 +40,21 @@ pub(super) fn modes(
         }
         all
     };
+    let mut matrix = DMatrix::from_fn(n, n, |j, k| -dot(&basis[j], &changes[k]));
     if smooth {
-        let mut second = vec![0.0; n * n];
-        for k in 0..n {
-            for j in 0..n {
-                second[j * n + k] += 0.5 * entry(j, k);
-                second[k * n + j] += 0.5 * entry(j, k);
-            }
-        }
-        let stiffest = second.iter().fold(0.0_f64, |s, x| s.max(x.abs()));
-        let neutral = NEUTRAL * stiffest.max(of_forces);
-        let modes: Vec<Mode> = eigen(&second, n)
-            .into_iter()
-            .map(|(stiffness, vector)| {
-                let along = combined(&mut vector.into_iter());
+        // Differences have errors that are not symmetric.
+        matrix = (&matrix + matrix.transpose()) * 0.5;
+    }
+    let neutral = NEUTRAL * matrix.amax().max(of_forces);
+    if n == 0 || matrix.iter().any(|x| !x.is_finite()) {
+        return (Vec::new(), n == 0, neutral);
+    }
+    if smooth {
+        let found = matrix.symmetric_eigen();
+        let directions = found.eigenvectors.column_iter();
+        let modes: Vec<Mode> = (directions.zip(&found.eigenvalues))
+            .map(|(direction, &stiffness)| {
+                let along = combined(&mut direction.iter().copied());
                 let force = dot(&along, rest);
                 let against = along.clone();
                 Mode {
@@ -67,11 +67,6 @@ pub(super) fn modes(
             .collect();
         let is_stable = modes.iter().all(|m| m.stiffness >= -neutral);
         return (modes, is_stable, neutral);
-    }
-    let matrix = DMatrix::from_fn(n, n, entry);
-    let neutral = NEUTRAL * matrix.amax().max(of_forces);
-    if n == 0 || matrix.iter().any(|x| !x.is_finite()) {
-        return (Vec::new(), n == 0, neutral);
     }
     let is_stable = (matrix.complex_eigenvalues().iter()).all(|value| value.re >= -neutral);
     let svd = matrix.svd(true, true);

@@ -1,4 +1,6 @@
-//! M = L Lᵀ.
+//! M = L Lᵀ, of blocks along the diagonal.
+//!
+//! `nalgebra`'s factor is dense: sixteen parts that push each other take twice as long with it.
 
 /// The factor L of a symmetric positive definite matrix.
 ///

@@ -5,14 +5,12 @@ mod nonnegative;
 mod pushing;
 mod rows;
 mod square;
-mod symmetric;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use nonnegative::nonnegative;
 pub(crate) use pushing::Pushing;
 pub(crate) use rows::Rows;
 pub(crate) use square::Square;
-pub(crate) use symmetric::eigen;
 
 /// The scalar product of two vectors of the same length.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {

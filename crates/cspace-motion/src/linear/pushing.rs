@@ -1,5 +1,7 @@
 //! Functions that are kept as they are by forces along directions that need not be their gradients.
 
+use nalgebra::DMatrix;
+
 use super::{Rows, Square, add_scaled, dot, length};
 
 /// Equations C x = b that a change x = D λ meets; without friction D = Cᵀ.
@@ -20,10 +22,9 @@ impl Pushing {
         let along = match along {
             None => None,
             Some(along) => {
-                let mut square = Square::default();
-                let at = |i: usize, j: usize| dot(&vectors[i], &along[j]);
-                square.factor(vectors.len(), at)?;
-                Some((along, square))
+                let n = vectors.len();
+                let products = DMatrix::from_fn(n, n, |i, j| dot(&vectors[i], &along[j]));
+                Some((along, Square::of(products)?))
             }
         };
         Some(Self {
@@ -57,6 +58,7 @@ impl Pushing {
         }
         let largest = b.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
         let meets = |(row, b): (&Vec<f64>, &f64)| (dot(row, &x) - b).abs() <= MISSED * largest;
+        let multipliers = multipliers.as_slice().to_vec();
         (self.vectors.iter().zip(b).all(meets)).then_some((x, multipliers))
     }
 

@@ -1,4 +1,7 @@
 //! Linear equations of which some may depend on others: A y = b as A = R Q with orthonormal rows Q.
+//!
+//! Dependent equations follow from those before them, contacts from joints. The factorizations of `nalgebra` that tell the rank choose
+//! by size, and so others at each step.
 
 use core::ops::Range;
 

@@ -45,7 +45,7 @@ impl Flat {
             middle: e.start.midpoint(e.end) - along.left() * (0.5 * e.bulge * length),
             along,
             half: 0.5 * length,
-            curvature: 4.0 * e.bulge / (length * (1.0 + e.bulge * e.bulge)),
+            curvature: e.curvature(),
         }
     }
 

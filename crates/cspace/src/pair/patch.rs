@@ -377,26 +377,16 @@ impl Part {
     /// The outline of one of its features in its own frame, with material on the left; `None` if it has no such feature.
     pub fn feature_shape(&self, name: FeatureName) -> Option<FeatureShape<f64>> {
         let outline = self.loops().get(name.loop_index as usize)?;
-        let n = outline.vertices().len();
-        let vertex = |i: usize| {
-            let v = outline.vertices()[i % n];
-            [v.x, v.y]
-        };
         let index = name.index as usize;
-        let here = outline.vertices().get(index)?;
-        let (a, b) = (vertex(index), vertex(index + 1));
-        Some(match name.kind {
-            FeatureKind::Vertex => FeatureShape::Vertex { at: a },
-            _ if outline.is_reversed() => FeatureShape::Edge {
-                start: b,
-                end: a,
-                bulge: -here.bulge,
-            },
-            _ => FeatureShape::Edge {
-                start: a,
-                end: b,
-                bulge: here.bulge,
-            },
+        if name.kind == FeatureKind::Vertex {
+            let v = outline.vertices().get(index)?;
+            return Some(FeatureShape::Vertex { at: [v.x, v.y] });
+        }
+        let edge = outline.edge(index)?;
+        Some(FeatureShape::Edge {
+            start: [edge.start.x, edge.start.y],
+            end: [edge.end.x, edge.end.y],
+            bulge: edge.bulge,
         })
     }
 }

@@ -73,7 +73,7 @@ impl Bounds {
 
     /// Distance of a point from the box; 0 inside.
     #[inline]
-    pub(crate) fn distance(self, p: Point) -> f64 {
+    pub fn distance(self, p: Point) -> f64 {
         let beyond = |lo: f64, t: f64, hi: f64| (lo - t).max(t - hi).max(0.0);
         let across = beyond(self.min.x, p.x, self.max.x);
         across.hypot(beyond(self.min.y, p.y, self.max.y))

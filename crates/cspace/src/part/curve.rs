@@ -33,7 +33,7 @@ impl Edge {
     /// ```
     /// use cspace::{Edge, Point};
     /// let (start, end) = (Point::new(-1.0, 0.0), Point::new(1.0, 0.0));
-    /// let half_circle = Edge { start, end, bulge: 1.0, index: 0 };
+    /// let half_circle = Edge::between(start, end, 1.0);
     /// assert!(half_circle.at(0.5).distance(Point::new(0.0, -1.0)) < 1e-15);
     /// ```
     pub fn at(&self, u: f64) -> Point {
@@ -140,7 +140,7 @@ impl Edge {
     /// ```
     /// use cspace::{Edge, Point};
     /// let (start, end) = (Point::new(-1.0, 0.0), Point::new(1.0, 0.0));
-    /// let half_circle = Edge { start, end, bulge: 1.0, index: 0 };
+    /// let half_circle = Edge::between(start, end, 1.0);
     /// assert!((half_circle.distance(Point::new(0.0, -3.0)) - 2.0).abs() < 1e-15);
     /// assert!((half_circle.distance(Point::new(1.0, 3.0)) - 3.0).abs() < 1e-15);
     /// ```
@@ -157,6 +157,19 @@ impl Edge {
         }
         self.nearest_of_circle(p)
             .map_or(ends, |(_, offset)| ends.min(offset.abs()))
+    }
+
+    /// The point of the curve that is nearest to a point; of equally near ends the end.
+    pub fn nearest(&self, p: Point) -> Point {
+        if self.is_line() {
+            let (c, q) = (self.end - self.start, p - self.start);
+            return self.start + c * (q.dot(c) / c.length_squared()).clamp(0.0, 1.0);
+        }
+        self.foot(p)
+            .unwrap_or_else(|| match p.distance(self.start) < p.distance(self.end) {
+                true => self.start,
+                false => self.end,
+            })
     }
 
     /// The place of an arc at which its normal passes through a point, if there is one on this side of the centre.

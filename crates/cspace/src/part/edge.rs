@@ -18,6 +18,17 @@ pub struct Edge<T = f64> {
 }
 
 impl Edge {
+    /// The line or arc of a bulge between two points, with index 0.
+    #[inline]
+    pub const fn between(start: Point, end: Point, bulge: f64) -> Self {
+        Self {
+            start,
+            end,
+            bulge,
+            index: 0,
+        }
+    }
+
     /// Whether the edge is a line segment.
     #[inline]
     pub fn is_line(&self) -> bool {

@@ -42,25 +42,20 @@ impl Loop {
     /// The edges in order of travel, material on the left.
     pub fn edges(&self) -> impl Iterator<Item = Edge> + '_ {
         let n = self.vertices.len();
-        (0..n).map(move |i| {
-            let index = if self.reversed { n - 1 - i } else { i };
-            let (here, next) = (self.vertices[index], self.vertices[(index + 1) % n]);
-            if self.reversed {
-                Edge {
-                    start: next.point(),
-                    end: here.point(),
-                    bulge: -here.bulge,
-                    index,
-                }
-            } else {
-                Edge {
-                    start: here.point(),
-                    end: next.point(),
-                    bulge: here.bulge,
-                    index,
-                }
-            }
-        })
+        (0..n).filter_map(move |i| self.edge(if self.reversed { n - 1 - i } else { i }))
+    }
+
+    /// The edge that a vertex describes, material on the left; `None` if there is no such vertex.
+    pub fn edge(&self, index: usize) -> Option<Edge> {
+        let here = self.vertices.get(index)?;
+        let next = self.vertices[(index + 1) % self.vertices.len()];
+        let edge = Edge {
+            start: here.point(),
+            end: next.point(),
+            bulge: here.bulge,
+            index,
+        };
+        Some(if self.reversed { edge.reversed() } else { edge })
     }
 }
 

@@ -60,14 +60,14 @@ impl CurveGeometry {
                 sweep,
             } => center + Vector::from_angle(start_angle + s * sweep) * radius,
             Self::FlatArc { start, end, .. } if start == end => start,
-            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).at(s),
+            Self::FlatArc { start, end, bulge } => Edge::between(start, end, bulge).at(s),
         }
     }
 
     /// A flat arc as an edge.
     pub(crate) fn edge(&self) -> Option<Edge> {
         match *self {
-            Self::FlatArc { start, end, bulge } => Some(flat(start, end, bulge)),
+            Self::FlatArc { start, end, bulge } => Some(Edge::between(start, end, bulge)),
             _ => None,
         }
     }
@@ -99,7 +99,7 @@ impl CurveGeometry {
                 nearer(p, start, end)
             }
             Self::FlatArc { start, end, bulge } => {
-                let foot = flat(start, end, bulge).foot(p);
+                let foot = Edge::between(start, end, bulge).foot(p);
                 foot.unwrap_or_else(|| nearer(p, start, end))
             }
         }
@@ -120,7 +120,7 @@ impl CurveGeometry {
                 .filter(|&angle| is_on_arc(start_angle, sweep, angle))
                 .map(|angle| center + Vector::from_angle(angle) * radius)
                 .fold(ends, |bounds, far| bounds.union(Bounds::of(far, far))),
-            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).bounds(),
+            Self::FlatArc { start, end, bulge } => Edge::between(start, end, bulge).bounds(),
         }
     }
 
@@ -129,7 +129,7 @@ impl CurveGeometry {
         match *self {
             Self::Segment { start, end } => start.distance(end),
             Self::Arc { radius, sweep, .. } => radius * sweep.abs(),
-            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).length(),
+            Self::FlatArc { start, end, bulge } => Edge::between(start, end, bulge).length(),
         }
     }
 
@@ -144,7 +144,9 @@ impl CurveGeometry {
             Self::Arc {
                 start_angle, sweep, ..
             } => Vector::from_angle(start_angle + s * sweep) * sweep.signum(),
-            Self::FlatArc { start, end, bulge } => flat(start, end, bulge).direction_at(s).right(),
+            Self::FlatArc { start, end, bulge } => {
+                Edge::between(start, end, bulge).direction_at(s).right()
+            }
         }
     }
 
@@ -220,17 +222,10 @@ impl CurveGeometry {
                         .then(|| (t, d.dot(q) * sweep.signum()))
                 })
             }
-            Self::FlatArc { start, end, bulge } => flat_hit(&flat(start, end, bulge), p, d),
+            Self::FlatArc { start, end, bulge } => {
+                flat_hit(&Edge::between(start, end, bulge), p, d)
+            }
         }
-    }
-}
-
-fn flat(start: Point, end: Point, bulge: f64) -> Edge {
-    Edge {
-        start,
-        end,
-        bulge,
-        index: 0,
     }
 }
 
