@@ -11,6 +11,7 @@ mod error;
 mod expression;
 mod fit;
 mod forces;
+mod keys;
 mod locate;
 mod loops;
 mod measure;
@@ -26,6 +27,7 @@ mod profile;
 mod read;
 mod relations;
 mod requirements;
+mod scope;
 mod slips;
 mod slopes;
 mod snap;
@@ -36,6 +38,7 @@ mod to_toml;
 mod tolerance;
 mod toml_dynamics;
 mod toml_values;
+mod value;
 
 pub(crate) use read::no_json;
 

@@ -6,13 +6,22 @@ use super::error::ModelError;
 use super::loops::{DrawnLoop, read_loops};
 use super::node::Node;
 use super::place::Place;
-use super::table::Result;
+use super::scope::{Result, Scope};
 
 /// The part of a name whose loops are these values.
-pub(super) fn read_outline(name: &str, place: &Place, nodes: &[Node]) -> Result<Part> {
+pub(super) fn read_outline(
+    name: &str,
+    place: &Place,
+    nodes: &[Node],
+    scope: &Scope,
+) -> Result<Part> {
     let mut loops: Vec<(usize, DrawnLoop)> = Vec::with_capacity(nodes.len());
     for (i, node) in nodes.iter().enumerate() {
-        loops.extend(read_loops(place, i, node)?.into_iter().map(|l| (i, l)));
+        loops.extend(
+            read_loops(place, i, node, scope)?
+                .into_iter()
+                .map(|l| (i, l)),
+        );
     }
     let vertices = loops
         .iter_mut()

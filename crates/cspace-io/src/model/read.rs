@@ -9,16 +9,19 @@ use cspace_mechanism::Mechanism;
 use super::drawings::{DRAWINGS, Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
+use super::keys::{Key, Keys};
 use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml};
 use super::node::Node;
-use super::parameters::{self, Entry, Parameter, Parameters, Variation, middles_of_limits};
+use super::parameters::{self, Parameter, Parameters, Variation, middles_of_limits};
 use super::parts::read_parts;
 use super::place::Place;
-use super::profile::add_parameters;
+use super::profile::with_profiles;
 use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
-use super::slopes::{Slopes, slopes};
-use super::table::{Result, Table};
+use super::scope::{Entry, Result};
+use super::slopes::{Slope, Slopes, slopes};
+use super::table::Table;
+use super::value::Value;
 use crate::file::{Host, extension, read_text, too_large, without_mark};
 use crate::shown;
 
@@ -31,22 +34,26 @@ const LARGEST_JSON: u64 = 64 << 20;
 pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
-const KEYS: [&str; 14] = [
-    "name",
-    "unit",
-    "parameter",
-    "requirement",
-    "part",
-    "joint",
-    "pair",
-    "$schema",
-    "gravity",
-    "friction",
-    "restitution",
-    "drive",
-    "load",
-    "spring",
-];
+#[rustfmt::skip]
+pub(super) const FILE: Keys = Keys::new(
+    "give keys such as name and part",
+    &[
+        Key::new("name", "text", "What the model is called. Default: the file's name."),
+        Key::new("unit", "text", "The unit of length, a label such as \"mm\". Default: none."),
+        Key::new("parameter", r##"{"type": "object", "propertyNames": {"not": {"enum": ["pi", "deg", "°", "rad", "turn", "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "hypot", "abs", "min", "max"]}}, "maxProperties": 10000, "additionalProperties": {"$ref": "#/definitions/parameter"}}"##, "Names for numbers: letters, digits and underscores. Any number of the model may be an expression of them. Default: none."),
+        Key::new("requirement", r##"{"type": "array", "items": {"$ref": "#/definitions/requirement"}}"##, "What the design must do: what is measured, and what it must be. In TOML each is a [[requirement]] table. Default: none."),
+        Key::new("part", r##"{"type": "array", "minItems": 1, "maxItems": 1000, "items": {"$ref": "#/definitions/part"}}"##, "The parts. In TOML each is a [[part]] table.").needed("[[part]]"),
+        Key::new("joint", r##"{"type": "array", "items": {"$ref": "#/definitions/joint"}}"##, "Permanent connections of two parts. In TOML each is a [[joint]] table. Default: none."),
+        Key::new("pair", r##"{"type": "array", "items": {"$ref": "#/definitions/pair"}}"##, "The pairs to compute. In TOML each is a [[pair]] table. Default: every two parts, the one listed first fixed."),
+        Key::new("$schema", r#"{"type": "string"}"#, "Where an editor finds this schema; `cspace` does not look at it."),
+        Key::new("gravity", "point", "The acceleration of what falls, [x, y] in unit/s². Default: none."),
+        Key::new("friction", "not_negative", "The coefficient of friction of pairs that have none of their own. Default: 0."),
+        Key::new("restitution", "up_to_one", "The coefficient of restitution of pairs that have none of their own: from 0, no bounce, to 1, no loss. Default: 0."),
+        Key::new("drive", r##"{"type": "array", "items": {"$ref": "#/definitions/drive"}}"##, "Prescribed motions. In TOML each is a [[drive]] table. Default: none."),
+        Key::new("load", r##"{"type": "array", "items": {"$ref": "#/definitions/load"}}"##, "Constant forces and torques. In TOML each is a [[load]] table. Default: none."),
+        Key::new("spring", r##"{"type": "array", "items": {"$ref": "#/definitions/spring"}}"##, "Springs and dampers between two parts, or a part and the ground. In TOML each is a [[spring]] table. Default: none."),
+    ],
+);
 
 /// Model as written in a file: a mechanism, and the parameters of the expressions for its numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,7 +132,7 @@ pub(crate) fn from_text(
         folder: path.parent().unwrap_or(Path::new("")),
         host,
     };
-    let mut model = source.model(source.tree()?, &files)?;
+    let mut model = source.model(&source.tree()?, &files)?;
     if model.mechanism.name.is_empty() {
         model.mechanism.name = name_of(path);
     }
@@ -230,13 +237,10 @@ impl Template {
 
     /// Whether a part is taken from a drawing, which is in another file.
     pub fn names_drawings(&self) -> bool {
-        let Node::Table(model) = &self.tree else {
+        let Some(Node::List(parts)) = self.tree.get("part") else {
             return false;
         };
-        let Some(Node::List(parts)) = model.get("part") else {
-            return false;
-        };
-        let is_drawn = |part: &Node| matches!(part, Node::Table(part) if DRAWINGS.iter().any(|key| part.contains_key(*key)));
+        let is_drawn = |part: &Node| DRAWINGS.iter().any(|key| part.get(key).is_some());
         parts.iter().any(is_drawn)
     }
 
@@ -255,7 +259,7 @@ impl Template {
             folder: self.path.parent().unwrap_or(Path::new("")),
             host,
         };
-        let mut model = source.model(self.tree.clone(), &files)?;
+        let mut model = source.model(&self.tree, &files)?;
         if model.mechanism.name.is_empty() {
             model.mechanism.name = name_of(&self.path);
         }
@@ -355,8 +359,7 @@ impl Template {
             parameter,
             ranges: &[],
         };
-        let tree = self.varied(host, &variation)?;
-        slopes(&tree, &model.mechanism)
+        self.varied(host, model, &variation)
     }
 
     /// Computes enclosures of the numbers of a model of this template, and of their derivatives by one of its
@@ -386,25 +389,20 @@ impl Template {
         parameter: &str,
         ranges: &[(String, f64, f64)],
     ) -> core::result::Result<Slopes<Dual<1, Ball>>, ModelError> {
-        let tree = self.varied(host, &Variation { parameter, ranges })?;
-        slopes(&tree, &model.mechanism)
+        self.varied(host, model, &Variation { parameter, ranges })
     }
 
-    /// The tree with the numbers that depend on what varies.
-    fn varied(&self, host: &Host<'_>, variation: &Variation<'_>) -> Result<Node> {
-        let mut tree = self.tree.clone();
-        add_parameters(&mut tree)?;
-        let given = taken(&mut tree);
-        let place = Place::default().key("parameter");
-        let mut parameters = Parameters::read(
-            given.as_ref(),
-            &place,
-            host.set,
-            Some(variation),
-            unit_of(&tree),
-        )?;
-        parameters.replace(&mut tree);
-        Ok(tree)
+    fn varied<T: Slope>(
+        &self,
+        host: &Host<'_>,
+        model: &Model,
+        variation: &Variation<'_>,
+    ) -> Result<Slopes<T>> {
+        let parameters = parameters_of(&self.tree, host, Some(variation))?;
+        slopes(
+            &Value::root(&self.tree, &parameters.scope),
+            &model.mechanism,
+        )
     }
 }
 
@@ -435,7 +433,7 @@ impl Source<'_> {
     }
 
     /// The model in the text's tree.
-    fn model(&self, tree: Node, files: &Files<'_>) -> core::result::Result<Model, ModelError> {
+    fn model(&self, tree: &Node, files: &Files<'_>) -> core::result::Result<Model, ModelError> {
         let placed = |e: ModelError| {
             let position = if self.is_json {
                 in_json(self.text, e.tree_place())
@@ -480,7 +478,7 @@ pub(crate) fn toml_in(
         file,
         is_json: false,
     };
-    source.model(source.tree()?, files)
+    source.model(&source.tree()?, files)
 }
 
 /// Reads a model from JSON text; `file` is its name in errors.
@@ -508,7 +506,7 @@ pub(crate) fn json_in(
         file,
         is_json: true,
     };
-    source.model(source.tree()?, files)
+    source.model(&source.tree()?, files)
 }
 
 /// Error for text that is not valid JSON.
@@ -543,45 +541,37 @@ fn not_empty(text: &str) -> Result<()> {
     Ok(())
 }
 
-/// The model's unit of length, where it is a known one.
-fn unit_of(tree: &Node) -> Option<Unit> {
-    match tree {
-        Node::Table(entries) => match entries.get("unit")? {
-            Node::Text(label) => Unit::of_label(label),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// The parameters in a tree, taken out of it.
-fn taken(tree: &mut Node) -> Option<Node> {
-    match tree {
-        Node::Table(entries) => entries.remove("parameter"),
-        _ => None,
-    }
+/// The parameters of a file.
+fn parameters_of(
+    file: &Node,
+    host: &Host<'_>,
+    variation: Option<&Variation<'_>>,
+) -> Result<Parameters> {
+    let given = with_profiles(file)?;
+    let unit = file.get("unit").and_then(Node::text);
+    let place = Place::default().key("parameter");
+    let unit = unit.and_then(Unit::of_label);
+    Parameters::read(given.as_deref(), &place, host.set, variation, unit)
 }
 
 /// The model, and what whoever reads it should know.
-fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
-    let place = Place::default().key("parameter");
-    add_parameters(&mut tree)?;
-    let given = taken(&mut tree);
-    let mut parameters =
-        Parameters::read(given.as_ref(), &place, files.host.set, None, unit_of(&tree))?;
-    let failures = parameters.replace(&mut tree);
-    let explained = |error: ModelError| {
-        let explained = failures.iter().find_map(|f| f.explains(&error));
-        explained.unwrap_or(error)
-    };
-    let (mechanism, mut notes) = mechanism(&tree, files).map_err(explained)?;
-    let requirements = requirements(&tree, &mechanism).map_err(explained)?;
-    let words = |entry: &Entry| match entry.item {
-        Some(i) if entry.key == "requirement" && i < requirements.len() => {
+fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
+    let parameters = parameters_of(file, files.host, None)?;
+    let root = Table::new(Value::root(file, &parameters.scope), &FILE)?;
+    let (mechanism, mut notes) = mechanism(&root, files)?;
+    let requirements = read_requirements(&root, &mechanism)?;
+    let words = |entry: &Entry| match (entry.key.as_str(), entry.item) {
+        ("part", Some(i)) => {
+            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
+            format!("part {}", shown::quoted(name))
+        }
+        ("requirement", Some(i)) if i < requirements.len() => {
             format!("requirement {}", shown::quoted(&requirements[i].name))
         }
-        _ => entry.words(&mechanism),
+        (key, Some(i)) => format!("{key} {i}"),
+        (key, None) => key.to_owned(),
     };
+    let place = root.place.key("parameter");
     let (parameters, unused) = parameters.used(&place, words)?;
     notes.extend(unused);
     let model = Model {
@@ -592,57 +582,38 @@ fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError
     Ok((model, notes))
 }
 
-/// The requirements in a tree without expressions.
-fn requirements(tree: &Node, mechanism: &Mechanism) -> Result<Vec<Requirement>> {
-    let table = Table::new(tree, Place::default(), &KEYS, "")?;
-    let help = "write each requirement as [[requirement]], in two brackets";
-    let nodes = table.list("requirement", help)?.unwrap_or_default();
-    read_requirements(&table.place.key("requirement"), nodes, mechanism)
-}
-
-/// The mechanism in a tree without expressions.
-fn mechanism(tree: &Node, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
-    let root = Place::default();
-    let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
-    let parts = table
-        .list("part", "write each part as [[part]], in two brackets")?
-        .unwrap_or_default();
-    if parts.is_empty() {
+/// The mechanism of a file.
+fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
+    let parts = root.nodes("part", "write each part as [[part]], in two brackets")?;
+    let count = parts.map_or(0, <[Node]>::len);
+    if count == 0 {
         return Err(ModelError::of_file("the model has no parts")
             .with_help("describe each part in a [[part]] table with its name and loops"));
     }
-    if parts.len() > MOST_PARTS {
-        let message = format!("{} parts, more than {MOST_PARTS}", parts.len());
-        return Err(ModelError::new(&table.place.key("part"), message)
-            .with_help("split the model into several files"));
+    if count > MOST_PARTS {
+        let error = root.error("part", format!("{count} parts, more than {MOST_PARTS}"));
+        return Err(error.with_help("split the model into several files"));
     }
-    table.text("$schema")?;
+    root.text("$schema")?;
     let mut setting = Setting {
         files,
-        unit: table.text("unit")?,
+        unit: root.text("unit")?,
         notes: Vec::new(),
     };
-    let (parts, masses) = read_parts(&table.place.key("part"), parts, &mut setting)?;
-    let joints = table
-        .list("joint", "write each joint as [[joint]], in two brackets")?
-        .unwrap_or_default();
-    let joints = read_joints(&table.place.key("joint"), joints, &parts)?;
-    let (pairs, surfaces) =
-        match table.list("pair", "write each pair as [[pair]], in two brackets")? {
-            None | Some([]) => (None, Vec::new()),
-            Some(nodes) => {
-                let (pairs, surfaces) = read_pairs(&table.place.key("pair"), nodes, &parts)?;
-                (Some(pairs), surfaces)
-            }
-        };
+    let (parts, masses) = read_parts(root, &mut setting)?;
+    let joints = read_joints(root, &parts)?;
+    let (pairs, surfaces) = read_pairs(root, &parts)?;
     let mut mechanism = Mechanism {
-        name: table.text("name")?.unwrap_or_default().to_owned(),
+        name: root.text("name")?.unwrap_or_default().to_owned(),
         unit: setting.unit.map(str::to_owned),
         parts,
         joints,
+        pairs,
         ..Mechanism::default()
     };
-    mechanism.pairs = pairs.unwrap_or_else(|| mechanism.every_two());
-    mechanism.dynamics = read_dynamics(&table, &mechanism, masses, surfaces)?;
+    if mechanism.pairs.is_empty() {
+        mechanism.pairs = mechanism.every_two();
+    }
+    mechanism.dynamics = read_dynamics(root, &mechanism, masses, surfaces)?;
     Ok((mechanism, setting.notes))
 }

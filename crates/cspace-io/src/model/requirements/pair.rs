@@ -7,7 +7,8 @@ use super::space::Space;
 use crate::model::measure::Measure;
 use crate::model::node::Node;
 use crate::model::relations::part_index;
-use crate::model::table::{Result, Table};
+use crate::model::scope::Result;
+use crate::model::table::Table;
 use crate::shown::quoted;
 
 /// The quantity of a kind.
@@ -20,20 +21,18 @@ pub(super) fn read_pair(
     let space = Space::of(mechanism, &pair, table)?;
     let at = space.configuration(table)?;
     let vector = |key: &str| {
-        let given = table
-            .get(key)
-            .ok_or_else(|| table.missing(key, &format!("{key} = {}", space.example())))?;
-        space.list(&table.place.key(key), key, given)
+        let missing = || table.missing_as(key, &format!("{key} = {}", space.example()));
+        space.list(key, &table.get(key).ok_or_else(missing)?)
     };
     let needed = || {
         let of = space.coordinate(table)?;
-        of.ok_or_else(|| table.missing("of", &format!("of = \"{}\"", space.names()[0].0)))
+        of.ok_or_else(|| table.missing_as("of", &format!("of = \"{}\"", space.names()[0].0)))
     };
     let quantity = match kind {
         "play" => Quantity::Play { of: needed()?, at },
         "angle" => Quantity::Angle {
             at,
-            along: table.get("along").map(|_| vector("along")).transpose()?,
+            along: table.has("along").then(|| vector("along")).transpose()?,
             of: needed()?,
         },
         "extreme" => Quantity::Extreme {
@@ -116,7 +115,7 @@ fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
     let Some([fixed, moving]) = two_parts(table, mechanism)? else {
         return match mechanism.pairs[..] {
             [pair] => Ok(pair),
-            _ => Err(table.missing("pair", "pair = [\"fixed part\", \"moving part\"]")),
+            _ => Err(table.missing("pair")),
         };
     };
     let listed = mechanism
@@ -133,7 +132,7 @@ fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
 /// The two parts that are named as the pair, if they are.
 pub(super) fn two_parts(table: &Table<'_>, mechanism: &Mechanism) -> Result<Option<[usize; 2]>> {
     const HELP: &str = "give it as pair = [\"fixed part\", \"moving part\"]";
-    let Some(names) = table.list("pair", HELP)? else {
+    let Some(names) = table.nodes("pair", HELP)? else {
         return Ok(None);
     };
     let [Node::Text(fixed), Node::Text(moving)] = names else {
