@@ -44,6 +44,21 @@ pub(super) struct Setting<'a> {
 /// Keys of a part that name a file with its outline.
 pub(super) const DRAWINGS: [&str; 3] = ["dxf", "svg", "points"];
 
+/// Keys that go with drawings, and of what drawings.
+pub(super) const OF_DRAWINGS: [(&str, &[&str]); 11] = [
+    ("layer", &["dxf"]),
+    ("id", &["svg"]),
+    ("linetype", &["dxf"]),
+    ("color", &["dxf", "svg"]),
+    ("without_sheet", &["dxf", "svg"]),
+    ("hatches", &["dxf"]),
+    ("pick", &["dxf", "svg"]),
+    ("trace", &["dxf", "svg"]),
+    ("scale", &["dxf", "svg", "points"]),
+    ("join", &["dxf", "svg"]),
+    ("fit", &["dxf", "svg", "points"]),
+];
+
 /// The key that names a drawing; none of a part with loops. A part has one outline, and keys that go with it.
 pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
     let given: Vec<&'static str> = (["loops"].into_iter())
@@ -58,20 +73,7 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
         )));
     }
     let source = given.first().copied().filter(|key| *key != "loops");
-    let drawings: &[(&str, &[&str])] = &[
-        ("layer", &["dxf"]),
-        ("id", &["svg"]),
-        ("linetype", &["dxf"]),
-        ("color", &["dxf", "svg"]),
-        ("without_sheet", &["dxf", "svg"]),
-        ("hatches", &["dxf"]),
-        ("pick", &["dxf", "svg"]),
-        ("trace", &["dxf", "svg"]),
-        ("scale", &["dxf", "svg", "points"]),
-        ("join", &["dxf", "svg"]),
-        ("fit", &["dxf", "svg", "points"]),
-    ];
-    for (key, of) in drawings {
+    for (key, of) in OF_DRAWINGS {
         if table.has(key) && !source.is_some_and(|s| of.contains(&s)) {
             let message = format!("`{key}` is given without a drawing that it is of");
             let error = table.error_at_key(key, message);

@@ -24,7 +24,7 @@ pub(super) const ENTRY: Keys = Keys::new(
         Key::new("radius", "positive", "The arc's radius, at least half the distance of its ends."),
         Key::new("through", "point", "A point of the arc between its ends.").like("through = [1.5, -2]"),
         Key::new("center", "point", "The arc's centre, equally far from both ends.").like("center = [1.5, -2]"),
-        Key::new("direction", r#"{"enum": ["ccw", "cw"]}"#, "Which way an arc of a radius or about a centre turns: counter-clockwise, the default, or clockwise."),
+        Key::new("direction", "ccw|cw", "Which way an arc of a radius or about a centre turns: counter-clockwise, the default, or clockwise."),
         Key::new("large", "bool", "Whether an arc of a radius is the one of more than half a turn. Default: false."),
         Key::new("at", "point", "A vertex that a line leads to.").like("at = [1.5, -2]"),
         Key::new("fillet", "positive", "The radius of an arc that rounds the corner, tangent to both its edges: at this entry's vertex, or without one at the vertex before."),

@@ -29,9 +29,7 @@ pub(super) const DRIVE: Keys = Keys::new(
         .like("rate = \"360deg\" or table = [[0, 0], [1, 2]]"),
         Key::new(
             "table",
-            r##"{"type": "array", "minItems": 2, "items": {
-                "type": "array", "items": [{"$ref": "#/definitions/number"}, {"$ref": "#/definitions/angle_rate"}],
-                "minItems": 2, "maxItems": 2}}"##,
+            "positions",
             "Where it is at which time, [[t, u], [t, u], ...]: seconds that increase, and angles or lengths. A cubic spline goes through all points.",
         ),
     ],
@@ -75,12 +73,12 @@ pub(super) const SPRING: Keys = Keys {
         &[
             Key::new(
                 "type",
-                r#"{"enum": ["linear", "torsion"]}"#,
+                "kind",
                 "linear, the default: between two points. torsion: between two orientations.",
             ),
             Key::new(
                 "parts",
-                r##"{"type": "array", "items": {"$ref": "#/definitions/part_name"}, "minItems": 1, "maxItems": 2, "uniqueItems": true}"##,
+                "names_of_parts",
                 "The names of two parts, or of one for a spring to the ground.",
             )
             .needed("parts = [\"pawl\", \"link\"]"),

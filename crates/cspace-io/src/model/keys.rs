@@ -3,13 +3,13 @@
 /// A key of a table.
 pub(super) struct Key {
     pub(super) name: &'static str,
-    /// The schema of its value: the name of a definition, or JSON.
+    /// How its value is written: the name of a definition of the schema, `[name]` for a list of such, `a|b` for one of these texts, or `kind`.
     pub(super) value: &'static str,
-    /// What it means.
+    /// Meaning, for who writes a model.
     pub(super) about: &'static str,
     /// Whether every such table must have it.
     pub(super) is_needed: bool,
-    /// How it is written, for who left it out where it is needed.
+    /// Example, for who left it out where it is needed.
     pub(super) example: &'static str,
 }
 
@@ -39,7 +39,7 @@ impl Key {
     }
 }
 
-/// What a table of one kind has beside the keys that all kinds have.
+/// Kind of a table: its keys beside those that all kinds have.
 pub(super) struct Kind {
     pub(super) name: &'static str,
     /// Keys that it must have.
@@ -56,7 +56,7 @@ impl Kind {
 
 /// The kinds of a table, which one of its keys names.
 pub(super) struct Kinds {
-    /// What they are: `type of joint`.
+    /// Words for them: `type of joint`.
     pub(super) what: &'static str,
     /// The key.
     pub(super) key: &'static str,
@@ -79,7 +79,7 @@ impl Kinds {
 
 /// The keys of a table.
 pub(super) struct Keys {
-    /// What to do where there is something else than a table.
+    /// Advice where there is something else than a table.
     pub(super) help: &'static str,
     pub(super) keys: &'static [Key],
     pub(super) kinds: Option<Kinds>,

@@ -34,14 +34,7 @@ const BRACES: &str = "a loop in braces is { circle = r, at = [x, y] } or { path 
 
 pub(super) const PATH: Keys = Keys::new(
     BRACES,
-    &[
-        Key::new(
-            "path",
-            r##"{"type": "array", "items": {"$ref": "#/definitions/entry"}, "minItems": 1}"##,
-            "The entries.",
-        ),
-        REPEATED,
-    ],
+    &[Key::new("path", "entries", "The entries."), REPEATED],
 );
 
 /// The vertices of a loop.

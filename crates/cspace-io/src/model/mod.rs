@@ -2,7 +2,7 @@
 //!
 //! A file is read in three steps, each of which reports errors as a [`ModelError`]: bytes become text, text becomes a
 //! tree of values, the tree becomes a [`Mechanism`](cspace_mechanism::Mechanism). `docs/model.md` in the project's repository
-//! describes the format, `docs/model.schema.json` is its schema.
+//! describes the format, [`schema()`] is its schema.
 
 mod drawings;
 mod dynamics;
@@ -27,6 +27,7 @@ mod profile;
 mod read;
 mod relations;
 mod requirements;
+mod schema;
 mod scope;
 mod slips;
 mod slopes;
@@ -50,6 +51,7 @@ pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
 pub use requirements::{
     Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
 };
+pub use schema::schema;
 pub use slips::{Slip, slips};
 pub use slopes::{PartSlopes, RequirementSlopes, Slopes};
 pub use snap::{Snapped, snap};

@@ -23,10 +23,10 @@ const COPIED: &str = "give a path that is repeated, { repeat = 20, about = [0, 0
 pub(super) const COPIES: Keys = Keys::new(
     COPIED,
     &[
-        Key::new("path", r##"{"type": "array", "items": {"$ref": "#/definitions/entry"}, "minItems": 1}"##, "Entries that are repeated or mirrored."),
+        Key::new("path", "entries", "Entries that are repeated or mirrored."),
         Key::new("repeat", "count", "How many copies of the path there are, each turned about a point by one part of a turn more."),
         Key::new("about", "point", "The point about which copies are turned.").like("about = [0, 0], the point it turns about"),
-        Key::new("mirror", r#"{"enum": ["x", "y"]}"#, "The axis through [0, 0] at which the path is mirrored: x turns y around, y turns x around."),
+        Key::new("mirror", "x|y", "The axis through [0, 0] at which the path is mirrored: x turns y around, y turns x around."),
     ],
 );
 

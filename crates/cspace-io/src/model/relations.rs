@@ -34,7 +34,7 @@ pub(super) const JOINT: Keys = Keys {
         &[
             Key::new(
                 "type",
-                r#"{"enum": ["revolute", "prismatic", "rigid"]}"#,
+                "kind",
                 "revolute: a hinge. prismatic: a slide. rigid: the parts move as one.",
             )
             .needed("type = \"revolute\""),

@@ -54,7 +54,11 @@ impl<'a> Table<'a> {
         kinds.get(name).ok_or_else(|| {
             let message = format!("unknown {} {}", kinds.what, quoted(name));
             let names = || kinds.all.iter().map(|kind| kind.name);
-            let all = || format!("give one of {}", names().collect::<Vec<_>>().join(", "));
+            let default = (kinds.default).map(|kind| format!(", or leave it out for {kind}"));
+            let all = || {
+                let names = names().collect::<Vec<_>>().join(", ");
+                format!("give one of {names}{}", default.unwrap_or_default())
+            };
             self.error(kinds.key, message)
                 .with_help(nearest(name, names()).map_or_else(all, did_you_mean))
         })

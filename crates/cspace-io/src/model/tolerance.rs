@@ -16,15 +16,15 @@ use crate::shown::{self, quoted};
 pub(super) const PARAMETER: Keys = Keys::new(
     "give it as { value = 6.0, tol = 0.02 }",
     &[
-        Key::new("value", r##"{"anyOf": [{"type": "number"}, {"$ref": "#/definitions/expression"}]}"##, "The value, or an expression of other parameters.").needed("value = 6.0"),
-        Key::new("tol", r##"{"anyOf": [{"$ref": "#/definitions/deviation"}, {"type": "string", "pattern": "^\\s*([A-HJKMNPR-VX-Z]|[a-hjkmnpr-vx-z]|CD|EF|FG|JS|Z[A-C]|cd|ef|fg|js|z[a-c])(01|[0-9]|1[0-8])\\s*$"}]}"##, "How far it may be below and above the value, or a tolerance class of ISO 286 for the value as nominal size, such as H7 or g6."),
+        Key::new("value", "value", "The value, or an expression of other parameters.").needed("value = 6.0"),
+        Key::new("tol", "tolerance", "How far it may be below and above the value, or a tolerance class of ISO 286 for the value as nominal size, such as H7 or g6."),
         Key::new("plus", "signed_deviation", "How far it may be above the value; below it if negative. Default: 0, where `minus` is given."),
         Key::new("minus", "signed_deviation", "How far it may be below the value; above it if negative. Default: 0, where `plus` is given."),
-        Key::new("limits", r#"{"type": "array", "items": {"anyOf": [{"type": "number"}, {"type": "string"}]}, "minItems": 2, "maxItems": 2}"#, "Its smallest and its largest value, in place of deviations."),
-        Key::new("distribution", r#"{"anyOf": [{"enum": ["uniform", "normal", "triangular"]}, {"type": "array", "items": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}, "minItems": 2}]}"#, "How likely it is where within its tolerance; a table has values and densities, linear between them. Default: uniform."),
-        Key::new("sigma", r#"{"type": "number", "exclusiveMinimum": 0}"#, "Of a normal distribution: how many standard deviations half the width of the tolerance is. Default: 3."),
-        Key::new("position", r#"{"type": "number", "minimum": 0}"#, "The diameter of the circle in which the point lies of which this is a coordinate.").like("position = 0.2, the diameter of a zone"),
-        Key::new("with", r#"{"type": "string"}"#, "Of a position: the parameter that is the other coordinate.").like("with = \"hole_y\", the parameter that is the other coordinate of the point"),
+        Key::new("limits", "bounds", "Its smallest and its largest value, in place of deviations."),
+        Key::new("distribution", "distribution", "How likely it is where within its tolerance; a table has values and densities, linear between them. Default: uniform."),
+        Key::new("sigma", "literal_positive", "Of a normal distribution: how many standard deviations half the width of the tolerance is. Default: 3."),
+        Key::new("position", "literal_not_negative", "The diameter of the circle in which the point lies of which this is a coordinate.").like("position = 0.2, the diameter of a zone"),
+        Key::new("with", "any_text", "Of a position: the parameter that is the other coordinate.").like("with = \"hole_y\", the parameter that is the other coordinate of the point"),
     ],
 );
 

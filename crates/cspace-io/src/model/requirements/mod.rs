@@ -15,6 +15,7 @@ pub use quantity::{
 
 use self::motion::read_motion;
 use self::pair::read_pair;
+pub(super) use self::space::{AXES, PLANAR};
 use super::keys::{Key, Keys, Kind, Kinds};
 use super::scope::Result;
 use super::table::Table;
@@ -44,19 +45,19 @@ pub(super) const REQUIREMENT: Keys = Keys {
     "a requirement is a table with keys such as name = \"play\", measure = \"play\" and limits = [0, 0.1]",
     &[
         Key::new("name", "part_name", "What it is called, unlike any other.").needed("name = \"play\""),
-        Key::new("pair", r##"{"type": "array", "items": {"$ref": "#/definitions/part_name"}, "minItems": 2, "maxItems": 2, "uniqueItems": true}"##, "The fixed and the moving part. Default: the model's only pair; of an event, any two parts.").like("pair = [\"fixed part\", \"moving part\"]"),
-        Key::new("measure", r#"{"enum": ["play", "position", "clearance", "angle", "bottleneck", "extreme", "caged", "connected", "event", "stroke", "ratio"]}"#, "play: the whole range of a coordinate that is free around a configuration. position: a coordinate where a motion first touches. clearance: the distance of the parts. angle: between the normal at a contact and the motion of its point, the pressure angle. bottleneck: the clearance of the widest motion to `to` where it is narrowest. extreme: how far a coordinate goes in the free region. caged: whether the free region ends everywhere. connected: whether a motion leads from `at` to `to`. event: when something happens in the motion of the mechanism. stroke: from the smallest to the largest value of a part's coordinate in the motion. ratio: how far a part goes by how far another goes.").needed("measure = \"play\""),
-        Key::new("of", r#"{"enum": ["x", "y", "theta", "u", "v"]}"#, "Of a play, position, angle or extreme: the coordinate, x, y or theta, or u or v of a pair on fixed axes. Of the stroke of a part that moves in the plane: x, y or theta."),
+        Key::new("pair", "two_names", "The fixed and the moving part. Default: the model's only pair; of an event, any two parts.").like("pair = [\"fixed part\", \"moving part\"]"),
+        Key::new("measure", "kind", "play: the whole range of a coordinate that is free around a configuration. position: a coordinate where a motion first touches. clearance: the distance of the parts. angle: between the normal at a contact and the motion of its point, the pressure angle. bottleneck: the clearance of the widest motion to `to` where it is narrowest. extreme: how far a coordinate goes in the free region. caged: whether the free region ends everywhere. connected: whether a motion leads from `at` to `to`. event: when something happens in the motion of the mechanism. stroke: from the smallest to the largest value of a part's coordinate in the motion. ratio: how far a part goes by how far another goes.").needed("measure = \"play\""),
+        Key::new("of", "x|y|theta|u|v", "Of a play, position, angle or extreme: the coordinate, x, y or theta, or u or v of a pair on fixed axes. Of the stroke of a part that moves in the plane: x, y or theta."),
         Key::new("at", "coordinates", "The configuration; coordinates left out are as drawn."),
         Key::new("along", "configuration", "Of a position: the displacement of the motion from `at`, [dx, dy, dtheta] or [du, dv]."),
         Key::new("to", "configuration", "Of connected: where the motion leads, [x, y, theta] or [u, v]."),
-        Key::new("end", r#"{"enum": ["lower", "upper"], "default": "upper"}"#, "Of an extreme: which end of the range of the coordinate."),
+        Key::new("end", "lower|upper", "Of an extreme: which end of the range of the coordinate."),
         Key::new("time", "positive", "Of an event, stroke or ratio: how long the motion is followed, in seconds.").like("time = 2, in seconds"),
-        Key::new("event", r#"{"enum": ["touch", "release", "impact", "stick", "slip", "rest"]}"#, "What happens: two parts come into lasting contact, are released, strike each other, begin or cease to slide, or their impacts are over.").like("event = \"touch\""),
+        Key::new("event", "touch|release|impact|stick|slip|rest", "What happens: two parts come into lasting contact, are released, strike each other, begin or cease to slide, or their impacts are over.").like("event = \"touch\""),
         Key::new("number", "count", "Of an event: which of several, counted from 1. Default: 1."),
         Key::new("part", "part_name", "Of a stroke or ratio: the part.").like("part = \"name of a part\""),
         Key::new("by", "part_name", "Of a ratio: the part by whose motion it is.").like("by = \"name of a part\""),
-        Key::new("limits", r##"{"type": "array", "items": {"$ref": "#/definitions/angle_rate"}, "minItems": 2, "maxItems": 2}"##, "The smallest and the largest value that is allowed. Default: none, the value is measured alone."),
+        Key::new("limits", "limits", "The smallest and the largest value that is allowed. Default: none, the value is measured alone."),
         Key::new("equals", "bool", "Of caged and connected: what is required."),
     ],
     )

@@ -11,6 +11,20 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// Published schema of models.
 const SCHEMA: Schema = Schema::new("model");
 
+/// `CSPACE_DOCS=write cargo test -p cspace-io schema` writes it.
+#[test]
+fn the_published_schema_has_the_keys_of_the_reader() {
+    let path = Path::new(ROOT).join("docs/model.schema.json");
+    let made = model::schema();
+    if std::env::var("CSPACE_DOCS").is_ok_and(|v| v == "write") {
+        std::fs::write(&path, &made).unwrap();
+    }
+    let published = std::fs::read_to_string(path).unwrap();
+    let [made, published]: [Value; 2] =
+        [made, published].map(|text| serde_json::from_str(&text).unwrap());
+    assert_eq!(published, made, "write it anew by CSPACE_DOCS=write");
+}
+
 fn models(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
