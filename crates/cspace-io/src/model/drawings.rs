@@ -15,20 +15,10 @@ use crate::shown::quoted;
 
 /// Access to the drawings that a model names, with the host for which they are read.
 #[derive(Clone, Copy)]
-pub(crate) struct Files<'a> {
+pub(super) struct Files<'a> {
     /// The folder that the names of drawings are relative to.
     pub(super) folder: &'a Path,
     pub(super) host: &'a Host<'a>,
-}
-
-impl<'a> Files<'a> {
-    /// Drawings relative to the folder of a file.
-    pub(crate) fn beside(file: &'a str, host: &'a Host<'a>) -> Self {
-        Self {
-            folder: Path::new(file).parent().unwrap_or(Path::new("")),
-            host,
-        }
-    }
 }
 
 /// Settings of a model that hold for all of its parts.

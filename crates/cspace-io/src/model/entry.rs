@@ -8,10 +8,8 @@ use super::keys::{Key, Keys};
 use super::node::Node;
 use super::place::Place;
 use super::scope::{Result, Scalar, Scope};
-use super::suggest::nearest;
 use super::table::Table;
 use super::value::Value;
-use crate::shown::quoted;
 
 /// Help text that lists the entries of a loop.
 pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y, bulge], an arc { arc_to = [x, y], radius = r }, a rounded corner { fillet = r }, or a pattern { repeat = 20, about = [0, 0], path = [...] }";
@@ -208,17 +206,11 @@ fn point<T: Scalar>(table: &Table<'_>, key: &str) -> Result<Point<T>> {
 
 /// Direction of an arc; counter-clockwise by default.
 fn direction(table: &Table<'_>) -> Result<Direction> {
-    const NAMES: [&str; 2] = ["ccw", "cw"];
-    match table.text("direction")? {
-        None | Some("ccw") => Ok(Direction::CounterClockwise),
-        Some("cw") => Ok(Direction::Clockwise),
-        Some(other) => {
-            let error = table.error("direction", format!("unknown direction {}", quoted(other)));
-            Err(error.with_help(match nearest(other, NAMES) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "give direction = \"ccw\" for counter-clockwise or \"cw\" for clockwise"
-                    .to_owned(),
-            }))
-        }
-    }
+    const HELP: &str = "give direction = \"ccw\" for counter-clockwise or \"cw\" for clockwise";
+    const ALL: [(&str, Direction); 2] = [
+        ("ccw", Direction::CounterClockwise),
+        ("cw", Direction::Clockwise),
+    ];
+    let direction = table.choice("direction", "direction", &ALL, HELP)?;
+    Ok(direction.unwrap_or(Direction::CounterClockwise))
 }

@@ -7,7 +7,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::Real;
 
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use crate::shown::quoted;
 
 /// The longest expression, in characters.
@@ -162,10 +162,9 @@ impl Expression {
         }
         let unknown = |name: &str| {
             let known = names().chain(taken_names().map(|name| -> &'n str { name }));
-            nearest(name, known).map_or_else(
-                || "add it to [parameter], or write a number".to_owned(),
-                |meant| format!("did you mean `{meant}`?"),
-            )
+            did_you_mean(name, known, || {
+                "add it to [parameter], or write a number".to_owned()
+            })
         };
         let mut parser = Parser {
             chars: &chars,

@@ -12,52 +12,28 @@ use super::scope::Result;
 use super::table::Table;
 use crate::shown::quoted;
 
+#[rustfmt::skip]
 pub(super) const DRIVE: Keys = Keys::new(
     "a drive is a table with part = \"driver\" and rate = \"360deg\"",
     &[
-        Key::new(
-            "part",
-            "part_name",
-            "The part that is driven, which turns or slides.",
-        )
-        .needed("part = \"pawl\""),
-        Key::new(
-            "rate",
-            "angle_rate",
-            "How fast it moves from where it starts, per second: an angle or a length.",
-        )
-        .like("rate = \"360deg\" or table = [[0, 0], [1, 2]]"),
-        Key::new(
-            "table",
-            "positions",
-            "Where it is at which time, [[t, u], [t, u], ...]: seconds that increase, and angles or lengths. A cubic spline goes through all points.",
-        ),
+        Key::new("part", "part_name", "The part that is driven, which turns or slides.").needed("part = \"pawl\""),
+        Key::new("rate", "angle_rate", "How fast it moves from where it starts, per second: an angle or a length.").like("rate = \"360deg\" or table = [[0, 0], [1, 2]]"),
+        Key::new("table", "positions", "Where it is at which time, [[t, u], [t, u], ...]: seconds that increase, and angles or lengths. A cubic spline goes through all points."),
     ],
 );
 
+#[rustfmt::skip]
 pub(super) const LOAD: Keys = Keys::new(
     "a load is a table with part = \"pawl\" and force = [0, -3], or torque = 0.5",
     &[
         Key::new("part", "part_name", "The part on which it acts.").needed("part = \"pawl\""),
-        Key::new(
-            "force",
-            "point",
-            "A force in the assembly's frame, kg·unit/s².",
-        )
-        .like("force = [0, -3], or torque = 0.5"),
-        Key::new(
-            "at",
-            "point",
-            "Where the force acts, in the part's frame. Default: at the centre of mass.",
-        ),
-        Key::new(
-            "torque",
-            "number",
-            "A torque, kg·unit²/s², counter-clockwise.",
-        ),
+        Key::new("force", "point", "A force in the assembly's frame, kg·unit/s².").like("force = [0, -3], or torque = 0.5"),
+        Key::new("at", "point", "Where the force acts, in the part's frame. Default: at the centre of mass."),
+        Key::new("torque", "number", "A torque, kg·unit²/s², counter-clockwise."),
     ],
 );
 
+#[rustfmt::skip]
 pub(super) const SPRING: Keys = Keys {
     kinds: Some(Kinds {
         what: "type of spring",
@@ -71,44 +47,13 @@ pub(super) const SPRING: Keys = Keys {
     ..Keys::new(
         "a spring is a table with parts = [\"pawl\", \"link\"], at = [[x, y], [x, y]] and stiffness = 2.5",
         &[
-            Key::new(
-                "type",
-                "kind",
-                "linear, the default: between two points. torsion: between two orientations.",
-            ),
-            Key::new(
-                "parts",
-                "names_of_parts",
-                "The names of two parts, or of one for a spring to the ground.",
-            )
-            .needed("parts = [\"pawl\", \"link\"]"),
-            Key::new(
-                "at",
-                "two_points",
-                "The two points, each in its part's frame, one of the ground in the assembly's.",
-            )
-            .like("at = [[x, y], [x, y]]"),
-            Key::new(
-                "stiffness",
-                "not_negative",
-                "The force per length, kg/s², or torque per radian, kg·unit²/s². Default: 0, a damper alone.",
-            )
-            .like("stiffness = 2.5"),
-            Key::new(
-                "length",
-                "not_negative",
-                "The distance of the points at which there is no force. Default: as drawn.",
-            ),
-            Key::new(
-                "angle",
-                "angle",
-                "The orientation of the first part less that of the second at which there is no torque. Default: 0, as drawn.",
-            ),
-            Key::new(
-                "damping",
-                "not_negative",
-                "The force per rate of change of the distance, kg/s, or torque per rad/s, kg·unit²/s. Default: 0.",
-            ),
+            Key::new("type", "kind", "linear, the default: between two points. torsion: between two orientations."),
+            Key::new("parts", "names_of_parts", "The names of two parts, or of one for a spring to the ground.").needed("parts = [\"pawl\", \"link\"]"),
+            Key::new("at", "two_points", "The two points, each in its part's frame, one of the ground in the assembly's.").like("at = [[x, y], [x, y]]"),
+            Key::new("stiffness", "not_negative", "The force per length, kg/s², or torque per radian, kg·unit²/s². Default: 0, a damper alone.").like("stiffness = 2.5"),
+            Key::new("length", "not_negative", "The distance of the points at which there is no force. Default: as drawn."),
+            Key::new("angle", "angle", "The orientation of the first part less that of the second at which there is no torque. Default: 0, as drawn."),
+            Key::new("damping", "not_negative", "The force per rate of change of the distance, kg/s, or torque per rad/s, kg·unit²/s. Default: 0."),
         ],
     )
 };

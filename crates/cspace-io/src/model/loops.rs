@@ -20,6 +20,7 @@ const REPEATED: Key = Key::new(
     "How often the loop is repeated, turned about a point by equal parts of a turn.",
 );
 
+#[rustfmt::skip]
 pub(super) const CIRCLE: Keys = Keys::new(
     "a circle is { circle = r, at = [x, y] }",
     &[
@@ -32,6 +33,7 @@ pub(super) const CIRCLE: Keys = Keys::new(
 /// How loops in braces are written.
 const BRACES: &str = "a loop in braces is { circle = r, at = [x, y] } or { path = [...] }, with pattern = { count = 6, about = [0, 0] }";
 
+#[rustfmt::skip]
 pub(super) const PATH: Keys = Keys::new(
     BRACES,
     &[Key::new("path", "entries", "The entries."), REPEATED],

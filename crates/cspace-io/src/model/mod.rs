@@ -34,6 +34,7 @@ mod slopes;
 mod snap;
 mod suggest;
 mod table;
+mod template;
 mod to_json;
 mod to_toml;
 mod tolerance;
@@ -41,13 +42,9 @@ mod toml_dynamics;
 mod toml_values;
 mod value;
 
-pub(crate) use read::no_json;
-
-pub(crate) use drawings::Files;
 pub use error::ModelError;
 pub use parameters::{Parameter, Setting};
-pub use read::{MOST_PARTS, Model, Template, from_json, from_toml, read};
-pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
+pub use read::{MOST_PARTS, Model};
 pub use requirements::{
     Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
 };
@@ -55,6 +52,8 @@ pub use schema::schema;
 pub use slips::{Slip, slips};
 pub use slopes::{PartSlopes, RequirementSlopes, Slopes};
 pub use snap::{Snapped, snap};
+pub use template::{Template, from_json, from_toml, read};
+pub(crate) use template::{from_text, in_text, no_json, read_hosted};
 pub use to_json::to_json;
 pub use to_toml::to_toml;
 pub use tolerance::{Distribution, Position};

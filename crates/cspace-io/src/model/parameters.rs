@@ -8,7 +8,7 @@ use super::expression::{Expression, Wrong, is_name, is_taken};
 use super::node::Node;
 use super::place::Place;
 use super::scope::{Entry, Result, Scope, Varied, in_text};
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use super::table::Table;
 use super::tolerance::{Distribution, PARAMETER, Position, Tolerance, Written};
 use super::value::Value;
@@ -202,10 +202,8 @@ impl Parameters {
                 quoted(&setting.name)
             );
             let names = entries.keys().map(String::as_str);
-            let help = match nearest(&setting.name, names) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the parameters are {}", listed(entries.keys())),
-            };
+            let all = || format!("the parameters are {}", listed(entries.keys()));
+            let help = did_you_mean(&setting.name, names, all);
             return Err(ModelError::new(place, message).with_help(help));
         }
         let literal = Scope::literal();

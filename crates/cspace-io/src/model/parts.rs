@@ -55,6 +55,7 @@ pub(super) const PART: Keys = Keys::new(
     ],
 );
 
+#[rustfmt::skip]
 pub(super) const MOTION: Keys = Keys {
     kinds: Some(Kinds {
         what: "type of motion",
@@ -70,24 +71,10 @@ pub(super) const MOTION: Keys = Keys {
     ..Keys::new(
         "give it as motion = { type = \"planar\" }",
         &[
-            Key::new(
-                "type",
-                "kind",
-                "planar: moves and turns freely. fixed: stands still. revolute: turns about a point. prismatic: slides in a direction.",
-            )
-            .needed("type = \"revolute\""),
+            Key::new("type", "kind", "planar: moves and turns freely. fixed: stands still. revolute: turns about a point. prismatic: slides in a direction.").needed("type = \"revolute\""),
             Key::new("center", "point", "Of a revolute motion: the point about which the part turns.").like("center = [0, 0]"),
-            Key::new(
-                "direction",
-                "point",
-                "Of a prismatic motion: its direction. The length does not count, but may not be 0.",
-            )
-            .like("direction = [1, 0]"),
-            Key::new(
-                "range",
-                "two_numbers",
-                "The smaller and the larger limit: angles of a revolute motion, lengths of a prismatic one. Default: no limits.",
-            ),
+            Key::new("direction", "point", "Of a prismatic motion: its direction. The length does not count, but may not be 0.").like("direction = [1, 0]"),
+            Key::new("range", "two_numbers", "The smaller and the larger limit: angles of a revolute motion, lengths of a prismatic one. Default: no limits."),
         ],
     )
 };

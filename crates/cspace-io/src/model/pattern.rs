@@ -11,10 +11,8 @@ use super::keys::{Key, Keys};
 use super::node::Node;
 use super::place::Place;
 use super::scope::{Result, Scalar, Scope};
-use super::suggest::nearest;
 use super::table::Table;
 use super::value::Value;
-use crate::shown::quoted;
 
 /// How paths are written that stand for many entries.
 const COPIED: &str = "give a path that is repeated, { repeat = 20, about = [0, 0], path = [...] }, or mirrored, { mirror = \"y\", path = [...] }";
@@ -30,12 +28,12 @@ pub(super) const COPIES: Keys = Keys::new(
     ],
 );
 
+#[rustfmt::skip]
 pub(super) const PATTERN: Keys = Keys::new(
     "give it as pattern = { count = 6, about = [0, 0] }",
     &[
         Key::new("count", "count", "How many loops there are.").needed("count = 6"),
-        Key::new("about", "point", "The point about which they are turned.")
-            .needed("about = [0, 0]"),
+        Key::new("about", "point", "The point about which they are turned.").needed("about = [0, 0]"),
     ],
 );
 
@@ -111,7 +109,9 @@ fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
     if path.is_empty() {
         return Err(table.error("path", "the path is empty").with_help(COPIED));
     }
-    match (table.count("repeat")?, table.text("mirror")?) {
+    let help = "give mirror = \"x\", which turns y around, or mirror = \"y\", which turns x around";
+    let reflection = table.choice("mirror", "axis", &reflections(), help)?;
+    match (table.count("repeat")?, reflection) {
         (Some(count), None) => {
             let about = table.needed("about", table.point("about")?)?;
             let count = count as usize;
@@ -126,8 +126,7 @@ fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
                 })
                 .collect())
         }
-        (None, Some(axis)) => {
-            let flip = axis_of(&table, axis)?;
+        (None, Some(flip)) => {
             if table.has("about") {
                 let error = table.error_at_key("about", "`about` is given without `repeat`");
                 return Err(
@@ -178,18 +177,12 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
-/// Reflection of a point at an axis through the origin.
-fn axis_of<T: Scalar>(table: &Table<'_>, axis: &str) -> Result<fn(Point<T>) -> Point<T>> {
-    match axis {
-        "x" => Ok(|p| Point::new(p.x, -p.y)),
-        "y" => Ok(|p| Point::new(-p.x, p.y)),
-        other => Err(table
-            .error("mirror", format!("unknown axis {}", quoted(other)))
-            .with_help(match nearest(other, ["x", "y"]) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "give mirror = \"x\", which turns y around, or mirror = \"y\", which turns x around".to_owned(),
-            })),
-    }
+/// Reflections of points, by the axis through the origin.
+fn reflections<T: Scalar>() -> [(&'static str, fn(Point<T>) -> Point<T>); 2] {
+    [
+        ("x", |p| Point::new(p.x, -p.y)),
+        ("y", |p| Point::new(-p.x, p.y)),
+    ]
 }
 
 /// A corner of a path: where it is, its fillet, and the edge that leaves it.

@@ -15,7 +15,7 @@ use super::names::feature;
 use super::node::Node;
 use super::place::Place;
 use super::scope::{Result, Scalar, Scope};
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use super::tolerance::LARGEST;
 use super::value::Value;
 use crate::shown::quoted;
@@ -137,11 +137,10 @@ impl<T: Scalar> Profile<T> {
                 }
                 _ => {
                     let message = format!("there is no edge {}", quoted(name));
-                    let names: Vec<&str> = part.feature_names().map(|(_, n)| n).collect();
-                    let help = match nearest(name, names.iter().copied()) {
-                        Some(meant) => format!("did you mean `{meant}`?"),
-                        None => "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace play` and others print it".to_owned(),
-                    };
+                    let names = part.feature_names().map(|(_, n)| n);
+                    let help = did_you_mean(name, names, || {
+                        "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace play` and others print it".to_owned()
+                    });
                     return Err(ModelError::new(&value.place.itself(), message).with_help(help));
                 }
             }

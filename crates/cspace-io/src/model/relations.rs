@@ -13,11 +13,12 @@ use super::node::Node;
 use super::parts::direction;
 use super::place::Place;
 use super::scope::Result;
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use super::table::Table;
 use super::value::Value;
 use crate::shown::quoted;
 
+#[rustfmt::skip]
 pub(super) const JOINT: Keys = Keys {
     kinds: Some(Kinds {
         what: "type of joint",
@@ -32,49 +33,23 @@ pub(super) const JOINT: Keys = Keys {
     ..Keys::new(
         "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]",
         &[
-            Key::new(
-                "type",
-                "kind",
-                "revolute: a hinge. prismatic: a slide. rigid: the parts move as one.",
-            )
-            .needed("type = \"revolute\""),
+            Key::new("type", "kind", "revolute: a hinge. prismatic: a slide. rigid: the parts move as one.").needed("type = \"revolute\""),
             Key::new("parts", "two_names", "The names of the two parts.").needed("parts = [\"link\", \"pawl\"]"),
-            Key::new(
-                "at",
-                "point",
-                "Where the hinge is, or a point of the slide, at zero motion. Default for a slide: [0, 0].",
-            )
-            .like("at = [x, y]"),
+            Key::new("at", "point", "Where the hinge is, or a point of the slide, at zero motion. Default for a slide: [0, 0].").like("at = [x, y]"),
             Key::new("direction", "point", "The direction of the slide, at zero motion.").like("direction = [1, 0]"),
         ],
     )
 };
 
+#[rustfmt::skip]
 pub(super) const PAIR: Keys = Keys::new(
     "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"",
     &[
-        Key::new(
-            "fixed",
-            "part_name",
-            "The part in whose frame the other moves.",
-        )
-        .needed("fixed = \"ratchet\""),
-        Key::new("moving", "part_name", "The part that moves.").needed("moving = \"ratchet\""),
-        Key::new(
-            "theta",
-            "angles",
-            "The window of orientations, at most a turn. Default: all.",
-        ),
-        Key::new(
-            "friction",
-            "not_negative",
-            "The coefficient of friction. Default: that of all pairs.",
-        ),
-        Key::new(
-            "restitution",
-            "up_to_one",
-            "The coefficient of restitution, from 0 to 1. Default: that of all pairs.",
-        ),
+        Key::new("fixed", "part_name", "The part in whose frame the other moves.").needed("fixed = \"ratchet\""),
+        Key::new("moving", "part_name", "The part that moves.").needed("moving = \"pawl\""),
+        Key::new("theta", "angles", "The window of orientations, at most a turn. Default: all."),
+        Key::new("friction", "not_negative", "The coefficient of friction. Default: that of all pairs."),
+        Key::new("restitution", "up_to_one", "The coefficient of restitution, from 0 to 1. Default: that of all pairs."),
     ],
 );
 
@@ -86,10 +61,8 @@ pub(super) fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Resu
         .ok_or_else(|| {
             let names = || parts.iter().map(|p| p.part.name());
             let error = ModelError::new(place, format!("there is no part named {}", quoted(name)));
-            error.with_help(match nearest(name, names()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the parts are {}", names().collect::<Vec<_>>().join(", ")),
-            })
+            let all = || format!("the parts are {}", names().collect::<Vec<_>>().join(", "));
+            error.with_help(did_you_mean(name, names(), all))
         })
 }
 

@@ -9,7 +9,7 @@ use super::keys::{Keys, Kind};
 use super::node::Node;
 use super::place::Place;
 use super::scope::{Result, Scalar, Scope};
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use super::value::Value;
 use crate::LARGEST_ANGLE;
 use crate::shown::{self, quoted};
@@ -29,15 +29,15 @@ impl<'a> Table<'a> {
             let message = format!("{} where a table is expected", value.node.describe());
             return Err(value.error(message).with_help(keys.help));
         };
+        let kinds = keys.kinds.as_ref();
+        let kind = kinds.and_then(|k| k.get(value.text_of(k.key).or(k.default)?));
         let table = Self {
             place: value.place,
             scope: value.scope,
             entries,
             keys,
         };
-        // Keys of other kinds are not suggested; `only` refuses them.
-        let kinds = keys.kinds.as_ref();
-        let kind = kinds.and_then(|k| k.get(value_text(entries, k.key).or(k.default)?));
+        // Keys of other kinds are not suggested; `only_of` refuses them.
         match entries.keys().find(|key| keys.get(key).is_none()) {
             Some(key) => Err(table.unknown(key, &keys.names(kind))),
             None => Ok(table),
@@ -49,19 +49,18 @@ impl<'a> Table<'a> {
         let Some(kinds) = &self.keys.kinds else {
             return Err(ModelError::new(&self.place, "a table without kinds"));
         };
-        let name = self.text(kinds.key)?.or(kinds.default);
-        let name = name.ok_or_else(|| self.missing(kinds.key))?;
-        kinds.get(name).ok_or_else(|| {
-            let message = format!("unknown {} {}", kinds.what, quoted(name));
-            let names = || kinds.all.iter().map(|kind| kind.name);
-            let default = (kinds.default).map(|kind| format!(", or leave it out for {kind}"));
-            let all = || {
-                let names = names().collect::<Vec<_>>().join(", ");
-                format!("give one of {names}{}", default.unwrap_or_default())
-            };
-            self.error(kinds.key, message)
-                .with_help(nearest(name, names()).map_or_else(all, did_you_mean))
-        })
+        let all: Vec<(&str, &Kind)> = kinds.all.iter().map(|kind| (kind.name, kind)).collect();
+        let names: Vec<&str> = all.iter().map(|kind| kind.0).collect();
+        let default = kinds
+            .default
+            .map(|name| format!(", or leave it out for {name}"));
+        let help = format!(
+            "give one of {}{}",
+            names.join(", "),
+            default.unwrap_or_default()
+        );
+        let kind = self.choice(kinds.key, kinds.what, &all, &help)?;
+        self.needed(kinds.key, kind.or_else(|| kinds.get(kinds.default?)))
     }
 
     /// A key of the table that one of this kind does not use: it would be taken for a statement about it.
@@ -92,30 +91,25 @@ impl<'a> Table<'a> {
     fn unknown(&self, key: &str, names: &[&str]) -> ModelError {
         let message = format!("unknown key {}", quoted(key));
         let all = || format!("the keys here are {}", names.join(", "));
-        self.error_at_key(key, message)
-            .with_help(nearest(key, names.iter().copied()).map_or_else(all, did_you_mean))
+        let help = did_you_mean(key, names.iter().copied(), all);
+        self.error_at_key(key, message).with_help(help)
     }
 
     /// The value of a key.
     pub(super) fn get(&self, key: &str) -> Option<Value<'a>> {
-        debug_assert!(
-            self.keys.get(key).is_some(),
-            "`{key}` is no key of the table"
-        );
-        let node = self.entries.get(key)?;
-        Some(Value {
-            node,
-            place: self.place.key(key),
-            scope: self.scope,
-        })
+        let node = self.node(key)?;
+        let place = self.place.key(key);
+        let scope = self.scope;
+        Some(Value { node, place, scope })
     }
 
     pub(super) fn has(&self, key: &str) -> bool {
-        debug_assert!(
-            self.keys.get(key).is_some(),
-            "`{key}` is no key of the table"
-        );
-        self.entries.contains_key(key)
+        self.node(key).is_some()
+    }
+
+    fn node(&self, key: &str) -> Option<&'a Node> {
+        debug_assert!(self.keys.get(key).is_some(), "no key {key} is known");
+        self.entries.get(key)
     }
 
     /// The tables of a list, in two brackets each, read one by one by their numbers.
@@ -181,6 +175,28 @@ impl<'a> Table<'a> {
             Some(other) => {
                 let help = format!("write text in quotes: {key} = \"...\"");
                 Err(self.wrong(key, other, "text", &help))
+            }
+        }
+    }
+
+    /// What a text means, which is one of these; `help` says what there is, where it is none.
+    pub(super) fn choice<T: Copy>(
+        &self,
+        key: &str,
+        what: &str,
+        all: &[(&str, T)],
+        help: &str,
+    ) -> Result<Option<T>> {
+        let Some(text) = self.text(key)? else {
+            return Ok(None);
+        };
+        match all.iter().find(|one| one.0 == text) {
+            Some(one) => Ok(Some(one.1)),
+            None => {
+                let names = all.iter().map(|one| one.0);
+                let help = did_you_mean(text, names, || help.to_owned());
+                let message = format!("unknown {what} {}", quoted(text));
+                Err(self.error(key, message).with_help(help))
             }
         }
     }
@@ -333,21 +349,4 @@ impl<'a> Table<'a> {
             )
             .with_help("give the smaller bound first"))
     }
-
-    fn node(&self, key: &str) -> Option<&'a Node> {
-        debug_assert!(
-            self.keys.get(key).is_some(),
-            "`{key}` is no key of the table"
-        );
-        self.entries.get(key)
-    }
-}
-
-/// The text of a key that has one.
-fn value_text<'a>(entries: &'a BTreeMap<String, Node>, key: &str) -> Option<&'a str> {
-    entries.get(key)?.text()
-}
-
-fn did_you_mean(name: &str) -> String {
-    format!("did you mean `{name}`?")
 }

@@ -6,7 +6,7 @@ use super::fit::Fit;
 use super::keys::{Key, Keys};
 use super::node::Node;
 use super::scope::Result;
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use super::table::Table;
 use super::value::Value;
 use crate::shown::{self, quoted};
@@ -339,10 +339,7 @@ fn distribution(table: &Table<'_>) -> Result<Option<Distribution>> {
                 other => {
                     let message = format!("unknown distribution {}", quoted(other));
                     let error = value.error(message);
-                    return Err(match nearest(other, NAMES) {
-                        Some(meant) => error.with_help(format!("did you mean `{meant}`?")),
-                        None => error.with_help(HELP),
-                    });
+                    return Err(error.with_help(did_you_mean(other, NAMES, || HELP.to_owned())));
                 }
             },
             (node, Some(rows)) => {

@@ -7,7 +7,6 @@ use super::pair::two_parts;
 use super::quantity::{Coordinate, Dimension, Happening, MotionQuantity, Subject};
 use crate::model::relations::part_index;
 use crate::model::scope::Result;
-use crate::model::suggest::nearest;
 use crate::model::table::Table;
 use crate::shown::quoted;
 
@@ -31,17 +30,11 @@ pub(super) fn read_motion(
 }
 
 fn event(table: &Table<'_>, mechanism: &Mechanism) -> Result<MotionQuantity> {
-    let name = table.needed("event", table.text("event")?)?;
-    let names = || Happening::ALL.iter().map(|h| h.0);
-    let Some(&(_, happens)) = Happening::ALL.iter().find(|h| h.0 == name) else {
-        let error = table.error("event", format!("unknown event {}", quoted(name)));
-        return Err(error.with_help(match nearest(name, names()) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("the events are {}", names().collect::<Vec<_>>().join(", ")),
-        }));
-    };
+    let names = Happening::ALL.map(|h| h.0).join(", ");
+    let help = format!("the events are {names}");
+    let happens = table.choice("event", "event", &Happening::ALL, &help)?;
     Ok(MotionQuantity::Event {
-        happens,
+        happens: table.needed("event", happens)?,
         parts: two_parts(table, mechanism)?,
         number: table.count("number")?.unwrap_or(1),
     })

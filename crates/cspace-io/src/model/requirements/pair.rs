@@ -9,7 +9,6 @@ use crate::model::node::Node;
 use crate::model::relations::part_index;
 use crate::model::scope::Result;
 use crate::model::table::Table;
-use crate::shown::quoted;
 
 /// The quantity of a kind.
 pub(super) fn read_pair(
@@ -101,13 +100,9 @@ fn is_upper(table: &Table<'_>, space: &Space) -> Result<bool> {
         );
         return Err(error.with_help("measure the play, or the position where a motion touches"));
     }
-    match table.text("end")? {
-        None | Some("upper") => Ok(true),
-        Some("lower") => Ok(false),
-        Some(other) => Err(table
-            .error("end", format!("unknown end {}", quoted(other)))
-            .with_help("give end = \"lower\" or end = \"upper\"")),
-    }
+    let ends = [("upper", true), ("lower", false)];
+    let help = "give end = \"lower\" or end = \"upper\"";
+    Ok(table.choice("end", "end", &ends, help)?.unwrap_or(true))
 }
 
 /// The pair that is named, or the model's only one.

@@ -13,6 +13,7 @@ use crate::model::table::Table;
 use crate::model::value::Value;
 use crate::shown::quoted;
 
+#[rustfmt::skip]
 pub(in crate::model) const PLANAR: Keys = Keys::new(
     "give the coordinates x, y, theta, such as at = { x = 0 }",
     &[
@@ -22,19 +23,12 @@ pub(in crate::model) const PLANAR: Keys = Keys::new(
     ],
 );
 
+#[rustfmt::skip]
 pub(in crate::model) const AXES: Keys = Keys::new(
     "give the coordinates u, v, such as at = { u = 0 }",
     &[
-        Key::new(
-            "u",
-            "angle_rate",
-            "The motion of the fixed part on its axis.",
-        ),
-        Key::new(
-            "v",
-            "angle_rate",
-            "The motion of the moving part on its axis.",
-        ),
+        Key::new("u", "angle_rate", "The motion of the fixed part on its axis."),
+        Key::new("v", "angle_rate", "The motion of the moving part on its axis."),
     ],
 );
 
