@@ -10,7 +10,7 @@ use super::place::Place;
 use super::scope::{Entry, Result, Scope, Varied, in_text};
 use super::suggest::did_you_mean;
 use super::table::Table;
-use super::tolerance::{Distribution, PARAMETER, Position, Tolerance, Written};
+use super::tolerance::{Distribution, Nominal, PARAMETER, Position, Tolerance};
 use super::value::Value;
 use crate::angle::parse_angle;
 use crate::shown::quoted;
@@ -118,26 +118,21 @@ pub(super) struct Parameters {
     pub(super) scope: Scope,
 }
 
-/// Source of a parameter's value.
-#[derive(Clone, Copy)]
-enum Given<'a> {
-    Value(f64),
-    Text(&'a str),
+/// A parameter as it is written, before it has a value.
+struct Written<'a> {
+    place: Place,
+    value: Given<'a>,
+    /// The value in place of the file's, if there is one.
+    setting: Option<&'a Setting>,
+    /// Whether the file has a text, whatever the value is set to.
+    is_text: bool,
+    tolerance: Option<(Table<'a>, Tolerance)>,
 }
 
-impl<'a> Given<'a> {
-    fn new(value: &Value<'a>) -> Result<Self> {
-        if let Some(text) = value.node.text() {
-            return Ok(Self::Text(text));
-        }
-        let number = value.number()?.filter(|x: &f64| x.is_finite());
-        number.map(Self::Value).ok_or_else(|| {
-            let found = value.node.describe();
-            let message = format!("{found} where a number or an expression is expected");
-            let help = "give it as pin = 6.0, pin = \"2*gap\" or pin = { value = 6.0, tol = 0.02 }";
-            value.error(message).with_help(help)
-        })
-    }
+/// Source of a parameter's value.
+enum Given<'a> {
+    Value(f64),
+    Text(&'a str, Expression),
 }
 
 impl Parameters {
@@ -150,7 +145,6 @@ impl Parameters {
         variation: Option<&Variation<'_>>,
         unit: Option<Unit>,
     ) -> Result<Self> {
-        const HELP: &str = "give parameters as [parameter] with lines such as pin = 6.0";
         let mut this = Self::default();
         let Some(node) = node else {
             return match set.first() {
@@ -163,11 +157,10 @@ impl Parameters {
             };
         };
         let Node::Table(entries) = node else {
-            let message = format!(
-                "{} where a table of parameters is expected",
-                node.describe()
-            );
-            return Err(ModelError::new(place, message).with_help(HELP));
+            let found = node.describe();
+            let message = format!("{found} where a table of parameters is expected");
+            return Err(ModelError::new(place, message)
+                .with_help("give parameters as [parameter] with lines such as pin = 6.0"));
         };
         if entries.len() > MOST {
             let message = format!("{} parameters, more than {MOST}", entries.len());
@@ -176,128 +169,145 @@ impl Parameters {
             );
         }
         for (i, name) in (0u32..).zip(entries.keys()) {
-            let key = || {
-                place
-                    .key(name)
-                    .itself()
-                    .called(format!("parameter {}", quoted(name)))
-            };
-            if !is_name(name) {
-                let help =
-                    "use letters, digits and underscores, and no digit first, such as pin_diameter";
-                return Err(
-                    ModelError::new(&key(), "the name cannot be used in expressions")
-                        .with_help(help),
-                );
-            }
-            if is_taken(name) {
-                let message = "the name is that of a function or a constant";
-                return Err(ModelError::new(&key(), message).with_help("choose another name"));
-            }
+            can_be_named(name).map_err(|(message, help)| {
+                let key = place.key(name).itself();
+                let key = key.called(format!("parameter {}", quoted(name)));
+                ModelError::new(&key, message).with_help(help)
+            })?;
             this.scope.numbers.insert(name.clone(), i);
         }
         if let Some(setting) = set.iter().find(|s| !entries.contains_key(&s.name)) {
-            let message = format!(
-                "there is no parameter {}, which is set",
-                quoted(&setting.name)
-            );
+            let name = quoted(&setting.name);
+            let message = format!("there is no parameter {name}, which is set");
             let names = entries.keys().map(String::as_str);
             let all = || format!("the parameters are {}", listed(entries.keys()));
             let help = did_you_mean(&setting.name, names, all);
             return Err(ModelError::new(place, message).with_help(help));
         }
+        this.scope.uses.get_mut().resize(entries.len(), Vec::new());
         let literal = Scope::literal();
-        let mut expressions = Vec::with_capacity(entries.len());
-        let mut tolerances = Vec::new();
-        for (i, (name, node)) in entries.iter().enumerate() {
+        let mut written = Vec::with_capacity(entries.len());
+        for (name, node) in entries.iter() {
             let value = Value {
                 node,
                 place: (place.key(name)).called(format!("parameter {}", quoted(name))),
                 scope: &literal,
             };
             let setting = set.iter().rev().find(|s| s.name == *name);
-            let (value, tolerance) = match node {
-                Node::Table(_) => {
-                    let table = Table::new(value, &PARAMETER)?;
-                    let value = table.needed("value", table.get("value"))?;
-                    let tolerance = Tolerance::read(&table)?;
-                    (value, Some((table, tolerance)))
-                }
-                _ => (value, None),
-            };
-            let given = Given::new(&value)?;
-            // As the file writes it, whatever it is set to.
-            let (is_text, is_angle) = match given {
-                Given::Text(text) => (true, parse_angle(text).is_some()),
-                Given::Value(_) => (false, false),
-            };
-            let given = setting.map_or(given, |setting| Given::Text(&setting.value));
-            let mut parameter = Parameter {
-                name: name.clone(),
-                value: f64::NAN,
-                expression: None,
-                is_angle,
-                is_set: setting.is_some(),
-                deviations: None,
-                has_limits: false,
-                distribution: None,
-                position: None,
-                used_by: Vec::new(),
-            };
-            let expression = match given {
-                Given::Value(value) => {
-                    parameter.value = value;
-                    None
-                }
-                Given::Text(text) => {
-                    let parsed = (this.scope.parse(text))
-                        .map_err(|w| in_given(&value.place, text, &w, setting))?;
-                    if setting.is_none() && parsed.names().next().is_some() {
-                        parameter.expression = Some(text.to_owned());
-                    }
-                    Some(parsed)
-                }
-            };
-            this.scope.values.push(parameter.value);
-            if let Some(variation) = variation {
-                let (value, moves) = variation.of(name, parameter.value);
-                this.scope.varied.push(value);
-                this.scope.moves.push(moves);
-            }
-            this.needs
-                .push(expression.iter().flat_map(Expression::names).collect());
-            this.all.push(parameter);
-            expressions.push((value.place, given, setting, expression));
-            tolerances.extend(tolerance.map(|(table, t)| (i, table, t, is_text)));
+            written.push(this.add(name, value, setting)?);
         }
-        this.scope.uses.get_mut().resize(entries.len(), Vec::new());
-        for i in this.order(|i| &expressions[i as usize].0)? {
-            let (place, given, setting, expression) = &expressions[i as usize];
-            if let (Some(expression), Given::Text(text)) = (expression, given) {
-                let wrong = |w| in_given(place, text, &w, *setting);
-                let scope = &mut this.scope;
-                let value = expression.evaluate(&scope.values).map_err(wrong)?;
-                scope.values[i as usize] = value;
-                let parameter = &mut this.all[i as usize];
-                parameter.value = value;
-                if let Some(variation) = variation {
-                    let moves = expression.names().any(|n| scope.moves[n as usize]);
-                    scope.moves[i as usize] |= moves;
-                    // The deviations it depends on, and its own.
-                    let (own, _) = variation.of(&parameter.name, 0.0);
-                    let from = if moves {
-                        expression.evaluate(&scope.varied).map_err(wrong)?
-                    } else {
-                        Dual::constant(value)
-                    };
-                    scope.varied[i as usize] = from + own;
-                }
+        this.evaluate(&written, variation)?;
+        for (i, written) in written.iter().enumerate() {
+            if let Some((table, tolerance)) = &written.tolerance {
+                this.tolerate(i, table, tolerance, written.is_text, unit)?;
             }
-        }
-        for (i, table, tolerance, is_text) in tolerances {
-            this.tolerate(i, &table, tolerance, is_text, unit)?;
         }
         Ok(this)
+    }
+
+    /// Adds a parameter, which has no value yet.
+    fn add<'a>(
+        &mut self,
+        name: &str,
+        value: Value<'a>,
+        setting: Option<&'a Setting>,
+    ) -> Result<Written<'a>> {
+        let (value, tolerance) = match value.node {
+            Node::Table(_) => {
+                let table = Table::new(value, &PARAMETER)?;
+                let value = table.needed("value", table.get("value"))?;
+                let tolerance = Tolerance::read(&table)?;
+                (value, Some((table, tolerance)))
+            }
+            _ => (value, None),
+        };
+        let number = value.number::<f64>()?.filter(|x| x.is_finite());
+        let text = value.node.text();
+        if text.is_none() && number.is_none() {
+            let found = value.node.describe();
+            let message = format!("{found} where a number or an expression is expected");
+            let help = "give it as pin = 6.0, pin = \"2*gap\" or pin = { value = 6.0, tol = 0.02 }";
+            return Err(value.error(message).with_help(help));
+        }
+        let given = match (setting.map(|s| s.value.as_str()).or(text), number) {
+            (Some(text), _) => {
+                let parsed = self.scope.parse(text);
+                let parsed = parsed.map_err(|w| in_given(&value.place, text, &w, setting))?;
+                Given::Text(text, parsed)
+            }
+            (None, number) => Given::Value(number.unwrap_or(f64::NAN)),
+        };
+        let needs: Vec<u32> = match &given {
+            Given::Text(_, expression) => expression.names().collect(),
+            Given::Value(_) => Vec::new(),
+        };
+        let is_expression = setting.is_none() && !needs.is_empty();
+        self.all.push(Parameter {
+            name: name.to_owned(),
+            value: f64::NAN,
+            expression: text.filter(|_| is_expression).map(str::to_owned),
+            is_angle: text.and_then(parse_angle).is_some(),
+            is_set: setting.is_some(),
+            deviations: None,
+            has_limits: false,
+            distribution: None,
+            position: None,
+            used_by: Vec::new(),
+        });
+        self.needs.push(needs);
+        Ok(Written {
+            place: value.place,
+            value: given,
+            setting,
+            is_text: text.is_some(),
+            tolerance,
+        })
+    }
+
+    /// Gives each parameter its value, after those that it depends on.
+    fn evaluate(
+        &mut self,
+        written: &[Written<'_>],
+        variation: Option<&Variation<'_>>,
+    ) -> Result<()> {
+        let order = self.order(|i| &written[i as usize].place)?;
+        let scope = &mut self.scope;
+        scope.values = vec![f64::NAN; written.len()];
+        if variation.is_some() {
+            scope.varied = vec![Varied::constant(0.0); written.len()];
+            scope.moves = vec![false; written.len()];
+        }
+        for i in order.into_iter().map(|i| i as usize) {
+            let written = &written[i];
+            let parameter = &mut self.all[i];
+            let wrong = |text: &str, w| in_given(&written.place, text, &w, written.setting);
+            let value = match &written.value {
+                Given::Value(value) => *value,
+                Given::Text(text, expression) => {
+                    (expression.evaluate(&scope.values)).map_err(|w| wrong(text, w))?
+                }
+            };
+            scope.values[i] = value;
+            parameter.value = value;
+            let Some(variation) = variation else { continue };
+            let moves = self.needs[i].iter().any(|&n| scope.moves[n as usize]);
+            let (varied, is_varied) = match &written.value {
+                Given::Value(value) => variation.of(&parameter.name, *value),
+                Given::Text(text, expression) => {
+                    // Its own deviation, and those of what it depends on.
+                    let (own, is_varied) = variation.of(&parameter.name, 0.0);
+                    let from = if moves {
+                        (expression.evaluate(&scope.varied)).map_err(|w| wrong(text, w))?
+                    } else {
+                        Varied::constant(value)
+                    };
+                    (from + own, is_varied)
+                }
+            };
+            scope.varied[i] = varied;
+            scope.moves[i] = moves || is_varied;
+        }
+        Ok(())
     }
 
     /// Gives a parameter its tolerance.
@@ -305,21 +315,19 @@ impl Parameters {
         &mut self,
         i: usize,
         table: &Table<'_>,
-        tolerance: Tolerance,
+        tolerance: &Tolerance,
         is_text: bool,
         unit: Option<Unit>,
     ) -> Result<()> {
         let parameter = &self.all[i];
-        let deviations = tolerance.deviations(
-            table,
-            Written {
-                value: parameter.value,
-                is_set: parameter.is_set,
-                may_be_angle: is_text,
-                is_angle: parameter.is_angle,
-                unit,
-            },
-        )?;
+        let nominal = Nominal {
+            value: parameter.value,
+            is_set: parameter.is_set,
+            may_be_angle: is_text,
+            is_angle: parameter.is_angle,
+            unit,
+        };
+        let deviations = tolerance.deviations(table, nominal)?;
         if let Some(Position { with, .. }) = &tolerance.position {
             let help = "name the parameter that is the other coordinate, which has no tolerance of its own";
             let error = |message: &str| Err(table.error("with", message).with_help(help));
@@ -337,8 +345,8 @@ impl Parameters {
         let parameter = &mut self.all[i];
         parameter.deviations = deviations;
         parameter.has_limits = tolerance.has_limits();
-        parameter.distribution = tolerance.distribution;
-        parameter.position = tolerance.position;
+        parameter.distribution = tolerance.distribution.clone();
+        parameter.position = tolerance.position.clone();
         Ok(())
     }
 
@@ -432,6 +440,19 @@ fn in_given(place: &Place, text: &str, wrong: &Wrong, setting: Option<&Setting>)
             ModelError::new(place, message).with_help(wrong.help.as_str())
         }
     }
+}
+
+/// Checks that expressions can have a name; else what is wrong, and what to do.
+fn can_be_named(name: &str) -> core::result::Result<(), (&'static str, &'static str)> {
+    if !is_name(name) {
+        let help = "use letters, digits and underscores, and no digit first, such as pin_diameter";
+        return Err(("the name cannot be used in expressions", help));
+    }
+    if is_taken(name) {
+        let message = "the name is that of a function or a constant";
+        return Err((message, "choose another name"));
+    }
+    Ok(())
 }
 
 /// Names with commas between, the first of them where they are many.

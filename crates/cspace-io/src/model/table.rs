@@ -179,7 +179,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// What a text means, which is one of these; `help` says what there is, where it is none.
+    /// Meaning of a text that is one of these; `help` says what there is, where it is none.
     pub(super) fn choice<T: Copy>(
         &self,
         key: &str,

@@ -113,7 +113,7 @@ impl Tolerance {
     }
 
     /// Largest deviations of the parameter below and above its value.
-    pub(super) fn deviations(&self, table: &Table<'_>, of: Written) -> Result<Option<(f64, f64)>> {
+    pub(super) fn deviations(&self, table: &Table<'_>, of: Nominal) -> Result<Option<(f64, f64)>> {
         let value = of.value;
         if let Some(key) = self.angle.filter(|_| !of.may_be_angle) {
             let message = format!(
@@ -150,9 +150,9 @@ impl Tolerance {
     }
 }
 
-/// Value of a parameter, as read.
+/// Value of a parameter, about which its tolerance is.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Written {
+pub(super) struct Nominal {
     pub(super) value: f64,
     /// Whether it was set from outside, in place of the value in the file.
     pub(super) is_set: bool,
@@ -174,7 +174,7 @@ pub(super) const LARGEST: f64 = 1e12;
 const ROUNDING: f64 = 1e-12;
 
 /// The deviations of a tolerance class, in the model's unit.
-fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
+fn of_fit(fit: &Fit, table: &Table<'_>, of: Nominal) -> Result<(f64, f64)> {
     if of.is_angle {
         let error = table.error(
             "tol",
