@@ -1,8 +1,9 @@
 //! File format of mechanisms: parts, motions, joints, pairs, and dynamics, in TOML or JSON.
 //!
 //! A file is read in three steps, each of which reports errors as a [`ModelError`]: bytes become text, text becomes a
-//! tree of values, the tree becomes a [`Mechanism`](cspace_mechanism::Mechanism). `docs/model.md` in the project's repository
-//! describes the format, [`schema()`] is its schema.
+//! tree of values, the tree becomes a [`Mechanism`](cspace_mechanism::Mechanism). An expression is evaluated where a number is
+//! read, so that no name is taken for one. `docs/model.md` in the project's repository describes the format, [`schema()`] is its
+//! schema.
 
 mod drawings;
 mod dynamics;

@@ -25,7 +25,7 @@ pub(super) const PART: Keys = Keys::new(
     "a part is a table with keys such as name = \"pawl\" and loops = [ [[x, y, bulge], [x, y], ...], ... ]",
     &[
         Key::new("name", "part_name", "The part's name, unlike that of any other part.").needed("name = \"pawl\""),
-        Key::new("loops", "loops", "The outline: closed loops, in either direction. Material is what an odd number of them enclose.").like("loops = [ [[x, y, bulge], [x, y], ...], ... ]"),
+        Key::new("loops", "loops", "The outline: closed loops, in either direction. Material is what an odd number of them enclose.").like(LOOPS),
         Key::new("dxf", "dxf", "A DXF file that shows the outline, relative to the model's file."),
         Key::new("svg", "svg", "An SVG file that shows the outline, relative to the model's file."),
         Key::new("points", "csv", "A CSV file of points around the part, relative to the model's file: the columns x and y."),

@@ -96,18 +96,20 @@ fn outline(part: &Value<'_>) -> Result<Vec<Vec<Vertex<Varied>>>> {
     let Some(loops) = part.get("loops").filter(|loops| has_text(loops.node)) else {
         return Ok(Vec::new());
     };
-    let Node::List(items) = loops.node else {
-        return Ok(Vec::new());
-    };
-    let (outlines, moves) = part.scope.moves_in(|| {
-        let mut outlines = Vec::with_capacity(items.len());
+    // Enclosures of what does not vary might be too wide to draw by, for nothing.
+    let (_, moves) = part.scope.moves_in(|| drawn::<f64>(&loops))?;
+    if moves { drawn(&loops) } else { Ok(Vec::new()) }
+}
+
+fn drawn<T: Scalar>(loops: &Value<'_>) -> Result<Vec<Vec<Vertex<T>>>> {
+    let mut outlines = Vec::new();
+    if let Node::List(items) = loops.node {
         for (i, node) in items.iter().enumerate() {
-            let drawn = read_loops::<Varied>(&loops.place, i, node, part.scope)?;
+            let drawn = read_loops(&loops.place, i, node, loops.scope)?;
             outlines.extend(drawn.into_iter().map(|l| l.vertices));
         }
-        Ok(outlines)
-    })?;
-    Ok(if moves { outlines } else { Vec::new() })
+    }
+    Ok(outlines)
 }
 
 fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {

@@ -243,14 +243,15 @@ impl<'a> Table<'a> {
 
     /// A finite number.
     pub(super) fn number<T: Scalar>(&self, key: &str) -> Result<Option<T>> {
-        let Some(value) = self.get(key) else {
+        let Some(node) = self.node(key) else {
             return Ok(None);
         };
-        match value.number()?.filter(|x: &T| x.value().is_finite()) {
+        let number = self.scope.number(node, || self.place.key(key))?.map(T::of);
+        match number.filter(|x| x.value().is_finite()) {
             Some(x) => Ok(Some(x)),
             None => {
                 let help = format!("give it as {key} = 2.5");
-                Err(self.wrong(key, value.node, "a finite number", &help))
+                Err(self.wrong(key, node, "a finite number", &help))
             }
         }
     }
@@ -269,11 +270,15 @@ impl<'a> Table<'a> {
 
     /// A place, by two finite numbers.
     pub(super) fn point<T: Scalar>(&self, key: &str) -> Result<Option<Point<T>>> {
-        let Some(value) = self.get(key) else {
+        let Some(node) = self.node(key) else {
             return Ok(None);
         };
-        let numbers = match value.items().as_deref() {
-            Some([x, y]) => x.number::<T>()?.zip(y.number::<T>()?),
+        let number = |i: usize, node| {
+            let place = || self.place.key(key).item(i);
+            Ok(self.scope.number(node, place)?.map(T::of))
+        };
+        let numbers = match node {
+            Node::List(l) if l.len() == 2 => number(0, &l[0])?.zip(number(1, &l[1])?),
             _ => None,
         };
         match numbers {
@@ -282,8 +287,7 @@ impl<'a> Table<'a> {
             }
             _ => {
                 let help = format!("give it as {key} = [1.5, -2]");
-                let expected = "a pair of finite numbers [x, y]";
-                Err(self.wrong(key, value.node, expected, &help))
+                Err(self.wrong(key, node, "a pair of finite numbers [x, y]", &help))
             }
         }
     }

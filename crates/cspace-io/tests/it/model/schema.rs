@@ -23,6 +23,19 @@ fn the_published_schema_has_the_keys_of_the_reader() {
     let [made, published]: [Value; 2] =
         [made, published].map(|text| serde_json::from_str(&text).unwrap());
     assert_eq!(published, made, "write it anew by CSPACE_DOCS=write");
+    references_resolve(&made, &made);
+}
+
+/// Every definition that is named is there.
+fn references_resolve(value: &Value, schema: &Value) {
+    if let Some(Value::String(name)) = value.get("$ref") {
+        assert!(schema.pointer(&name[1..]).is_some(), "{name}");
+    }
+    match value {
+        Value::Object(entries) => entries.values().for_each(|v| references_resolve(v, schema)),
+        Value::Array(items) => items.iter().for_each(|v| references_resolve(v, schema)),
+        _ => {}
+    }
 }
 
 fn models(folder: &Path) -> Vec<PathBuf> {
