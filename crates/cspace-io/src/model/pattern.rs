@@ -177,8 +177,10 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
+type Map<T> = fn(Point<T>) -> Point<T>;
+
 /// Reflections of points, by the axis through the origin.
-fn reflections<T: Scalar>() -> [(&'static str, fn(Point<T>) -> Point<T>); 2] {
+fn reflections<T: Scalar>() -> [(&'static str, Map<T>); 2] {
     [
         ("x", |p| Point::new(p.x, -p.y)),
         ("y", |p| Point::new(-p.x, p.y)),
@@ -196,10 +198,7 @@ struct Corner<T> {
 /// A path and its mirror image, travelled back. `None` if the path has no vertex to begin with.
 ///
 /// Mirroring and travelling back each exchange left and right: bulges and directions of arcs stay.
-fn mirrored<T: Scalar>(
-    path: &[Entry<T>],
-    flip: fn(Point<T>) -> Point<T>,
-) -> Option<Vec<(bool, Entry<T>)>> {
+fn mirrored<T: Scalar>(path: &[Entry<T>], flip: Map<T>) -> Option<Vec<(bool, Entry<T>)>> {
     let zero = T::constant(0.0);
     let mut corners: Vec<Corner<T>> = Vec::with_capacity(path.len());
     for entry in path {
