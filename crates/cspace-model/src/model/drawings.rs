@@ -7,26 +7,18 @@ use cspace_drawing::{Color, Conversion, DrawingError, Pick, Settings, Source};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::table::{Result, Table, number};
+use super::scope::Result;
+use super::table::Table;
+use super::value::Value;
 use crate::file::Host;
 use crate::shown::quoted;
 
 /// Access to the drawings that a model names, with the host for which they are read.
 #[derive(Clone, Copy)]
-pub(crate) struct Files<'a> {
+pub(super) struct Files<'a> {
     /// The folder that the names of drawings are relative to.
     pub(super) folder: &'a Path,
     pub(super) host: &'a Host<'a>,
-}
-
-impl<'a> Files<'a> {
-    /// Drawings relative to the folder of a file.
-    pub(crate) fn beside(file: &'a str, host: &'a Host<'a>) -> Self {
-        Self {
-            folder: Path::new(file).parent().unwrap_or(Path::new("")),
-            host,
-        }
-    }
 }
 
 /// Settings of a model that hold for all of its parts.
@@ -42,37 +34,39 @@ pub(super) struct Setting<'a> {
 /// Keys of a part that name a file with its outline.
 pub(super) const DRAWINGS: [&str; 3] = ["dxf", "svg", "points"];
 
+/// Keys that go with drawings, and of what drawings.
+pub(super) const OF_DRAWINGS: [(&str, &[&str]); 11] = [
+    ("layer", &["dxf"]),
+    ("id", &["svg"]),
+    ("linetype", &["dxf"]),
+    ("color", &["dxf", "svg"]),
+    ("without_sheet", &["dxf", "svg"]),
+    ("hatches", &["dxf"]),
+    ("pick", &["dxf", "svg"]),
+    ("trace", &["dxf", "svg"]),
+    ("scale", &["dxf", "svg", "points"]),
+    ("join", &["dxf", "svg"]),
+    ("fit", &["dxf", "svg", "points"]),
+];
+
 /// The key that names a drawing; none of a part with loops. A part has one outline, and keys that go with it.
 pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
     let given: Vec<&'static str> = (["loops"].into_iter())
         .chain(DRAWINGS)
-        .filter(|key| table.get(key).is_some())
+        .filter(|key| table.has(key))
         .collect();
     if let [first, second, ..] = given[..] {
         let message = format!("both `{first}` and `{second}` are given");
-        let error = ModelError::new(&table.place.key(second).itself(), message);
+        let error = table.error_at_key(second, message);
         return Err(error.with_help(format!(
             "a part has one outline: keep `{first}` or `{second}`, and remove the other"
         )));
     }
     let source = given.first().copied().filter(|key| *key != "loops");
-    let drawings: &[(&str, &[&str])] = &[
-        ("layer", &["dxf"]),
-        ("id", &["svg"]),
-        ("linetype", &["dxf"]),
-        ("color", &["dxf", "svg"]),
-        ("without_sheet", &["dxf", "svg"]),
-        ("hatches", &["dxf"]),
-        ("pick", &["dxf", "svg"]),
-        ("trace", &["dxf", "svg"]),
-        ("scale", &["dxf", "svg", "points"]),
-        ("join", &["dxf", "svg"]),
-        ("fit", &["dxf", "svg", "points"]),
-    ];
-    for (key, of) in drawings {
-        if table.get(key).is_some() && !source.is_some_and(|s| of.contains(&s)) {
+    for (key, of) in OF_DRAWINGS {
+        if table.has(key) && !source.is_some_and(|s| of.contains(&s)) {
             let message = format!("`{key}` is given without a drawing that it is of");
-            let error = ModelError::new(&table.place.key(key).itself(), message);
+            let error = table.error_at_key(key, message);
             return Err(error.with_help(format!("it goes with {}: remove `{key}`", words(of))));
         }
     }
@@ -178,32 +172,30 @@ pub(super) fn read_drawing(
 
 /// The faces that the part is made of: a point in each.
 fn picks(table: &Table<'_>) -> Result<Vec<Pick>> {
-    let Some(node) = table.get("pick") else {
+    let Some(value) = table.get("pick") else {
         return Ok(Vec::new());
     };
-    let point = |node: &Node| match node {
-        Node::List(pair) if pair.len() == 2 => {
-            let [x, y] = [number(&pair[0])?, number(&pair[1])?];
-            Some(Point::new(x, y)).filter(|p| p.is_finite())
-        }
-        _ => None,
+    let wrong = || {
+        let help = "give a point in each face, such as pick = [[12.5, -3]]";
+        table.wrong("pick", value.node, "a list of points [x, y]", help)
     };
-    let at = match node {
-        Node::List(points) if !points.is_empty() => points.iter().map(point).collect(),
-        _ => None,
+    let points = value.items().filter(|points| !points.is_empty());
+    let point = |point: Value<'_>| {
+        let numbers = match point.items().as_deref() {
+            Some([x, y]) => x.number()?.zip(y.number()?),
+            _ => None,
+        };
+        let point = numbers.map(|(x, y)| Point::new(x, y));
+        point.filter(|p| p.is_finite()).ok_or_else(wrong)
     };
-    match at {
-        Some(at) => Ok(vec![Pick { name: None, at }]),
-        None => {
-            let help = "give a point in each face, such as pick = [[12.5, -3]]";
-            Err(table.wrong("pick", node, "a list of points [x, y]", help))
-        }
-    }
+    let points = points.ok_or_else(wrong)?.into_iter();
+    let at = points.map(point).collect::<Result<_>>()?;
+    Ok(vec![Pick { name: None, at }])
 }
 
 /// The texts of a key: one, or a list.
 fn texts(table: &Table<'_>, key: &str, example: &str) -> Result<Vec<String>> {
-    match table.get(key) {
+    match table.get(key).map(|value| value.node) {
         Some(Node::List(list)) => (list.iter())
             .map(|node| match node {
                 Node::Text(text) => Ok(text.to_string()),

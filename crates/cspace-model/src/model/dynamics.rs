@@ -4,9 +4,8 @@ use cspace::Vector;
 
 use super::error::ModelError;
 use super::forces::{read_drives, read_loads, read_springs};
-use super::node::Node;
-use super::place::Place;
-use super::table::{Result, Table};
+use super::scope::Result;
+use super::table::Table;
 use crate::mechanism::{
     Dynamics, DynamicsError, DynamicsItem, Mechanism, PairSurface, PartDynamics,
 };
@@ -24,34 +23,19 @@ pub(super) fn read_dynamics(
         parts.pop();
     }
     let entries = &mechanism.parts;
-    let (place, list) = item_lists(table)?;
-    let [drives, loads, springs] = list;
-    let gravity = table.point("gravity")?.unwrap_or_default();
+    let gravity = table.point::<f64>("gravity")?.unwrap_or_default();
     let dynamics = Dynamics {
-        gravity: Vector::new(gravity.0, gravity.1),
+        gravity: Vector::new(gravity.x, gravity.y),
         friction: table.number("friction")?.unwrap_or_default(),
         restitution: table.number("restitution")?.unwrap_or_default(),
         parts,
         pairs,
-        drives: read_drives(&place[0], drives, entries)?,
-        loads: read_loads(&place[1], loads, entries)?,
-        springs: read_springs(&place[2], springs, entries)?,
+        drives: read_drives(table, entries)?,
+        loads: read_loads(table, entries)?,
+        springs: read_springs(table, entries)?,
     };
     (dynamics.check(mechanism)).map_err(|e| in_the_file(table, mechanism, &e))?;
     Ok(dynamics)
-}
-
-type Lists<'a> = ([Place; 3], [&'a [Node]; 3]);
-
-/// The items of drives, loads and springs, and where they are.
-fn item_lists<'a>(table: &Table<'a>) -> Result<Lists<'a>> {
-    const KEYS: [&str; 3] = ["drive", "load", "spring"];
-    let mut lists: [&[Node]; 3] = [&[]; 3];
-    for (list, key) in lists.iter_mut().zip(KEYS) {
-        let help = format!("write each {key} as [[{key}]], in two brackets");
-        *list = table.list(key, &help)?.unwrap_or_default();
-    }
-    Ok((KEYS.map(|key| table.place.key(key)), lists))
 }
 
 /// Error for values that can be read but are invalid, at their key in the file.

@@ -4,14 +4,30 @@ use cspace::part::{ArcSize, Direction, OutlineBuilder};
 use cspace::{Point, Vertex};
 
 use super::error::ModelError;
+use super::keys::{Key, Keys};
 use super::node::Node;
 use super::place::Place;
-use super::suggest::nearest;
-use super::table::{Result, Scalar, Table, number};
-use crate::shown::quoted;
+use super::scope::{Result, Scalar, Scope};
+use super::table::Table;
+use super::value::Value;
 
 /// Help text that lists the entries of a loop.
 pub(super) const ENTRIES: &str = "an entry of a loop is a vertex [x, y] or [x, y, bulge], an arc { arc_to = [x, y], radius = r }, a rounded corner { fillet = r }, or a pattern { repeat = 20, about = [0, 0], path = [...] }";
+
+#[rustfmt::skip]
+pub(super) const ENTRY: Keys = Keys::new(
+    ENTRIES,
+    &[
+        Key::new("arc_to", "point", "Where an arc ends that begins at the vertex before: a new vertex. With one of radius, through and center.").like("arc_to = [1.5, -2]"),
+        Key::new("radius", "positive", "The arc's radius, at least half the distance of its ends."),
+        Key::new("through", "point", "A point of the arc between its ends.").like("through = [1.5, -2]"),
+        Key::new("center", "point", "The arc's centre, equally far from both ends.").like("center = [1.5, -2]"),
+        Key::new("direction", "ccw|cw", "Which way an arc of a radius or about a centre turns: counter-clockwise, the default, or clockwise."),
+        Key::new("large", "bool", "Whether an arc of a radius is the one of more than half a turn. Default: false."),
+        Key::new("at", "point", "A vertex that a line leads to.").like("at = [1.5, -2]"),
+        Key::new("fillet", "positive", "The radius of an arc that rounds the corner, tangent to both its edges: at this entry's vertex, or without one at the vertex before."),
+    ],
+);
 
 /// Parsed entry of a loop.
 #[derive(Debug, Clone, Copy)]
@@ -50,94 +66,88 @@ impl<T: Scalar> Arc<T> {
 
 /// The entry in a value; `siblings` is the loop it is in.
 pub(super) fn read_entry<T: Scalar>(
-    place: Place,
     node: &Node,
+    place: impl Fn() -> Place,
+    scope: &Scope,
     siblings: &[Node],
 ) -> Result<Entry<T>> {
     if matches!(node, Node::Table(_)) {
-        return read_table(place, node);
+        let place = place();
+        return read_table(Value { node, place, scope });
     }
-    match read_vertex(node) {
-        Ok(vertex) => Ok(Entry::Vertex(vertex)),
-        Err(message) => Err(ModelError::new(&place, message).with_help(vertex_help(siblings))),
-    }
+    read_vertex(node, place, scope, siblings).map(Entry::Vertex)
 }
 
 /// A loop that is written where the list of loops belongs is a slip easily made.
-fn vertex_help(siblings: &[Node]) -> &'static str {
-    if siblings.iter().all(|v| number(v).is_some()) {
+fn vertex_help(siblings: &[Node], scope: &Scope) -> &'static str {
+    let is_number = |n: &Node| matches!(scope.number(n, Place::default), Ok(Some(_)));
+    if siblings.iter().all(is_number) {
         "a vertex is [x, y] or [x, y, bulge], a loop a list of vertices, and `loops` a list of loops: is a pair of brackets missing?"
     } else {
         "a vertex is [x, y] or [x, y, bulge]"
     }
 }
 
-pub(super) fn read_vertex<T: Scalar>(node: &Node) -> core::result::Result<Vertex<T>, String> {
+/// The vertex in a value. There may be a million: only where one is wrong its place is asked for.
+pub(super) fn read_vertex<T: Scalar>(
+    node: &Node,
+    place: impl Fn() -> Place,
+    scope: &Scope,
+    siblings: &[Node],
+) -> Result<Vertex<T>> {
+    let wrong = |message: String| {
+        ModelError::new(&place(), message).with_help(vertex_help(siblings, scope))
+    };
     let numbers = match node {
         Node::List(numbers) if (2..=3).contains(&numbers.len()) => numbers,
-        _ => return Err(format!("{} where a vertex is expected", node.describe())),
+        _ => {
+            let found = node.describe();
+            return Err(wrong(format!("{found} where a vertex is expected")));
+        }
     };
     let mut read = [T::constant(0.0); 3];
-    for (to, from) in read.iter_mut().zip(numbers) {
-        *to = T::read(from)
-            .ok_or_else(|| format!("{} where a number is expected", from.describe()))?;
+    for (i, (to, from)) in read.iter_mut().zip(numbers).enumerate() {
+        let number = scope.number(from, || place().item(i))?;
+        *to = T::of(number.ok_or_else(|| {
+            let found = from.describe();
+            wrong(format!("{found} where a number is expected"))
+        })?);
     }
     if let Some(bad) = read.iter().map(|x| x.value()).find(|x| !x.is_finite()) {
-        return Err(format!("{bad} is no finite number"));
+        return Err(wrong(format!("{bad} is no finite number")));
     }
     Ok(Vertex::new(read[0], read[1], read[2]))
 }
 
-fn read_table<T: Scalar>(place: Place, node: &Node) -> Result<Entry<T>> {
-    const KEYS: [&str; 8] = [
-        "arc_to",
-        "radius",
-        "through",
-        "center",
-        "direction",
-        "large",
-        "at",
-        "fillet",
-    ];
-    if let Node::Table(entries) = node
-        && entries.contains_key("circle")
-    {
+fn read_table<T: Scalar>(value: Value<'_>) -> Result<Entry<T>> {
+    if let Some(circle) = value.get("circle") {
         let message = "a circle among the vertices of a loop";
-        return Err(
-            ModelError::new(&place.key("circle").itself(), message).with_help(
-                "a circle is a loop of its own: loops = [ [...], { circle = r, at = [x, y] } ]",
-            ),
-        );
+        return Err(ModelError::new(&circle.place.itself(), message).with_help(
+            "a circle is a loop of its own: loops = [ [...], { circle = r, at = [x, y] } ]",
+        ));
     }
-    let table = Table::new(node, place.clone(), &KEYS, ENTRIES)?;
-    let only = |keys: &[&str], what: &str| {
-        let help = format!("{what} has the keys {}", keys.join(", "));
-        Table::new(node, place.clone(), keys, &help).map_err(|e| e.with_help(help.as_str()))
-    };
-    if table.get("arc_to").is_some() {
-        let (table, arc) = match the_one(&table, ["radius", "through", "center"])? {
+    let table = Table::new(value, &ENTRY)?;
+    if table.has("arc_to") {
+        let arc = match the_one(&table, ["radius", "through", "center"])? {
             "radius" => {
                 let keys = ["arc_to", "radius", "direction", "large", "fillet"];
-                let table = only(&keys, "an arc of a radius")?;
+                table.only(&keys, "an arc of a radius")?;
                 let size = if table.flag("large")? {
                     ArcSize::Long
                 } else {
                     ArcSize::Short
                 };
                 let radius = table.number("radius")?.unwrap_or(T::constant(0.0));
-                let arc = Arc::Radius(radius, direction(&table)?, size);
-                (table, arc)
+                Arc::Radius(radius, direction(&table)?, size)
             }
             "through" => {
-                let table = only(&["arc_to", "through", "fillet"], "an arc through a point")?;
-                let through = point(&table, "through")?;
-                (table, Arc::Through(through))
+                table.only(&["arc_to", "through", "fillet"], "an arc through a point")?;
+                Arc::Through(point(&table, "through")?)
             }
             _ => {
                 let keys = ["arc_to", "center", "direction", "fillet"];
-                let table = only(&keys, "an arc about a centre")?;
-                let arc = Arc::Center(point(&table, "center")?, direction(&table)?);
-                (table, arc)
+                table.only(&keys, "an arc about a centre")?;
+                Arc::Center(point(&table, "center")?, direction(&table)?)
             }
         };
         return Ok(Entry::To {
@@ -147,8 +157,8 @@ fn read_table<T: Scalar>(place: Place, node: &Node) -> Result<Entry<T>> {
             bulge: T::constant(0.0),
         });
     }
-    if table.get("at").is_some() {
-        let table = only(&["at", "fillet"], "a vertex in braces")?;
+    if table.has("at") {
+        table.only(&["at", "fillet"], "a vertex in braces")?;
         return Ok(Entry::To {
             to: point(&table, "at")?,
             arc: None,
@@ -159,24 +169,22 @@ fn read_table<T: Scalar>(place: Place, node: &Node) -> Result<Entry<T>> {
     // Anything else that belongs to an arc lacks where the arc ends.
     if let Some(key) = ["radius", "through", "center", "direction", "large"]
         .into_iter()
-        .find(|key| table.get(key).is_some())
+        .find(|key| table.has(key))
     {
         let message = format!("`{key}` is given without `arc_to`");
-        return Err(ModelError::new(&place.key(key).itself(), message).with_help(
+        return Err(table.error_at_key(key, message).with_help(
             "say where the arc ends: { arc_to = [x, y], radius = r }, or with through = [x, y] or center = [x, y]",
         ));
     }
     match table.number("fillet")? {
         Some(radius) => Ok(Entry::Fillet(radius)),
-        None => Err(ModelError::new(&place, "an empty table").with_help(ENTRIES)),
+        None => Err(ModelError::new(&table.place, "an empty table").with_help(ENTRIES)),
     }
 }
 
 /// The one of three keys that is given.
 fn the_one(table: &Table<'_>, keys: [&'static str; 3]) -> Result<&'static str> {
-    let given: Vec<&str> = (keys.into_iter())
-        .filter(|key| table.get(key).is_some())
-        .collect();
+    let given: Vec<&str> = (keys.into_iter()).filter(|key| table.has(key)).collect();
     match given[..] {
         [one] => Ok(one),
         [] => Err(
@@ -185,32 +193,24 @@ fn the_one(table: &Table<'_>, keys: [&'static str; 3]) -> Result<&'static str> {
         ),
         [first, second, ..] => {
             let message = format!("both `{first}` and `{second}` are given");
-            Err(
-                ModelError::new(&table.place.key(second).itself(), message).with_help(format!(
-                    "one of them says what arc it is: keep `{first}` or `{second}`, and remove the other"
-                )),
-            )
+            Err(table.error_at_key(second, message).with_help(format!(
+                "one of them says what arc it is: keep `{first}` or `{second}`, and remove the other"
+            )))
         }
     }
 }
 
 fn point<T: Scalar>(table: &Table<'_>, key: &str) -> Result<Point<T>> {
-    (table.place_at(key)?).ok_or_else(|| table.missing(key, &format!("{key} = [1.5, -2]")))
+    table.needed(key, table.point(key)?)
 }
 
 /// Direction of an arc; counter-clockwise by default.
 fn direction(table: &Table<'_>) -> Result<Direction> {
-    const NAMES: [&str; 2] = ["ccw", "cw"];
-    match table.text("direction")? {
-        None | Some("ccw") => Ok(Direction::CounterClockwise),
-        Some("cw") => Ok(Direction::Clockwise),
-        Some(other) => {
-            let error = table.error("direction", format!("unknown direction {}", quoted(other)));
-            Err(error.with_help(match nearest(other, NAMES) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "give direction = \"ccw\" for counter-clockwise or \"cw\" for clockwise"
-                    .to_owned(),
-            }))
-        }
-    }
+    const HELP: &str = "give direction = \"ccw\" for counter-clockwise or \"cw\" for clockwise";
+    const ALL: [(&str, Direction); 2] = [
+        ("ccw", Direction::CounterClockwise),
+        ("cw", Direction::Clockwise),
+    ];
+    let direction = table.choice("direction", "direction", &ALL, HELP)?;
+    Ok(direction.unwrap_or(Direction::CounterClockwise))
 }

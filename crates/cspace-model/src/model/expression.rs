@@ -7,7 +7,7 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::Real;
 
-use super::suggest::nearest;
+use super::suggest::did_you_mean;
 use crate::shown::quoted;
 
 /// The longest expression, in characters.
@@ -88,9 +88,15 @@ const CONSTANTS: [(&str, f64); 5] = [
     ("turn", TAU),
 ];
 
+/// The names of all constants and functions.
+pub(super) fn taken_names() -> impl Iterator<Item = &'static str> {
+    let constants = CONSTANTS.iter().map(|c| c.0);
+    Function::ALL.iter().map(|f| f.0).chain(constants)
+}
+
 /// Whether a name is that of a function or a constant.
 pub(super) fn is_taken(name: &str) -> bool {
-    constant(name).is_some() || function(name).is_some()
+    taken_names().any(|taken| taken == name)
 }
 
 /// Whether a name can be written in an expression: letters, digits and underscores, no digit first.
@@ -155,12 +161,10 @@ impl Expression {
             ));
         }
         let unknown = |name: &str| {
-            let functions = Function::ALL.iter().map(|f| f.0);
-            let known = names().chain(functions).chain(CONSTANTS.map(|c| c.0));
-            nearest(name, known).map_or_else(
-                || "add it to [parameter], or write a number".to_owned(),
-                |meant| format!("did you mean `{meant}`?"),
-            )
+            let known = names().chain(taken_names().map(|name| -> &'n str { name }));
+            did_you_mean(name, known, || {
+                "add it to [parameter], or write a number".to_owned()
+            })
         };
         let mut parser = Parser {
             chars: &chars,

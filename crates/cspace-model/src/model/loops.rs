@@ -3,12 +3,41 @@
 use cspace::part::{OutlineBuilder, OutlineError, circle_loop};
 use cspace::{Point, Vertex};
 
-use super::entry::{ENTRIES, Entry, read_entry, read_vertex};
+use super::entry::{ENTRIES, Entry, read_vertex};
 use super::error::ModelError;
+use super::keys::{Key, Keys};
 use super::node::Node;
 use super::pattern::{Item, Pattern, written_out};
 use super::place::Place;
-use super::table::{Result, Scalar, Table};
+use super::scope::{Result, Scalar, Scope};
+use super::table::Table;
+use super::value::Value;
+
+/// How often a loop is repeated.
+const REPEATED: Key = Key::new(
+    "pattern",
+    "pattern",
+    "How often the loop is repeated, turned about a point by equal parts of a turn.",
+);
+
+#[rustfmt::skip]
+pub(super) const CIRCLE: Keys = Keys::new(
+    "a circle is { circle = r, at = [x, y] }",
+    &[
+        Key::new("circle", "positive", "The radius.").like("circle = 2.5, the radius"),
+        Key::new("at", "point", "The centre.").like("at = [0, 0], the centre"),
+        REPEATED,
+    ],
+);
+
+/// How loops in braces are written.
+const BRACES: &str = "a loop in braces is { circle = r, at = [x, y] } or { path = [...] }, with pattern = { count = 6, about = [0, 0] }";
+
+#[rustfmt::skip]
+pub(super) const PATH: Keys = Keys::new(
+    BRACES,
+    &[Key::new("path", "entries", "The entries."), REPEATED],
+);
 
 /// The vertices of a loop.
 #[derive(Clone)]
@@ -33,23 +62,27 @@ pub(super) fn read_loops<T: Scalar>(
     loops: &Place,
     index: usize,
     node: &Node,
+    scope: &Scope,
 ) -> Result<Vec<DrawnLoop<T>>> {
     let place = || loops.item(index).further(&format!("loop {index}"));
+    let value = || Value {
+        node,
+        place: place(),
+        scope,
+    };
     match node {
         Node::List(nodes) if nodes.iter().any(|n| matches!(n, Node::Table(_))) => {
-            Sketch::new(place()).draw(nodes).map(|drawn| vec![drawn])
+            let drawn = Sketch::new(place()).draw(nodes, scope)?;
+            Ok(vec![drawn])
         }
-        Node::List(nodes) => read_vertices(place, nodes).map(|drawn| vec![drawn]),
-        Node::Table(entries) => {
-            let help = "a loop in braces is { circle = r, at = [x, y] } or { path = [...] }, with pattern = { count = 6, about = [0, 0] }";
-            if entries.contains_key("path") {
-                let table = Table::new(node, place(), &["path", "pattern"], help)?;
-                let path = table.list("path", help)?.unwrap_or_default();
-                let drawn = Sketch::new(table.place.key("path")).draw(path)?;
-                return repeated(&table, drawn);
-            }
-            read_circle(place(), node)
+        Node::List(nodes) => Ok(vec![read_vertices(place, nodes, scope)?]),
+        Node::Table(entries) if entries.contains_key("path") => {
+            let table = Table::new(value(), &PATH)?;
+            let path = table.nodes("path", BRACES)?.unwrap_or_default();
+            let drawn = Sketch::new(table.place.key("path")).draw(path, scope)?;
+            repeated(&table, drawn)
         }
+        Node::Table(_) => read_circle(value()),
         _ => {
             let message = format!("{} where a list of vertices is expected", node.describe());
             Err(ModelError::new(&place(), message)
@@ -72,38 +105,35 @@ fn repeated<T: Scalar>(table: &Table<'_>, drawn: DrawnLoop<T>) -> Result<Vec<Dra
     Ok(copies.into_iter().map(copy).collect())
 }
 
-/// Reads a loop of vertices alone, of which there may be a million.
-fn read_vertices<T: Scalar>(place: impl Fn() -> Place, nodes: &[Node]) -> Result<DrawnLoop<T>> {
-    let mut vertices = Vec::with_capacity(nodes.len());
-    for (i, node) in nodes.iter().enumerate() {
-        match read_vertex(node) {
-            Ok(vertex) => vertices.push(vertex),
-            Err(_) => {
-                let place = place().item(i).further(&format!("vertex {i}"));
-                read_entry::<T>(place, node, nodes)?;
-            }
-        }
-    }
+/// Reads a loop of vertices alone.
+fn read_vertices<T: Scalar>(
+    place: impl Fn() -> Place,
+    nodes: &[Node],
+    scope: &Scope,
+) -> Result<DrawnLoop<T>> {
+    let vertex = |(i, node)| {
+        let place = || place().item(i).further(&format!("vertex {i}"));
+        read_vertex(node, place, scope, nodes)
+    };
     Ok(DrawnLoop {
-        vertices,
+        vertices: nodes
+            .iter()
+            .enumerate()
+            .map(vertex)
+            .collect::<Result<_>>()?,
         entries: None,
     })
 }
 
-fn read_circle<T: Scalar>(place: Place, node: &Node) -> Result<Vec<DrawnLoop<T>>> {
-    const HELP: &str = "a circle is { circle = r, at = [x, y] }";
-    let table = Table::new(node, place, &["circle", "at", "pattern"], HELP).map_err(|e| match e.help() {
+fn read_circle<T: Scalar>(value: Value<'_>) -> Result<Vec<DrawnLoop<T>>> {
+    let table = Table::new(value, &CIRCLE).map_err(|e| match e.help() {
         Some(help) if help.starts_with("did you mean") => e,
         _ => e.with_help(
             "a loop in braces is a circle, { circle = r, at = [x, y] }; arcs and fillets are entries of a loop in brackets: is a pair of brackets missing?",
         ),
     })?;
-    let radius: T = table
-        .number("circle")?
-        .ok_or_else(|| table.missing("circle", "circle = 2.5, the radius"))?;
-    let center: Point<T> = table
-        .place_at("at")?
-        .ok_or_else(|| table.missing("at", "at = [0, 0], the centre"))?;
+    let radius: T = table.needed("circle", table.number("circle")?)?;
+    let center: Point<T> = table.needed("at", table.point("at")?)?;
     let vertices = circle_loop(center, radius).map_err(|_| {
         let error = table.error("circle", format!("the radius is {:?}", radius.value()));
         error.with_help("give a positive number")
@@ -145,7 +175,7 @@ impl<T: Scalar> Sketch<T> {
         }
     }
 
-    fn draw(mut self, nodes: &[Node]) -> Result<DrawnLoop<T>> {
+    fn draw(mut self, nodes: &[Node], scope: &Scope) -> Result<DrawnLoop<T>> {
         let name = |n: &Node| {
             if matches!(n, Node::Table(_)) {
                 "entry"
@@ -154,7 +184,7 @@ impl<T: Scalar> Sketch<T> {
             }
         };
         self.names = nodes.iter().map(name).collect();
-        for Item { entry, from } in written_out(nodes, &|i| self.at(i))? {
+        for Item { entry, from } in written_out(nodes, &|i| self.at(i), scope)? {
             self.pen = Some(self.add(from, &entry)?);
         }
         let Some(mut pen) = self.pen.take() else {

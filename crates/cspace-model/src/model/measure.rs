@@ -2,10 +2,8 @@
 
 use cspace::{Axis, AxisMotion};
 
-use super::error::ModelError;
-use super::node::Node;
-use super::place::Place;
-use super::table::{Result, angle_of, number};
+use super::scope::Result;
+use super::value::Value;
 use crate::LARGEST_ANGLE;
 use crate::shown;
 
@@ -54,48 +52,45 @@ impl Measure {
         }
     }
 
-    /// The value at a place, which belongs to a key.
-    pub(super) fn read(self, place: &Place, key: &str, node: &Node) -> Result<f64> {
-        let value = match self {
-            Self::Number => number(node),
-            Self::Angle | Self::AngleRate => angle_of(node),
+    /// The number in the value of a key, or in a part of it.
+    pub(super) fn read(self, key: &str, value: &Value<'_>) -> Result<f64> {
+        let read = match self {
+            Self::Number => value.number()?,
+            Self::Angle | Self::AngleRate => value.angle()?,
         };
-        let Some(value) = value.filter(|x| x.is_finite()) else {
-            let (found, expected) = (node.describe(), self.expected());
+        let Some(number) = read.filter(|x| x.is_finite()) else {
+            let (found, expected) = (value.node.describe(), self.expected());
             let message = format!("`{key}` has {found} where {expected} is expected");
             let help = format!("write it as {}", self.example());
-            return Err(ModelError::new(place, message).with_help(help));
+            return Err(value.error(message).with_help(help));
         };
-        if self == Self::Angle && value.abs() > LARGEST_ANGLE {
+        if self == Self::Angle && number.abs() > LARGEST_ANGLE {
             let message = format!(
                 "`{key}` has the angle {} rad, more than {LARGEST_ANGLE:e} rad from 0",
-                shown::number(value)
+                shown::number(number)
             );
-            return Err(ModelError::new(place, message).with_help("take off whole turns"));
+            return Err(value.error(message).with_help("take off whole turns"));
         }
-        Ok(value)
+        Ok(number)
     }
 }
 
-/// Values of a list, each of its own measure; `help` is how the list is written.
+/// Numbers of a list, each of its own measure; `help` is how the list is written.
 pub(super) fn read_list<const N: usize>(
-    place: &Place,
     key: &str,
-    node: &Node,
+    value: &Value<'_>,
     measures: [Measure; N],
     help: &str,
 ) -> Result<[f64; N]> {
-    let items = match node {
-        Node::List(items) if items.len() == N => items,
-        _ => {
-            let found = node.describe();
-            let message = format!("`{key}` has {found} where a list of {N} numbers is expected");
-            return Err(ModelError::new(place, message).with_help(help));
-        }
+    let items = value.items().filter(|items| items.len() == N);
+    let Some(items) = items else {
+        let found = value.node.describe();
+        let message = format!("`{key}` has {found} where a list of {N} numbers is expected");
+        return Err(value.error(message).with_help(help));
     };
-    let mut values = [0.0; N];
-    for (i, (value, measure)) in values.iter_mut().zip(measures).enumerate() {
-        *value = measure.read(&place.item(i), key, &items[i])?;
+    let mut numbers = [0.0; N];
+    for ((number, measure), item) in numbers.iter_mut().zip(measures).zip(&items) {
+        *number = measure.read(key, item)?;
     }
-    Ok(values)
+    Ok(numbers)
 }

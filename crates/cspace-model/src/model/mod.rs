@@ -1,8 +1,9 @@
 //! File format of mechanisms: parts, motions, joints, pairs, and dynamics, in TOML or JSON.
 //!
 //! A file is read in three steps, each of which reports errors as a [`ModelError`]: bytes become text, text becomes a
-//! tree of values, the tree becomes a [`Mechanism`](crate::mechanism::Mechanism). `docs/model.md` in the project's repository
-//! describes the format, `docs/model.schema.json` is its schema.
+//! tree of values, the tree becomes a [`Mechanism`](crate::mechanism::Mechanism). An expression is evaluated where a number is
+//! read, so that no name is taken for one. `docs/model.md` in the project's repository describes the format, [`schema()`] is its
+//! schema.
 
 mod drawings;
 mod dynamics;
@@ -11,6 +12,7 @@ mod error;
 mod expression;
 mod fit;
 mod forces;
+mod keys;
 mod locate;
 mod loops;
 mod measure;
@@ -26,30 +28,33 @@ mod profile;
 mod read;
 mod relations;
 mod requirements;
+mod schema;
+mod scope;
 mod slips;
 mod slopes;
 mod snap;
 mod suggest;
 mod table;
+mod template;
 mod to_json;
 mod to_toml;
 mod tolerance;
 mod toml_dynamics;
 mod toml_values;
+mod value;
 
-pub(crate) use read::no_json;
-
-pub(crate) use drawings::Files;
 pub use error::ModelError;
 pub use parameters::{Parameter, Setting};
-pub use read::{MOST_PARTS, Model, Template, from_json, from_toml, read};
-pub(crate) use read::{from_text, json_in, read_hosted, toml_in};
+pub use read::{MOST_PARTS, Model};
 pub use requirements::{
     Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
 };
+pub use schema::schema;
 pub use slips::{Slip, slips};
 pub use slopes::{PartSlopes, RequirementSlopes, Slopes};
 pub use snap::{Snapped, snap};
+pub use template::{Template, from_json, from_toml, read};
+pub(crate) use template::{from_text, in_text, no_json, read_hosted};
 pub use to_json::to_json;
 pub use to_toml::to_toml;
 pub use tolerance::{Distribution, Position};

@@ -5,21 +5,22 @@ use cspace::{Edge, Part, PartError};
 
 use super::error::ModelError;
 use super::node::Node;
-use super::place::Place;
-use super::table::Result;
+use super::scope::Result;
+use super::value::Value;
 use crate::shown::quoted;
 
 /// Help text on how to give a name.
 const HELP: &str = "give it as names = { \"line 3 of loop 0\" = \"tip\" }: what is printed, and what it is to be called";
 
 /// The part with the names that a file gives its edges and vertices.
-pub(super) fn with_names(mut part: Part, place: &Place, node: &Node) -> Result<Part> {
-    let Node::Table(entries) = node else {
-        let message = format!("{} where a table of names is expected", node.describe());
-        return Err(ModelError::new(place, message).with_help(HELP));
+pub(super) fn with_names(mut part: Part, names: &Value<'_>) -> Result<Part> {
+    let Node::Table(entries) = names.node else {
+        let found = names.node.describe();
+        let message = format!("{found} where a table of names is expected");
+        return Err(names.error(message).with_help(HELP));
     };
     for (text, name) in entries.iter() {
-        let at = || place.key(text).itself();
+        let at = || names.place.key(text).itself();
         let wrong =
             |message: String, help: &str| Err(ModelError::new(&at(), message).with_help(help));
         let Node::Text(name) = name else {

@@ -3,8 +3,6 @@
 use std::collections::{BTreeMap, btree_map::Entry};
 use std::fmt;
 
-use cspace::{Ball, Dual};
-
 use crate::shown::{self, quoted};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 
@@ -18,8 +16,6 @@ pub(super) enum Node {
     Bool(bool),
     Integer(i64),
     Number(f64),
-    /// A number that depends on the parameter by which the model is differentiated.
-    Varied(Box<Dual<1, Ball>>),
     Text(Box<str>),
     Date,
     List(Box<[Node]>),
@@ -29,13 +25,28 @@ pub(super) enum Node {
 }
 
 impl Node {
+    /// The value of a key, of a table that has it.
+    pub(super) fn get(&self, key: &str) -> Option<&Self> {
+        match self {
+            Self::Table(entries) => entries.get(key),
+            _ => None,
+        }
+    }
+
+    /// The text, of a text.
+    pub(super) fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
     /// Description of the value, for a message.
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Null => "null".into(),
             Self::Bool(b) => format!("`{b}`"),
             Self::Integer(i) => format!("the number {i}"),
-            Self::Varied(x) => format!("the number {}", shown::number(x.value.mid)),
             Self::Number(x) => format!("the number {}", shown::number(*x)),
             Self::Text(t) => format!("the text {}", quoted(t)),
             Self::Date => "a date".into(),

@@ -6,106 +6,81 @@ use super::error::ModelError;
 use super::loops::{DrawnLoop, read_loops};
 use super::node::Node;
 use super::place::Place;
-use super::table::Result;
+use super::scope::{Result, Scope};
 
 /// The part of a name whose loops are these values.
-pub(super) fn read_outline(name: &str, place: &Place, nodes: &[Node]) -> Result<Part> {
+pub(super) fn read_outline(
+    name: &str,
+    place: &Place,
+    nodes: &[Node],
+    scope: &Scope,
+) -> Result<Part> {
     let mut loops: Vec<(usize, DrawnLoop)> = Vec::with_capacity(nodes.len());
     for (i, node) in nodes.iter().enumerate() {
-        loops.extend(read_loops(place, i, node)?.into_iter().map(|l| (i, l)));
+        loops.extend(
+            read_loops(place, i, node, scope)?
+                .into_iter()
+                .map(|l| (i, l)),
+        );
     }
     let vertices = loops
         .iter_mut()
         .map(|l| core::mem::take(&mut l.1.vertices))
         .collect();
-    Part::new(name, vertices).map_err(|e| no_part(place, &in_entries(e, &loops)))
+    Part::new(name, vertices).map_err(|e| no_part(place, in_entries(e, &loops)))
 }
 
 /// The error, with loops, vertices and edges counted as the entries of the file are; the loops come each with its number in the file.
 fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
-    let entry = |l: &mut usize, v: &mut usize| {
-        if let Some((number, of)) = loops.get(*l) {
-            *v = of.entry(*v);
-            *l = *number;
+    for (loop_index, vertices) in places(&mut error).into_iter().flatten() {
+        if let Some((number, drawn)) = loops.get(*loop_index) {
+            for vertex in vertices.into_iter().flatten() {
+                *vertex = drawn.entry(*vertex);
+            }
+            *loop_index = *number;
         }
-    };
-    match &mut error {
-        PartError::CoincidentVertices {
-            loop_index,
-            vertex_index,
-            next_index,
-        } => {
-            let mut same = *loop_index;
-            entry(&mut same, next_index);
-            entry(loop_index, vertex_index);
-        }
-        PartError::BadCoordinate {
-            loop_index,
-            vertex_index,
-        }
-        | PartError::CoordinateTooLarge {
-            loop_index,
-            vertex_index,
-        }
-        | PartError::BadBulge {
-            loop_index,
-            vertex_index,
-            ..
-        }
-        | PartError::Spike {
-            loop_index,
-            vertex_index,
-        } => entry(loop_index, vertex_index),
-        PartError::Crossing {
-            loop_index,
-            edge_index,
-            other_loop,
-            other_edge,
-            ..
-        }
-        | PartError::Touching {
-            loop_index,
-            edge_index,
-            other_loop,
-            other_edge,
-            ..
-        } => {
-            entry(loop_index, edge_index);
-            entry(other_loop, other_edge);
-        }
-        PartError::TooFewVertices { loop_index, .. } => entry(loop_index, &mut 0),
-        PartError::RepeatedLoop {
-            loop_index,
-            other_loop,
-        } => {
-            entry(loop_index, &mut 0);
-            entry(other_loop, &mut 0);
-        }
-        _ => {}
     }
     error
 }
 
 /// Error for invalid loops, at the loop and vertex concerned.
-fn no_part(loops: &Place, error: &PartError) -> ModelError {
-    let place = match place_in_loops(error) {
-        (None, _) => loops.clone(),
-        (Some(l), None) => loops.item(l),
-        (Some(l), Some(v)) => loops.item(l).item(v),
-    };
+fn no_part(loops: &Place, mut error: PartError) -> ModelError {
     // Every message about a part ends in what to do, after its last colon.
     let text = error.to_string();
+    let [first, _] = places(&mut error);
+    let place = match first {
+        None => loops.clone(),
+        Some((l, [None, _])) => loops.item(*l),
+        Some((l, [Some(v), _])) => loops.item(*l).item(*v),
+    };
     match text.rsplit_once(": ") {
         Some((what, help)) => ModelError::new(&place, what).with_help(help),
         None => ModelError::new(&place, text),
     }
 }
 
-/// The loop and vertex an error is about.
-fn place_in_loops(error: &PartError) -> (Option<usize>, Option<usize>) {
-    match *error {
-        PartError::TooFewVertices { loop_index, .. } => (Some(loop_index), None),
-        PartError::RepeatedLoop { other_loop, .. } => (Some(other_loop), None),
+/// A loop of an error, and vertices or edges of it.
+type InLoop<'e> = (&'e mut usize, [Option<&'e mut usize>; 2]);
+
+/// The places that an error is about, that at which it is told first.
+fn places(error: &mut PartError) -> [Option<InLoop<'_>>; 2] {
+    match error {
+        PartError::TooFewVertices { loop_index, .. } => [Some((loop_index, [None, None])), None],
+        PartError::RepeatedLoop {
+            loop_index,
+            other_loop,
+        } => [
+            Some((other_loop, [None, None])),
+            Some((loop_index, [None, None])),
+        ],
+        PartError::CoincidentVertices {
+            loop_index,
+            vertex_index,
+            next_index,
+        } => [
+            Some((loop_index, [Some(vertex_index), Some(next_index)])),
+            None,
+        ],
         PartError::BadCoordinate {
             loop_index,
             vertex_index,
@@ -119,26 +94,28 @@ fn place_in_loops(error: &PartError) -> (Option<usize>, Option<usize>) {
             vertex_index,
             ..
         }
-        | PartError::CoincidentVertices {
-            loop_index,
-            vertex_index,
-            ..
-        }
         | PartError::Spike {
             loop_index,
             vertex_index,
-        } => (Some(loop_index), Some(vertex_index)),
+        } => [Some((loop_index, [Some(vertex_index), None])), None],
         PartError::Crossing {
             loop_index,
             edge_index,
+            other_loop,
+            other_edge,
             ..
         }
         | PartError::Touching {
             loop_index,
             edge_index,
+            other_loop,
+            other_edge,
             ..
-        } => (Some(loop_index), Some(edge_index)),
-        _ => (None, None),
+        } => [
+            Some((loop_index, [Some(edge_index), None])),
+            Some((other_loop, [Some(other_edge), None])),
+        ],
+        _ => [None, None],
     }
 }
 
@@ -208,10 +185,11 @@ mod tests {
             "give ", "replace ", "choose ", "move ", "remove ", "draw ", "split ",
         ];
         for e in errors {
-            let error = no_part(&Place::default().key("loops"), &e);
+            let text = e.to_string();
+            let error = no_part(&Place::default().key("loops"), e);
             let help = error.help().unwrap_or_default();
-            assert!(VERBS.iter().any(|v| help.starts_with(v)), "{e}");
-            assert_eq!(format!("{}: {help}", error.message()), e.to_string());
+            assert!(VERBS.iter().any(|v| help.starts_with(v)), "{text}");
+            assert_eq!(format!("{}: {help}", error.message()), text);
         }
     }
 }

@@ -1,10 +1,4 @@
-//! Parameters of a model, and expressions of them in place of its numbers.
-//!
-//! The values of `[parameter]` are evaluated in the order in which they depend on each other. Then every text of the
-//! tree that stands in place of a number is evaluated and replaced by its value, before anything else is read. A text
-//! that is no expression is left unchanged: if a number is expected there, the reader reports the error.
-
-use std::collections::HashMap;
+//! Parameters of a model: their values, in the order in which they depend on each other, and their tolerances.
 
 use cspace::{Ball, Dual, Real};
 use cspace_drawing::Unit;
@@ -12,58 +6,17 @@ use cspace_drawing::Unit;
 use super::error::ModelError;
 use super::expression::{Expression, Wrong, is_name, is_taken};
 use super::node::Node;
-use super::place::{Place, Step};
-use super::suggest::nearest;
-use super::table::{Result, Table, number};
-use super::tolerance::{Distribution, Position, Tolerance, Written};
+use super::place::Place;
+use super::scope::{Entry, Result, Scope, Varied, in_text};
+use super::suggest::did_you_mean;
+use super::table::Table;
+use super::tolerance::{Distribution, Nominal, PARAMETER, Position, Tolerance};
+use super::value::Value;
 use crate::angle::parse_angle;
-use crate::mechanism::Mechanism;
 use crate::shown::quoted;
 
 /// The most parameters of a model.
 const MOST: usize = 10_000;
-
-/// Keys whose texts are names, or wrong where true or false belongs, and never numbers.
-const TEXTS: [&str; 29] = [
-    "$schema",
-    "by",
-    "color",
-    "direction",
-    "dxf",
-    "end",
-    "equals",
-    "event",
-    "fixed",
-    "hatches",
-    "id",
-    "large",
-    "layer",
-    "linetype",
-    "measure",
-    "mirror",
-    "moving",
-    "name",
-    "of",
-    "pair",
-    "part",
-    "parts",
-    "points",
-    "split",
-    "svg",
-    "trace",
-    "without_sheet",
-    "type",
-    "unit",
-];
-
-/// Keys whose lists of texts are lists of names.
-const LISTS: [&str; 3] = ["layer", "pair", "parts"];
-
-/// Keys of the model whose values are lists of tables, beside those of parts.
-const LISTED: [&str; 6] = ["drive", "joint", "load", "pair", "requirement", "spring"];
-
-/// A table whose texts are names.
-const TABLE: &str = "names";
 
 /// A number of a model that has a name.
 #[derive(Debug, Clone, PartialEq)]
@@ -146,7 +99,7 @@ impl Variation<'_> {
     }
 
     /// A parameter by its name and value, and whether it varies.
-    fn of(&self, name: &str, value: f64) -> (Dual<1, Ball>, bool) {
+    fn of(&self, name: &str, value: f64) -> (Varied, bool) {
         let range = self.range(name);
         let is_varied = self.parameter == name;
         let value = Ball::constant(value) + range.unwrap_or(Ball::constant(0.0));
@@ -155,105 +108,31 @@ impl Variation<'_> {
     }
 }
 
-/// An expression that could not be evaluated, and where.
-pub(super) struct Failure {
-    way: Vec<Step>,
-    text: Box<str>,
-    wrong: Wrong,
-}
-
-impl Failure {
-    /// Replacement for an error, if the error is that a text stands where a number is expected.
-    pub(super) fn explains(&self, error: &ModelError) -> Option<ModelError> {
-        let place = error.tree_place();
-        // Errors of points and vertices are those of their list.
-        let beyond = self.way.strip_prefix(place.way())?;
-        if place.is_key() || beyond.len() > 1 {
-            return None;
-        }
-        let place = beyond.iter().fold(place.clone(), |place, step| match step {
-            Step::Key(key) => place.key(key),
-            Step::Item(i) => place.item(*i),
-        });
-        Some(in_text(&place, &self.text, &self.wrong))
-    }
-}
-
-/// An entry of a list of the model, or a key of the model itself.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Entry {
-    pub(super) key: String,
-    pub(super) item: Option<usize>,
-}
-
-impl Entry {
-    fn at(way: &[Step]) -> Option<Self> {
-        let (Step::Key(key), rest) = way.split_first()? else {
-            return None;
-        };
-        let item = rest.first().and_then(|step| match step {
-            Step::Item(i) => Some(*i),
-            Step::Key(_) => None,
-        });
-        Some(Self {
-            key: key.clone(),
-            item,
-        })
-    }
-
-    /// Name in messages.
-    pub(super) fn words(&self, mechanism: &Mechanism) -> String {
-        match self.item {
-            Some(i) if self.key == "part" => {
-                let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
-                format!("part {}", quoted(name))
-            }
-            Some(i) if LISTED.contains(&self.key.as_str()) => format!("{} {i}", self.key),
-            _ => self.key.clone(),
-        }
-    }
-}
-
 /// Parameters of a model, with their values.
 #[derive(Default)]
 pub(super) struct Parameters {
     all: Vec<Parameter>,
-    numbers: HashMap<String, u32>,
-    values: Vec<f64>,
-    /// Enclosures of the values over the ranges of a variation, with their derivatives by the parameter that is varied; none without one.
-    varied: Vec<Dual<1, Ball>>,
-    /// Flags of the parameters that depend on one that is varied or has a range.
-    moves: Vec<bool>,
     /// For each parameter those that its value depends on directly.
     needs: Vec<Vec<u32>>,
-    /// For each parameter the entries of the model that name it.
-    uses: Vec<Vec<Entry>>,
+    /// The values, for the numbers of the model.
+    pub(super) scope: Scope,
+}
+
+/// A parameter as it is written, before it has a value.
+struct Written<'a> {
+    place: Place,
+    value: Given<'a>,
+    /// The value in place of the file's, if there is one.
+    setting: Option<&'a Setting>,
+    /// Whether the file has a text, whatever the value is set to.
+    is_text: bool,
+    tolerance: Option<(Table<'a>, Tolerance)>,
 }
 
 /// Source of a parameter's value.
-#[derive(Clone, Copy)]
 enum Given<'a> {
     Value(f64),
-    Text(&'a str),
-}
-
-impl<'a> Given<'a> {
-    fn new(place: &Place, node: &'a Node) -> Result<Self> {
-        match node {
-            Node::Text(text) => Ok(Self::Text(text)),
-            _ => match number(node).filter(|x| x.is_finite()) {
-                Some(value) => Ok(Self::Value(value)),
-                None => {
-                    let message = format!(
-                        "{} where a number or an expression is expected",
-                        node.describe()
-                    );
-                    let help = "give it as pin = 6.0, pin = \"2*gap\" or pin = { value = 6.0, tol = 0.02 }";
-                    Err(ModelError::new(place, message).with_help(help))
-                }
-            },
-        }
-    }
+    Text(&'a str, Expression),
 }
 
 impl Parameters {
@@ -266,7 +145,6 @@ impl Parameters {
         variation: Option<&Variation<'_>>,
         unit: Option<Unit>,
     ) -> Result<Self> {
-        const HELP: &str = "give parameters as [parameter] with lines such as pin = 6.0";
         let mut this = Self::default();
         let Some(node) = node else {
             return match set.first() {
@@ -279,11 +157,10 @@ impl Parameters {
             };
         };
         let Node::Table(entries) = node else {
-            let message = format!(
-                "{} where a table of parameters is expected",
-                node.describe()
-            );
-            return Err(ModelError::new(place, message).with_help(HELP));
+            let found = node.describe();
+            let message = format!("{found} where a table of parameters is expected");
+            return Err(ModelError::new(place, message)
+                .with_help("give parameters as [parameter] with lines such as pin = 6.0"));
         };
         if entries.len() > MOST {
             let message = format!("{} parameters, more than {MOST}", entries.len());
@@ -292,134 +169,145 @@ impl Parameters {
             );
         }
         for (i, name) in (0u32..).zip(entries.keys()) {
-            let key = || {
-                place
-                    .key(name)
-                    .itself()
-                    .called(format!("parameter {}", quoted(name)))
-            };
-            if !is_name(name) {
-                let help =
-                    "use letters, digits and underscores, and no digit first, such as pin_diameter";
-                return Err(
-                    ModelError::new(&key(), "the name cannot be used in expressions")
-                        .with_help(help),
-                );
-            }
-            if is_taken(name) {
-                let message = "the name is that of a function or a constant";
-                return Err(ModelError::new(&key(), message).with_help("choose another name"));
-            }
-            this.numbers.insert(name.clone(), i);
+            can_be_named(name).map_err(|(message, help)| {
+                let key = place.key(name).itself();
+                let key = key.called(format!("parameter {}", quoted(name)));
+                ModelError::new(&key, message).with_help(help)
+            })?;
+            this.scope.numbers.insert(name.clone(), i);
         }
         if let Some(setting) = set.iter().find(|s| !entries.contains_key(&s.name)) {
-            let message = format!(
-                "there is no parameter {}, which is set",
-                quoted(&setting.name)
-            );
+            let name = quoted(&setting.name);
+            let message = format!("there is no parameter {name}, which is set");
             let names = entries.keys().map(String::as_str);
-            let help = match nearest(&setting.name, names) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the parameters are {}", listed(entries.keys())),
-            };
+            let all = || format!("the parameters are {}", listed(entries.keys()));
+            let help = did_you_mean(&setting.name, names, all);
             return Err(ModelError::new(place, message).with_help(help));
         }
-        let mut expressions = Vec::with_capacity(entries.len());
-        let mut tolerances = Vec::new();
-        for (i, (name, node)) in entries.iter().enumerate() {
-            let place = place
-                .key(name)
-                .called(format!("parameter {}", quoted(name)));
+        this.scope.uses.get_mut().resize(entries.len(), Vec::new());
+        let literal = Scope::literal();
+        let mut written = Vec::with_capacity(entries.len());
+        for (name, node) in entries.iter() {
+            let value = Value {
+                node,
+                place: (place.key(name)).called(format!("parameter {}", quoted(name))),
+                scope: &literal,
+            };
             let setting = set.iter().rev().find(|s| s.name == *name);
-            let (place, given, tolerance) = match node {
-                Node::Table(_) => {
-                    let help = "give it as { value = 6.0, tol = 0.02 }";
-                    let table = Table::new(node, place.clone(), &Tolerance::KEYS, help)?;
-                    let value = table
-                        .get("value")
-                        .ok_or_else(|| table.missing("value", "value = 6.0"))?;
-                    let place = place.key("value");
-                    let tolerance = Tolerance::read(&table)?;
-                    (
-                        place.clone(),
-                        Given::new(&place, value)?,
-                        Some((table, tolerance)),
-                    )
-                }
-                _ => (place.clone(), Given::new(&place, node)?, None),
-            };
-            // As the file writes it, whatever it is set to.
-            let (is_text, is_angle) = match given {
-                Given::Text(text) => (true, parse_angle(text).is_some()),
-                Given::Value(_) => (false, false),
-            };
-            let given = setting.map_or(given, |setting| Given::Text(&setting.value));
-            let mut parameter = Parameter {
-                name: name.clone(),
-                value: f64::NAN,
-                expression: None,
-                is_angle,
-                is_set: setting.is_some(),
-                deviations: None,
-                has_limits: false,
-                distribution: None,
-                position: None,
-                used_by: Vec::new(),
-            };
-            let expression = match given {
-                Given::Value(value) => {
-                    parameter.value = value;
-                    None
-                }
-                Given::Text(text) => {
-                    let parsed = this
-                        .parse(text)
-                        .map_err(|w| in_given(&place, text, &w, setting))?;
-                    if setting.is_none() && parsed.names().next().is_some() {
-                        parameter.expression = Some(text.to_owned());
-                    }
-                    Some(parsed)
-                }
-            };
-            this.values.push(parameter.value);
-            if let Some(variation) = variation {
-                let (value, moves) = variation.of(name, parameter.value);
-                this.varied.push(value);
-                this.moves.push(moves);
-            }
-            this.needs
-                .push(expression.iter().flat_map(Expression::names).collect());
-            this.uses.push(Vec::new());
-            this.all.push(parameter);
-            expressions.push((place, given, setting, expression));
-            tolerances.extend(tolerance.map(|(table, t)| (i, table, t, is_text)));
+            written.push(this.add(name, value, setting)?);
         }
-        for i in this.order(|i| &expressions[i as usize].0)? {
-            let (place, given, setting, expression) = &expressions[i as usize];
-            if let (Some(expression), Given::Text(text)) = (expression, given) {
-                let wrong = |w| in_given(place, text, &w, *setting);
-                let value = expression.evaluate(&this.values).map_err(wrong)?;
-                this.values[i as usize] = value;
-                let parameter = &mut this.all[i as usize];
-                parameter.value = value;
-                if let Some(variation) = variation {
-                    let moves = expression.names().any(|n| this.moves[n as usize]);
-                    this.moves[i as usize] |= moves;
-                    // The deviations it depends on, and its own.
-                    let (own, _) = variation.of(&parameter.name, 0.0);
-                    let from = if moves {
-                        expression.evaluate(&this.varied).map_err(wrong)?
-                    } else {
-                        Dual::constant(value)
-                    };
-                    this.varied[i as usize] = from + own;
-                }
+        this.evaluate(&written, variation)?;
+        for (i, written) in written.iter().enumerate() {
+            if let Some((table, tolerance)) = &written.tolerance {
+                this.tolerate(i, table, tolerance, written.is_text, unit)?;
             }
-        }
-        for (i, table, tolerance, is_text) in tolerances {
-            this.tolerate(i, &table, tolerance, is_text, unit)?;
         }
         Ok(this)
+    }
+
+    /// Adds a parameter, which has no value yet.
+    fn add<'a>(
+        &mut self,
+        name: &str,
+        value: Value<'a>,
+        setting: Option<&'a Setting>,
+    ) -> Result<Written<'a>> {
+        let (value, tolerance) = match value.node {
+            Node::Table(_) => {
+                let table = Table::new(value, &PARAMETER)?;
+                let value = table.needed("value", table.get("value"))?;
+                let tolerance = Tolerance::read(&table)?;
+                (value, Some((table, tolerance)))
+            }
+            _ => (value, None),
+        };
+        let number = value.number::<f64>()?.filter(|x| x.is_finite());
+        let text = value.node.text();
+        if text.is_none() && number.is_none() {
+            let found = value.node.describe();
+            let message = format!("{found} where a number or an expression is expected");
+            let help = "give it as pin = 6.0, pin = \"2*gap\" or pin = { value = 6.0, tol = 0.02 }";
+            return Err(value.error(message).with_help(help));
+        }
+        let given = match (setting.map(|s| s.value.as_str()).or(text), number) {
+            (Some(text), _) => {
+                let parsed = self.scope.parse(text);
+                let parsed = parsed.map_err(|w| in_given(&value.place, text, &w, setting))?;
+                Given::Text(text, parsed)
+            }
+            (None, number) => Given::Value(number.unwrap_or(f64::NAN)),
+        };
+        let needs: Vec<u32> = match &given {
+            Given::Text(_, expression) => expression.names().collect(),
+            Given::Value(_) => Vec::new(),
+        };
+        let is_expression = setting.is_none() && !needs.is_empty();
+        self.all.push(Parameter {
+            name: name.to_owned(),
+            value: f64::NAN,
+            expression: text.filter(|_| is_expression).map(str::to_owned),
+            is_angle: text.and_then(parse_angle).is_some(),
+            is_set: setting.is_some(),
+            deviations: None,
+            has_limits: false,
+            distribution: None,
+            position: None,
+            used_by: Vec::new(),
+        });
+        self.needs.push(needs);
+        Ok(Written {
+            place: value.place,
+            value: given,
+            setting,
+            is_text: text.is_some(),
+            tolerance,
+        })
+    }
+
+    /// Gives each parameter its value, after those that it depends on.
+    fn evaluate(
+        &mut self,
+        written: &[Written<'_>],
+        variation: Option<&Variation<'_>>,
+    ) -> Result<()> {
+        let order = self.order(|i| &written[i as usize].place)?;
+        let scope = &mut self.scope;
+        scope.values = vec![f64::NAN; written.len()];
+        if variation.is_some() {
+            scope.varied = vec![Varied::constant(0.0); written.len()];
+            scope.moves = vec![false; written.len()];
+        }
+        for i in order.into_iter().map(|i| i as usize) {
+            let written = &written[i];
+            let parameter = &mut self.all[i];
+            let wrong = |text: &str, w| in_given(&written.place, text, &w, written.setting);
+            let value = match &written.value {
+                Given::Value(value) => *value,
+                Given::Text(text, expression) => {
+                    (expression.evaluate(&scope.values)).map_err(|w| wrong(text, w))?
+                }
+            };
+            scope.values[i] = value;
+            parameter.value = value;
+            let Some(variation) = variation else { continue };
+            let moves = self.needs[i].iter().any(|&n| scope.moves[n as usize]);
+            let (varied, is_varied) = match &written.value {
+                Given::Value(value) => variation.of(&parameter.name, *value),
+                Given::Text(text, expression) => {
+                    // Its own deviation, and those of what it depends on.
+                    let (own, is_varied) = variation.of(&parameter.name, 0.0);
+                    let from = if moves {
+                        (expression.evaluate(&scope.varied)).map_err(|w| wrong(text, w))?
+                    } else {
+                        Varied::constant(value)
+                    };
+                    (from + own, is_varied)
+                }
+            };
+            scope.varied[i] = varied;
+            scope.moves[i] = moves || is_varied;
+        }
+        Ok(())
     }
 
     /// Gives a parameter its tolerance.
@@ -427,25 +315,23 @@ impl Parameters {
         &mut self,
         i: usize,
         table: &Table<'_>,
-        tolerance: Tolerance,
+        tolerance: &Tolerance,
         is_text: bool,
         unit: Option<Unit>,
     ) -> Result<()> {
         let parameter = &self.all[i];
-        let deviations = tolerance.deviations(
-            table,
-            Written {
-                value: parameter.value,
-                is_set: parameter.is_set,
-                may_be_angle: is_text,
-                is_angle: parameter.is_angle,
-                unit,
-            },
-        )?;
+        let nominal = Nominal {
+            value: parameter.value,
+            is_set: parameter.is_set,
+            may_be_angle: is_text,
+            is_angle: parameter.is_angle,
+            unit,
+        };
+        let deviations = tolerance.deviations(table, nominal)?;
         if let Some(Position { with, .. }) = &tolerance.position {
             let help = "name the parameter that is the other coordinate, which has no tolerance of its own";
             let error = |message: &str| Err(table.error("with", message).with_help(help));
-            match self.numbers.get(with) {
+            match self.scope.numbers.get(with) {
                 None => return error(&format!("there is no parameter {}", quoted(with))),
                 Some(&other) if other as usize == i => return error("it is the parameter itself"),
                 Some(&other) => {
@@ -459,14 +345,9 @@ impl Parameters {
         let parameter = &mut self.all[i];
         parameter.deviations = deviations;
         parameter.has_limits = tolerance.has_limits();
-        parameter.distribution = tolerance.distribution;
-        parameter.position = tolerance.position;
+        parameter.distribution = tolerance.distribution.clone();
+        parameter.position = tolerance.position.clone();
         Ok(())
-    }
-
-    fn parse(&self, text: &str) -> core::result::Result<Expression, Wrong> {
-        let number = |name: &str| self.numbers.get(name).copied();
-        Expression::parse(text, number, || self.numbers.keys().map(String::as_str))
     }
 
     /// The parameters in an order in which each comes after those that it needs.
@@ -518,87 +399,6 @@ impl Parameters {
         Err(ModelError::new(place(at), message).with_help("give one of them a number"))
     }
 
-    /// The enclosure of an expression's value, of one that depends on what varies.
-    fn varied_value(&self, expression: &Expression, value: f64) -> Option<Dual<1, Ball>> {
-        if self.varied.is_empty() || !expression.names().any(|n| self.moves[n as usize]) {
-            return None;
-        }
-        // Where it cannot be evaluated, as at a division by what may be 0, nothing is known.
-        let unknown = || Dual::<1, Ball>::constant(value).unknown();
-        Some(
-            expression
-                .evaluate(&self.varied)
-                .unwrap_or_else(|_| unknown()),
-        )
-    }
-
-    /// Replaces every expression in a tree by its value. Returns those that have none.
-    pub(super) fn replace(&mut self, tree: &mut Node) -> Vec<Failure> {
-        let mut failures = Vec::new();
-        self.replace_in(tree, &mut Vec::new(), &mut failures);
-        failures
-    }
-
-    fn replace_in(&mut self, node: &mut Node, way: &mut Vec<Step>, failures: &mut Vec<Failure>) {
-        match node {
-            // An angle with a unit stays: where a length is expected it is refused.
-            Node::Text(text) if parse_angle(text).is_none() => {
-                let value = (self.parse(text)).and_then(|e| Ok((e.evaluate(&self.values)?, e)));
-                match value {
-                    Ok((value, expression)) => {
-                        for (name, entry) in expression
-                            .names()
-                            .filter_map(|n| Some((n, Entry::at(way)?)))
-                        {
-                            let uses = &mut self.uses[name as usize];
-                            if uses.last() != Some(&entry) {
-                                uses.push(entry);
-                            }
-                        }
-                        *node = match self.varied_value(&expression, value) {
-                            Some(varied) => Node::Varied(Box::new(varied)),
-                            None => as_node(value),
-                        };
-                    }
-                    Err(wrong) => failures.push(Failure {
-                        way: way.clone(),
-                        text: text.clone(),
-                        wrong,
-                    }),
-                }
-            }
-            Node::List(items) => {
-                for (i, item) in items.iter_mut().enumerate() {
-                    // Most items are numbers.
-                    if matches!(item, Node::Text(_) | Node::List(_) | Node::Table(_)) {
-                        way.push(Step::Item(i));
-                        self.replace_in(item, way, failures);
-                        way.pop();
-                    }
-                }
-            }
-            Node::Table(entries) => {
-                for (key, value) in entries.iter_mut() {
-                    let is_text = |n: &Node| matches!(n, Node::Text(_));
-                    let is_name = match value {
-                        Node::Text(_) => TEXTS.contains(&key.as_str()),
-                        Node::List(items) => {
-                            LISTS.contains(&key.as_str()) && items.iter().all(is_text)
-                        }
-                        Node::Table(_) => key == TABLE,
-                        _ => true,
-                    };
-                    if !is_name {
-                        way.push(Step::Key(key.clone()));
-                        self.replace_in(value, way, failures);
-                        way.pop();
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-
     /// Assigns to each parameter the entries that depend on it, directly or by other parameters; `words` describes an
     /// entry. Adds notes on parameters on which nothing depends.
     pub(super) fn used(
@@ -607,13 +407,14 @@ impl Parameters {
         words: impl Fn(&Entry) -> String,
     ) -> Result<(Vec<Parameter>, Vec<ModelError>)> {
         let order = self.order(|_| place)?;
+        let all_uses = self.scope.uses.get_mut();
         // Dependent entries come before those that they depend on.
         for &i in order.iter().rev() {
-            let mut uses = core::mem::take(&mut self.uses[i as usize]);
+            let mut uses = core::mem::take(&mut all_uses[i as usize]);
             uses.sort_unstable();
             uses.dedup();
             for &need in &self.needs[i as usize] {
-                self.uses[need as usize].extend_from_slice(&uses);
+                all_uses[need as usize].extend_from_slice(&uses);
             }
             self.all[i as usize].used_by = uses.iter().map(&words).collect();
         }
@@ -630,15 +431,6 @@ impl Parameters {
     }
 }
 
-/// Error in a text of the file.
-fn in_text(place: &Place, text: &str, wrong: &Wrong) -> ModelError {
-    let message = format!("in {}: {}", quoted(text), wrong.message);
-    // Behind the quote.
-    ModelError::new(place, message)
-        .with_help(wrong.help.as_str())
-        .further_by(1 + wrong.at)
-}
-
 /// Error in the value of a parameter, which may have been set from outside.
 fn in_given(place: &Place, text: &str, wrong: &Wrong, setting: Option<&Setting>) -> ModelError {
     match setting {
@@ -650,15 +442,17 @@ fn in_given(place: &Place, text: &str, wrong: &Wrong, setting: Option<&Setting>)
     }
 }
 
-/// A value as a node: whole numbers are counts, too.
-fn as_node(value: f64) -> Node {
-    /// Whole numbers up to here are exact in doubles.
-    const EXACT: f64 = 9_007_199_254_740_992.0;
-    if value.fract() == 0.0 && value.abs() <= EXACT && !(value == 0.0 && value.is_sign_negative()) {
-        Node::Integer(value as i64)
-    } else {
-        Node::Number(value)
+/// Checks that expressions can have a name; else what is wrong, and what to do.
+fn can_be_named(name: &str) -> core::result::Result<(), (&'static str, &'static str)> {
+    if !is_name(name) {
+        let help = "use letters, digits and underscores, and no digit first, such as pin_diameter";
+        return Err(("the name cannot be used in expressions", help));
     }
+    if is_taken(name) {
+        let message = "the name is that of a function or a constant";
+        return Err((message, "choose another name"));
+    }
+    Ok(())
 }
 
 /// Names with commas between, the first of them where they are many.

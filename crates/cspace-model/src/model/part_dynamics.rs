@@ -1,21 +1,13 @@
 //! Mass, start and rate of a part.
 
-use cspace::{Axis, AxisMotion, Configuration, Point, Vector};
+use cspace::{Axis, AxisMotion, Configuration, Vector};
 
 use super::measure::{Measure, read_list};
 use super::node::Node;
-use super::table::{Result, Table};
+use super::scope::Result;
+use super::table::Table;
+use super::value::Value;
 use crate::mechanism::{DynamicsFault, Mass, PartDynamics, PartPosition, PartVelocity};
-
-/// The keys of a part that are read here.
-pub(super) const KEYS: [&str; 6] = [
-    "mass",
-    "density",
-    "inertia",
-    "center_of_mass",
-    "start",
-    "rate",
-];
 
 /// Reads mass and motion from the table of a part; `axis` is how it moves.
 pub(super) fn read_part_dynamics(table: &Table<'_>, axis: Option<Axis>) -> Result<PartDynamics> {
@@ -30,43 +22,41 @@ pub(super) fn read_part_dynamics(table: &Table<'_>, axis: Option<Axis>) -> Resul
     Ok(PartDynamics {
         mass,
         inertia: table.number("inertia")?,
-        center_of_mass: (table.point("center_of_mass")?).map(|(x, y)| Point::new(x, y)),
+        center_of_mass: table.point("center_of_mass")?,
         start: (table.get("start"))
-            .map(|node| start(table, node, axis))
+            .map(|value| start(table, &value, axis))
             .transpose()?,
         rate: (table.get("rate"))
-            .map(|node| rate(table, node, axis))
+            .map(|value| rate(table, &value, axis))
             .transpose()?,
     })
 }
 
-fn start(table: &Table<'_>, node: &Node, axis: Option<Axis>) -> Result<PartPosition> {
+fn start(table: &Table<'_>, value: &Value<'_>, axis: Option<Axis>) -> Result<PartPosition> {
     const HELP: &str = "the part moves freely: give start = [x, y, theta]";
     const PLANAR: [Measure; 3] = [Measure::Number, Measure::Number, Measure::Angle];
-    let place = table.place.key("start");
     let Some(axis) = axis else {
-        let [x, y, theta] = read_list(&place, "start", node, PLANAR, HELP)?;
+        let [x, y, theta] = read_list("start", value, PLANAR, HELP)?;
         return Ok(PartPosition::Planar(Configuration::new(x, y, theta)));
     };
     moves(table, "start", &axis)?;
     let measure = Measure::along(&axis);
-    one_number(table, "start", node, "give one number, how far along it")?;
-    measure.read(&place, "start", node).map(PartPosition::Axis)
+    one_number("start", value, "give one number, how far along it")?;
+    measure.read("start", value).map(PartPosition::Axis)
 }
 
-fn rate(table: &Table<'_>, node: &Node, axis: Option<Axis>) -> Result<PartVelocity> {
+fn rate(table: &Table<'_>, value: &Value<'_>, axis: Option<Axis>) -> Result<PartVelocity> {
     const HELP: &str = "the part moves freely: give rate = [vx, vy, omega]";
     const PLANAR: [Measure; 3] = [Measure::Number, Measure::Number, Measure::AngleRate];
-    let place = table.place.key("rate");
     let Some(axis) = axis else {
-        let [x, y, angular] = read_list(&place, "rate", node, PLANAR, HELP)?;
+        let [x, y, angular] = read_list("rate", value, PLANAR, HELP)?;
         let linear = Vector::new(x, y);
         return Ok(PartVelocity::Planar { linear, angular });
     };
     moves(table, "rate", &axis)?;
     let measure = Measure::along(&axis).rate();
-    one_number(table, "rate", node, "give one number, its rate")?;
-    measure.read(&place, "rate", node).map(PartVelocity::Axis)
+    one_number("rate", value, "give one number, its rate")?;
+    measure.read("rate", value).map(PartVelocity::Axis)
 }
 
 /// Checks that a part on an axis is not fixed.
@@ -81,9 +71,11 @@ fn moves(table: &Table<'_>, key: &str, axis: &Axis) -> Result<()> {
 }
 
 /// Checks that the value given for a part on an axis is not a list.
-fn one_number(table: &Table<'_>, key: &str, node: &Node, help: &str) -> Result<()> {
-    let Node::List(_) = node else { return Ok(()) };
-    let found = node.describe();
+fn one_number(key: &str, value: &Value<'_>, help: &str) -> Result<()> {
+    let Node::List(_) = value.node else {
+        return Ok(());
+    };
+    let found = value.node.describe();
     let message = format!("`{key}` has {found} for a part that turns or slides on an axis");
-    Err(table.error(key, message).with_help(help))
+    Err(value.error(message).with_help(help))
 }

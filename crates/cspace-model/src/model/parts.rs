@@ -5,126 +5,131 @@ use std::collections::HashMap;
 use cspace::{Axis, Part, Point, Vector};
 
 use super::drawings::{Setting, read_drawing, source};
-use super::error::ModelError;
+use super::keys::{Key, Keys, Kind, Kinds};
 use super::names::with_names;
-use super::node::Node;
 use super::outline::read_outline;
-use super::part_dynamics::{self, read_part_dynamics};
-use super::place::Place;
-use super::profile::{self, at_profile};
-use super::suggest::nearest;
-use super::table::{Result, Table};
+use super::part_dynamics::read_part_dynamics;
+use super::profile::at_profile;
+use super::scope::Result;
+use super::table::Table;
+use super::value::Value;
 use crate::mechanism::{MechanismError, PartDynamics, PartEntry};
 use crate::shown::quoted;
 
-/// Help text on how outlines are written.
+/// How outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
+#[rustfmt::skip]
+pub(super) const PART: Keys = Keys::new(
+    "a part is a table with keys such as name = \"pawl\" and loops = [ [[x, y, bulge], [x, y], ...], ... ]",
+    &[
+        Key::new("name", "part_name", "The part's name, unlike that of any other part.").needed("name = \"pawl\""),
+        Key::new("loops", "loops", "The outline: closed loops, in either direction. Material is what an odd number of them enclose.").like(LOOPS),
+        Key::new("dxf", "dxf", "A DXF file that shows the outline, relative to the model's file."),
+        Key::new("svg", "svg", "An SVG file that shows the outline, relative to the model's file."),
+        Key::new("points", "csv", "A CSV file of points around the part, relative to the model's file: the columns x and y."),
+        Key::new("names", "names", "What features are called in all output, by what is printed without a name: { \"line 3 of loop 0\" = \"tip\" }."),
+        Key::new("motion", "motion", "How the part moves relative to the ground. Default: { type = \"planar\" }, freely."),
+        Key::new("symmetry", "count", "How many times a turn about its own centre maps the outline to itself. Found anyway; refused when it is not true."),
+        Key::new("layer", "texts", "The layer, or layers, of the DXF file that show the outline. Default: all that are drawn."),
+        Key::new("id", "texts", "The id, or ids, of the SVG elements that show the outline. Default: the whole drawing."),
+        Key::new("linetype", "texts", "The line type, or types, of the DXF file that show the outline. Default: all but those of centre lines, hidden edges and the like."),
+        Key::new("color", "texts", "The colour, or colours, in which the outline is drawn: a name such as red, #ff0000, or a number of AutoCAD's palette as a text. Default: all."),
+        Key::new("without_sheet", "bool", "Whether a rectangle around everything, such as the sheet of material, is left out. Default: false."),
+        Key::new("hatches", "bool", "Whether the outlines of the DXF file's hatches are taken too. Default: false."),
+        Key::new("pick", "points", "A point in each of the drawing's faces that the part is made of, in the model's unit. Default: all closed outlines."),
+        Key::new("trace", "bool", "Whether lines and arcs are fitted to loops of 64 edges and more, as traces of something smooth. Default: false."),
+        Key::new("scale", "positive", "A factor for all lengths of the drawing. Default: from the drawing's unit to the model's; 1 where one of them names none."),
+        Key::new("join", "positive", "Ends of the drawing nearer than this are one. Default: 1e-5 of the drawing's size."),
+        Key::new("fit", "positive", "How far lines and arcs may be from the curves or points that they are fitted to. Default: 1e-4 of the drawing's size."),
+        Key::new("offset", "number", "How far the outline is moved out of the material, all around; below 0 into it. Default: 0."),
+        Key::new("split", "bool", "Whether the offset may divide the part. Default: false."),
+        Key::new("profile", "profiles", "How far the outline may be off along its normals, either way (a number is a tolerance, an expression a deviation); or edges by their names."),
+        Key::new("mass", "positive", "The mass in kg. Default: none; the part has no inertia."),
+        Key::new("density", "positive", "The mass per area, kg/unit², in place of `mass`."),
+        Key::new("inertia", "positive", "The moment of inertia about the centre of mass, kg·unit². Default: from the outline."),
+        Key::new("center_of_mass", "point", "In the part's frame. Default: the centroid of the outline."),
+        Key::new("start", "start", "Where the part is at the start: [x, y, theta], or one number for a part that turns or slides. Default: at zero motion."),
+        Key::new("rate", "rate", "How fast the part moves at the start, per second: [vx, vy, omega], or one number for a part that turns or slides. Default: it rests."),
+    ],
+);
+
+#[rustfmt::skip]
+pub(super) const MOTION: Keys = Keys {
+    kinds: Some(Kinds {
+        what: "type of motion",
+        key: "type",
+        default: None,
+        all: &[
+            Kind { name: "planar", needs: &[], takes: &[] },
+            Kind { name: "fixed", needs: &[], takes: &[] },
+            Kind { name: "revolute", needs: &["center"], takes: &["range"] },
+            Kind { name: "prismatic", needs: &["direction"], takes: &["range"] },
+        ],
+    }),
+    ..Keys::new(
+        "give it as motion = { type = \"planar\" }",
+        &[
+            Key::new("type", "kind", "planar: moves and turns freely. fixed: stands still. revolute: turns about a point. prismatic: slides in a direction.").needed("type = \"revolute\""),
+            Key::new("center", "point", "Of a revolute motion: the point about which the part turns.").like("center = [0, 0]"),
+            Key::new("direction", "point", "Of a prismatic motion: its direction. The length does not count, but may not be 0.").like("direction = [1, 0]"),
+            Key::new("range", "two_numbers", "The smaller and the larger limit: angles of a revolute motion, lengths of a prismatic one. Default: no limits."),
+        ],
+    )
+};
+
 pub(super) fn read_parts(
-    place: &Place,
-    nodes: &[Node],
+    root: &Table<'_>,
     setting: &mut Setting<'_>,
 ) -> Result<(Vec<PartEntry>, Vec<PartDynamics>)> {
-    let mut parts: Vec<PartEntry> = Vec::new();
-    let mut dynamics: Vec<PartDynamics> = Vec::new();
     let mut names: HashMap<String, usize> = HashMap::new();
-    for (i, node) in nodes.iter().enumerate() {
-        let words = match name_of(node) {
-            Some(name) => format!("part {i} {}", quoted(name)),
-            None => format!("part {i}"),
-        };
-        let place = place.item(i).called(words);
-        let (entry, moves) = read_part(&place, node, setting)?;
-        if let Some(first) = names.insert(entry.part.name().to_owned(), i) {
-            let message = format!("the name is already that of part {first}");
-            return Err(ModelError::new(&place.key("name"), message)
-                .with_help("give every part a name of its own"));
+    let parts = root.each("part", |i, mut value| {
+        if let Some(name) = value.text_of("name") {
+            value = value.called(format!("part {i} {}", quoted(name)));
         }
-        parts.push(entry);
-        dynamics.push(moves);
-    }
-    Ok((parts, dynamics))
+        let table = Table::new(value, &PART)?;
+        let part = read_part(&table, setting)?;
+        match names.insert(part.0.part.name().to_owned(), i) {
+            Some(first) => {
+                let message = format!("the name is already that of part {first}");
+                Err((table.error("name", message)).with_help("give every part a name of its own"))
+            }
+            None => Ok(part),
+        }
+    });
+    Ok(parts?.into_iter().unzip())
 }
 
-/// The name of a part, before it is known to be one.
-fn name_of(node: &Node) -> Option<&str> {
-    match node {
-        Node::Table(entries) => match entries.get("name") {
-            Some(Node::Text(name)) => Some(name),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn read_part(
-    place: &Place,
-    node: &Node,
-    setting: &mut Setting<'_>,
-) -> Result<(PartEntry, PartDynamics)> {
-    const KEYS: [&str; 21] = [
-        "name",
-        "loops",
-        "dxf",
-        "svg",
-        "points",
-        "names",
-        "motion",
-        "symmetry",
-        "layer",
-        "id",
-        "linetype",
-        "color",
-        "without_sheet",
-        "hatches",
-        "pick",
-        "trace",
-        "scale",
-        "join",
-        "offset",
-        "split",
-        profile::KEY,
-    ];
-    // It is too like others to be suggested.
-    const OTHERS: [&str; 1] = ["fit"];
-    let help = format!("a part is a table with keys such as name = \"pawl\" and {LOOPS}");
-    let keys: Vec<&str> = (KEYS.iter().chain(&part_dynamics::KEYS).copied()).collect();
-    let table = Table::with_others(node, place.clone(), &keys, &OTHERS, &help)?;
-    let name = table
-        .text("name")?
-        .ok_or_else(|| table.missing("name", "name = \"pawl\""))?;
+fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry, PartDynamics)> {
+    let name = table.needed("name", table.text("name")?)?;
     if name.trim().is_empty() {
         let error = table.error("name", "the name is empty");
         return Err(error.with_help("give every part a name, such as name = \"pawl\""));
     }
-    let mut part = match source(&table)? {
-        Some(key) => read_drawing(&table, name, key, setting)?,
+    let mut part = match source(table)? {
+        Some(key) => read_drawing(table, name, key, setting)?,
         None => {
-            let help = format!("give it as {LOOPS}");
-            let nodes = table
-                .list("loops", &help)?
-                .ok_or_else(|| table.missing("loops", LOOPS))?;
-            read_outline(name, &place.key("loops"), nodes)?
+            let loops = table.nodes("loops", &format!("give it as {LOOPS}"))?;
+            let loops = table.needed("loops", loops)?;
+            read_outline(name, &table.place.key("loops"), loops, table.scope)?
         }
     };
-    part = at_offset(&table, part, setting)?;
+    part = at_offset(table, part, setting)?;
     if let Some(names) = table.get("names") {
-        part = with_names(part, &place.key("names"), names)?;
+        part = with_names(part, &names)?;
     }
-    if let Some(node) = table.get(profile::KEY) {
-        part = at_profile(part, &place.key(profile::KEY), node)?;
+    if let Some(profile) = table.get("profile") {
+        part = at_profile(part, &profile)?;
     }
-    let axis = match table.get("motion") {
-        Some(m) => read_motion(place.key("motion").further("motion"), m)?,
-        None => None,
-    };
+    let axis =
+        (table.get("motion")).map_or(Ok(None), |motion| read_motion(motion.further("motion")))?;
     let entry = PartEntry {
         part,
         axis,
         symmetry: table.count("symmetry")?,
     };
-    check_symmetry(&table, &entry)?;
-    let dynamics = read_part_dynamics(&table, axis)?;
+    check_symmetry(table, &entry)?;
+    let dynamics = read_part_dynamics(table, axis)?;
     Ok((entry, dynamics))
 }
 
@@ -169,67 +174,23 @@ fn check_symmetry(table: &Table<'_>, entry: &PartEntry) -> Result<()> {
 }
 
 /// The axis of a motion; none of a part that moves freely.
-fn read_motion(place: Place, node: &Node) -> Result<Option<Axis>> {
-    const KINDS: [&str; 4] = ["fixed", "revolute", "prismatic", "planar"];
-    const HELP: &str = "give it as motion = { type = \"planar\" }";
-    // Keys that belong to one type only are not suggested; the type refuses those of others.
-    const OTHERS: [&str; 3] = ["center", "direction", "range"];
-    let keys: &[&str] = match kind_of(node) {
-        Some("revolute") => &["type", "center", "range"],
-        Some("prismatic") => &["type", "direction", "range"],
-        _ => &["type"],
+fn read_motion(motion: Value<'_>) -> Result<Option<Axis>> {
+    let table = Table::new(motion, &MOTION)?;
+    let kind = table.kind()?;
+    table.only_of(kind, "motion")?;
+    let axis = match kind.name {
+        "fixed" => Axis::FIXED,
+        "planar" => return Ok(None),
+        "revolute" => Axis::revolute(table.needed("center", table.point("center")?)?),
+        _ => Axis::prismatic(direction(&table)?),
     };
-    let table = Table::with_others(node, place.clone(), keys, &OTHERS, HELP)?;
-    let kind = table
-        .text("type")?
-        .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
-    let only = |keys: &[&str]| Table::new(node, place.clone(), keys, HELP);
-    match kind {
-        "fixed" => only(&["type"]).map(|_| Some(Axis::FIXED)),
-        "planar" => only(&["type"]).map(|_| None),
-        "revolute" => {
-            let table = only(&["type", "center", "range"])?;
-            let (x, y) = table
-                .point("center")?
-                .ok_or_else(|| table.missing("center", "center = [0, 0]"))?;
-            Ok(Some(Axis {
-                range: table.interval("range", true)?,
-                ..Axis::revolute(Point::new(x, y))
-            }))
-        }
-        "prismatic" => {
-            let table = only(&["type", "direction", "range"])?;
-            Ok(Some(Axis {
-                range: table.interval("range", false)?,
-                ..Axis::prismatic(direction(&table)?)
-            }))
-        }
-        other => {
-            let error = table.error("type", format!("unknown type of motion {}", quoted(other)));
-            Err(error.with_help(match nearest(other, KINDS) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "the types are fixed, revolute, prismatic and planar".to_owned(),
-            }))
-        }
-    }
-}
-
-/// The type that a table names, before it is known to be one.
-pub(super) fn kind_of(node: &Node) -> Option<&str> {
-    match node {
-        Node::Table(entries) => match entries.get("type") {
-            Some(Node::Text(kind)) => Some(kind),
-            _ => None,
-        },
-        _ => None,
-    }
+    let range = table.interval("range", kind.name == "revolute")?;
+    Ok(Some(Axis { range, ..axis }))
 }
 
 /// A direction, which must have a length.
 pub(super) fn direction(table: &Table<'_>) -> Result<Vector> {
-    let (x, y) = table
-        .point("direction")?
-        .ok_or_else(|| table.missing("direction", "direction = [1, 0]"))?;
+    let Point { x, y } = table.needed("direction", table.point("direction")?)?;
     if x == 0.0 && y == 0.0 {
         return Err(table
             .error("direction", "the direction is zero")

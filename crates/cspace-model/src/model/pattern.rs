@@ -7,11 +7,35 @@ use cspace::{Point, Rotation, Vector, Vertex};
 
 use super::entry::{Arc, Entry, read_entry};
 use super::error::ModelError;
+use super::keys::{Key, Keys};
 use super::node::Node;
 use super::place::Place;
-use super::suggest::nearest;
-use super::table::{Result, Scalar, Table};
-use crate::shown::quoted;
+use super::scope::{Result, Scalar, Scope};
+use super::table::Table;
+use super::value::Value;
+
+/// How paths are written that stand for many entries.
+const COPIED: &str = "give a path that is repeated, { repeat = 20, about = [0, 0], path = [...] }, or mirrored, { mirror = \"y\", path = [...] }";
+
+#[rustfmt::skip]
+pub(super) const COPIES: Keys = Keys::new(
+    COPIED,
+    &[
+        Key::new("path", "entries", "Entries that are repeated or mirrored."),
+        Key::new("repeat", "count", "How many copies of the path there are, each turned about a point by one part of a turn more."),
+        Key::new("about", "point", "The point about which copies are turned.").like("about = [0, 0], the point it turns about"),
+        Key::new("mirror", "x|y", "The axis through [0, 0] at which the path is mirrored: x turns y around, y turns x around."),
+    ],
+);
+
+#[rustfmt::skip]
+pub(super) const PATTERN: Keys = Keys::new(
+    "give it as pattern = { count = 6, about = [0, 0] }",
+    &[
+        Key::new("count", "count", "How many loops there are.").needed("count = 6"),
+        Key::new("about", "point", "The point about which they are turned.").needed("about = [0, 0]"),
+    ],
+);
 
 /// The most entries that patterns may make of a loop, and loops that they may make of one.
 const MOST: usize = 1_000_000;
@@ -30,8 +54,9 @@ pub(super) struct Item<T = f64> {
 pub(super) fn written_out<T: Scalar>(
     nodes: &[Node],
     place: &dyn Fn(usize) -> Place,
+    scope: &Scope,
 ) -> Result<Vec<Item<T>>> {
-    let mut items = entries(nodes, place)?;
+    let mut items = entries(nodes, place, scope)?;
     if nodes.iter().any(is_pattern) {
         close(&mut items);
     }
@@ -39,15 +64,20 @@ pub(super) fn written_out<T: Scalar>(
 }
 
 /// The entries of a loop or path.
-fn entries<T: Scalar>(nodes: &[Node], place: &dyn Fn(usize) -> Place) -> Result<Vec<Item<T>>> {
+fn entries<T: Scalar>(
+    nodes: &[Node],
+    place: &dyn Fn(usize) -> Place,
+    scope: &Scope,
+) -> Result<Vec<Item<T>>> {
     let mut items = Vec::with_capacity(nodes.len());
     for (from, node) in nodes.iter().enumerate() {
         if !is_pattern(node) {
-            let entry = read_entry(place(from), node, nodes)?;
+            let entry = read_entry(node, || place(from), scope, nodes)?;
             items.push(Item { entry, from });
             continue;
         }
-        for (begins, entry) in copies(place(from), node)? {
+        let place = place(from);
+        for (begins, entry) in copies(Value { node, place, scope })? {
             if begins {
                 join(&mut items, Item { entry, from });
             } else {
@@ -63,29 +93,27 @@ fn is_pattern(node: &Node) -> bool {
 }
 
 /// The entries of a pattern, each with whether a copy of the path begins with it.
-fn copies<T: Scalar>(place: Place, node: &Node) -> Result<Vec<(bool, Entry<T>)>> {
-    const HELP: &str = "give a path that is repeated, { repeat = 20, about = [0, 0], path = [...] }, or mirrored, { mirror = \"y\", path = [...] }";
-    let keys = ["path", "repeat", "about", "mirror"];
-    let table = Table::new(node, place.clone(), &keys, HELP)?;
-    let path = table.list("path", HELP)?.unwrap_or_default();
-    let path_place = place.key("path");
+fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
+    let table = Table::new(value, &COPIES)?;
+    let path = table.nodes("path", COPIED)?.unwrap_or_default();
+    let path_place = table.place.key("path");
     let inner = |i: usize| {
         path_place
             .item(i)
             .further(&format!("entry {i} of its path"))
     };
-    let path: Vec<Entry<T>> = entries(path, &inner)?
+    let path: Vec<Entry<T>> = entries(path, &inner, table.scope)?
         .iter()
         .map(|item| item.entry)
         .collect();
     if path.is_empty() {
-        return Err(table.error("path", "the path is empty").with_help(HELP));
+        return Err(table.error("path", "the path is empty").with_help(COPIED));
     }
-    match (table.count("repeat")?, table.text("mirror")?) {
+    let help = "give mirror = \"x\", which turns y around, or mirror = \"y\", which turns x around";
+    let reflection = table.choice("mirror", "axis", &reflections(), help)?;
+    match (table.count("repeat")?, reflection) {
         (Some(count), None) => {
-            let about = table.place_at("about")?.ok_or_else(|| {
-                table.missing("about", "about = [0, 0], the point it turns about")
-            })?;
+            let about = table.needed("about", table.point("about")?)?;
             let count = count as usize;
             too_many(&table, "repeat", count, path.len())?;
             Ok((0..count)
@@ -98,13 +126,9 @@ fn copies<T: Scalar>(place: Place, node: &Node) -> Result<Vec<(bool, Entry<T>)>>
                 })
                 .collect())
         }
-        (None, Some(axis)) => {
-            let flip = axis_of(&table, axis)?;
-            if table.get("about").is_some() {
-                let error = ModelError::new(
-                    &place.key("about").itself(),
-                    "`about` is given without `repeat`",
-                );
+        (None, Some(flip)) => {
+            if table.has("about") {
+                let error = table.error_at_key("about", "`about` is given without `repeat`");
                 return Err(
                     error.with_help("a path is mirrored at an axis through [0, 0]: remove `about`")
                 );
@@ -119,16 +143,13 @@ fn copies<T: Scalar>(place: Place, node: &Node) -> Result<Vec<(bool, Entry<T>)>>
                     .with_help("begin it with a vertex [x, y]")
             })
         }
-        (None, None) => Err(ModelError::new(
-            &place,
-            "a path that is neither repeated nor mirrored",
-        )
-        .with_help(HELP)),
-        (Some(_), Some(_)) => Err(ModelError::new(
-            &place.key("mirror").itself(),
-            "both `repeat` and `mirror` are given",
-        )
-        .with_help("put one pattern into the path of the other")),
+        (None, None) => {
+            let message = "a path that is neither repeated nor mirrored";
+            Err(ModelError::new(&table.place, message).with_help(COPIED))
+        }
+        (Some(_), Some(_)) => Err(table
+            .error_at_key("mirror", "both `repeat` and `mirror` are given")
+            .with_help("put one pattern into the path of the other")),
     }
 }
 
@@ -156,18 +177,14 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
-/// Reflection of a point at an axis through the origin.
-fn axis_of<T: Scalar>(table: &Table<'_>, axis: &str) -> Result<fn(Point<T>) -> Point<T>> {
-    match axis {
-        "x" => Ok(|p| Point::new(p.x, -p.y)),
-        "y" => Ok(|p| Point::new(-p.x, p.y)),
-        other => Err(table
-            .error("mirror", format!("unknown axis {}", quoted(other)))
-            .with_help(match nearest(other, ["x", "y"]) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "give mirror = \"x\", which turns y around, or mirror = \"y\", which turns x around".to_owned(),
-            })),
-    }
+type Map<T> = fn(Point<T>) -> Point<T>;
+
+/// Reflections of points, by the axis through the origin.
+fn reflections<T: Scalar>() -> [(&'static str, Map<T>); 2] {
+    [
+        ("x", |p| Point::new(p.x, -p.y)),
+        ("y", |p| Point::new(-p.x, p.y)),
+    ]
 }
 
 /// A corner of a path: where it is, its fillet, and the edge that leaves it.
@@ -181,10 +198,7 @@ struct Corner<T> {
 /// A path and its mirror image, travelled back. `None` if the path has no vertex to begin with.
 ///
 /// Mirroring and travelling back each exchange left and right: bulges and directions of arcs stay.
-fn mirrored<T: Scalar>(
-    path: &[Entry<T>],
-    flip: fn(Point<T>) -> Point<T>,
-) -> Option<Vec<(bool, Entry<T>)>> {
+fn mirrored<T: Scalar>(path: &[Entry<T>], flip: Map<T>) -> Option<Vec<(bool, Entry<T>)>> {
     let zero = T::constant(0.0);
     let mut corners: Vec<Corner<T>> = Vec::with_capacity(path.len());
     for entry in path {
@@ -357,18 +371,15 @@ pub(super) struct Pattern<T> {
 impl<T: Scalar> Pattern<T> {
     /// Reads the key `pattern`; a single copy if there is none.
     pub(super) fn read(table: &Table<'_>) -> Result<Self> {
-        const HELP: &str = "give it as pattern = { count = 6, about = [0, 0] }";
-        let Some(node) = table.get("pattern") else {
+        let Some(value) = table.get("pattern") else {
             return Ok(Self {
                 count: 1,
                 about: Point::new(T::constant(0.0), T::constant(0.0)),
             });
         };
-        let place = table.place.key("pattern").further("pattern");
-        let table = Table::new(node, place, &["count", "about"], HELP)?;
-        let count = (table.count("count")?).ok_or_else(|| table.missing("count", "count = 6"))?;
-        let about =
-            (table.place_at("about")?).ok_or_else(|| table.missing("about", "about = [0, 0]"))?;
+        let table = Table::new(value.further("pattern"), &PATTERN)?;
+        let count = table.needed("count", table.count("count")?)?;
+        let about = table.needed("about", table.point("about")?)?;
         Ok(Self {
             count: count as usize,
             about,

@@ -3,6 +3,7 @@
 //! A number is a tolerance. It becomes a parameter of its own, `pawl_profile = { value = 0, tol = 0.02 }`, by which the
 //! outline is offset along its normals; an expression gives the offset itself.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use cspace::part::PartFeature;
@@ -13,13 +14,11 @@ use super::error::ModelError;
 use super::names::feature;
 use super::node::Node;
 use super::place::Place;
-use super::suggest::nearest;
-use super::table::{Result, Scalar, number};
+use super::scope::{Result, Scalar, Scope};
+use super::suggest::did_you_mean;
 use super::tolerance::LARGEST;
+use super::value::Value;
 use crate::shown::quoted;
-
-/// The key.
-pub(super) const KEY: &str = "profile";
 
 const HELP: &str = "give how far the outline may be off: profile = 0.02, or of features: profile = { \"tip\" = 0.02 }";
 
@@ -30,100 +29,96 @@ pub(super) struct Profile<T> {
     named: Vec<(PartFeature, T)>,
 }
 
-/// Replaces every profile that is a number by the name of a parameter, which is added to the tree.
-pub(super) fn add_parameters(tree: &mut Node) -> Result<()> {
-    let Node::Table(model) = tree else {
-        return Ok(());
-    };
+/// The parameters of a file, its key `parameter`, and those that stand for profiles that are numbers.
+pub(super) fn with_profiles(file: &Node) -> Result<Option<Cow<'_, Node>>> {
+    let scope = Scope::literal();
+    let given = file.get("parameter");
+    let file = Value::root(file, &scope);
     let mut added: Vec<(String, f64, Place)> = Vec::new();
-    if let Some(Node::List(parts)) = model.get_mut("part") {
-        for (i, part) in parts.iter_mut().enumerate() {
-            let Node::Table(part) = part else { continue };
-            let name = match part.get("name") {
-                Some(Node::Text(name)) => name.to_string(),
-                _ => format!("part{i}"),
-            };
-            let place = Place::default()
-                .key("part")
-                .item(i)
-                .called(format!("part {i} {}", quoted(&name)))
-                .key(KEY);
-            match part.get_mut(KEY) {
-                Some(Node::Table(features)) => {
-                    for (feature, node) in features.iter_mut() {
-                        let name = format!("{name} {feature}");
-                        added.extend(parameter(&name, node, place.key(feature))?);
-                    }
+    let parts = file.get("part").and_then(|parts| parts.items());
+    for (i, part) in parts.unwrap_or_default().into_iter().enumerate() {
+        let name = part.text_of("name");
+        let name = name.map_or_else(|| format!("part{i}"), str::to_owned);
+        let part = part.called(format!("part {i} {}", quoted(&name)));
+        let Some(profile) = part.get("profile") else {
+            continue;
+        };
+        match profile.entries() {
+            Some(features) => {
+                for (feature, value) in features {
+                    added.extend(tolerance(parameter_of(&name, Some(feature)), value)?);
                 }
-                Some(node) => added.extend(parameter(&name, node, place)?),
-                None => {}
             }
+            None => added.extend(tolerance(parameter_of(&name, None), profile)?),
         }
     }
     if added.is_empty() {
-        return Ok(());
+        return Ok(given.map(Cow::Borrowed));
     }
-    let parameters = model
-        .entry("parameter".to_owned())
-        .or_insert_with(|| Node::Table(Box::default()));
-    let Node::Table(parameters) = parameters else {
-        return Ok(());
+    let mut all = match given {
+        None => BTreeMap::new(),
+        Some(Node::Table(entries)) => BTreeMap::clone(entries),
+        Some(other) => return Ok(Some(Cow::Borrowed(other))),
     };
     for (name, tolerance, place) in added {
         let table = [("value", 0.0), ("tol", tolerance)].map(|(k, x)| (k.into(), Node::Number(x)));
         let table = Node::Table(Box::new(BTreeMap::from(table)));
-        if parameters.insert(name.clone(), table).is_some() {
+        if all.insert(name.clone(), table).is_some() {
             let message = format!("the profile is the parameter `{name}`, and there is another");
             return Err(ModelError::new(&place, message)
-                .with_help(format!("rename it, or give {KEY} = \"{name}\"")));
+                .with_help(format!("rename it, or give profile = \"{name}\"")));
         }
     }
-    Ok(())
+    Ok(Some(Cow::Owned(Node::Table(Box::new(all)))))
 }
 
-/// The parameter that stands for a profile that is a number: its name, and how far it may be off.
-fn parameter(of: &str, node: &mut Node, place: Place) -> Result<Option<(String, f64, Place)>> {
-    if matches!(node, Node::Text(_)) {
+/// The parameter of a profile that is a number, how far it may be off, and where it is.
+fn tolerance(name: String, value: Value<'_>) -> Result<Option<(String, f64, Place)>> {
+    if value.node.text().is_some() {
         return Ok(None);
     }
-    let Some(tolerance) = number(node).filter(|x| (0.0..=LARGEST).contains(x)) else {
-        let message = format!(
-            "{} where a number of 0 or more is expected",
-            node.describe()
-        );
-        return Err(ModelError::new(&place, message).with_help(HELP));
+    let Some(tolerance) = value.number()?.filter(|x| (0.0..=LARGEST).contains(x)) else {
+        let found = value.node.describe();
+        let message = format!("{found} where a number of 0 or more is expected");
+        return Err(value.error(message).with_help(HELP));
     };
+    Ok(Some((name, tolerance, value.place)))
+}
+
+/// The name of the parameter that stands for the profile of a part, or of one of its features.
+fn parameter_of(part: &str, feature: Option<&str>) -> String {
     let letter = |c: char| if c.is_alphanumeric() { c } else { '_' };
-    let mut name: String = of.chars().map(letter).collect();
+    let words = [part].into_iter().chain(feature);
+    let words: Vec<String> = words.map(|w| w.chars().map(letter).collect()).collect();
+    let mut name = words.join("_");
     if name.starts_with(|c: char| c.is_numeric()) {
         name.insert_str(0, "part_");
     }
-    name.push_str("_profile");
-    *node = Node::Text(name.as_str().into());
-    Ok(Some((name, tolerance, place)))
+    name + "_profile"
 }
 
 impl<T: Scalar> Profile<T> {
-    /// The value of the key, in a tree without expressions.
-    pub(super) fn read(place: &Place, node: &Node, part: &Part) -> Result<Self> {
-        let value = |place: &Place, node: &Node| {
-            T::read(node)
-                .filter(|x| x.value().is_finite())
-                .ok_or_else(|| {
-                    let message = format!("{} where a number is expected", node.describe());
-                    ModelError::new(place, message).with_help(HELP)
-                })
+    /// The value of the key.
+    pub(super) fn read(profile: &Value<'_>, part: &Part) -> Result<Self> {
+        let read = |value: &Value<'_>, feature: Option<&str>| {
+            if value.node.text().is_none() && value.number::<f64>()?.is_some() {
+                let parameter = parameter_of(part.name(), feature);
+                return value.scope.evaluated(&parameter, &value.place).map(T::of);
+            }
+            let number = value.number()?.filter(|x: &T| x.value().is_finite());
+            number.ok_or_else(|| {
+                let message = format!("{} where a number is expected", value.node.describe());
+                value.error(message).with_help(HELP)
+            })
         };
-        let Node::Table(features) = node else {
-            let whole = value(place, node)?;
+        let Some(features) = profile.entries() else {
             return Ok(Self {
-                whole,
+                whole: read(profile, None)?,
                 named: Vec::new(),
             });
         };
         let mut named = Vec::with_capacity(features.len());
-        for (name, node) in features.iter() {
-            let place = place.key(name);
+        for (name, value) in features {
             let called = part.feature_names().find(|(_, n)| *n == name);
             let of = called
                 .map(|(f, _)| f)
@@ -133,21 +128,20 @@ impl<T: Scalar> Profile<T> {
                     if (part.loops().get(loop_index as usize))
                         .is_some_and(|l| (index as usize) < l.vertices().len()) =>
                 {
-                    named.push((edge, value(&place, node)?));
+                    named.push((edge, read(&value, Some(name))?));
                 }
                 Some(PartFeature::Vertex { .. }) => {
                     let message = format!("{} is a vertex", quoted(name));
-                    return Err(ModelError::new(&place.itself(), message)
+                    return Err(ModelError::new(&value.place.itself(), message)
                         .with_help("give the profile of the edges beside it"));
                 }
                 _ => {
                     let message = format!("there is no edge {}", quoted(name));
-                    let names: Vec<&str> = part.feature_names().map(|(_, n)| n).collect();
-                    let help = match nearest(name, names.iter().copied()) {
-                        Some(meant) => format!("did you mean `{meant}`?"),
-                        None => "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace play` and others print it".to_owned(),
-                    };
-                    return Err(ModelError::new(&place.itself(), message).with_help(help));
+                    let names = part.feature_names().map(|(_, n)| n);
+                    let help = did_you_mean(name, names, || {
+                        "give a name of the part's `names`, or \"line 3 of loop 0\", as `cspace play` and others print it".to_owned()
+                    });
+                    return Err(ModelError::new(&value.place.itself(), message).with_help(help));
                 }
             }
         }
@@ -191,15 +185,15 @@ impl<T: Scalar> Profile<T> {
 }
 
 /// The part with its edges off by a profile.
-pub(super) fn at_profile(part: Part, place: &Place, node: &Node) -> Result<Part> {
-    let profile = Profile::<f64>::read(place, node, &part)?;
+pub(super) fn at_profile(part: Part, value: &Value<'_>) -> Result<Part> {
+    let profile = Profile::<f64>::read(value, &part)?;
     if profile.is_zero() {
         return Ok(part);
     }
     let loops: Vec<Vec<Vertex>> = part.loops().iter().map(|l| l.vertices().to_vec()).collect();
-    let off = profile.loops(place, &part, &loops)?;
+    let off = profile.loops(&value.place, &part, &loops)?;
     let wrong = |e: cspace::PartError| {
-        ModelError::new(place, format!("with the profile, {e}")).with_help("give a smaller profile")
+        (value.error(format!("with the profile, {e}"))).with_help("give a smaller profile")
     };
     let named = Part::new(part.name(), off).map_err(wrong)?;
     (part.feature_names()).try_fold(named, |named, (feature, name)| {

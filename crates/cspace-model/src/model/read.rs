@@ -1,52 +1,49 @@
-//! Reading of models from files and text.
+//! Models from a file's tree of values.
 
-use std::path::{Path, PathBuf};
-
-use cspace::{Ball, Dual};
 use cspace_drawing::Unit;
 
-use super::drawings::{DRAWINGS, Files, Setting};
+use super::drawings::{Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
-use super::locate::{in_json, in_toml, line_and_column, parameter_in_toml};
+use super::keys::{Key, Keys};
 use super::node::Node;
-use super::parameters::{self, Entry, Parameter, Parameters, Variation, middles_of_limits};
+use super::parameters::{Parameter, Parameters, Variation};
 use super::parts::read_parts;
 use super::place::Place;
-use super::profile::add_parameters;
+use super::profile::with_profiles;
 use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
-use super::slopes::{Slopes, slopes};
-use super::table::{Result, Table};
-use crate::file::{Host, extension, read_text, too_large, without_mark};
+use super::scope::{Entry, Result};
+use super::table::Table;
+use super::value::Value;
+use crate::file::Host;
 use crate::mechanism::Mechanism;
 use crate::shown;
-
-/// Largest model files, in bytes: each takes some 2 GB of memory and ten seconds to read. A part may have a million
-/// vertices, for which JSON has room.
-const LARGEST_TOML: u64 = 16 << 20;
-const LARGEST_JSON: u64 = 64 << 20;
 
 /// The most parts of a model: a file that lists no pairs stands for every two.
 pub const MOST_PARTS: usize = 1000;
 
 /// Keys of the file itself. `$schema` is for editors, which complete and check the file by the schema it names.
-const KEYS: [&str; 14] = [
-    "name",
-    "unit",
-    "parameter",
-    "requirement",
-    "part",
-    "joint",
-    "pair",
-    "$schema",
-    "gravity",
-    "friction",
-    "restitution",
-    "drive",
-    "load",
-    "spring",
-];
+#[rustfmt::skip]
+pub(super) const FILE: Keys = Keys::new(
+    "give keys such as name and part",
+    &[
+        Key::new("name", "text", "What the model is called. Default: the file's name."),
+        Key::new("unit", "text", "The unit of length, a label such as \"mm\". Default: none."),
+        Key::new("parameter", "parameters", "Names for numbers: letters, digits and underscores. Any number of the model may be an expression of them. Default: none."),
+        Key::new("requirement", "[requirement]", "What the design must do: what is measured, and what it must be. In TOML each is a [[requirement]] table. Default: none."),
+        Key::new("part", "parts", "The parts. In TOML each is a [[part]] table.").needed("[[part]]"),
+        Key::new("joint", "[joint]", "Permanent connections of two parts. In TOML each is a [[joint]] table. Default: none."),
+        Key::new("pair", "[pair]", "The pairs to compute. In TOML each is a [[pair]] table. Default: every two parts, the one listed first fixed."),
+        Key::new("$schema", "any_text", "Where an editor finds this schema; `cspace` does not look at it."),
+        Key::new("gravity", "point", "The acceleration of what falls, [x, y] in unit/s². Default: none."),
+        Key::new("friction", "not_negative", "The coefficient of friction of pairs that have none of their own. Default: 0."),
+        Key::new("restitution", "up_to_one", "The coefficient of restitution of pairs that have none of their own: from 0, no bounce, to 1, no loss. Default: 0."),
+        Key::new("drive", "[drive]", "Prescribed motions. In TOML each is a [[drive]] table. Default: none."),
+        Key::new("load", "[load]", "Constant forces and torques. In TOML each is a [[load]] table. Default: none."),
+        Key::new("spring", "[spring]", "Springs and dampers between two parts, or a part and the ground. In TOML each is a [[spring]] table. Default: none."),
+    ],
+);
 
 /// Model as written in a file: a mechanism, and the parameters of the expressions for its numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,529 +56,37 @@ pub struct Model {
     pub requirements: Vec<Requirement>,
 }
 
-/// Largest number of bytes read from a model of this name.
-fn largest(path: &Path) -> u64 {
-    if extension(path) == "json" {
-        LARGEST_JSON
-    } else {
-        LARGEST_TOML
-    }
-}
-
-/// Reads a model file: `.toml`, or the same structure as `.json`.
-///
-/// ```
-/// # let folder = tempfile::tempdir()?;
-/// # let path = folder.path().join("pin.toml");
-/// std::fs::write(&path, "[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n")?;
-/// let model = cspace_model::model::read(&path)?;
-/// assert_eq!(model.name, "pin"); // the file's name, since the file gives none
-/// assert_eq!(model.parts.len(), 1);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// If the file cannot be read or is no model; the error names the line, part, loop and vertex.
-pub fn read(path: impl AsRef<Path>) -> core::result::Result<Mechanism, ModelError> {
-    read_hosted(path.as_ref(), &Host::default()).map(|m| m.mechanism)
-}
-
-/// As [`read`], for a host program, which was already asked whether the model may be read.
-pub(crate) fn read_hosted(path: &Path, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
-    check_extension(path)?;
-    from_text(path, &read_text(path, largest(path))?, host)
-}
-
-/// Refuses a file whose extension is not that of a model.
-fn check_extension(path: &Path) -> core::result::Result<(), ModelError> {
-    let extension = extension(path);
-    if !matches!(extension.as_str(), "toml" | "json") && !path.is_dir() {
-        let message = match extension.as_str() {
-            "" => "the name has no extension".to_owned(),
-            _ => format!("the extension .{extension} is not that of a model file"),
-        };
-        let help = match extension.as_str() {
-            "dxf" | "svg" | "csv" => {
-                "make a model of the drawing first: cspace import DRAWING -o MODEL.toml"
-            }
-            _ => "model files end in .toml or .json",
-        };
-        return Err(ModelError::of_file(message)
-            .with_help(help)
-            .in_file(&path.display().to_string()));
-    }
-    Ok(())
-}
-
-/// Reads a model from the text of a file; the extension determines whether it is JSON.
-pub(crate) fn from_text(
-    path: &Path,
-    text: &str,
+/// The parameters of a file.
+pub(super) fn parameters_of(
+    file: &Node,
     host: &Host<'_>,
-) -> core::result::Result<Model, ModelError> {
-    let file = path.display().to_string();
-    let source = source_of(path, text, &file)?;
-    let files = Files {
-        folder: path.parent().unwrap_or(Path::new("")),
-        host,
-    };
-    let mut model = source.model(source.tree()?, &files)?;
-    if model.mechanism.name.is_empty() {
-        model.mechanism.name = name_of(path);
-    }
-    Ok(model)
-}
-
-/// Source text of a file; the extension determines whether it is JSON.
-fn source_of<'t>(
-    path: &Path,
-    text: &'t str,
-    file: &'t str,
-) -> core::result::Result<Source<'t>, ModelError> {
-    // It may have been read as a saved space, which may be longer.
-    let limit = largest(path);
-    if text.len() as u64 > limit {
-        return Err(too_large(path, limit));
-    }
-    Ok(Source {
-        text: without_mark(text),
-        file,
-        is_json: extension(path) == "json",
-    })
-}
-
-/// Default name of a model without one: the file's name without its extension.
-fn name_of(path: &Path) -> String {
-    path.file_stem()
-        .map(|s| shown::text(&s.to_string_lossy()).into_owned())
-        .unwrap_or_default()
-}
-
-/// Template of a model whose parameters may be given other values: its text is read once.
-///
-/// ```
-/// use cspace_model::Host;
-/// use cspace_model::model::{Setting, Template};
-/// # let folder = tempfile::tempdir()?;
-/// # let path = folder.path().join("pin.toml");
-/// std::fs::write(&path, "[parameter]\nr = 1\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"r\", at = [0, 0] }]\n")?;
-/// let template = Template::read(&path, &Host::default())?;
-/// for r in [0.5, 2.0] {
-///     let set = [Setting { name: "r".into(), value: r.to_string() }];
-///     let model = template.model(&Host { set: &set, ..Host::default() })?;
-///     assert!((model.mechanism.parts[0].part.bounds().max.x - r).abs() < 1e-12);
-/// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug)]
-pub struct Template {
-    tree: Node,
-    text: String,
-    path: PathBuf,
-    is_json: bool,
-}
-
-impl Template {
-    /// Reads the text of a model file.
-    ///
-    /// # Errors
-    /// If the file cannot be read, or is neither TOML nor JSON.
-    pub fn read(path: impl AsRef<Path>, host: &Host<'_>) -> core::result::Result<Self, ModelError> {
-        let path = path.as_ref();
-        (host.guard)(path).map_err(|refused| {
-            ModelError::of_file(refused.message)
-                .with_help(refused.help)
-                .in_file(&path.display().to_string())
-        })?;
-        check_extension(path)?;
-        Self::from_text(read_text(path, largest(path))?, path)
-    }
-
-    /// Creates a template from a text that is in no file. `path` is its name in errors; its extension determines
-    /// whether it is JSON, and drawings are searched beside it.
-    ///
-    /// # Errors
-    /// If the text is neither TOML nor JSON.
-    pub fn from_text(
-        text: String,
-        path: impl Into<PathBuf>,
-    ) -> core::result::Result<Self, ModelError> {
-        let path = path.into();
-        let file = path.display().to_string();
-        let source = source_of(&path, &text, &file)?;
-        let (tree, is_json) = (source.tree()?, source.is_json);
-        Ok(Self {
-            tree,
-            text,
-            path,
-            is_json,
-        })
-    }
-
-    /// The text.
-    pub fn text(&self) -> &str {
-        &self.text
-    }
-
-    /// Path of the file, or the one that stands for it.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    /// Whether a part is taken from a drawing, which is in another file.
-    pub fn names_drawings(&self) -> bool {
-        let Node::Table(model) = &self.tree else {
-            return false;
-        };
-        let Some(Node::List(parts)) = model.get("part") else {
-            return false;
-        };
-        let is_drawn = |part: &Node| matches!(part, Node::Table(part) if DRAWINGS.iter().any(|key| part.contains_key(*key)));
-        parts.iter().any(is_drawn)
-    }
-
-    /// Model with the values that the host sets.
-    ///
-    /// # Errors
-    /// If the text is no model with these values; the error names the line, part, loop and vertex.
-    pub fn model(&self, host: &Host<'_>) -> core::result::Result<Model, ModelError> {
-        let file = self.path.display().to_string();
-        let source = Source {
-            text: without_mark(&self.text),
-            file: &file,
-            is_json: self.is_json,
-        };
-        let files = Files {
-            folder: self.path.parent().unwrap_or(Path::new("")),
-            host,
-        };
-        let mut model = source.model(self.tree.clone(), &files)?;
-        if model.mechanism.name.is_empty() {
-            model.mechanism.name = name_of(&self.path);
-        }
-        Ok(model)
-    }
-
-    /// A model of this text with each parameter that is outside its limits in their middle, about which its tolerance is, and the settings
-    /// that put it there, beside those with which the model was read. The nominal size of a shaft is outside its limits for most fits.
-    ///
-    /// # Errors
-    /// If the text is no model with these values.
-    pub fn about_middles(
-        &self,
-        set: &[parameters::Setting],
-        model: Model,
-    ) -> core::result::Result<(Vec<parameters::Setting>, Model), ModelError> {
-        let mut set = set.to_vec();
-        let middles = middles_of_limits(&model.parameters);
-        if middles.is_empty() {
-            return Ok((set, model));
-        }
-        set.extend(middles.iter().map(|(_, setting)| setting.clone()));
-        let host = Host {
-            set: &set,
-            ..Host::default()
-        };
-        let mut moved = self.model(&host)?;
-        for (i, _) in middles {
-            let half =
-                (model.parameters[i].deviations).map(|(a, b)| (0.5 * (a + b), 0.5 * (a + b)));
-            moved.parameters[i].deviations = half;
-        }
-        Ok((set, moved))
-    }
-
-    /// The text with other values for parameters, where it is TOML; `None` of other text, and where a value stands in no place of its own.
-    ///
-    /// ```
-    /// use cspace_model::model::{Setting, Template};
-    /// let text = "[parameter]\nd = 3 # of the bore\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n";
-    /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
-    /// let text = template.text_with(&[Setting::number("d", 4.5)]);
-    /// assert!(text.is_some_and(|t| t.contains("d = 4.5 # of the bore")));
-    /// # Ok::<(), cspace_model::ModelError>(())
-    /// ```
-    pub fn text_with(&self, set: &[parameters::Setting]) -> Option<String> {
-        if self.is_json {
-            return None;
-        }
-        let mut text = without_mark(&self.text).to_owned();
-        for setting in set {
-            let place = parameter_in_toml(&text, &setting.name)?;
-            let is_number = setting.value.parse::<f64>().is_ok_and(f64::is_finite);
-            let value = match is_number {
-                true => setting.value.clone(),
-                false => format!("\"{}\"", setting.value),
-            };
-            text.replace_range(place, &value);
-        }
-        // The written text must be read back as the model.
-        let read = Self::from_text(text.clone(), &self.path).ok()?;
-        let read = read.model(&Host::default()).ok()?;
-        let wanted = self.model(&Host {
-            set,
-            ..Host::default()
-        });
-        let wanted = wanted.ok()?;
-        let is_same = read.mechanism == wanted.mechanism;
-        is_same.then_some(text)
-    }
-
-    /// Computes the derivatives of the numbers of a model of this template by one of its parameters, in dual numbers:
-    /// through expressions, patterns, arcs and fillets.
-    ///
-    /// ```
-    /// use cspace_model::Host;
-    /// use cspace_model::model::Template;
-    /// # let folder = tempfile::tempdir()?;
-    /// # let path = folder.path().join("pin.toml");
-    /// std::fs::write(&path, "[parameter]\nd = 3\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n")?;
-    /// let template = Template::read(&path, &Host::default())?;
-    /// let model = template.model(&Host::default())?;
-    /// let slopes = template.slopes(&Host::default(), &model, "d")?;
-    /// assert_eq!(slopes.parts[0].loops[0][0], [-0.5, 0.0, 0.0]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the numbers have no derivatives, as where the parameter is the number of copies.
-    pub fn slopes(
-        &self,
-        host: &Host<'_>,
-        model: &Model,
-        parameter: &str,
-    ) -> core::result::Result<Slopes, ModelError> {
-        let variation = Variation {
-            parameter,
-            ranges: &[],
-        };
-        let tree = self.varied(host, &variation)?;
-        slopes(&tree, &model.mechanism)
-    }
-
-    /// Computes enclosures of the numbers of a model of this template, and of their derivatives by one of its
-    /// parameters, where parameters deviate from their values within `ranges` (the name, from and to). A formula
-    /// without a finite enclosure, as for the angle of an arc that varies, gives all reals; arcs and fillets are on the
-    /// same sides as in the model.
-    ///
-    /// ```
-    /// use cspace_model::Host;
-    /// use cspace_model::model::Template;
-    /// let text = "[parameter]\nd = 3\n[[part]]\nname = \"pin\"\nloops = [{ circle = \"d/2\", at = [0, 0] }]\n";
-    /// let template = Template::from_text(text.to_owned(), "pin.toml")?;
-    /// let model = template.model(&Host::default())?;
-    /// let d = [("d".to_owned(), -0.1, 0.2)];
-    /// let enclosed = template.enclosures(&Host::default(), &model, "d", &d)?;
-    /// let [lo, hi] = enclosed.parts[0].loops[0][0][0].value.ends();
-    /// assert!(lo <= -1.6 && -1.45 <= hi && hi - lo < 0.151);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the numbers have no derivatives, as where the parameter is the number of copies.
-    pub fn enclosures(
-        &self,
-        host: &Host<'_>,
-        model: &Model,
-        parameter: &str,
-        ranges: &[(String, f64, f64)],
-    ) -> core::result::Result<Slopes<Dual<1, Ball>>, ModelError> {
-        let tree = self.varied(host, &Variation { parameter, ranges })?;
-        slopes(&tree, &model.mechanism)
-    }
-
-    /// The tree with the numbers that depend on what varies.
-    fn varied(&self, host: &Host<'_>, variation: &Variation<'_>) -> Result<Node> {
-        let mut tree = self.tree.clone();
-        add_parameters(&mut tree)?;
-        let given = taken(&mut tree);
-        let place = Place::default().key("parameter");
-        let mut parameters = Parameters::read(
-            given.as_ref(),
-            &place,
-            host.set,
-            Some(variation),
-            unit_of(&tree),
-        )?;
-        parameters.replace(&mut tree);
-        Ok(tree)
-    }
-}
-
-/// The text of a model, and what errors call its file.
-struct Source<'t> {
-    text: &'t str,
-    file: &'t str,
-    is_json: bool,
-}
-
-impl Source<'_> {
-    fn tree(&self) -> core::result::Result<Node, ModelError> {
-        let Self {
-            text,
-            file,
-            is_json,
-        } = *self;
-        not_empty(text).map_err(|e| e.in_file(file))?;
-        if is_json {
-            return serde_json::from_str(text).map_err(|e| no_json(&e).in_file(file));
-        }
-        toml::from_str(text).map_err(|e| {
-            ModelError::of_file(format!("the file is no TOML: {}", e.message()))
-                .with_help("see the message for what was expected there")
-                .at(e.span().map(|span| line_and_column(text, span.start)))
-                .in_file(file)
-        })
-    }
-
-    /// The model in the text's tree.
-    fn model(&self, tree: Node, files: &Files<'_>) -> core::result::Result<Model, ModelError> {
-        let placed = |e: ModelError| {
-            let position = if self.is_json {
-                in_json(self.text, e.tree_place())
-            } else {
-                in_toml(self.text, e.tree_place())
-            };
-            e.at(position).in_file(self.file)
-        };
-        let (model, notes) = from_tree(tree, files).map_err(placed)?;
-        for note in notes {
-            (files.host.note)(&placed(note).to_string());
-        }
-        Ok(model)
-    }
-}
-
-/// Reads a model from TOML text; `file` is its name in errors.
-///
-/// ```
-/// use cspace_model::model;
-/// let model = model::from_toml("[[part]]\nname = \"pin\"\nloops = [[[6, 0, 1], [8, 0, 1]]]\n", "pin.toml")?;
-/// assert_eq!(model.parts[0].part.loops().len(), 1);
-/// let error = model::from_toml("[[part]]\nnmae = \"pin\"\n", "pin.toml").unwrap_err();
-/// assert_eq!(error.to_string(), "pin.toml:2:1: part 0: unknown key \"nmae\"");
-/// assert_eq!(error.help(), Some("did you mean `name`?"));
-/// # Ok::<(), cspace_model::ModelError>(())
-/// ```
-///
-/// # Errors
-/// If the text is no model; the error names the line, part, loop and vertex.
-pub fn from_toml(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    toml_in(text, file, &Files::beside(file, &Host::default())).map(|m| m.mechanism)
-}
-
-pub(crate) fn toml_in(
-    text: &str,
-    file: &str,
-    files: &Files<'_>,
-) -> core::result::Result<Model, ModelError> {
-    let source = Source {
-        text: without_mark(text),
-        file,
-        is_json: false,
-    };
-    source.model(source.tree()?, files)
-}
-
-/// Reads a model from JSON text; `file` is its name in errors.
-///
-/// ```
-/// let text = r#"{"part": [{"name": "pin", "loops": [[[6, 0, 1], [8, 0, 1]]]}]}"#;
-/// let model = cspace_model::model::from_json(text, "pin.json")?;
-/// assert_eq!(model.parts[0].part.name(), "pin");
-/// # Ok::<(), cspace_model::ModelError>(())
-/// ```
-///
-/// # Errors
-/// If the text is no model; the error names the line, part, loop and vertex.
-pub fn from_json(text: &str, file: &str) -> core::result::Result<Mechanism, ModelError> {
-    json_in(text, file, &Files::beside(file, &Host::default())).map(|m| m.mechanism)
-}
-
-pub(crate) fn json_in(
-    text: &str,
-    file: &str,
-    files: &Files<'_>,
-) -> core::result::Result<Model, ModelError> {
-    let source = Source {
-        text: without_mark(text),
-        file,
-        is_json: true,
-    };
-    source.model(source.tree()?, files)
-}
-
-/// Error for text that is not valid JSON.
-pub(crate) fn no_json(error: &serde_json::Error) -> ModelError {
-    // The position is removed from the message, at whose end the library repeats it.
-    let message = error.to_string();
-    let end = format!(" at line {} column {}", error.line(), error.column());
-    let message = message.strip_suffix(&end).unwrap_or(&message);
-    let (what, help) = if error.is_data() {
-        ("", "see the message for what was expected there")
-    } else if error.is_eof() {
-        (
-            "the file is no JSON: ",
-            "the text ends too early: is the file whole?",
-        )
-    } else {
-        (
-            "the file is no JSON: ",
-            "see the message for what was expected there",
-        )
-    };
-    ModelError::of_file(format!("{what}{message}"))
-        .with_help(help)
-        .at((error.line() > 0).then(|| (error.line(), error.column().max(1))))
-}
-
-fn not_empty(text: &str) -> Result<()> {
-    if text.trim().is_empty() {
-        return Err(ModelError::of_file("the file is empty")
-            .with_help("describe each part in a [[part]] table with its name and loops"));
-    }
-    Ok(())
-}
-
-/// The model's unit of length, where it is a known one.
-fn unit_of(tree: &Node) -> Option<Unit> {
-    match tree {
-        Node::Table(entries) => match entries.get("unit")? {
-            Node::Text(label) => Unit::of_label(label),
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-/// The parameters in a tree, taken out of it.
-fn taken(tree: &mut Node) -> Option<Node> {
-    match tree {
-        Node::Table(entries) => entries.remove("parameter"),
-        _ => None,
-    }
+    variation: Option<&Variation<'_>>,
+) -> Result<Parameters> {
+    let given = with_profiles(file)?;
+    let unit = file.get("unit").and_then(Node::text);
+    let place = Place::default().key("parameter");
+    let unit = unit.and_then(Unit::of_label);
+    Parameters::read(given.as_deref(), &place, host.set, variation, unit)
 }
 
 /// The model, and what whoever reads it should know.
-fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
-    let place = Place::default().key("parameter");
-    add_parameters(&mut tree)?;
-    let given = taken(&mut tree);
-    let mut parameters =
-        Parameters::read(given.as_ref(), &place, files.host.set, None, unit_of(&tree))?;
-    let failures = parameters.replace(&mut tree);
-    let explained = |error: ModelError| {
-        let explained = failures.iter().find_map(|f| f.explains(&error));
-        explained.unwrap_or(error)
-    };
-    let (mechanism, mut notes) = mechanism(&tree, files).map_err(explained)?;
-    let requirements = requirements(&tree, &mechanism).map_err(explained)?;
-    let words = |entry: &Entry| match entry.item {
-        Some(i) if entry.key == "requirement" && i < requirements.len() => {
+pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
+    let parameters = parameters_of(file, files.host, None)?;
+    let root = Table::new(Value::root(file, &parameters.scope), &FILE)?;
+    let (mechanism, mut notes) = mechanism(&root, files)?;
+    let requirements = read_requirements(&root, &mechanism)?;
+    let words = |entry: &Entry| match (entry.key.as_str(), entry.item) {
+        ("part", Some(i)) => {
+            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
+            format!("part {}", shown::quoted(name))
+        }
+        ("requirement", Some(i)) if i < requirements.len() => {
             format!("requirement {}", shown::quoted(&requirements[i].name))
         }
-        _ => entry.words(&mechanism),
+        (key, Some(i)) => format!("{key} {i}"),
+        (key, None) => key.to_owned(),
     };
+    let place = root.place.key("parameter");
     let (parameters, unused) = parameters.used(&place, words)?;
     notes.extend(unused);
     let model = Model {
@@ -592,57 +97,38 @@ fn from_tree(mut tree: Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError
     Ok((model, notes))
 }
 
-/// The requirements in a tree without expressions.
-fn requirements(tree: &Node, mechanism: &Mechanism) -> Result<Vec<Requirement>> {
-    let table = Table::new(tree, Place::default(), &KEYS, "")?;
-    let help = "write each requirement as [[requirement]], in two brackets";
-    let nodes = table.list("requirement", help)?.unwrap_or_default();
-    read_requirements(&table.place.key("requirement"), nodes, mechanism)
-}
-
-/// The mechanism in a tree without expressions.
-fn mechanism(tree: &Node, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
-    let root = Place::default();
-    let table = Table::new(tree, root, &KEYS, "give keys such as name and part")?;
-    let parts = table
-        .list("part", "write each part as [[part]], in two brackets")?
-        .unwrap_or_default();
-    if parts.is_empty() {
+/// The mechanism of a file.
+fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
+    let parts = root.nodes("part", "write each part as [[part]], in two brackets")?;
+    let count = parts.map_or(0, <[Node]>::len);
+    if count == 0 {
         return Err(ModelError::of_file("the model has no parts")
             .with_help("describe each part in a [[part]] table with its name and loops"));
     }
-    if parts.len() > MOST_PARTS {
-        let message = format!("{} parts, more than {MOST_PARTS}", parts.len());
-        return Err(ModelError::new(&table.place.key("part"), message)
-            .with_help("split the model into several files"));
+    if count > MOST_PARTS {
+        let error = root.error("part", format!("{count} parts, more than {MOST_PARTS}"));
+        return Err(error.with_help("split the model into several files"));
     }
-    table.text("$schema")?;
+    root.text("$schema")?;
     let mut setting = Setting {
         files,
-        unit: table.text("unit")?,
+        unit: root.text("unit")?,
         notes: Vec::new(),
     };
-    let (parts, masses) = read_parts(&table.place.key("part"), parts, &mut setting)?;
-    let joints = table
-        .list("joint", "write each joint as [[joint]], in two brackets")?
-        .unwrap_or_default();
-    let joints = read_joints(&table.place.key("joint"), joints, &parts)?;
-    let (pairs, surfaces) =
-        match table.list("pair", "write each pair as [[pair]], in two brackets")? {
-            None | Some([]) => (None, Vec::new()),
-            Some(nodes) => {
-                let (pairs, surfaces) = read_pairs(&table.place.key("pair"), nodes, &parts)?;
-                (Some(pairs), surfaces)
-            }
-        };
+    let (parts, masses) = read_parts(root, &mut setting)?;
+    let joints = read_joints(root, &parts)?;
+    let (pairs, surfaces) = read_pairs(root, &parts)?;
     let mut mechanism = Mechanism {
-        name: table.text("name")?.unwrap_or_default().to_owned(),
+        name: root.text("name")?.unwrap_or_default().to_owned(),
         unit: setting.unit.map(str::to_owned),
         parts,
         joints,
+        pairs,
         ..Mechanism::default()
     };
-    mechanism.pairs = pairs.unwrap_or_else(|| mechanism.every_two());
-    mechanism.dynamics = read_dynamics(&table, &mechanism, masses, surfaces)?;
+    if mechanism.pairs.is_empty() {
+        mechanism.pairs = mechanism.every_two();
+    }
+    mechanism.dynamics = read_dynamics(root, &mechanism, masses, surfaces)?;
     Ok((mechanism, setting.notes))
 }

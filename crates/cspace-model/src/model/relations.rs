@@ -6,13 +6,51 @@ use cspace::Point;
 use cspace::pair::Joint;
 
 use super::error::ModelError;
+use super::keys::{Key, Keys, Kind, Kinds};
 use super::node::Node;
-use super::parts::{direction, kind_of};
+use super::parts::direction;
 use super::place::Place;
-use super::suggest::nearest;
-use super::table::{Result, Table};
+use super::scope::Result;
+use super::suggest::did_you_mean;
+use super::table::Table;
+use super::value::Value;
 use crate::mechanism::{JointEntry, MechanismError, PairEntry, PairSurface, PartEntry};
 use crate::shown::quoted;
+
+#[rustfmt::skip]
+pub(super) const JOINT: Keys = Keys {
+    kinds: Some(Kinds {
+        what: "type of joint",
+        key: "type",
+        default: None,
+        all: &[
+            Kind { name: "revolute", needs: &["at"], takes: &[] },
+            Kind { name: "prismatic", needs: &["direction"], takes: &["at"] },
+            Kind { name: "rigid", needs: &[], takes: &[] },
+        ],
+    }),
+    ..Keys::new(
+        "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]",
+        &[
+            Key::new("type", "kind", "revolute: a hinge. prismatic: a slide. rigid: the parts move as one.").needed("type = \"revolute\""),
+            Key::new("parts", "two_names", "The names of the two parts.").needed("parts = [\"link\", \"pawl\"]"),
+            Key::new("at", "point", "Where the hinge is, or a point of the slide, at zero motion. Default for a slide: [0, 0].").like("at = [x, y]"),
+            Key::new("direction", "point", "The direction of the slide, at zero motion.").like("direction = [1, 0]"),
+        ],
+    )
+};
+
+#[rustfmt::skip]
+pub(super) const PAIR: Keys = Keys::new(
+    "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"",
+    &[
+        Key::new("fixed", "part_name", "The part in whose frame the other moves.").needed("fixed = \"ratchet\""),
+        Key::new("moving", "part_name", "The part that moves.").needed("moving = \"pawl\""),
+        Key::new("theta", "angles", "The window of orientations, at most a turn. Default: all."),
+        Key::new("friction", "not_negative", "The coefficient of friction. Default: that of all pairs."),
+        Key::new("restitution", "up_to_one", "The coefficient of restitution, from 0 to 1. Default: that of all pairs."),
+    ],
+);
 
 /// The index of the part that the text at a place names.
 pub(super) fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Result<usize> {
@@ -22,25 +60,20 @@ pub(super) fn part_index(place: &Place, name: &str, parts: &[PartEntry]) -> Resu
         .ok_or_else(|| {
             let names = || parts.iter().map(|p| p.part.name());
             let error = ModelError::new(place, format!("there is no part named {}", quoted(name)));
-            error.with_help(match nearest(name, names()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the parts are {}", names().collect::<Vec<_>>().join(", ")),
-            })
+            let all = || format!("the parts are {}", names().collect::<Vec<_>>().join(", "));
+            error.with_help(did_you_mean(name, names(), all))
         })
 }
 
-pub(super) fn read_joints(
-    place: &Place,
-    nodes: &[Node],
-    parts: &[PartEntry],
-) -> Result<Vec<JointEntry>> {
+pub(super) fn read_joints(root: &Table<'_>, parts: &[PartEntry]) -> Result<Vec<JointEntry>> {
     let mut joints: Vec<JointEntry> = Vec::new();
-    for (i, node) in nodes.iter().enumerate() {
-        let place = place.item(i).called(format!("joint {i}"));
-        let joint = read_joint(place.clone(), node, parts)?;
+    root.each("joint", |i, value| {
+        let place = value.place.clone();
+        let joint = read_joint(value, parts)?;
         (joint.check(i, &joints, parts)).map_err(|e| no_joint(&place, &e, parts))?;
         joints.push(joint);
-    }
+        Ok(())
+    })?;
     Ok(joints)
 }
 
@@ -63,22 +96,10 @@ fn no_joint(place: &Place, error: &MechanismError, parts: &[PartEntry]) -> Model
     }
 }
 
-fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEntry> {
-    const OTHERS: [&str; 2] = ["at", "direction"];
-    const KINDS: [&str; 3] = ["revolute", "prismatic", "rigid"];
-    const HELP: &str =
-        "a joint is a table with type = \"revolute\", parts = [\"link\", \"pawl\"] and at = [x, y]";
+fn read_joint(value: Value<'_>, parts: &[PartEntry]) -> Result<JointEntry> {
     const PARTS: &str = "a joint connects two parts: parts = [\"link\", \"pawl\"]";
-    // Keys that belong to one type only are not suggested; the type refuses those of others.
-    let keys: &[&str] = match kind_of(node) {
-        Some("rigid") => &["type", "parts"],
-        Some("prismatic") => &["type", "parts", "at", "direction"],
-        _ => &["type", "parts", "at"],
-    };
-    let table = Table::with_others(node, place.clone(), keys, &OTHERS, HELP)?;
-    let names = table
-        .list("parts", PARTS)?
-        .ok_or_else(|| table.missing("parts", "parts = [\"link\", \"pawl\"]"))?;
+    let table = Table::new(value, &JOINT)?;
+    let names = table.needed("parts", table.nodes("parts", PARTS)?)?;
     let [Node::Text(first), Node::Text(second)] = names else {
         let error = table.error("parts", "`parts` is not a list of two names");
         return Err(error.with_help(PARTS));
@@ -92,40 +113,18 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEnt
         let error = table.error("parts", format!("it joins {} to itself", quoted(first)));
         return Err(error.with_help("a joint connects two different parts"));
     }
-    let kind = table
-        .text("type")?
-        .ok_or_else(|| table.missing("type", "type = \"revolute\""))?;
-    // A key that a joint of this type does not use would be taken for a statement about it.
-    let only = |keys: &[&str]| {
-        let help = format!("a {kind} joint has the keys {}", keys.join(", "));
-        Table::new(node, place.clone(), keys, &help).map_err(|e| e.with_help(help.as_str()))
-    };
-    let at = |table: &Table<'_>| {
-        let point = table.point("at")?;
-        Ok(point.map(|(x, y)| Point::new(x, y)))
-    };
-    let joint = match kind {
-        "revolute" => {
-            let table = only(&["type", "parts", "at"])?;
-            Joint::Revolute {
-                at: at(&table)?.ok_or_else(|| table.missing("at", "at = [x, y]"))?,
-            }
-        }
-        "prismatic" => {
-            let table = only(&["type", "parts", "direction", "at"])?;
-            Joint::Prismatic {
-                direction: direction(&table)?,
-                at: at(&table)?.unwrap_or(Point::ORIGIN),
-            }
-        }
-        "rigid" => only(&["type", "parts"]).map(|_| Joint::Rigid)?,
-        other => {
-            let error = table.error("type", format!("unknown type of joint {}", quoted(other)));
-            return Err(error.with_help(match nearest(other, KINDS) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "the types are revolute, prismatic and rigid".to_owned(),
-            }));
-        }
+    let kind = table.kind()?;
+    table.only_of(kind, "joint")?;
+    let at = table.point("at")?;
+    let joint = match kind.name {
+        "revolute" => Joint::Revolute {
+            at: table.needed("at", at)?,
+        },
+        "prismatic" => Joint::Prismatic {
+            direction: direction(&table)?,
+            at: at.unwrap_or(Point::ORIGIN),
+        },
+        _ => Joint::Rigid,
     };
     Ok(JointEntry {
         joint,
@@ -133,23 +132,17 @@ fn read_joint(place: Place, node: &Node, parts: &[PartEntry]) -> Result<JointEnt
     })
 }
 
+/// The pairs, and what is said of the surfaces of some.
 pub(super) fn read_pairs(
-    place: &Place,
-    nodes: &[Node],
+    root: &Table<'_>,
     parts: &[PartEntry],
 ) -> Result<(Vec<PairEntry>, Vec<PairSurface>)> {
-    const KEYS: [&str; 5] = ["fixed", "moving", "theta", "friction", "restitution"];
-    const HELP: &str = "a pair is a table with fixed = \"ratchet\" and moving = \"pawl\"";
-    let mut pairs: Vec<PairEntry> = Vec::new();
     let mut surfaces: Vec<PairSurface> = Vec::new();
     let mut known: HashMap<(usize, usize), usize> = HashMap::new();
-    for (i, node) in nodes.iter().enumerate() {
-        let place = place.item(i).called(format!("pair {i}"));
-        let table = Table::new(node, place, &KEYS, HELP)?;
+    let pairs = root.each("pair", |i, value| {
+        let table = Table::new(value, &PAIR)?;
         let side = |key: &str| {
-            let name = table
-                .text(key)?
-                .ok_or_else(|| table.missing(key, &format!("{key} = \"ratchet\"")))?;
+            let name = table.needed(key, table.text(key)?)?;
             part_index(&table.place.key(key), name, parts)
         };
         let (fixed, moving) = (side("fixed")?, side("moving")?);
@@ -172,11 +165,6 @@ pub(super) fn read_pairs(
             let error = table.error("theta", message);
             return Err(error.with_help("leave `theta` out for all orientations"));
         }
-        pairs.push(PairEntry {
-            fixed,
-            moving,
-            window,
-        });
         let surface = PairSurface {
             parts: (fixed, moving),
             friction: table.number("friction")?,
@@ -185,6 +173,11 @@ pub(super) fn read_pairs(
         if surface.friction.is_some() || surface.restitution.is_some() {
             surfaces.push(surface);
         }
-    }
+        Ok(PairEntry {
+            fixed,
+            moving,
+            window,
+        })
+    })?;
     Ok((pairs, surfaces))
 }

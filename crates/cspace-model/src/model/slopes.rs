@@ -2,15 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{Ball, Dual, Part, Real, Vertex};
+use cspace::{Part, Real, Vertex};
 
-use super::error::ModelError;
 use super::loops::read_loops;
 use super::node::Node;
-use super::place::Place;
-use super::profile::{KEY, Profile};
+use super::profile::Profile;
 use super::requirements::Coordinate;
-use super::table::{Result, number};
+use super::scope::{Number, Result, Scalar, Varied};
+use super::value::Value;
 use crate::mechanism::Mechanism;
 
 /// Derivatives of a model's numbers by one of its parameters; or, of another type, enclosures of the numbers with theirs.
@@ -45,78 +44,84 @@ pub struct RequirementSlopes<T = f64> {
     pub along: [Option<T>; 3],
 }
 
-/// A number with its derivative, and what encloses both.
-type Given = Dual<1, Ball>;
-
 /// Result type of the evaluation of a number that varies.
 pub(super) trait Slope: Copy {
-    fn of(number: Dual<1, Ball>) -> Self;
+    fn from_number(number: Varied) -> Self;
 }
 
 impl Slope for f64 {
-    fn of(number: Dual<1, Ball>) -> Self {
+    fn from_number(number: Varied) -> Self {
         number.slope[0].mid
     }
 }
 
-impl Slope for Dual<1, Ball> {
-    fn of(number: Self) -> Self {
+impl Slope for Varied {
+    fn from_number(number: Self) -> Self {
         number
     }
 }
 
-/// Collects the derivatives from a tree whose numbers have them.
-pub(super) fn slopes<T: Slope>(tree: &Node, mechanism: &Mechanism) -> Result<Slopes<T>> {
-    let items = |key: &str| match entry(tree, key) {
-        Some(Node::List(items)) => &items[..],
-        _ => &[],
-    };
-    let place = Place::default().key("part");
-    let parts = items("part").iter().zip(&mechanism.parts).enumerate();
-    let parts = parts.map(|(i, (node, of))| {
-        let words = format!("part {}", crate::shown::quoted(of.part.name()));
-        part(&place.item(i).called(words), node, &of.part)
+/// Collects the derivatives of a file's numbers.
+pub(super) fn slopes<T: Slope>(file: &Value<'_>, mechanism: &Mechanism) -> Result<Slopes<T>> {
+    let items = |key: &str| file.get(key).and_then(|list| list.items());
+    let parts = items("part").unwrap_or_default().into_iter();
+    let parts = parts.zip(&mechanism.parts).map(|(value, entry)| {
+        let words = format!("part {}", crate::shown::quoted(entry.part.name()));
+        part(&value.called(words), &entry.part)
     });
+    let requirements = items("requirement").unwrap_or_default();
+    let requirements = requirements.iter().map(|r| Ok((name(r), requirement(r)?)));
     Ok(Slopes {
         parts: parts.collect::<Result<_>>()?,
-        requirements: items("requirement")
-            .iter()
-            .filter_map(requirement)
-            .collect(),
+        requirements: requirements.collect::<Result<_>>()?,
     })
 }
 
-fn entry<'n>(node: &'n Node, key: &str) -> Option<&'n Node> {
-    match node {
-        Node::Table(entries) => entries.get(key),
-        _ => None,
-    }
+fn name(requirement: &Value<'_>) -> String {
+    requirement.text_of("name").unwrap_or_default().to_owned()
 }
 
-/// Whether anything in a value depends on a parameter that varies.
-fn depends(node: &Node) -> bool {
+/// Whether anything in a value is written as text, which may be an expression.
+fn has_text(node: &Node) -> bool {
     match node {
-        Node::Varied(_) => true,
-        Node::List(items) => items.iter().any(depends),
-        Node::Table(entries) => entries.values().any(depends),
+        Node::Text(_) => true,
+        Node::List(items) => items.iter().any(has_text),
+        Node::Table(entries) => entries.values().any(has_text),
         _ => false,
     }
 }
 
-fn varied(node: &Node) -> Option<Dual<1, Ball>> {
-    match node {
-        Node::Varied(x) => Some(**x),
-        _ => None,
-    }
+/// The loops of a part's outline; none if they do not depend on anything that varies.
+fn outline(part: &Value<'_>) -> Result<Vec<Vec<Vertex<Varied>>>> {
+    let Some(loops) = part.get("loops").filter(|loops| has_text(loops.node)) else {
+        return Ok(Vec::new());
+    };
+    // Enclosures of what does not vary might be too wide to draw by, for nothing.
+    let (_, moves) = part.scope.moves_in(|| drawn::<f64>(&loops))?;
+    if moves { drawn(&loops) } else { Ok(Vec::new()) }
 }
 
-fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>> {
+fn drawn<T: Scalar>(loops: &Value<'_>) -> Result<Vec<Vec<Vertex<T>>>> {
+    let mut outlines = Vec::new();
+    if let Node::List(items) = loops.node {
+        for (i, node) in items.iter().enumerate() {
+            let drawn = read_loops(&loops.place, i, node, loops.scope)?;
+            outlines.extend(drawn.into_iter().map(|l| l.vertices));
+        }
+    }
+    Ok(outlines)
+}
+
+fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {
+    const HELP: &str = "vary the parameter with `sweep` to see what it does";
     // Derivatives of parts that are offset or drawn elsewhere are unknown; only whether they depend on it is known.
-    for key in ["offset", "scale", "trace", "join"] {
-        if entry(node, key).is_some_and(depends) {
+    for key in ["offset", "scale", "join"] {
+        let Some(value) = value.get(key) else {
+            continue;
+        };
+        if value.read_number()?.is_some_and(|x| x.varied.is_some()) {
             let message = format!("`{key}` depends on the parameter, and has no derivatives");
-            return Err(ModelError::new(&place.key(key), message)
-                .with_help("vary the parameter with `sweep` to see what it does"));
+            return Err(value.error(message).with_help(HELP));
         }
     }
     let mut slopes = PartSlopes {
@@ -124,29 +129,19 @@ fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>
         axis: None,
         range: None,
     };
-    let mut outlines: Vec<Vec<Vertex<Given>>> = Vec::new();
-    if let Some(loops @ Node::List(items)) = entry(node, "loops")
-        && depends(loops)
-    {
-        if entry(node, "offset").is_some() {
-            let message = "the part has an offset, of which there are no derivatives";
-            return Err(ModelError::new(&place.key("offset"), message)
-                .with_help("vary the parameter with `sweep` to see what it does"));
-        }
-        let loops = place.key("loops");
-        for (i, node) in items.iter().enumerate() {
-            let drawn = read_loops::<Given>(&loops, i, node)?;
-            outlines.extend(drawn.into_iter().map(|l| l.vertices));
-        }
+    let mut outlines = outline(value)?;
+    if let Some(offset) = value.get("offset").filter(|_| !outlines.is_empty()) {
+        let message = "the part has an offset, of which there are no derivatives";
+        return Err(offset.error(message).with_help(HELP));
     }
-    if let Some(node) = entry(node, KEY).filter(|p| depends(p) || !outlines.is_empty()) {
-        let place = place.key(KEY);
-        let mut profile = Profile::<Given>::read(&place, node, of)?;
-        if outlines.is_empty() {
+    if let Some(given) = value.get("profile") {
+        let read = || Profile::<Varied>::read(&given, of);
+        let (mut profile, moves) = value.scope.moves_in(read)?;
+        if outlines.is_empty() && moves {
             // The part's own are off by the values already.
             profile = profile.beyond();
             let given = |v: &Vertex| {
-                let [x, y, bulge] = [v.x, v.y, v.bulge].map(Given::constant);
+                let [x, y, bulge] = [v.x, v.y, v.bulge].map(Varied::constant);
                 Vertex::new(x, y, bulge)
             };
             let loops = of.loops().iter();
@@ -154,56 +149,51 @@ fn part<T: Slope>(place: &Place, node: &Node, of: &Part) -> Result<PartSlopes<T>
                 .map(|l| l.vertices().iter().map(given).collect())
                 .collect();
         }
-        outlines = profile.loops(&place, of, &outlines)?;
+        if !outlines.is_empty() {
+            outlines = profile.loops(&given.place, of, &outlines)?;
+        }
     }
     for outline in outlines {
-        let number = |v: &Vertex<Given>| [v.x, v.y, v.bulge].map(T::of);
+        let number = |v: &Vertex<Varied>| [v.x, v.y, v.bulge].map(T::from_number);
         slopes.loops.push(outline.iter().map(number).collect());
     }
-    let Some(motion) = entry(node, "motion") else {
+    let Some(motion) = value.get("motion") else {
         return Ok(slopes);
     };
-    let pair = |key: &str| match entry(motion, key) {
-        Some(list @ Node::List(items)) if items.len() == 2 && depends(list) => {
-            let of = |node: &Node| {
-                let number = number(node).unwrap_or(f64::NAN);
-                T::of(varied(node).unwrap_or(Dual::constant(number)))
-            };
-            Some([&items[0], &items[1]].map(of))
-        }
-        _ => None,
+    let pair = |key: &str| {
+        let both = motion.get(key).and_then(|both| both.items());
+        let Some([a, b]) = both.as_deref() else {
+            return Ok(None);
+        };
+        let both = a.read_angle()?.zip(b.read_angle()?);
+        let both = both.filter(|(a, b)| a.varied.or(b.varied).is_some());
+        Ok(both.map(|(a, b)| [a, b].map(|x: Number| T::from_number(Varied::of(x)))))
     };
-    slopes.axis = pair("center").or_else(|| pair("direction"));
-    slopes.range = pair("range");
+    slopes.axis = pair("center")?.or(pair("direction")?);
+    slopes.range = pair("range")?;
     Ok(slopes)
 }
 
-fn requirement<T: Slope>(node: &Node) -> Option<(String, RequirementSlopes<T>)> {
-    let Some(Node::Text(name)) = entry(node, "name") else {
-        return None;
+fn requirement<T: Slope>(value: &Value<'_>) -> Result<RequirementSlopes<T>> {
+    let slope = |value: &Value<'_>| {
+        let number = value.read_angle()?;
+        Ok(number.and_then(|x| x.varied).map(T::from_number))
     };
     let mut slopes = RequirementSlopes {
         at: [None; 3],
         along: [None; 3],
     };
-    let numbers = [
-        Coordinate::X,
-        Coordinate::Y,
-        Coordinate::Theta,
-        Coordinate::U,
-        Coordinate::V,
-    ];
-    if let Some(at) = entry(node, "at") {
-        for of in numbers {
-            if let Some(value) = entry(at, of.name()) {
-                slopes.at[of.index()] = varied(value).map(T::of);
+    if let Some(at) = value.get("at") {
+        for (_, of) in Coordinate::PLANAR.into_iter().chain(Coordinate::AXES) {
+            if let Some(value) = at.get(of.name()) {
+                slopes.at[of.index()] = slope(&value)?;
             }
         }
     }
-    if let Some(Node::List(along)) = entry(node, "along") {
-        for (to, from) in slopes.along.iter_mut().zip(along) {
-            *to = varied(from).map(T::of);
+    if let Some(along) = value.get("along").and_then(|along| along.items()) {
+        for (to, from) in slopes.along.iter_mut().zip(&along) {
+            *to = slope(from)?;
         }
     }
-    Some((name.to_string(), slopes))
+    Ok(slopes)
 }

@@ -3,12 +3,19 @@
 /// Names longer than this are not compared: the cost is the product of the lengths.
 const LONGEST: usize = 64;
 
-/// The candidate nearest to `typed` by Damerau-Levenshtein distance, case ignored, if it is near
-/// enough to be a slip: at most a third of the letters, and at least one, wrong; the first of equals.
-pub(super) fn nearest<'a>(
+/// Advice on a name that is none of the candidates: the one that was probably meant, else something else.
+pub(super) fn did_you_mean<'a>(
     typed: &str,
     candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+    otherwise: impl FnOnce() -> String,
+) -> String {
+    let meant = nearest(typed, candidates);
+    meant.map_or_else(otherwise, |meant| format!("did you mean `{meant}`?"))
+}
+
+/// The candidate nearest to `typed` by Damerau-Levenshtein distance, case ignored, if it is near
+/// enough to be a slip: at most a third of the letters, and at least one, wrong; the first of equals.
+fn nearest<'a>(typed: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if typed.len() > LONGEST {
         return None;
     }

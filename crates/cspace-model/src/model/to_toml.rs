@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion, Vertex};
+use cspace::{Axis, AxisMotion};
 
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
-use super::toml_values::{point, text, two, vector};
+use super::toml_values::{lines, list, point, text, two, vector};
 use crate::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
 
 /// Writes the model as the text of a TOML file. Reading it gives an equal model: numbers are written with as many
@@ -25,107 +25,82 @@ use crate::mechanism::{JointEntry, Mechanism, PairEntry, PartEntry};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn to_toml(mechanism: &Mechanism) -> String {
-    let mut out = Out(format!("name = {}\n", text(&mechanism.name)));
-    if let Some(unit) = &mechanism.unit {
-        out.line("unit", text(unit));
-    }
     let dynamics = &mechanism.dynamics;
-    out.0.push_str(&of_whole(dynamics));
-    for (i, part) in mechanism.parts.iter().enumerate() {
-        out.part(part);
-        out.0.push_str(&of_part(&dynamics.part(i)));
+    let name = |part: usize| text(mechanism.parts.get(part).map_or("", |p| p.part.name()));
+    let mut out = lines([
+        ("name", Some(text(&mechanism.name))),
+        ("unit", mechanism.unit.as_deref().map(text)),
+    ]) + &of_whole(dynamics);
+    for (i, entry) in mechanism.parts.iter().enumerate() {
+        out += &(part(entry) + &of_part(&dynamics.part(i)));
     }
-    for joint in &mechanism.joints {
-        out.joint(joint, mechanism);
+    for entry in &mechanism.joints {
+        out += &joint(entry, &name);
     }
     if mechanism.pairs != mechanism.every_two() || !dynamics.pairs.is_empty() {
-        for pair in &mechanism.pairs {
-            out.pair(pair, mechanism);
-            out.0.push_str(&of_pair(dynamics, pair));
+        for entry in &mechanism.pairs {
+            out += &(pair(entry, &name) + &of_pair(dynamics, entry));
         }
     }
-    let name = |part: usize| name_of(mechanism, part);
-    out.0.push_str(&written_apart(dynamics, &name));
-    out.0
+    out + &written_apart(dynamics, &name)
 }
 
-fn name_of(mechanism: &Mechanism, part: usize) -> String {
-    text(mechanism.parts.get(part).map_or("", |p| p.part.name()))
+fn part(entry: &PartEntry) -> String {
+    let mut loops = String::from("[\n");
+    for outline in entry.part.loops() {
+        loops.push_str("  [\n");
+        for v in outline.vertices() {
+            // Writing to a string cannot fail. A bulge of −0 is distinguished from 0, so that it is read back unchanged.
+            let _ = match v.bulge.to_bits() {
+                0 => writeln!(loops, "    [{:?}, {:?}],", v.x, v.y),
+                _ => writeln!(loops, "    [{:?}, {:?}, {:?}],", v.x, v.y, v.bulge),
+            };
+        }
+        loops.push_str("  ],\n");
+    }
+    loops.push(']');
+    let names: Vec<String> = (entry.part.feature_names())
+        .map(|(feature, name)| format!("\"{feature}\" = {}", text(name)))
+        .collect();
+    let names = (!names.is_empty()).then(|| format!("{{ {} }}", names.join(", ")));
+    let keys = [
+        ("name", Some(text(entry.part.name()))),
+        ("loops", Some(loops)),
+        ("names", names),
+        ("motion", entry.axis.map(motion)),
+        ("symmetry", entry.symmetry.map(|fold| fold.to_string())),
+    ];
+    format!("\n[[part]]\n{}", lines(keys))
 }
 
-/// Text so far.
-struct Out(String);
-
-impl Out {
-    fn line(&mut self, key: &str, value: impl AsRef<str>) {
-        self.0.extend([key, " = ", value.as_ref(), "\n"]);
-    }
-
-    fn part(&mut self, entry: &PartEntry) {
-        self.0.push_str("\n[[part]]\n");
-        self.line("name", text(entry.part.name()));
-        self.0.push_str("loops = [\n");
-        for outline in entry.part.loops() {
-            self.0.push_str("  [\n");
-            for vertex in outline.vertices() {
-                self.vertex(*vertex);
-            }
-            self.0.push_str("  ],\n");
-        }
-        self.0.push_str("]\n");
-        let names: Vec<String> = (entry.part.feature_names())
-            .map(|(feature, name)| format!("\"{feature}\" = {}", text(name)))
-            .collect();
-        if !names.is_empty() {
-            self.line("names", format!("{{ {} }}", names.join(", ")));
-        }
-        if let Some(axis) = entry.axis {
-            self.line("motion", motion(&axis));
-        }
-        if let Some(fold) = entry.symmetry {
-            self.line("symmetry", fold.to_string());
-        }
-    }
-
-    fn vertex(&mut self, Vertex { x, y, bulge }: Vertex) {
-        // Writing to a string cannot fail. A bulge of −0 is distinguished from 0, so that it is read back unchanged.
-        let _ = if bulge.to_bits() == 0 {
-            writeln!(self.0, "    [{x:?}, {y:?}],")
-        } else {
-            writeln!(self.0, "    [{x:?}, {y:?}, {bulge:?}],")
-        };
-    }
-
-    fn joint(&mut self, entry: &JointEntry, mechanism: &Mechanism) {
-        let (a, b) = entry.parts;
-        let (kind, along, at) = match entry.joint {
-            Joint::Revolute { at } => ("revolute", None, Some(at)),
-            Joint::Prismatic { direction, at } => ("prismatic", Some(direction), Some(at)),
-            Joint::Rigid => ("rigid", None, None),
-        };
-        self.0.push_str("\n[[joint]]\n");
-        self.line("type", text(kind));
-        let names = format!("[{}, {}]", name_of(mechanism, a), name_of(mechanism, b));
-        self.line("parts", names);
-        if let Some(along) = along {
-            self.line("direction", vector(along));
-        }
-        if let Some(at) = at {
-            self.line("at", point(at));
-        }
-    }
-
-    fn pair(&mut self, pair: &PairEntry, mechanism: &Mechanism) {
-        self.0.push_str("\n[[pair]]\n");
-        self.line("fixed", name_of(mechanism, pair.fixed));
-        self.line("moving", name_of(mechanism, pair.moving));
-        if let Some(window) = pair.window {
-            self.line("theta", two(window));
-        }
-    }
+fn joint(entry: &JointEntry, name: &dyn Fn(usize) -> String) -> String {
+    let (kind, along, at) = match entry.joint {
+        Joint::Revolute { at } => ("revolute", None, Some(at)),
+        Joint::Prismatic { direction, at } => ("prismatic", Some(direction), Some(at)),
+        Joint::Rigid => ("rigid", None, None),
+    };
+    let keys = [
+        ("type", Some(text(kind))),
+        (
+            "parts",
+            Some(list([entry.parts.0, entry.parts.1].map(name))),
+        ),
+        ("direction", along.map(vector)),
+        ("at", at.map(point)),
+    ];
+    format!("\n[[joint]]\n{}", lines(keys))
 }
 
-fn motion(axis: &Axis) -> String {
+fn pair(pair: &PairEntry, name: &dyn Fn(usize) -> String) -> String {
+    let keys = [
+        ("fixed", Some(name(pair.fixed))),
+        ("moving", Some(name(pair.moving))),
+        ("theta", pair.window.map(two)),
+    ];
+    format!("\n[[pair]]\n{}", lines(keys))
+}
+
+fn motion(axis: Axis) -> String {
     let range = (axis.range).map_or_else(String::new, |r| format!(", range = {}", two(r)));
     match axis.motion {
         AxisMotion::Fixed => r#"{ type = "fixed" }"#.into(),

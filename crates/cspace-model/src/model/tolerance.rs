@@ -3,10 +3,30 @@
 use cspace_drawing::Unit;
 
 use super::fit::Fit;
+use super::keys::{Key, Keys};
 use super::node::Node;
-use super::suggest::nearest;
-use super::table::{Result, Table, angle_of, number};
+use super::scope::Result;
+use super::suggest::did_you_mean;
+use super::table::Table;
+use super::value::Value;
 use crate::shown::{self, quoted};
+
+/// A parameter with its tolerance.
+#[rustfmt::skip]
+pub(super) const PARAMETER: Keys = Keys::new(
+    "give it as { value = 6.0, tol = 0.02 }",
+    &[
+        Key::new("value", "value", "The value, or an expression of other parameters.").needed("value = 6.0"),
+        Key::new("tol", "tolerance", "How far it may be below and above the value, or a tolerance class of ISO 286 for the value as nominal size, such as H7 or g6."),
+        Key::new("plus", "signed_deviation", "How far it may be above the value; below it if negative. Default: 0, where `minus` is given."),
+        Key::new("minus", "signed_deviation", "How far it may be below the value; above it if negative. Default: 0, where `plus` is given."),
+        Key::new("limits", "bounds", "Its smallest and its largest value, in place of deviations."),
+        Key::new("distribution", "distribution", "How likely it is where within its tolerance; a table has values and densities, linear between them. Default: uniform."),
+        Key::new("sigma", "literal_positive", "Of a normal distribution: how many standard deviations half the width of the tolerance is. Default: 3."),
+        Key::new("position", "literal_not_negative", "The diameter of the circle in which the point lies of which this is a coordinate.").like("position = 0.2, the diameter of a zone"),
+        Key::new("with", "any_text", "Of a position: the parameter that is the other coordinate.").like("with = \"hole_y\", the parameter that is the other coordinate of the point"),
+    ],
+);
 
 /// Default number of standard deviations in half the width of a tolerance, for a normal distribution.
 const SIGMA: f64 = 3.0;
@@ -55,18 +75,6 @@ enum Extent {
 }
 
 impl Tolerance {
-    pub(super) const KEYS: [&'static str; 9] = [
-        "value",
-        "tol",
-        "plus",
-        "minus",
-        "limits",
-        "distribution",
-        "sigma",
-        "position",
-        "with",
-    ];
-
     pub(super) fn read(table: &Table<'_>) -> Result<Self> {
         let extent = extent(table)?;
         let position = position(table)?;
@@ -83,7 +91,7 @@ impl Tolerance {
             let error = table.error("distribution", "the parameter has no tolerance");
             return Err(error.with_help("add tol = 0.02, plus and minus, or limits = [5.98, 6.02]"));
         }
-        let is_angle = |key: &&str| match table.get(key) {
+        let is_angle = |key: &&str| match table.get(key).map(|value| value.node) {
             Some(Node::List(all)) => all.iter().any(|node| matches!(node, Node::Text(_))),
             node => matches!(node, Some(Node::Text(_))),
         };
@@ -105,7 +113,7 @@ impl Tolerance {
     }
 
     /// Largest deviations of the parameter below and above its value.
-    pub(super) fn deviations(&self, table: &Table<'_>, of: Written) -> Result<Option<(f64, f64)>> {
+    pub(super) fn deviations(&self, table: &Table<'_>, of: Nominal) -> Result<Option<(f64, f64)>> {
         let value = of.value;
         if let Some(key) = self.angle.filter(|_| !of.may_be_angle) {
             let message = format!(
@@ -142,9 +150,9 @@ impl Tolerance {
     }
 }
 
-/// Value of a parameter, as read.
+/// Value of a parameter, about which its tolerance is.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Written {
+pub(super) struct Nominal {
     pub(super) value: f64,
     /// Whether it was set from outside, in place of the value in the file.
     pub(super) is_set: bool,
@@ -166,7 +174,7 @@ pub(super) const LARGEST: f64 = 1e12;
 const ROUNDING: f64 = 1e-12;
 
 /// The deviations of a tolerance class, in the model's unit.
-fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
+fn of_fit(fit: &Fit, table: &Table<'_>, of: Nominal) -> Result<(f64, f64)> {
     if of.is_angle {
         let error = table.error(
             "tol",
@@ -196,7 +204,7 @@ fn of_fit(fit: &Fit, table: &Table<'_>, of: Written) -> Result<(f64, f64)> {
 
 fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
     let of = |key: &str, least: f64, expected: &str| {
-        let Some(node) = table.get(key) else {
+        let Some(value) = table.get(key) else {
             return Ok(None);
         };
         let help = match key {
@@ -205,22 +213,19 @@ fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
             }
             _ => "give how far the parameter may be from its value: 0.02, or \"0.5deg\"",
         };
-        match angle_of(node).filter(|x| *x >= least) {
-            Some(value) if value.abs() <= LARGEST => Ok(Some(value)),
+        match value.angle()?.filter(|x| *x >= least) {
+            Some(by) if by.abs() <= LARGEST => Ok(Some(by)),
             Some(_) => Err(table
                 .error(key, format!("`{key}` is more than {LARGEST:e}"))
                 .with_help(help)),
-            None => Err(table.wrong(key, node, expected, help)),
+            None => Err(table.wrong(key, value.node, expected, help)),
         }
     };
     let (above, below) = {
         let signed = |key| of(key, f64::NEG_INFINITY, "a number or an angle");
         (signed("plus")?, signed("minus")?)
     };
-    let fit = match table.get("tol") {
-        Some(Node::Text(text)) => Fit::parse(text),
-        _ => None,
-    };
+    let fit = (table.get("tol")).and_then(|tol| Fit::parse(tol.node.text()?));
     let both = match &fit {
         Some(_) => None,
         None => of(
@@ -253,13 +258,13 @@ fn extent(table: &Table<'_>) -> Result<Option<Extent>> {
 }
 
 fn limits(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
-    let Some(node) = table.get("limits") else {
+    let Some(value) = table.get("limits") else {
         return Ok(None);
     };
     let help =
         "give the smallest and the largest value: limits = [5.98, 6.02], or [\"29deg\", \"31deg\"]";
-    let both = match node {
-        Node::List(both) if both.len() == 2 => angle_of(&both[0]).zip(angle_of(&both[1])),
+    let both = match value.items().as_deref() {
+        Some([lo, hi]) => lo.angle()?.zip(hi.angle()?),
         _ => None,
     };
     match both.filter(|(lo, hi)| lo.is_finite() && hi.is_finite()) {
@@ -267,7 +272,12 @@ fn limits(table: &Table<'_>) -> Result<Option<(f64, f64)>> {
             .error("limits", "the first limit is larger than the second")
             .with_help(help)),
         Some(both) => Ok(Some(both)),
-        None => Err(table.wrong("limits", node, "a list of two numbers, or two angles", help)),
+        None => Err(table.wrong(
+            "limits",
+            value.node,
+            "a list of two numbers, or two angles",
+            help,
+        )),
     }
 }
 
@@ -276,11 +286,8 @@ fn position(table: &Table<'_>) -> Result<Option<Position>> {
     let with = table.text("with")?;
     match (zone, with) {
         (None, None) => Ok(None),
-        (None, Some(_)) => Err(table.missing("position", "position = 0.2, the diameter of a zone")),
-        (Some(_), None) => Err(table.missing(
-            "with",
-            "with = \"hole_y\", the parameter that is the other coordinate of the point",
-        )),
+        (None, Some(_)) => Err(table.missing("position")),
+        (Some(_), None) => Err(table.missing("with")),
         (Some(zone), _) if zone < 0.0 => Err(table
             .error("position", "the diameter of the zone is negative")
             .with_help("give the diameter of the circle in which the point lies")),
@@ -291,55 +298,60 @@ fn position(table: &Table<'_>) -> Result<Option<Position>> {
     }
 }
 
+/// How distributions are written.
+const HELP: &str = "give \"uniform\", \"normal\", \"triangular\", or a table of values and densities: [[5.98, 1], [6.0, 4], [6.02, 1]]";
+
+/// Values with their densities.
+fn densities(table: &Table<'_>, rows: &[Value<'_>]) -> Result<Vec<[f64; 2]>> {
+    let mut read: Vec<[f64; 2]> = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let wrong = |what: &str| {
+            let message = format!("entry {i} of the distribution {what}");
+            Err(table.error("distribution", message).with_help(HELP))
+        };
+        let both = match row.items().as_deref() {
+            Some([value, density]) => value.angle()?.zip(density.number()?),
+            _ => None,
+        };
+        let is_row = |row: &(f64, f64)| row.0.is_finite() && row.1.is_finite() && row.1 >= 0.0;
+        let Some((value, density)) = both.filter(is_row) else {
+            return wrong("is not a value with a density of 0 or more");
+        };
+        if read.last().is_some_and(|last| last[0] >= value) {
+            return wrong("has a value that is not larger than the one before");
+        }
+        read.push([value, density]);
+    }
+    Ok(read)
+}
+
 fn distribution(table: &Table<'_>) -> Result<Option<Distribution>> {
     const NAMES: [&str; 3] = ["uniform", "normal", "triangular"];
-    const HELP: &str = "give \"uniform\", \"normal\", \"triangular\", or a table of values and densities: [[5.98, 1], [6.0, 4], [6.02, 1]]";
     let sigma = table.number::<f64>("sigma")?;
+    let normal = || Distribution::Normal { sigma: SIGMA };
     let found = match table.get("distribution") {
-        None => sigma.map(|_| Distribution::Normal { sigma: SIGMA }),
-        Some(Node::Text(name)) => Some(match &**name {
-            "uniform" => Distribution::Uniform,
-            "normal" => Distribution::Normal { sigma: SIGMA },
-            "triangular" => Distribution::Triangular,
-            other => {
-                let message = format!("unknown distribution {}", quoted(other));
-                let error = table.error("distribution", message);
-                return Err(match nearest(other, NAMES) {
-                    Some(meant) => error.with_help(format!("did you mean `{meant}`?")),
-                    None => error.with_help(HELP),
-                });
+        None => sigma.map(|_| normal()),
+        Some(value) => Some(match (value.node, value.items()) {
+            (Node::Text(name), _) => match &**name {
+                "uniform" => Distribution::Uniform,
+                "normal" => normal(),
+                "triangular" => Distribution::Triangular,
+                other => {
+                    let message = format!("unknown distribution {}", quoted(other));
+                    let error = value.error(message);
+                    return Err(error.with_help(did_you_mean(other, NAMES, || HELP.to_owned())));
+                }
+            },
+            (node, Some(rows)) => {
+                let rows = densities(table, &rows)?;
+                if rows.len() < 2 || rows.iter().all(|row| row[1] == 0.0) {
+                    let expected = "two or more values, of which one has a density above 0,";
+                    return Err(table.wrong("distribution", node, expected, HELP));
+                }
+                Distribution::Table(rows)
             }
+            (node, None) => return Err(table.wrong("distribution", node, "a distribution", HELP)),
         }),
-        Some(node @ Node::List(rows)) => {
-            let row = |row: &Node| match row {
-                Node::List(both) if both.len() == 2 => {
-                    let [value, density] = [angle_of(&both[0])?, number(&both[1])?];
-                    (value.is_finite() && density.is_finite() && density >= 0.0)
-                        .then_some([value, density])
-                }
-                _ => None,
-            };
-            let mut read: Vec<[f64; 2]> = Vec::new();
-            for (i, node) in rows.iter().enumerate() {
-                let wrong = |what: &str| {
-                    let message = format!("entry {i} of the distribution {what}");
-                    table.error("distribution", message).with_help(HELP)
-                };
-                let Some(row) = row(node) else {
-                    return Err(wrong("is not a value with a density of 0 or more"));
-                };
-                if read.last().is_some_and(|last| last[0] >= row[0]) {
-                    return Err(wrong("has a value that is not larger than the one before"));
-                }
-                read.push(row);
-            }
-            if read.len() < 2 || read.iter().all(|row| row[1] == 0.0) {
-                let expected = "two or more values, of which one has a density above 0,";
-                return Err(table.wrong("distribution", node, expected, HELP));
-            }
-            Some(Distribution::Table(read))
-        }
-        Some(node) => return Err(table.wrong("distribution", node, "a distribution", HELP)),
     };
     match (found, sigma) {
         (Some(Distribution::Normal { .. }), Some(sigma)) if sigma > 0.0 => {

@@ -5,15 +5,7 @@ use crate::mechanism::{
     SpringKind,
 };
 
-use super::toml_values::{point, text, two, vector};
-
-/// The lines of keys that are given.
-fn lines<const N: usize>(keys: [(&str, Option<String>); N]) -> String {
-    let given = keys
-        .into_iter()
-        .filter_map(|(key, value)| Some(format!("{key} = {}\n", value?)));
-    given.collect()
-}
+use super::toml_values::{lines, list, point, text, two, vector};
 
 fn number(x: f64) -> String {
     format!("{x:?}")
@@ -83,65 +75,57 @@ pub(super) fn of_pair(dynamics: &Dynamics, pair: &PairEntry) -> String {
 
 /// Drives, loads and springs; `name` gives the name of a part in quotes.
 pub(super) fn written_apart(dynamics: &Dynamics, name: &dyn Fn(usize) -> String) -> String {
-    let mut out = String::new();
-    for drive in &dynamics.drives {
+    let drives = dynamics.drives.iter().map(|drive| {
         let (rate, table) = match &drive.motion {
             DriveMotion::Rate(rate) => (Some(number(*rate)), None),
-            DriveMotion::Table(points) => {
-                let points: Vec<String> = points.iter().map(|&p| two(p)).collect();
-                (None, Some(format!("[{}]", points.join(", "))))
-            }
+            DriveMotion::Table(points) => (None, Some(list(points.iter().map(|&p| two(p))))),
         };
-        out.push_str("\n[[drive]]\n");
-        out.push_str(&lines([
-            ("part", Some(name(drive.part))),
-            ("rate", rate),
-            ("table", table),
-        ]));
-    }
-    for load in &dynamics.loads {
+        let part = ("part", Some(name(drive.part)));
+        "\n[[drive]]\n".to_owned() + &lines([part, ("rate", rate), ("table", table)])
+    });
+    let loads = dynamics.loads.iter().map(|load| {
         let (force, at, torque) = match load.kind {
             LoadKind::Force { force, at } => (Some(vector(force)), at.map(point), None),
             LoadKind::Torque(torque) => (None, None, Some(number(torque))),
         };
-        out.push_str("\n[[load]]\n");
-        out.push_str(&lines([
+        let keys = [
             ("part", Some(name(load.part))),
             ("force", force),
             ("at", at),
             ("torque", torque),
-        ]));
+        ];
+        "\n[[load]]\n".to_owned() + &lines(keys)
+    });
+    let springs = dynamics.springs.iter().map(|spring| {
+        let names = [spring.part].into_iter().chain(spring.other).map(name);
+        let parts = lines([("parts", Some(list(names)))]);
+        "\n[[spring]]\n".to_owned() + &parts + &of_spring(spring.kind)
+    });
+    drives.chain(loads).chain(springs).collect()
+}
+
+fn of_spring(kind: SpringKind) -> String {
+    match kind {
+        SpringKind::Linear {
+            at: (p, q),
+            stiffness,
+            length,
+            damping,
+        } => lines([
+            ("at", Some(list([p, q].map(point)))),
+            ("stiffness", Some(number(stiffness))),
+            ("length", Some(number(length))),
+            ("damping", other_than_0(damping)),
+        ]),
+        SpringKind::Torsion {
+            stiffness,
+            angle,
+            damping,
+        } => lines([
+            ("type", Some(text("torsion"))),
+            ("stiffness", Some(number(stiffness))),
+            ("angle", Some(number(angle))),
+            ("damping", other_than_0(damping)),
+        ]),
     }
-    for spring in &dynamics.springs {
-        let names: Vec<String> = core::iter::once(spring.part)
-            .chain(spring.other)
-            .map(name)
-            .collect();
-        out.push_str("\n[[spring]]\n");
-        out.push_str(&lines([("parts", Some(format!("[{}]", names.join(", "))))]));
-        out.push_str(&match spring.kind {
-            SpringKind::Linear {
-                at: (p, q),
-                stiffness,
-                length,
-                damping,
-            } => lines([
-                ("at", Some(format!("[{}, {}]", point(p), point(q)))),
-                ("stiffness", Some(number(stiffness))),
-                ("length", Some(number(length))),
-                ("damping", other_than_0(damping)),
-            ]),
-            SpringKind::Torsion {
-                stiffness,
-                angle,
-                damping,
-            } => lines([
-                ("type", Some(text("torsion"))),
-                ("stiffness", Some(number(stiffness))),
-                ("angle", Some(number(angle))),
-                ("damping", other_than_0(damping)),
-            ]),
-        });
-    }
-    out
 }

@@ -4,6 +4,19 @@ use std::fmt::Write as _;
 
 use cspace::{Point, Vector};
 
+/// The lines of the keys that are given.
+pub(super) fn lines<const N: usize>(keys: [(&str, Option<String>); N]) -> String {
+    let given = keys
+        .into_iter()
+        .filter_map(|(key, value)| Some(format!("{key} = {}\n", value?)));
+    given.collect()
+}
+
+pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
+    let items: Vec<String> = items.into_iter().collect();
+    format!("[{}]", items.join(", "))
+}
+
 pub(super) fn point(p: Point) -> String {
     two((p.x, p.y))
 }

@@ -18,7 +18,7 @@ use cspace::{ContactSpace, FixedAxesSpace, LowerPair, PairSpace};
 use serde_json::value::RawValue;
 
 use crate::file::{Host, extension, read_text, text_of, without_mark};
-use crate::model::{Files, no_json};
+use crate::model::no_json;
 use crate::{Model, ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
@@ -154,7 +154,7 @@ pub fn read_hosted(path: impl AsRef<Path>, host: &Host<'_>) -> Result<Document, 
             let file = SavedFile::from_json(&text, &path.display().to_string())?;
             return Ok(Document::Space(Box::new(file)));
         }
-        return model::from_text(path, &text, host).map(|m| Document::Model(Box::new(m)));
+        return model::from_text(path, text, host).map(|m| Document::Model(Box::new(m)));
     }
     model::read_hosted(path, host).map(|m| Document::Model(Box::new(m)))
 }
@@ -182,11 +182,7 @@ pub fn read_from_hosted(
         let saved = SavedFile::from_json(&text, file)?;
         return Ok(Document::Space(Box::new(saved)));
     }
-    let mut model = if is_json {
-        model::json_in(&text, file, &Files::beside(file, host))
-    } else {
-        model::toml_in(&text, file, &Files::beside(file, host))
-    }?;
+    let mut model = model::in_text(&text, file, is_json, host)?;
     if model.mechanism.name.is_empty() {
         file.clone_into(&mut model.mechanism.name);
     }

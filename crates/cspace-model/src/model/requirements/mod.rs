@@ -15,111 +15,109 @@ pub use quantity::{
 
 use self::motion::read_motion;
 use self::pair::read_pair;
-use super::error::ModelError;
-use super::node::Node;
-use super::place::Place;
-use super::suggest::nearest;
-use super::table::{Result, Table};
+pub(super) use self::space::{AXES, PLANAR};
+use super::keys::{Key, Keys, Kind, Kinds};
+use super::scope::Result;
+use super::table::Table;
 use crate::shown::quoted;
 
-/// The requirements in the values of a list.
+#[rustfmt::skip]
+pub(super) const REQUIREMENT: Keys = Keys {
+    kinds: Some(Kinds {
+        what: "measure",
+        key: "measure",
+        default: None,
+        all: &[
+            Kind { name: "play", needs: &["of"], takes: &["pair", "at", "limits"] },
+            Kind { name: "position", needs: &["along"], takes: &["pair", "at", "of", "limits"] },
+            Kind { name: "clearance", needs: &[], takes: &["pair", "at", "limits"] },
+            Kind { name: "angle", needs: &["of"], takes: &["pair", "at", "along", "limits"] },
+            Kind { name: "bottleneck", needs: &["to"], takes: &["pair", "at", "limits"] },
+            Kind { name: "extreme", needs: &["of"], takes: &["pair", "at", "end", "limits"] },
+            Kind { name: "caged", needs: &[], takes: &["pair", "at", "equals"] },
+            Kind { name: "connected", needs: &["to"], takes: &["pair", "at", "equals"] },
+            Kind { name: "event", needs: &["time", "event"], takes: &["pair", "number", "limits"] },
+            Kind { name: "stroke", needs: &["time", "part"], takes: &["of", "limits"] },
+            Kind { name: "ratio", needs: &["time", "part", "by"], takes: &["limits"] },
+        ],
+    }),
+    ..Keys::new(
+    "a requirement is a table with keys such as name = \"play\", measure = \"play\" and limits = [0, 0.1]",
+    &[
+        Key::new("name", "part_name", "What it is called, unlike any other.").needed("name = \"play\""),
+        Key::new("pair", "two_names", "The fixed and the moving part. Default: the model's only pair; of an event, any two parts.").like("pair = [\"fixed part\", \"moving part\"]"),
+        Key::new("measure", "kind", "play: the whole range of a coordinate that is free around a configuration. position: a coordinate where a motion first touches. clearance: the distance of the parts. angle: between the normal at a contact and the motion of its point, the pressure angle. bottleneck: the clearance of the widest motion to `to` where it is narrowest. extreme: how far a coordinate goes in the free region. caged: whether the free region ends everywhere. connected: whether a motion leads from `at` to `to`. event: when something happens in the motion of the mechanism. stroke: from the smallest to the largest value of a part's coordinate in the motion. ratio: how far a part goes by how far another goes.").needed("measure = \"play\""),
+        Key::new("of", "x|y|theta|u|v", "Of a play, position, angle or extreme: the coordinate, x, y or theta, or u or v of a pair on fixed axes. Of the stroke of a part that moves in the plane: x, y or theta."),
+        Key::new("at", "coordinates", "The configuration; coordinates left out are as drawn."),
+        Key::new("along", "configuration", "Of a position: the displacement of the motion from `at`, [dx, dy, dtheta] or [du, dv]."),
+        Key::new("to", "configuration", "Of connected: where the motion leads, [x, y, theta] or [u, v]."),
+        Key::new("end", "lower|upper", "Of an extreme: which end of the range of the coordinate."),
+        Key::new("time", "positive", "Of an event, stroke or ratio: how long the motion is followed, in seconds.").like("time = 2, in seconds"),
+        Key::new("event", "touch|release|impact|stick|slip|rest", "What happens: two parts come into lasting contact, are released, strike each other, begin or cease to slide, or their impacts are over.").like("event = \"touch\""),
+        Key::new("number", "count", "Of an event: which of several, counted from 1. Default: 1."),
+        Key::new("part", "part_name", "Of a stroke or ratio: the part.").like("part = \"name of a part\""),
+        Key::new("by", "part_name", "Of a ratio: the part by whose motion it is.").like("by = \"name of a part\""),
+        Key::new("limits", "limits", "The smallest and the largest value that is allowed. Default: none, the value is measured alone."),
+        Key::new("equals", "bool", "Of caged and connected: what is required."),
+    ],
+    )
+};
+
+/// The requirements of a file.
 pub(super) fn read_requirements(
-    place: &Place,
-    nodes: &[Node],
+    root: &Table<'_>,
     mechanism: &Mechanism,
 ) -> Result<Vec<Requirement>> {
-    let mut all: Vec<Requirement> = Vec::with_capacity(nodes.len());
     let mut names: HashMap<String, usize> = HashMap::new();
-    for (i, node) in nodes.iter().enumerate() {
-        let name = match node {
-            Node::Table(entries) => match entries.get("name") {
-                Some(Node::Text(name)) => format!("requirement {}", quoted(name)),
-                _ => format!("requirement {i}"),
-            },
-            _ => format!("requirement {i}"),
-        };
-        let place = place.item(i).called(name);
-        let requirement = read_requirement(place.clone(), node, mechanism)?;
-        if let Some(first) = names.insert(requirement.name.clone(), i) {
-            let message = format!("the name is already that of requirement {first}");
-            return Err(ModelError::new(&place.key("name"), message)
-                .with_help("give every requirement a name of its own"));
+    root.each("requirement", |i, mut value| {
+        if let Some(name) = value.text_of("name") {
+            value = value.called(format!("requirement {}", quoted(name)));
         }
-        all.push(requirement);
-    }
-    Ok(all)
+        let table = Table::new(value, &REQUIREMENT)?;
+        let requirement = read_requirement(&table, mechanism)?;
+        match names.insert(requirement.name.clone(), i) {
+            Some(first) => {
+                let message = format!("the name is already that of requirement {first}");
+                let help = "give every requirement a name of its own";
+                Err(table.error("name", message).with_help(help))
+            }
+            None => Ok(requirement),
+        }
+    })
 }
 
-fn read_requirement(place: Place, node: &Node, mechanism: &Mechanism) -> Result<Requirement> {
-    const KEYS: [&str; 15] = [
-        "name", "pair", "measure", "of", "at", "along", "to", "end", "time", "event", "number",
-        "part", "by", "limits", "equals",
-    ];
-    const HELP: &str = "a requirement is a table with keys such as name = \"play\", measure = \"play\" and limits = [0, 0.1]";
-    let table = Table::new(node, place, &KEYS, HELP)?;
-    let name = (table.text("name")?).ok_or_else(|| table.missing("name", "name = \"play\""))?;
+fn read_requirement(table: &Table<'_>, mechanism: &Mechanism) -> Result<Requirement> {
+    let name = table.needed("name", table.text("name")?)?;
     if name.trim().is_empty() {
         let error = table.error("name", "the name is empty");
         return Err(error.with_help("give every requirement a name, such as name = \"play\""));
     }
-    let kind =
-        (table.text("measure")?).ok_or_else(|| table.missing("measure", "measure = \"play\""))?;
-    let takes: &[&str] = match kind {
-        "play" => &["pair", "of", "at"],
-        "position" => &["pair", "along", "at", "of"],
-        "clearance" | "caged" => &["pair", "at"],
-        "angle" => &["pair", "of", "at", "along"],
-        "extreme" => &["pair", "of", "at", "end"],
-        "connected" | "bottleneck" => &["pair", "to", "at"],
-        "event" => &["time", "event", "pair", "number"],
-        "stroke" => &["time", "part", "of"],
-        "ratio" => &["time", "part", "by"],
-        other => {
-            let error = table.error("measure", format!("unknown measure {}", quoted(other)));
-            return Err(error.with_help(match nearest(other, Subject::NAMES) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("the measures are {}", Subject::NAMES.join(", ")),
-            }));
-        }
-    };
-    for key in &KEYS[..KEYS.len() - 2] {
-        if !["name", "measure"].contains(key) && table.get(key).is_some() && !takes.contains(key) {
-            let error = ModelError::new(
-                &table.place.key(key).itself(),
-                format!("`{key}` is given of the measure {kind}"),
-            );
-            return Err(error.with_help(format!("remove `{key}`")));
-        }
+    let kind = table.kind()?;
+    if let Some(key) = table.other_than(kind) {
+        let message = format!("`{key}` is given of the measure {}", kind.name);
+        let help = match key {
+            "limits" => "give equals = true".to_owned(),
+            "equals" => "give limits = [0, 0.1]".to_owned(),
+            _ => format!("remove `{key}`"),
+        };
+        return Err(table.error_at_key(key, message).with_help(help));
     }
-    let (subject, dimension) = match kind {
-        "event" | "stroke" | "ratio" => read_motion(&table, kind, mechanism)?,
-        _ => read_pair(&table, kind, mechanism)?,
+    let (subject, dimension) = match kind.name {
+        "event" | "stroke" | "ratio" => read_motion(table, kind.name, mechanism)?,
+        _ => read_pair(table, kind.name, mechanism)?,
     };
     Ok(Requirement {
         name: name.to_owned(),
         subject,
         dimension,
-        target: target(&table, kind, dimension)?,
+        target: target(table, dimension)?,
     })
 }
 
-fn target(table: &Table<'_>, kind: &str, dimension: Dimension) -> Result<Option<Target>> {
-    let yes_or_no = dimension == Dimension::Truth;
-    let (wrong, right) = if yes_or_no {
-        ("limits", "equals = true")
-    } else {
-        ("equals", "limits = [0, 0.1]")
-    };
-    if table.get(wrong).is_some() {
-        let message = format!("`{wrong}` is given of the measure {kind}");
-        let error = ModelError::new(&table.place.key(wrong).itself(), message);
-        return Err(error.with_help(format!("give {right}")));
-    }
-    if yes_or_no {
-        return match table.get("equals") {
-            None => Ok(None),
-            Some(_) => Ok(Some(Target::Equals(table.flag("equals")?))),
-        };
+fn target(table: &Table<'_>, dimension: Dimension) -> Result<Option<Target>> {
+    if dimension == Dimension::Truth {
+        let wanted = table.flag("equals")?;
+        return Ok(table.has("equals").then_some(Target::Equals(wanted)));
     }
     Ok(table
         .interval("limits", dimension == Dimension::Angle)?

@@ -6,8 +6,8 @@ use super::pair::two_parts;
 use super::quantity::{Coordinate, Dimension, Happening, MotionQuantity, Subject};
 use crate::mechanism::Mechanism;
 use crate::model::relations::part_index;
-use crate::model::suggest::nearest;
-use crate::model::table::{Result, Table};
+use crate::model::scope::Result;
+use crate::model::table::Table;
 use crate::shown::quoted;
 
 /// The quantity of a kind.
@@ -16,8 +16,7 @@ pub(super) fn read_motion(
     kind: &str,
     mechanism: &Mechanism,
 ) -> Result<(Subject, Dimension)> {
-    let time = (table.number::<f64>("time")?)
-        .ok_or_else(|| table.missing("time", "time = 2, in seconds"))?;
+    let time: f64 = table.needed("time", table.number("time")?)?;
     if time <= 0.0 {
         let error = table.error("time", "the time of a motion is not more than 0");
         return Err(error.with_help("give how long the motion is followed, in seconds"));
@@ -31,17 +30,11 @@ pub(super) fn read_motion(
 }
 
 fn event(table: &Table<'_>, mechanism: &Mechanism) -> Result<MotionQuantity> {
-    let name = (table.text("event")?).ok_or_else(|| table.missing("event", "event = \"touch\""))?;
-    let names = || Happening::ALL.iter().map(|h| h.0);
-    let Some(&(_, happens)) = Happening::ALL.iter().find(|h| h.0 == name) else {
-        let error = table.error("event", format!("unknown event {}", quoted(name)));
-        return Err(error.with_help(match nearest(name, names()) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("the events are {}", names().collect::<Vec<_>>().join(", ")),
-        }));
-    };
+    let names = Happening::ALL.map(|h| h.0).join(", ");
+    let help = format!("the events are {names}");
+    let happens = table.choice("event", "event", &Happening::ALL, &help)?;
     Ok(MotionQuantity::Event {
-        happens,
+        happens: table.needed("event", happens)?,
         parts: two_parts(table, mechanism)?,
         number: table.count("number")?.unwrap_or(1),
     })
@@ -63,7 +56,7 @@ fn stroke(table: &Table<'_>, mechanism: &Mechanism) -> Result<(MotionQuantity, D
             let error = table.error("of", "the part moves on an axis, in one coordinate alone");
             return Err(error.with_help("remove `of`"));
         }
-        (None, None) => return Err(table.missing("of", "of = \"x\"")),
+        (None, None) => return Err(table.missing_as("of", "of = \"x\"")),
         (None, Some(given)) => {
             let Some(&(_, of)) = Coordinate::PLANAR.iter().find(|c| c.0 == given) else {
                 let error = table.error(
@@ -96,8 +89,7 @@ fn ratio(table: &Table<'_>, mechanism: &Mechanism) -> Result<MotionQuantity> {
 
 /// The part that a key names, which must be able to move.
 fn moving_part(table: &Table<'_>, key: &str, mechanism: &Mechanism) -> Result<usize> {
-    let name = (table.text(key)?)
-        .ok_or_else(|| table.missing(key, &format!("{key} = \"name of a part\"")))?;
+    let name = table.needed(key, table.text(key)?)?;
     let part = part_index(&table.place.key(key), name, &mechanism.parts)?;
     if (mechanism.parts[part].axis).is_some_and(|a| matches!(a.motion, AxisMotion::Fixed)) {
         let error = table.error(key, format!("the part {} is fixed", quoted(name)));

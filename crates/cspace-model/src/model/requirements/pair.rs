@@ -7,8 +7,8 @@ use super::space::Space;
 use crate::model::measure::Measure;
 use crate::model::node::Node;
 use crate::model::relations::part_index;
-use crate::model::table::{Result, Table};
-use crate::shown::quoted;
+use crate::model::scope::Result;
+use crate::model::table::Table;
 
 /// The quantity of a kind.
 pub(super) fn read_pair(
@@ -20,20 +20,18 @@ pub(super) fn read_pair(
     let space = Space::of(mechanism, &pair, table)?;
     let at = space.configuration(table)?;
     let vector = |key: &str| {
-        let given = table
-            .get(key)
-            .ok_or_else(|| table.missing(key, &format!("{key} = {}", space.example())))?;
-        space.list(&table.place.key(key), key, given)
+        let missing = || table.missing_as(key, &format!("{key} = {}", space.example()));
+        space.list(key, &table.get(key).ok_or_else(missing)?)
     };
     let needed = || {
         let of = space.coordinate(table)?;
-        of.ok_or_else(|| table.missing("of", &format!("of = \"{}\"", space.names()[0].0)))
+        of.ok_or_else(|| table.missing_as("of", &format!("of = \"{}\"", space.names()[0].0)))
     };
     let quantity = match kind {
         "play" => Quantity::Play { of: needed()?, at },
         "angle" => Quantity::Angle {
             at,
-            along: table.get("along").map(|_| vector("along")).transpose()?,
+            along: table.has("along").then(|| vector("along")).transpose()?,
             of: needed()?,
         },
         "extreme" => Quantity::Extreme {
@@ -102,13 +100,9 @@ fn is_upper(table: &Table<'_>, space: &Space) -> Result<bool> {
         );
         return Err(error.with_help("measure the play, or the position where a motion touches"));
     }
-    match table.text("end")? {
-        None | Some("upper") => Ok(true),
-        Some("lower") => Ok(false),
-        Some(other) => Err(table
-            .error("end", format!("unknown end {}", quoted(other)))
-            .with_help("give end = \"lower\" or end = \"upper\"")),
-    }
+    let ends = [("upper", true), ("lower", false)];
+    let help = "give end = \"lower\" or end = \"upper\"";
+    Ok(table.choice("end", "end", &ends, help)?.unwrap_or(true))
 }
 
 /// The pair that is named, or the model's only one.
@@ -116,7 +110,7 @@ fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
     let Some([fixed, moving]) = two_parts(table, mechanism)? else {
         return match mechanism.pairs[..] {
             [pair] => Ok(pair),
-            _ => Err(table.missing("pair", "pair = [\"fixed part\", \"moving part\"]")),
+            _ => Err(table.missing("pair")),
         };
     };
     let listed = mechanism
@@ -133,7 +127,7 @@ fn pair_of(table: &Table<'_>, mechanism: &Mechanism) -> Result<PairEntry> {
 /// The two parts that are named as the pair, if they are.
 pub(super) fn two_parts(table: &Table<'_>, mechanism: &Mechanism) -> Result<Option<[usize; 2]>> {
     const HELP: &str = "give it as pair = [\"fixed part\", \"moving part\"]";
-    let Some(names) = table.list("pair", HELP)? else {
+    let Some(names) = table.nodes("pair", HELP)? else {
         return Ok(None);
     };
     let [Node::Text(fixed), Node::Text(moving)] = names else {

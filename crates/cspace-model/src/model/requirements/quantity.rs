@@ -45,21 +45,6 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// The names of all measures.
-    pub(super) const NAMES: [&'static str; 11] = [
-        "play",
-        "position",
-        "clearance",
-        "angle",
-        "bottleneck",
-        "extreme",
-        "caged",
-        "connected",
-        "event",
-        "stroke",
-        "ratio",
-    ];
-
     /// The name in a model.
     pub const fn name(&self) -> &'static str {
         match self {
@@ -189,9 +174,9 @@ pub enum Coordinate {
 }
 
 impl Coordinate {
-    pub(super) const PLANAR: [(&'static str, Self); 3] =
+    pub(in crate::model) const PLANAR: [(&'static str, Self); 3] =
         [("x", Self::X), ("y", Self::Y), ("theta", Self::Theta)];
-    pub(super) const AXES: [(&'static str, Self); 2] = [("u", Self::U), ("v", Self::V)];
+    pub(in crate::model) const AXES: [(&'static str, Self); 2] = [("u", Self::U), ("v", Self::V)];
 
     /// Name in configurations.
     pub const fn name(self) -> &'static str {

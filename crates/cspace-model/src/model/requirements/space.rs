@@ -6,11 +6,31 @@ use cspace::{Axis, AxisMotion, Configuration, Coordinates, Relation};
 
 use super::quantity::Coordinate;
 use crate::mechanism::{Mechanism, PairEntry};
+use crate::model::keys::{Key, Keys};
 use crate::model::measure::{Measure, read_list};
-use crate::model::node::Node;
-use crate::model::place::Place;
-use crate::model::table::{Result, Table};
+use crate::model::scope::Result;
+use crate::model::table::Table;
+use crate::model::value::Value;
 use crate::shown::quoted;
+
+#[rustfmt::skip]
+pub(in crate::model) const PLANAR: Keys = Keys::new(
+    "give the coordinates x, y, theta, such as at = { x = 0 }",
+    &[
+        Key::new("x", "number", "How far the moving part is to the right."),
+        Key::new("y", "number", "How far it is up."),
+        Key::new("theta", "angle", "How far it is turned."),
+    ],
+);
+
+#[rustfmt::skip]
+pub(in crate::model) const AXES: Keys = Keys::new(
+    "give the coordinates u, v, such as at = { u = 0 }",
+    &[
+        Key::new("u", "angle_rate", "The motion of the fixed part on its axis."),
+        Key::new("v", "angle_rate", "The motion of the moving part on its axis."),
+    ],
+);
 
 /// The coordinates of a pair.
 pub(super) enum Space {
@@ -68,40 +88,35 @@ impl Space {
 
     /// The configuration in the table `at`; coordinates that it leaves out are as drawn.
     pub(super) fn configuration(&self, table: &Table<'_>) -> Result<Coordinates> {
-        let Some(node) = table.get("at") else {
+        let Some(at) = table.get("at") else {
             return Ok(self.at(|_| 0.0));
         };
-        let names: Vec<&str> = self.names().iter().map(|n| n.0).collect();
-        let help = format!(
-            "give the coordinates {}, such as at = {{ {} = 0 }}",
-            names.join(", "),
-            names[0]
-        );
-        let at = Table::new(node, table.place.key("at"), &names, &help)?;
+        let keys = match self {
+            Self::Planar => &PLANAR,
+            Self::Axes(_) => &AXES,
+        };
+        let at = Table::new(at, keys)?;
         let mut values = HashMap::new();
         for &(name, of) in self.names() {
-            if let Some(node) = at.get(name) {
-                values.insert(
-                    name,
-                    self.measure(of).read(&at.place.key(name), name, node)?,
-                );
+            if let Some(value) = at.get(name) {
+                values.insert(name, self.measure(of).read(name, &value)?);
             }
         }
         Ok(self.at(|of| values.get(of.name()).copied().unwrap_or(0.0)))
     }
 
     /// Reads the coordinates of a list.
-    pub(super) fn list(&self, place: &Place, key: &str, node: &Node) -> Result<Coordinates> {
-        let measures: Vec<Measure> = self.names().iter().map(|n| self.measure(n.1)).collect();
+    pub(super) fn list(&self, key: &str, value: &Value<'_>) -> Result<Coordinates> {
         let help = format!("give it as {key} = {}", self.example());
-        match *measures {
-            [u, v] => {
-                let [u, v] = read_list(place, key, node, [u, v], &help)?;
+        match self {
+            Self::Axes([u, v]) => {
+                let measures = [u, v].map(Measure::along);
+                let [u, v] = read_list(key, value, measures, &help)?;
                 Ok(Coordinates::Axes { u, v })
             }
-            _ => {
+            Self::Planar => {
                 let measures = [Measure::Number, Measure::Number, Measure::Angle];
-                let [x, y, theta] = read_list(place, key, node, measures, &help)?;
+                let [x, y, theta] = read_list(key, value, measures, &help)?;
                 Ok(Coordinates::Planar(Configuration::new(x, y, theta)))
             }
         }

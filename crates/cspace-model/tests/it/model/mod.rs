@@ -4,6 +4,7 @@ mod arcs;
 mod dynamics;
 mod errors;
 mod fits;
+mod names;
 mod paper;
 mod profile;
 mod round_trip;

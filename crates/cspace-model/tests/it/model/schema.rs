@@ -11,6 +11,33 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 /// Published schema of models.
 const SCHEMA: Schema = Schema::new("model");
 
+/// `CSPACE_DOCS=write cargo test -p cspace-model schema` writes it.
+#[test]
+fn the_published_schema_has_the_keys_of_the_reader() {
+    let path = Path::new(ROOT).join("docs/model.schema.json");
+    let made = model::schema();
+    if std::env::var("CSPACE_DOCS").is_ok_and(|v| v == "write") {
+        std::fs::write(&path, &made).unwrap();
+    }
+    let published = std::fs::read_to_string(path).unwrap();
+    let [made, published]: [Value; 2] =
+        [made, published].map(|text| serde_json::from_str(&text).unwrap());
+    assert_eq!(published, made, "write it anew by CSPACE_DOCS=write");
+    references_resolve(&made, &made);
+}
+
+/// Every definition that is named is there.
+fn references_resolve(value: &Value, schema: &Value) {
+    if let Some(Value::String(name)) = value.get("$ref") {
+        assert!(schema.pointer(&name[1..]).is_some(), "{name}");
+    }
+    match value {
+        Value::Object(entries) => entries.values().for_each(|v| references_resolve(v, schema)),
+        Value::Array(items) => items.iter().for_each(|v| references_resolve(v, schema)),
+        _ => {}
+    }
+}
+
 fn models(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
