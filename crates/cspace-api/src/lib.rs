@@ -3,6 +3,7 @@
 //! Each module has one question and its answer. An answer is data, with a schema in the folder `docs/answers` of the project's repository;
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
 
+mod ask;
 pub mod check;
 pub mod classify;
 pub mod clearance;
@@ -36,6 +37,7 @@ mod twin;
 mod vary;
 pub mod written;
 
+pub use ask::{AnyAnswer, Question};
 pub use error::Error;
 pub use frame::{Answer, Content, PairAnswer, Pairs, Units};
 pub use given::Given;

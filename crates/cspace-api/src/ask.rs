@@ -1,0 +1,101 @@
+//! A question of any kind, as data.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::frame::{Answer, Pairs};
+use crate::host::Host;
+use crate::subject::Subject;
+use crate::tolerances::{allocation, along, analysis, zones};
+use crate::{
+    check, clearance, compute, disassemble, escape, info, modes, plan, play, simulate, solve, sweep,
+};
+
+/// Declares the kinds of questions, each with its type, its answer, and the function that asks.
+macro_rules! questions {
+    ($($(#[$doc:meta])* $name:ident($question:ty) -> $answer:ty, $ask:expr;)*) => {
+        /// A question of any kind, whose name is its `question`.
+        ///
+        /// ```
+        /// use cspace_api::{Deaf, Question, Subject};
+        /// let text = "[[part]]\nname = \"pin\"\nloops = [[[-1, 0, 1], [1, 0, 1]]]\n";
+        /// let document = cspace_model::read_from(text.as_bytes(), "pin.toml")?;
+        /// let subject = Subject::of("pin.toml".into(), document, None, Vec::new());
+        /// let question: Question = serde_json::from_str(r#"{ "question": "info" }"#)?;
+        /// let answer = serde_json::to_value(question.ask(&subject, &Deaf)?)?;
+        /// assert_eq!(answer["parts"][0]["name"], "pin");
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        #[derive(Debug, Deserialize, JsonSchema)]
+        #[serde(tag = "question", rename_all = "kebab-case")]
+        pub enum Question {
+            $($(#[$doc])* $name($question),)*
+        }
+
+        /// The answer to a question of any kind.
+        #[derive(Debug, Serialize)]
+        #[serde(untagged)]
+        pub enum AnyAnswer {
+            $($(#[$doc])* $name(Answer<$answer>),)*
+        }
+
+        impl Question {
+            /// Asks a model, or a saved space.
+            ///
+            /// # Errors
+            /// If the question has no answer; the error says why, and what to do.
+            pub fn ask(&self, subject: &Subject, host: &dyn Host) -> Result<AnyAnswer, Error> {
+                Ok(match self {
+                    $(Self::$name(question) => {
+                        let ask: fn(&$question, &Subject, &dyn Host) -> Result<Answer<$answer>, Error> = $ask;
+                        AnyAnswer::$name(ask(question, subject, host)?)
+                    })*
+                })
+            }
+        }
+    };
+}
+
+questions! {
+    /// The tolerances of minimum cost at which the requirements are met.
+    Allocation(allocation::Question) -> allocation::Allocation, allocation::Question::ask;
+    /// Values and their extremes along a coordinate.
+    Along(along::Question) -> along::Bands, along::Question::ask;
+    /// Which requirements are met.
+    Check(check::Question) -> check::Requirements, check::Question::ask;
+    /// The gap of every two parts.
+    Clearance(clearance::Question) -> clearance::Clearances, clearance::Question::ask;
+    /// Summaries of contact spaces.
+    Compute(compute::Question) -> Pairs<compute::Summary>, |question, subject, host| {
+        question.ask(&subject.pairs(&question.which, host)?)
+    };
+    /// The order in which parts come apart.
+    Disassemble(disassemble::Question) -> disassemble::Disassembly, disassemble::Question::ask;
+    /// The least energy that lets a part out.
+    Escape(escape::Question) -> Pairs<escape::Escape>, |question, subject, host| {
+        question.ask(&question.pairs(subject, host)?)
+    };
+    /// Parts, joints and pairs.
+    Info(info::Question) -> info::Info, info::Question::ask;
+    /// The operating modes of three parts.
+    Modes(modes::Question) -> modes::OperatingModes, modes::Question::ask;
+    /// A path, or that there is none.
+    Plan(plan::Question) -> Pairs<plan::Plan>, |question, subject, host| {
+        question.ask(&question.pairs(subject, host)?)
+    };
+    /// Contacts and play at a configuration.
+    Play(play::Question) -> Pairs<play::Play>, |question, subject, host| {
+        question.ask(&question.pairs(subject, host)?)
+    };
+    /// The motion of a mechanism.
+    Simulate(simulate::Question) -> simulate::Simulated, simulate::Question::ask;
+    /// Values of parameters for which a condition holds.
+    Solve(solve::Question) -> solve::Solutions, solve::Question::ask;
+    /// Requirements over ranges of parameters or coordinates.
+    Sweep(sweep::Question) -> sweep::Rows, sweep::Question::ask;
+    /// The effect of tolerances on the requirements.
+    Tolerances(analysis::Question) -> analysis::Analysis, analysis::Question::ask;
+    /// Configurations that are free, blocked, or either within the tolerances.
+    Zones(zones::Question) -> Pairs<zones::Zones>, zones::Question::ask;
+}
