@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes python/cspace/_answers.py: a class for each object of an answer, from the schemas in docs/answers.
+"""Writes python/cspace/answers.py: a class for each object of an answer, from the schemas in docs/answers.
 
     python crates/cspace-python/answers.py
 
@@ -12,7 +12,7 @@ import pathlib
 import textwrap
 
 HERE = pathlib.Path(__file__).parent
-PATH = HERE / "python/cspace/_answers.py"
+PATH = HERE / "python/cspace/answers.py"
 SCHEMAS = HERE.parent.parent / "docs/answers"
 
 HEAD = '''"""Answers of the questions to a model. Written by answers.py from the schemas of the command's answers."""
@@ -27,6 +27,8 @@ from ._record import Record, configuration, each_of
 
 # Objects that are arrays here.
 ARRAYS = {"Coordinates", "Configuration"}
+# Answers that no method gives.
+LEFT_OUT = {"classify", "error", "import", "slice", "written", "zones"}
 SIMPLE = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
 
 
@@ -132,7 +134,7 @@ def text():
     taken, written = {}, {}
     for path in sorted(SCHEMAS.glob("*.schema.json")):
         name = path.name.removesuffix(".schema.json")
-        if name in {"error", "written"}:
+        if name in LEFT_OUT:
             continue
         schema = json.loads(path.read_text(encoding="utf-8"))
         module = Module(name, schema.get("$defs", {}), taken, written)

@@ -15,9 +15,9 @@ use serde::Serialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Error {
-    /// What is wrong, with its place.
+    /// The message, with its place.
     pub message: String,
-    /// What to do.
+    /// Advice.
     pub help: Option<String>,
     /// The file that is wrong.
     pub file: Option<String>,

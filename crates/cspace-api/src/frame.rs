@@ -8,7 +8,7 @@ use crate::outcome::{Outcome, worst};
 /// Version of the form of answers.
 const VERSION: u32 = 1;
 
-/// What is answered, beside the frame.
+/// Content of an answer, beside the frame.
 pub trait Content: Serialize + JsonSchema {
     /// The command that asks.
     const COMMAND: &'static str;
@@ -70,7 +70,7 @@ pub struct Answer<T: Content> {
     units: Units,
     /// How it came out; of several pairs the worst.
     pub outcome: T::Outcome,
-    /// What is answered.
+    /// The content.
     #[serde(flatten)]
     pub content: T,
 }

@@ -6,7 +6,7 @@ use cspace::{Options, PairError, PairSpace, Part, Progress, Relation, Silent, St
 
 use crate::error::Error;
 
-/// What a question needs of the program that asks it: ears for remarks, patience for long work, and a place for spaces.
+/// Services of the program that asks: it hears remarks, can interrupt long work, and may keep spaces.
 pub trait Host: Sync {
     /// Begins long work that is called `title`: its stages are reported to what is given, which says when it ends before its time. The work
     /// has ended where that is dropped.

@@ -25,6 +25,7 @@ pub mod plan;
 pub mod play;
 mod rest;
 mod rounded;
+pub mod scene;
 pub mod schemas;
 mod side;
 pub mod simulate;

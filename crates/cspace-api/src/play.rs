@@ -1,4 +1,4 @@
-//! What touches at a configuration, and how far the parts go from it in each direction.
+//! Contacts at a configuration, and how far the parts go from it in each direction.
 
 use core::f64::consts::TAU;
 
@@ -137,7 +137,7 @@ pub struct Direction {
     pub direction: String,
     /// In the model's unit of length, or radians; none where nothing stops it.
     pub distance: Option<f64>,
-    /// What stops it.
+    /// The end that it comes to.
     pub stopped_by: Stop,
     /// Features of the fixed and of the moving part that stop it.
     pub touching: Vec<[String; 2]>,
@@ -149,7 +149,7 @@ pub struct Direction {
     pub features: Vec<FeaturePair>,
 }
 
-/// What stops a motion.
+/// The end of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stop {

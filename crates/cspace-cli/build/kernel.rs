@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Crates that the kernel consists of.
-const CRATES: [&str; 10] = [
+const CRATES: [&str; 9] = [
     "cspace",
     "cspace-api",
     "cspace-check",
@@ -16,7 +16,6 @@ const CRATES: [&str; 10] = [
     "cspace-model",
     "cspace-motion",
     "cspace-plan",
-    "cspace-scene",
     "cspace-wasm",
 ];
 

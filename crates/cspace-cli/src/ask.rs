@@ -1,7 +1,8 @@
-//! What a command asks about, and this program as the one that asks.
+//! The subject of a command, and this program as the one that asks.
 
 use std::fmt::Display;
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
@@ -123,7 +124,12 @@ pub(crate) fn read_again(
     let (template, model) = input::template(file, values)?;
     let document = Document::Model(Box::new(model));
     let set = values.set.clone();
-    Ok(Subject::of(file.to_owned(), document, Some(template), set))
+    Ok(Subject::of(
+        file.to_owned(),
+        document,
+        Some(Arc::new(template)),
+        set,
+    ))
 }
 
 /// Says on stderr of which parts fewer lines and arcs could be made, and how.

@@ -94,7 +94,7 @@ impl Failure {
         );
     }
 
-    /// What is wrong.
+    /// The error.
     pub(crate) fn error(&self) -> &Error {
         &self.error
     }

@@ -10,7 +10,6 @@ mod model;
 mod nest;
 mod part;
 mod picture;
-mod planning;
 mod questions;
 mod rows;
 mod space;
@@ -30,8 +29,6 @@ mod _rust {
     use crate::nest::{_beside, _separation, _within};
     #[pymodule_export]
     use crate::picture::_svg;
-    #[pymodule_export]
-    use crate::planning::{_assembly, _escape};
     #[pymodule_export]
     use crate::questions::{
         _bands, _connected, _crossings, _ends, _evaluate, _measures, _projected,

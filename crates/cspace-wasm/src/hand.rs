@@ -3,7 +3,7 @@
 use cspace::Point;
 use cspace_model::Mechanism;
 use cspace_motion::{Dragged, Ending, Hand};
-use cspace_scene::{Edits, SceneSource};
+use cspace_api::scene::{Edits, SceneSource};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -39,7 +39,7 @@ impl MechanismHand {
     pub fn new(source: &str, edits: &str) -> Result<MechanismHand, JsError> {
         let source: SceneSource = serde_json::from_str(source).map_err(fault)?;
         let edits: Edits = serde_json::from_str(edits).map_err(fault)?;
-        let opened = cspace_scene::Opened::from_source(&source).map_err(told)?;
+        let opened = cspace_api::scene::Opened::from_source(&source).map_err(told)?;
         let mechanism = opened.edited(&edits).map_err(fault)?.mechanism;
         let hand = Hand::new(&mechanism).map_err(fault)?;
         Ok(Self { mechanism, hand })

@@ -10,7 +10,7 @@ use cspace_model::model::{Coordinate, Template};
 use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
-use cspace_scene::{Edits, Opened, SceneSetting};
+use cspace_api::scene::{Edits, Opened, SceneSetting};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 

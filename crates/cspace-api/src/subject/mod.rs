@@ -1,4 +1,4 @@
-//! What a question is about: a model, or a configuration space that was computed before; and the pairs in it.
+//! The subject of a question: a model, or a configuration space that was computed before; and the pairs in it.
 
 mod chosen;
 mod found;
@@ -8,7 +8,7 @@ mod space;
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use cspace::{PairClass, PairSpace};
 use cspace_model::model::{Setting, Template};
@@ -26,7 +26,7 @@ pub use space::Space;
 
 use found::Found;
 
-/// What a question is about.
+/// The subject of a question.
 #[derive(Debug)]
 pub enum Subject {
     /// A model, of which pairs are computed.
@@ -48,7 +48,7 @@ pub struct ModelFile {
     /// The model.
     pub model: Model,
     /// Its text, for questions that give its parameters other values; `None` where it cannot be read again.
-    pub template: Option<Template>,
+    pub template: Option<Arc<Template>>,
     /// The values that parameters are given.
     pub set: Vec<Setting>,
 }
@@ -68,7 +68,7 @@ impl ModelFile {
             set: &self.set,
             ..ReadHost::default()
         };
-        let template = (self.template.as_ref())
+        let template = (self.template.as_deref())
             .ok_or_else(|| self.error("the model is read several times, which cannot be done"));
         Ok((
             template.map_err(|e| e.help("give the name of a file"))?,
@@ -113,11 +113,11 @@ impl Chosen<'_> {
 }
 
 impl Subject {
-    /// What a file holds; of a model with the values that its parameters are given, and with its text if it can be read again.
+    /// The subject that a file holds; of a model with the values that its parameters are given, and with its text if it can be read again.
     pub fn of(
         path: PathBuf,
         document: Document,
-        template: Option<Template>,
+        template: Option<Arc<Template>>,
         set: Vec<Setting>,
     ) -> Self {
         match document {

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use cspace_api::scene::{Opened, ScenePair, SceneRecord};
 use cspace_model::model::Template;
 use cspace_model::{Host, PairEntry};
-use cspace_scene::{Opened, ScenePair, SceneRecord};
 
 use crate::args::Common;
 use crate::ask;

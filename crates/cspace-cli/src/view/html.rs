@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::view::page::{Kernel, Page};
-use cspace_scene::Scene;
+use cspace_api::scene::Scene;
 
 /// Way in which a page is opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -13,22 +13,16 @@ in the unit of the drawing.
 
 from ._errors import Error, InternalError
 from ._results import (
-    Assembly,
-    Checked,
+    Check,
     Contact,
     Crossing,
-    Escape,
-    Modes,
     Motion,
     Nearest,
-    Pass,
     Patch,
     Plan,
     Play,
     Region,
     Simulation,
-    Solved,
-    Step,
     Table,
     Tolerances,
 )
@@ -36,7 +30,8 @@ from ._loops import Loops
 from ._model import Model
 from ._nest import inner_fit, least_separation, nfp
 from ._part import Part
-from . import _rust
+from ._record import Record
+from . import _rust, answers
 from ._rust import VERSION as __version__
 from ._space import ContactSpace, compute
 from ._sweep import monte_carlo, normal, sweep, triangular, uniform
@@ -44,34 +39,30 @@ from ._sweep import monte_carlo, normal, sweep, triangular, uniform
 FREE, BLOCKED, CONTACT = 0, 1, 2
 
 __all__ = [
-    "Assembly",
     "BLOCKED",
     "CONTACT",
-    "Checked",
+    "Check",
     "Contact",
     "ContactSpace",
     "Crossing",
     "Error",
-    "Escape",
     "FREE",
     "InternalError",
     "Loops",
     "Model",
-    "Modes",
     "Motion",
     "Nearest",
     "Part",
-    "Pass",
     "Patch",
     "Plan",
     "Play",
+    "Record",
     "Region",
     "Simulation",
-    "Solved",
-    "Step",
     "Table",
     "Tolerances",
     "__version__",
+    "answers",
     "compute",
     "inner_fit",
     "least_separation",

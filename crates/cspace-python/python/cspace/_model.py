@@ -5,13 +5,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from . import _rust
+from . import _rust, answers
 from ._arrays import column, number, position, table, window
 from ._errors import Error
 from ._part import Part
-from ._results import Assembly, Checked, Escape, Modes, Pass, Simulation, Solved, Step, Table, Tolerances
+from ._record import plain as _plain
+from ._results import Check, Simulation, Table, Tolerances
 from ._space import ContactSpace
+
+_RELATIONS = {"=": "equal", "==": "equal", "<=": "at-most", ">=": "at-least"}
 
 
 class Model:
@@ -74,24 +78,35 @@ class Model:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations, radians."""
         return ContactSpace(self._model.compute(fixed, moving, window(theta)))
 
-    def check(self, sensitivities: bool = False) -> dict[str, Checked]:
-        """All requirements, measured, by name."""
-        return {found["name"]: Checked(**found) for found in self._model._check(sensitivities)}
+    def _ask(self, question: str, **arguments: Any) -> dict[str, Any]:
+        """The answer to a question, of whose arguments those that are None are left out."""
+        given = {name: _plain(value) for name, value in arguments.items() if value is not None}
+        answer: dict[str, Any] = self._model._ask(question, given)
+        return answer
 
-    def tolerances(self, requirement: str | None = None, samples: int = 0, seed: int = 0) -> Any:
-        """What tolerances of the parameters do to a requirement; without one, a dictionary of all of them by name.
+    def info(self) -> answers.InfoAnswer:
+        """The parts, joints and pairs of the model, with its masses, forces and drives."""
+        return answers.InfoAnswer(self._ask("info"))
 
-        >>> model.tolerances("dwell", samples=10_000).margin  # doctest: +SKIP
+    def check(self, *requirements: str, sensitivities: bool = False) -> Check:
+        """The requirements of these names, or all, measured; with `sensitivities` how much each changes with each parameter.
+
+        >>> model.check()["tilt"].value  # doctest: +SKIP
         """
-        if requirement is not None and requirement not in self.requirements:
-            raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
+        return Check(self._ask("check", requirement=requirements, sensitivities=sensitivities))
+
+    def tolerances(self, *requirements: str, samples: int = 0, seed: int = 0, proof: bool = True) -> Tolerances:
+        """What tolerances of the parameters do to the requirements of these names, or to all. `samples` by chance give a yield; without
+        `proof` extremes are left as they are found.
+
+        >>> model.tolerances("dwell", samples=10_000)["dwell"].margin  # doctest: +SKIP
+        """
         for name, number in (("samples", samples), ("seed", seed)):
             if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < 2**63:
                 raise Error(f"`{name}` is {number!r} where a whole number from 0 up is expected")
-        chosen = [] if requirement is None else [requirement]
-        rows = self._model._tolerances(chosen, samples, seed)
-        found = {row["requirement"]: Tolerances.of(row) for row in rows}
-        return found if requirement is None else found[requirement]
+        return Tolerances(
+            self._ask("tolerances", requirement=requirements, samples=samples, seed=seed, no_proof=not proof)
+        )
 
     def sweep(
         self, measures: str | Iterable[str] | None = None, rows: Mapping[str, Any] | None = None, **values: Any
@@ -106,88 +121,97 @@ class Model:
         if isinstance(measures, str):
             measures = [measures]
         measures = self.requirements if measures is None else list(measures)
-        found = self._model._sweep(names, numbers.T.tolist(), measures)
+        found = self._ask("sweep", rows={"names": names, "rows": numbers.T}, measure=measures)["rows"]
         columns = dict(zip(names, numbers))
-        failures = []
-        for i, row in enumerate(found):
-            for name, value in zip(measures, row):
-                if isinstance(value, str):
-                    failures.append((i, name, value))
-        for k, name in enumerate(measures):
-            columns[name] = np.array([np.nan if isinstance(row[k], str) else row[k] for row in found])
-        if failures and len(failures) == len(found) * len(measures):
-            raise Error(f"no row has an answer; the first ends with {failures[0][2]}")
+        for name in measures:
+            columns[name] = np.array([np.nan if row[name] is None else row[name] for row in found])
+        failures = [(i, row["failure"]) for i, row in enumerate(found) if "failure" in row]
+        if found and all(row[name] is None for row in found for name in measures):
+            raise Error(f"no row has an answer; the first ends with {failures[0][1]}")
         return Table(columns, failures)
 
     def solve(
         self, requirement: str, relation: str, value: float | bool, samples: int = 65, **ranges: Sequence[float]
-    ) -> Solved:
-        """Values of parameters, each from lo to hi, at which a requirement is as asked for.
+    ) -> answers.SolveAnswer:
+        """Values of parameters, each from lo to hi, at which a requirement is `=`, `<=` or `>=` a value.
 
-        >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5))  # doctest: +SKIP
+        >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5)).solutions  # doctest: +SKIP
         """
         try:
-            vary = [(name, float(lo), float(hi)) for name, (lo, hi) in ranges.items()]
+            vary = [{"parameter": name, "lo": float(lo), "hi": float(hi)} for name, (lo, hi) in ranges.items()]
         except (TypeError, ValueError):
             raise Error("a range is not two numbers (lo, hi)") from None
         if not isinstance(value, (bool, int, float)) or value != value:
             raise Error(f"`value` is {value!r} where a number, true or false is expected")
         if not vary:
             raise Error("no parameter is varied: give a range, solve(..., play=(0.01, 0.5))")
-        for name, lo, hi in vary:
-            if name not in self.parameters:
-                raise Error(f"there is no parameter {name!r}: there are {', '.join(self.parameters)}")
+        for name, (lo, hi) in ranges.items():
             if not lo < hi:
                 raise Error(f"the range of {name} is empty")
-        if requirement not in self.requirements:
-            raise Error(f"there is no requirement {requirement!r}: there are {', '.join(self.requirements)}")
-        return Solved(**self._model._solve(vary, requirement, relation, value, samples))
+        if relation not in _RELATIONS:
+            raise Error(f"{relation!r} is not =, <= or >=")
+        goal = {"requirement": requirement, "relation": _RELATIONS[relation], "value": value}
+        return answers.SolveAnswer(self._ask("solve", vary=vary, so_that=goal, samples=samples))
+
+    def play(
+        self, at: ArrayLike | None = None, by: ArrayLike | None = None, pair: str | None = None, touch: float | None = None
+    ) -> answers.PlayAnswer:
+        """What touches at a configuration, as drawn without one, and how far the parts go from it in each direction; with the displacement
+        `by` how far that leads. `pair` names the fixed and the moving part, "plate,pin"."""
+        return answers.PlayAnswer(self._ask("play", at=at, by=by, pair=pair, touch=touch))
+
+    def plan(
+        self,
+        start: ArrayLike | None = None,
+        goal: ArrayLike | None = None,
+        pair: str | None = None,
+        widest: bool = False,
+        clearance: float | None = None,
+        proof: bool = False,
+    ) -> answers.PlanAnswer:
+        """A path of a pair from `start`, as drawn without one, to `goal`, or out, or that there is none; with `proof` a proof of that."""
+        asked = self._ask("plan", **{"from": start}, to=goal, pair=pair, widest=widest, clearance=clearance, proof=proof)
+        return answers.PlanAnswer(asked)
 
     def escape(
         self,
-        start: Any,
-        goal: Any = None,
-        fixed: str | None = None,
-        moving: str | None = None,
+        start: ArrayLike | None = None,
+        goal: ArrayLike | None = None,
+        pair: str | None = None,
         gravity: Sequence[float] | None = None,
-    ) -> Escape:
+    ) -> answers.EnergyAnswer:
         """The least energy with which the moving part of a pair leaves the place `start`, against gravity, loads and springs of the model:
-        for good, or to `goal`. `gravity` (x, y) is in place of the model's; the only pair needs no names."""
-        if fixed is None or moving is None:
-            if len(self.pairs) != 1:
-                raise Error("it is not said which pair is meant: give `fixed` and `moving`")
-            fixed, moving = self.pairs[0]
+        for good, or to `goal`. `gravity` (x, y) is in place of the model's."""
         if gravity is not None:
             gravity = position("gravity", gravity)
-        space = self.compute(fixed, moving)
-        found = _rust._escape(self._model, (fixed, moving), space._space, start, goal, gravity)
-        passes = [Pass(tuple(at), energy, touching) for at, energy, touching in found.pop("passes", [])]
-        return Escape(passes=passes, **found)
+        return answers.EnergyAnswer(self._ask("escape", **{"from": start}, to=goal, pair=pair, gravity=gravity))
 
-    def assembly(self, gap: float | None = None) -> Assembly:
+    def disassemble(self, gap: float | None = None) -> answers.DisassembleAnswer:
         """Whether the parts of the model come apart, group by group, and in which order. Parts that touch as drawn are moved apart by
         `gap`."""
-        found = _rust._assembly(self._model, None if gap is None else number("gap", gap))
-        return Assembly(steps=[Step(*step) for step in found.pop("steps")], **found)
+        return answers.DisassembleAnswer(self._ask("disassemble", gap=gap))
 
-    def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> Modes:
+    def clearance(self, pair: str | None = None, within: float | None = None) -> answers.ClearanceAnswer:
+        """The smallest gap of every two parts as drawn, or by how much they overlap, the worst first; of pairs nearer than `within`."""
+        return answers.ClearanceAnswer(self._ask("clearance", pair=pair, within=within))
+
+    def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> answers.ModesAnswer:
         """The operating modes of three parts, by name, whose coordinates are u, v and w in that order; of those that move on axes without
         names. `at` (u, v, w), radians of a part that turns, is the configuration of which the mode is told.
 
-        >>> model.modes(at=(8, 0, 0)).requested["mode"]  # doctest: +SKIP
+        >>> model.modes(at=(8, 0, 0)).requested.mode  # doctest: +SKIP
         """
         if parts is not None and (isinstance(parts, str) or len(parts) != 3):
             raise Error(f"`parts` is {parts!r} where three names are expected")
         if len(at) != 3:
             raise Error(f"`at` is {at!r} where three numbers (u, v, w) are expected")
-        u, v, w = (number("at", t) for t in at)
-        found = self._model._modes(None if parts is None else list(parts), (u, v, w))
-        found.pop("seconds")
-        return Modes(**found)
+        where = ",".join(f"{letter}={number('at', t)!r}" for letter, t in zip("uvw", at))
+        return answers.ModesAnswer(self._ask("modes", parts=None if parts is None else ",".join(parts), at=where))
 
-    def simulate(self, time: float, every: float | None = None) -> Simulation:
+    def simulate(self, time: float, every: float | None = None, forces: bool = False) -> Simulation:
         """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""
-        return Simulation(**self._model._simulate(number("time", time), None if every is None else number("every", every)))
+        every = None if every is None else number("every", every)
+        return Simulation(self._ask("simulate", time=number("time", time), every=every, rates=True, forces=forces))
 
     def __repr__(self) -> str:
         return repr(self._model)

@@ -6,6 +6,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import Error
+
 
 class Record(dict[str, Any]):
     """An answer: a dictionary with the keys of the command's JSON, which are attributes, too. What an answer may leave out is None as an
@@ -20,30 +22,40 @@ class Record(dict[str, Any]):
                 self[key] = _each(read, self[key])
 
     def __getattr__(self, name: str) -> Any:
-        try:
+        if name in self:
             return self[name]
-        except KeyError:
-            if any(name in vars(of).get("__annotations__", ()) for of in type(self).__mro__):
-                return None
+        if any(name in vars(of).get("__annotations__", ()) for of in type(self).__mro__):
+            return None
         raise AttributeError(f"{type(self).__name__} has no {name!r}: it has {', '.join(self)}")
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({super().__repr__()})"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, dict) and _plain(self) == _plain(other)
+        return isinstance(other, dict) and plain(self) == plain(other)
 
     __hash__ = None  # type: ignore[assignment]
 
     def to_dict(self) -> dict[str, Any]:
         """The same as dictionaries, lists, numbers and texts, for `json.dumps`."""
-        plain: dict[str, Any] = _plain(self)
-        return plain
+        values: dict[str, Any] = plain(self)
+        return values
+
+
+class ByName(Record):
+    """An answer about requirements: `answer["tilt"]` is what concerns the requirement of that name."""
+
+    def __missing__(self, name: str) -> Any:
+        rows = super().__getitem__("requirements")
+        names = [row.get("name", row.get("requirement")) for row in rows]
+        if name not in names:
+            raise Error(f"there is no requirement {name!r} in the answer: there are {', '.join(names)}")
+        return rows[names.index(name)]
 
 
 def _each(read: Callable[[Any], Any], value: Any) -> Any:
     """What is read of a value, or of every value of a list."""
-    if not isinstance(value, list):
+    if not isinstance(value, (list, tuple)):
         return value if value is None else read(value)
     rows = [_each(read, one) for one in value]
     # Configurations are rows.
@@ -52,12 +64,13 @@ def _each(read: Callable[[Any], Any], value: Any) -> Any:
     return rows
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
+    """A value without records, tuples and arrays."""
     if isinstance(value, dict):
-        return {key: _plain(one) for key, one in value.items()}
+        return {key: plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(one) for one in value]
-    return value.tolist() if isinstance(value, np.ndarray) else value
+        return [plain(one) for one in value]
+    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
 
 
 def configuration(value: dict[str, float]) -> NDArray[np.float64]:

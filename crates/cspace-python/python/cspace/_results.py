@@ -6,8 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from . import answers
 from ._arrays import number
 from ._errors import Error
+from ._record import ByName
 
 
 def _along(plan: "Plan", shares: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -80,65 +82,6 @@ class Crossing:
 
 
 @dataclass(frozen=True)
-class Pass:
-    """Where a way is highest: the configuration, its energy, and the features that touch."""
-
-    at: tuple[float, ...]
-    energy: float
-    touching: list[Any]
-
-
-@dataclass(frozen=True, eq=False)
-class Escape:
-    """How a part leaves a place against gravity, loads and springs.
-
-    `verdict` is "escapes", "cage" (proved: no energy lets it out), "from-blocked" or "to-blocked". `energy` is what it takes; no way takes
-    less than `least`, and the `path` takes `most`. `passes` are the highest places on it. `touching` are the features that hold it in a
-    cage. With `unit_mass` energies are those of a mass of 1, since the model has none."""
-
-    verdict: str
-    unit_mass: bool
-    energy: float | None = None
-    least: float | None = None
-    most: float | None = None
-    path: NDArray[np.float64] | None = None
-    passes: list[Pass] = field(default_factory=list)
-    touching: list[Any] = field(default_factory=list)
-    region: int | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Step:
-    """A step of taking a mechanism apart: the parts that move together, those that stay, the path, and its smallest clearance.
-
-    `kind` is "leaves", or "moves" of a part that makes room and stays among the others. Rows of `path` are (x, y, theta) to where the
-    parts are before the step, of a part on an axis (0, v), and free as they stand: between two of them all coordinates change evenly.
-    `legs` are the same way in few rows, between which the point `about` of the parts goes straight.
-    """
-
-    moving: list[str]
-    staying: list[str]
-    path: NDArray[np.float64]
-    legs: NDArray[np.float64]
-    clearance: float
-    kind: str
-    about: tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Assembly:
-    """Whether and how a mechanism comes apart: `verdict` is "apart", "locked" (proved: one of two parts encloses the
-    other, however the others move) or "unknown". Parts that touch as drawn are `gap` apart. `locked` are the parts that stay together, and `why` names what moves, what stays
-    and what touches."""
-
-    verdict: str
-    gap: float
-    steps: list[Step]
-    locked: list[str]
-    why: list[Any]
-
-
-@dataclass(frozen=True)
 class Motion:
     """What becomes of a motion: "free", "contact", "leaves" (its range) or "blocked" (from the beginning).
 
@@ -207,90 +150,32 @@ class Plan:
         return _along(self, np.linspace(0.0, 1.0, count.__index__()))
 
 
-@dataclass(frozen=True)
-class Checked:
-    """A requirement that was measured: `value` is a number in the model's unit, radians or seconds, true or false, or None with a
-    `failure`; `met` is None of one that only measures, and where it is `undecided`: there may be a value, which could not be found.
-    `sensitivities` are derivatives by parameters, for smaller and for larger values of each."""
-
-    name: str
-    measure: str
-    value: Any
-    limits: tuple[float, float] | None
-    met: bool | None
-    undecided: bool
-    margin: float | None
-    range: tuple[Any, ...] | None
-    touching: list[Any]
-    failure: str | None
-    sensitivities: dict[str, Any]
+class Check(ByName, answers.CheckAnswer):
+    """The requirements of a model, measured: `check["tilt"].value`."""
 
 
-@dataclass(frozen=True)
-class Tolerances:
-    """What tolerances do to a requirement, as in the answer of `cspace tolerances --json`: `linear` and `rss` are (lo, hi), `exact` has
-    `lo` and `hi`, each with `value`, `at` and `certified`; `structure` is what changes, the first first; `margin` is the factor on all
-    tolerances at which something `fails`, None if nothing does; `monte_carlo` is None without samples."""
-
-    requirement: str
-    nominal: Any
-    sensitivities: dict[str, Any]
-    linear: list[float] | None
-    rss: list[float] | None
-    exact: dict[str, Any] | None
-    structure: list[Any]
-    margin: float | None
-    fails: str
-    touching: list[Any]
-    monte_carlo: dict[str, Any] | None = None
-
-    @classmethod
-    def of(cls, row: dict[str, Any]) -> "Tolerances":
-        names = cls.__dataclass_fields__
-        return cls(**{name: value for name, value in row.items() if name in names})
+class Tolerances(ByName, answers.TolerancesAnswer):
+    """What tolerances do to the requirements of a model: `tolerances["tilt"].margin`."""
 
 
-@dataclass(frozen=True)
-class Modes:
-    """The operating modes of three parts on axes, as in the answer of `cspace modes --json`: each of `modes` has the ranges of `u`, `v`
-    and `w`, its `turns` and a `sample` in it; `requested` is where the configuration is that was asked for; `left_out` are pairs that are
-    not considered. If there are `doubts`, modes are not to be relied upon."""
+class Simulation(answers.SimulateAnswer):
+    """The motion of a mechanism. `coordinates[part]` and `rates[part]` are arrays at the times `t`: n, or n×3 for a part that moves
+    freely."""
 
-    parts: list[Any]
-    pairs: list[Any]
-    modes: list[Any]
-    requested: dict[str, Any]
-    left_out: list[Any]
-    doubts: int
+    @property
+    def t(self) -> NDArray[np.float64]:
+        """The times of the samples (s)."""
+        return np.array([row["t"] for row in self["samples"]])
 
+    @property
+    def coordinates(self) -> dict[str, NDArray[np.float64]]:
+        """The coordinates of each part that can move."""
+        return {part: np.array([row[part] for row in self["samples"]]) for part in self["parts"]}
 
-@dataclass(frozen=True)
-class Solved:
-    """Values of parameters that were asked for: `solutions`, `ranges` in which it is so, or the reason why there are `none`; in the ranges
-    `undecided` nothing is known."""
-
-    solutions: list[Any]
-    ranges: list[Any]
-    undecided: list[Any]
-    none: str | None
-
-
-@dataclass(frozen=True, eq=False)
-class Simulation:
-    """The motion of a mechanism: `coordinates[part]` and `rates[part]` at the times `t`, as arrays of n, or n×3 for a part that moves
-    freely; `events` and `contacts` as dictionaries, `gaps` of parts that fit exactly at the start, the `period` if the motion repeats, and a `summary` in words."""
-
-    t: NDArray[np.float64]
-    coordinates: dict[str, Any]
-    rates: dict[str, Any]
-    status: str
-    until: float
-    reason: str | None
-    events: list[Any]
-    contacts: list[Any]
-    gaps: list[Any]
-    period: float | None
-    summary: list[Any]
+    @property
+    def rates(self) -> dict[str, NDArray[np.float64]]:
+        """Their rates."""
+        return {part: np.array([row["rates"][part] for row in self["samples"]]) for part in self["parts"]}
 
 
 class Table(dict[str, Any]):

@@ -161,6 +161,16 @@ pub trait Progress: Sync {
 #[derive(Debug, Clone, Copy)]
 pub struct Silent;
 
+impl<P: Progress + ?Sized> Progress for &P {
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
+        (**self).stage(stage)
+    }
+
+    fn seconds(&self) -> f64 {
+        (**self).seconds()
+    }
+}
+
 impl Progress for Silent {
     fn stage(&self, _: Stage) -> Result<(), ComputeError> {
         Ok(())

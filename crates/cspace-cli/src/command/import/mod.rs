@@ -50,7 +50,7 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
 
 fn question(args: &ImportArgs) -> Question {
     Question {
-        name: cspace_scene::model_name(&args.drawings[0]),
+        name: cspace_api::scene::model_name(&args.drawings[0]),
         lengths: drawing::lengths(&args.drawing),
         join: args.drawing.join,
         fit: args.drawing.fit,

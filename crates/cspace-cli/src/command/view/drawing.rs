@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cspace_scene::{DrawingSource, OpenedDrawing, model_name};
+use cspace_api::scene::{DrawingSource, OpenedDrawing, model_name};
 
 use crate::args::ViewArgs;
 use crate::ask::Terminal;

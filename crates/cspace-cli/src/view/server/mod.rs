@@ -14,7 +14,7 @@ use std::io::ErrorKind;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 
 use axum::Router;
-use cspace_scene::{DrawingScene, Opened};
+use cspace_api::scene::{DrawingScene, Opened};
 
 use crate::view::page::Page;
 use work::{ServedPage, Work};

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use axum::body::Bytes;
 use cspace::Silent;
-use cspace_scene::Opened;
+use cspace_api::scene::Opened;
 use serde::Serialize;
 
 use crate::view::html::Place;

@@ -2,9 +2,9 @@
 
 use cspace::Part;
 use cspace::part::PartFeature;
+use cspace_api::scene::{Scene, SceneRecord};
 use cspace_cli::view::{Page, PageError};
 use cspace_model::{Mechanism, PartEntry};
-use cspace_scene::{Scene, SceneRecord};
 use serde_json::{Value, json};
 
 const TEMPLATE: &str = "<head><!--style--></head><body><!--scene-->|<!--script--></body>";

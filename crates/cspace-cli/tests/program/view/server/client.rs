@@ -5,9 +5,9 @@ use std::net::TcpStream;
 use std::time::Duration;
 
 use cspace::{Classification, Configuration, Coordinates, Part};
+use cspace_api::scene::Opened;
 use cspace_cli::view::{Page, Server};
 use cspace_model::{Mechanism, PartEntry, SavedFile};
-use cspace_scene::Opened;
 use serde_json::Value;
 
 pub(crate) const TEMPLATE: &str =

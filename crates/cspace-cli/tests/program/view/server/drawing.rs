@@ -1,8 +1,8 @@
 //! Server of a drawing: the page has its faces and all data from which a model is made, and there are no other routes.
 
 use cspace::Point;
+use cspace_api::scene::{DrawingSource, OpenedDrawing, PickedPart};
 use cspace_cli::view::Server;
-use cspace_scene::{DrawingSource, OpenedDrawing, PickedPart};
 use serde_json::Value;
 
 use crate::view::server::client::{Answer, Client, page};

@@ -1,8 +1,8 @@
 //! Paths that exist, and paths that do not.
 
 use cspace::Classification;
+use cspace_api::scene::Opened;
 use cspace_cli::view::{ServeError, Server};
-use cspace_scene::Opened;
 use serde_json::Value;
 
 use crate::view::server::client::{Client, class_at, mechanism, page};

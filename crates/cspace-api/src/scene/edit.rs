@@ -6,8 +6,8 @@ use cspace::{AxisMotion, Part, PartError, Vertex};
 use cspace_model::{Mechanism, MechanismError, PartEntry, shown};
 use serde::Deserialize;
 
-use crate::design::SceneSetting;
-use crate::scene::SceneMotion;
+use crate::scene::data::SceneMotion;
+use crate::scene::design::SceneSetting;
 
 /// Changes of a model: values of its parameters first, then parts.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]

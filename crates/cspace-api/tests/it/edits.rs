@@ -4,8 +4,8 @@ use core::fmt::{Debug, Display};
 
 use cspace::pair::Joint;
 use cspace::{Classification, Configuration, Coordinates, Part, Point, Silent, Vector};
+use cspace_api::scene::{Edits, Opened};
 use cspace_model::{Drive, DriveMotion, JointEntry, Mechanism, PartEntry, SavedFile};
-use cspace_scene::{Edits, Opened};
 use serde_json::{Value, json};
 
 /// A square table 4 wide, which does not move, a coin of radius 1 that moves freely, and a lid that turns on the table.

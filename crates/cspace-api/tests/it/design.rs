@@ -1,9 +1,9 @@
 //! Parameters that are given other values.
 
 use cspace::{Classification, Configuration, Coordinates, Silent};
+use cspace_api::scene::{Edits, Opened, SceneSource};
 use cspace_model::model::{Setting, Template};
 use cspace_model::{Document, Host};
-use cspace_scene::{Edits, Opened, SceneSource};
 use serde_json::{Value, json};
 
 /// A coin of a parameter's radius beside a table; tabs that are counted; a gap that follows.

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use cspace::part::PartFeature;
 use cspace::{Configuration, Coordinates, Options, PairClass, PairSpace, Part, Vertex};
+use cspace_api::scene::{Opened, Scene, ScenePair, SceneRecord};
 use cspace_model::{Document, Mechanism, PartEntry, SavedFile};
-use cspace_scene::{Opened, Scene, ScenePair, SceneRecord};
 use serde_json::{Value, json};
 
 fn model(name: &str) -> Mechanism {

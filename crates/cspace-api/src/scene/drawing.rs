@@ -7,7 +7,7 @@ use cspace_drawing::{Color, Conversion, Drawing, DrawingError, DrawnFace, Pick, 
 use cspace_model::{Mechanism, MechanismError, ModelError, PartEntry, shown};
 use serde::{Deserialize, Serialize};
 
-use crate::base_64;
+use crate::scene::base_64;
 
 /// The `format` of a [`DrawingScene`].
 const FORMAT: &str = "cspace-drawing";
@@ -193,7 +193,7 @@ fn color(text: &String) -> Result<Color, DrawingError> {
 /// The name of the model of a drawing: its file's without folder and extension, in characters that a model may have.
 ///
 /// ```
-/// use cspace_scene::model_name;
+/// use cspace_api::scene::model_name;
 /// assert_eq!(model_name("parts/pawl.dxf".as_ref()), "pawl");
 /// ```
 pub fn model_name(file: &Path) -> String {
@@ -207,7 +207,7 @@ impl OpenedDrawing {
     ///
     /// ```
     /// use cspace::Point;
-    /// use cspace_scene::{OpenedDrawing, PickedPart};
+    /// use cspace_api::scene::{OpenedDrawing, PickedPart};
     /// let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="8mm" height="8mm" viewBox="0 -4 8 8">
     ///     <path d="M0 0h4v-4h-4z"/><path d="M5 0h2v-2h-2z"/></svg>"#;
     /// let opened = OpenedDrawing::of_file("squares.svg", text.into())?;

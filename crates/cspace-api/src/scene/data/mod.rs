@@ -12,7 +12,7 @@ use cspace_model::{Mechanism, PairEntry};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::design::{SceneDesign, SceneText};
+use crate::scene::design::{SceneDesign, SceneText};
 
 /// Value of `format`.
 pub const FORMAT: &str = "cspace-scene";

@@ -6,9 +6,9 @@ use cspace_model::model::{Setting, Template};
 use cspace_model::{Mechanism, Model, ModelError, PairEntry, PartEntry, SavedFile, shown};
 use serde::Serialize;
 
-use crate::design::{Design, SceneDesign};
-use crate::edit::{EditError, Edits, edited};
-use crate::scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
+use crate::scene::data::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
+use crate::scene::design::{Design, SceneDesign};
+use crate::scene::edit::{EditError, Edits, edited};
 
 /// A mechanism, and which of its pairs are shown.
 #[derive(Debug)]

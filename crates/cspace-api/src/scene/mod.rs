@@ -5,12 +5,13 @@
 //! parts can be [`edited`]; a model can be made from the faces of an [`OpenedDrawing`].
 
 mod base_64;
+pub mod data;
 mod design;
 mod drawing;
 mod edit;
 mod opened;
-pub mod scene;
 
+pub use data::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};
 pub use design::{SceneDesign, SceneParameter, SceneSetting, SceneText};
 pub use drawing::{
     DrawingScene, DrawingSource, ImportedPart, OpenedDrawing, PickError, PickedPart, SceneFace,
@@ -18,4 +19,3 @@ pub use drawing::{
 };
 pub use edit::{EditError, EditedPart, Edits, edited};
 pub use opened::{EditAnswer, EditedPairError, Opened};
-pub use scene::{Scene, ScenePair, ScenePart, SceneRecord, SceneSource};

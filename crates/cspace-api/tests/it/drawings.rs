@@ -1,8 +1,8 @@
 //! Drawings whose faces are picked: the model, and that a scene has all that makes it.
 
 use cspace::Point;
+use cspace_api::scene::{DrawingSource, OpenedDrawing, PickError, PickedPart};
 use cspace_drawing::{Format, Settings, Source, from_bytes};
-use cspace_scene::{DrawingSource, OpenedDrawing, PickError, PickedPart};
 use serde_json::Value;
 
 /// A square of side 4 in which a circle of radius 0.5 is, divided by a line that goes beyond the square.
