@@ -17,6 +17,8 @@ SCHEMAS = HERE.parent.parent / "docs/answers"
 
 HEAD = '''"""Answers of the questions to a model. Written by answers.py from the schemas of the command's answers."""
 
+from __future__ import annotations
+
 from typing import Any, Literal
 
 import numpy as np
@@ -39,10 +41,10 @@ def camel(name):
 class Module:
     """The classes of one answer."""
 
-    def __init__(self, name, definitions, taken, written):
+    def __init__(self, name, definitions, taken, written, reads):
         self.name, self.definitions = name, definitions
-        # The definitions of all answers by name, and the text of each class.
-        self.taken, self.written = taken, written
+        # The definitions of all answers by name, the text of each class, and how it is read.
+        self.taken, self.written, self.reads = taken, written, reads
         self.names = {}
 
     def class_name(self, definition):
@@ -108,10 +110,9 @@ class Module:
                 if "description" in value:
                     lines.append(documented(value["description"]))
         head = [f"class {name}(Record):", textwrap.indent(documented(schema.get("description", "")), "    "), ""]
-        body = [
-            *([f"_read = {{{', '.join(f'{key!r}: {read}' for key, read in reads.items())}}}"] if reads else []),
-            *lines,
-        ]
+        body = lines
+        if reads:
+            self.reads.append(f"{name}._read = {{{', '.join(f'{key!r}: {read}' for key, read in reads.items())}}}")
         # It stands after those that it needs.
         del self.written[name]
         self.written[name] = "\n".join(head + [textwrap.indent("\n".join(body), "    ")])
@@ -131,16 +132,17 @@ def union(kinds):
 
 def text():
     """The whole file."""
-    taken, written = {}, {}
+    taken, written, reads = {}, {}, []
     for path in sorted(SCHEMAS.glob("*.schema.json")):
         name = path.name.removesuffix(".schema.json")
         if name in LEFT_OUT:
             continue
         schema = json.loads(path.read_text(encoding="utf-8"))
-        module = Module(name, schema.get("$defs", {}), taken, written)
-        if "properties" in schema:
-            module.write(camel(name) + "Answer", {**schema, "description": schema["title"]})
-    return HEAD + "\n\n" + "\n\n\n".join(written.values()) + "\n"
+        module = Module(name, schema.get("$defs", {}), taken, written, reads)
+        # Of answers about one file and about several, that about one.
+        one = module.definitions["Answer"] if "anyOf" in schema else schema
+        module.write(camel(name) + "Answer", {**one, "description": schema["title"]})
+    return HEAD + "\n\n" + "\n\n\n".join(written.values()) + "\n\n\n" + "\n".join(reads) + "\n"
 
 
 if __name__ == "__main__":

@@ -84,7 +84,7 @@ def test_requirements_are_those_of_the_command(command, peg, tmp_path):
     for row in told["requirements"]:
         checked = found[row["name"]]
         assert checked.value == row["value"] and checked.met == row["met"] and checked.margin == row["margin"]
-        assert {k: v[1] for k, v in checked.sensitivities.items()} == row["sensitivities"]
+        assert checked == row and checked.sensitivities == row["sensitivities"]
     rows = printed(command, "sweep", str(file), "--vary", "play=0.05:0.25:5", "--measure", "tilt")["rows"]
     table = peg.sweep(["tilt"], play=[r["play"] for r in rows])
     assert table["tilt"].tolist() == [r["tilt"] for r in rows]
@@ -200,13 +200,13 @@ def test_threads_make_no_difference(peg):
 def test_tolerances_are_those_of_the_command(models, command):
     """Worst cases, margin and samples of a shipped model."""
     model = cs.Model.load(models / "tolerances" / "geneva_lock.toml")
-    found = model.tolerances("dwell", samples=2000, seed=3)
+    found = model.tolerances("dwell", samples=2000, seed=3)["dwell"]
     options = ["--samples", "2000", "--seed", "3"]
     told = printed(command, "tolerances", str(models / "tolerances" / "geneva_lock.toml"), *options)["requirements"][0]
-    assert found.exact == told["exact"] and found.monte_carlo == told["monte_carlo"]
+    assert found == told and found.exact == told["exact"] and found.monte_carlo == told["monte_carlo"]
     assert found.margin == told["margin"] and abs(found.exact["lo"]["value"] - 0.0018991519) < 1e-9
     assert model.tolerances()["dwell"].linear == found.linear
-    with pytest.raises(cs.Error, match="there is no requirement 'dwel'"):
+    with pytest.raises(cs.Error, match="no such requirement"):
         model.tolerances("dwel")
     with pytest.raises(cs.Error, match="`samples` is -1"):
         model.tolerances(samples=-1)
@@ -220,15 +220,14 @@ def test_modes_are_those_of_the_command(models, command):
     for parts, options in ((None, ["--at", "u=8"]), (names, ["--parts", ",".join(names), "--at", "u=8"])):
         found = model.modes(parts, at=(8, 0, 0))
         told = printed(command, "modes", file, *options)
-        for key in ("answer", "version", "units", "outcome", "seconds"):
-            del told[key]
-        assert vars(found) == told
+        del told["seconds"], found["seconds"]
+        assert found == told and json.loads(json.dumps(found.to_dict())) == told
         assert [part["name"] for part in found.parts] == (names if parts else names[::-1])
     assert model.modes().requested["mode"] == 0 and found.doubts == 0
     for wrong, said in (
         ({"parts": names[:2]}, "`parts` is .* where three names"),
         ({"parts": "abc"}, "`parts` is 'abc' where three names"),
-        ({"parts": ["first rail", "plunger", "rail"]}, "there is no part named \"rail\""),
+        ({"parts": ["first rail", "plunger", "rail"]}, "there is no part \"?rail"),
         ({"parts": ["plunger", "plunger", "first rail"]}, "is named twice"),
         ({"at": (1, 2)}, "`at` is .* where three numbers"),
         ({"at": (0, 0, float("nan"))}, "`at` is nan"),

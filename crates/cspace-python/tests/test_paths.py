@@ -159,6 +159,6 @@ def test_functions_without_a_name_are_sent_or_refused():
 
 def test_nothing_to_vary_is_told(space):
     model = cs.Model.load(ROOT / "models/peg_hole.toml")
-    with pytest.raises(cs.Error, match="tolerance"):
+    with pytest.raises(cs.Error, match="no requirements"):
         model.tolerances()
     assert space.patches is space.patches and space.regions is space.regions

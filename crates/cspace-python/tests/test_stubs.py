@@ -51,6 +51,13 @@ def test_the_stub_is_that_of_the_module():
     assert "    def contacts(self, q: Any, tolerance: Any = None) -> Any:" in made.text().splitlines()
 
 
+def test_the_answers_are_those_of_the_schemas():
+    spec = importlib.util.spec_from_file_location("answers", SCRIPT.with_name("answers.py"))
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    assert made.PATH.read_text(encoding="utf-8") == made.text(), "run: python crates/cspace-python/answers.py"
+
+
 def test_a_docstring_may_end_with_a_quotation_mark():
     made = stubs()
 

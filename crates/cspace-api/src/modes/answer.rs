@@ -114,7 +114,7 @@ pub struct Mode {
     /// The turns of u, v and w by which motions within the mode come back to where they began: all are sums of whole multiples of these.
     pub turns: Vec<[i64; 3]>,
     /// A configuration in the mode.
-    pub sample: Configuration,
+    pub sample: ThreeCoordinates,
 }
 
 /// Range of a coordinate that a mode reaches, in radians or the model's unit.
@@ -130,7 +130,7 @@ pub struct Reach {
 
 /// A configuration of the three parts, in radians or the model's unit.
 #[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
-pub struct Configuration {
+pub struct ThreeCoordinates {
     /// Motion of the first part.
     pub u: f64,
     /// Motion of the second part.
@@ -143,7 +143,7 @@ pub struct Configuration {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Requested {
     /// The configuration.
-    pub at: Configuration,
+    pub at: ThreeCoordinates,
     /// How the parts are there.
     pub result: Is,
     /// The number of the mode, from 0, in the order of `modes`; none if it is in none.
@@ -172,14 +172,14 @@ pub enum Is {
     Closed,
 }
 
-impl From<[f64; 3]> for Configuration {
+impl From<[f64; 3]> for ThreeCoordinates {
     fn from([u, v, w]: [f64; 3]) -> Self {
         Self { u, v, w }
     }
 }
 
-impl From<Configuration> for [f64; 3] {
-    fn from(c: Configuration) -> Self {
+impl From<ThreeCoordinates> for [f64; 3] {
+    fn from(c: ThreeCoordinates) -> Self {
         [c.u, c.v, c.w]
     }
 }

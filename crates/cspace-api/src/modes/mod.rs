@@ -18,7 +18,7 @@ use crate::outcome::Done;
 use crate::subject::{ModelFile, Subject};
 
 pub use answer::{
-    Configuration, Is, Letter, Mode, Motion, OperatingModes, Pair, Part, Reach, Requested,
+    Is, Letter, Mode, Motion, OperatingModes, Pair, Part, Reach, Requested, ThreeCoordinates,
 };
 
 /// The parts whose modes are asked for.

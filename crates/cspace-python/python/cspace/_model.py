@@ -168,10 +168,10 @@ class Model:
         widest: bool = False,
         clearance: float | None = None,
         proof: bool = False,
-    ) -> answers.PlanAnswer:
+    ) -> answers.PlanOfPair:
         """A path of a pair from `start`, as drawn without one, to `goal`, or out, or that there is none; with `proof` a proof of that."""
         asked = self._ask("plan", **{"from": start}, to=goal, pair=pair, widest=widest, clearance=clearance, proof=proof)
-        return answers.PlanAnswer(asked)
+        return answers.PlanAnswer(asked).pairs[0]
 
     def escape(
         self,
@@ -179,12 +179,13 @@ class Model:
         goal: ArrayLike | None = None,
         pair: str | None = None,
         gravity: Sequence[float] | None = None,
-    ) -> answers.EnergyAnswer:
+    ) -> answers.EscapeOfPair:
         """The least energy with which the moving part of a pair leaves the place `start`, against gravity, loads and springs of the model:
         for good, or to `goal`. `gravity` (x, y) is in place of the model's."""
         if gravity is not None:
             gravity = position("gravity", gravity)
-        return answers.EnergyAnswer(self._ask("escape", **{"from": start}, to=goal, pair=pair, gravity=gravity))
+        asked = self._ask("escape", **{"from": start}, to=goal, pair=pair, gravity=gravity)
+        return answers.EnergyAnswer(asked).pairs[0]
 
     def disassemble(self, gap: float | None = None) -> answers.DisassembleAnswer:
         """Whether the parts of the model come apart, group by group, and in which order. Parts that touch as drawn are moved apart by

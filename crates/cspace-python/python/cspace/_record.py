@@ -37,9 +37,9 @@ class Record(dict[str, Any]):
     __hash__ = None  # type: ignore[assignment]
 
     def to_dict(self) -> dict[str, Any]:
-        """The same as dictionaries, lists, numbers and texts, for `json.dumps`."""
-        values: dict[str, Any] = plain(self)
-        return values
+        """The command's JSON: dictionaries, lists, numbers and texts, for `json.dumps`."""
+        read = self._read
+        return {key: _coordinates(one) if read.get(key) is configuration else plain(one) for key, one in self.items()}
 
 
 class ByName(Record):
@@ -66,11 +66,22 @@ def _each(read: Callable[[Any], Any], value: Any) -> Any:
 
 def plain(value: Any) -> Any:
     """A value without records, tuples and arrays."""
+    if isinstance(value, Record):
+        return value.to_dict()
     if isinstance(value, dict):
         return {key: plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(one) for one in value]
     return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
+
+
+def _coordinates(value: Any) -> Any:
+    """A configuration, or rows of them, as in JSON."""
+    if value is None or (isinstance(value, list) and not value):
+        return value
+    if value.ndim == 2:
+        return [_coordinates(row) for row in value]
+    return dict(zip(("u", "v") if len(value) == 2 else ("x", "y", "theta"), value.tolist()))
 
 
 def configuration(value: dict[str, float]) -> NDArray[np.float64]:

@@ -87,8 +87,8 @@ class Model:
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         """Call self as a function."""
 
-    def _check(self, sensitivities: Any = False) -> Any:
-        """All requirements, measured, as dictionaries."""
+    def _ask(self, kind: Any, arguments: Any) -> Any:
+        """The answer to a question of this kind, as what the command prints as JSON."""
 
     @staticmethod
     def _load(path: Any) -> Any:
@@ -98,24 +98,8 @@ class Model:
     def _loads(text: Any, path: Any, set: Any) -> Any:
         """The model in a text, TOML unless the extension of `path` is .json."""
 
-    def _modes(self, parts: Any, at: Any) -> Any:
-        """The operating modes of three parts, or of those that move on axes, and where a configuration of them is: what the command prints as JSON."""
-
-    def _simulate(self, time: Any, every: Any = None) -> Any:
-        """The motion of the mechanism: times, coordinates and rates as arrays, and what happens, as a dictionary."""
-
-    def _solve(self, vary: Any, requirement: Any, relation: Any, value: Any, samples: Any) -> Any:
-        """Values of parameters, each from `lo` to `hi`, at which a requirement is `=`, `<=` or `>=` a value."""
-
     def _source(self) -> Any:
         """The source of the model: the text, the path, and the values that are set."""
-
-    def _sweep(self, names: Any, rows: Any, measures: Any) -> Any:
-        """The requirements named in `measures` for every row of values of the parameters or coordinates in `names`: for each row and measure a
-        value, or text with the reason why there is none."""
-
-    def _tolerances(self, requirements: Any, samples: Any, seed: Any) -> Any:
-        """Effects of tolerances on the requirements of some names, or on all, as the command prints them in JSON."""
 
     def compute(self, fixed: Any = None, moving: Any = None, theta: Any = None) -> Any:
         """The configuration space of two parts, by name; of the only pair without names. `theta` is a window of orientations."""
@@ -179,10 +163,6 @@ class Part:
 VERSION: str
 
 
-def _assembly(model: Any, gap: Any = None) -> Any:
-    """The order in which a mechanism comes apart, as a dictionary."""
-
-
 def _bands(space: Any) -> Any:
     """The bands: the orientations between which nothing but lengths changes."""
 
@@ -202,10 +182,6 @@ def _crossings(space: Any, start: Any, by: Any) -> Any:
 
 def _ends(space: Any, patch: Any, thetas: Any) -> Any:
     """Where a patch begins and ends at orientations: two arrays n×2 of positions, nan where it does not exist."""
-
-
-def _escape(model: Any, pair: Any, space: Any, start: Any, goal: Any = None, gravity: Any = None) -> Any:
-    """The least energy with which the moving part leaves a place, as a dictionary; `gravity` in place of the model's."""
 
 
 def _evaluate(space: Any, patch: Any, q: Any) -> Any:

@@ -1,5 +1,7 @@
 """Answers of the questions to a model. Written by answers.py from the schemas of the command's answers."""
 
+from __future__ import annotations
+
 from typing import Any, Literal
 
 import numpy as np
@@ -45,7 +47,6 @@ class Extreme(Record):
 class Extremes(Record):
     """The smallest and the largest value within the tolerances."""
 
-    _read = {'hi': Extreme, 'lo': Extreme}
     hi: Extreme
     """The largest value."""
     lo: Extreme
@@ -64,7 +65,6 @@ class Histogram(Record):
 class Samples(Record):
     """Results of samples by chance."""
 
-    _read = {'histogram': Histogram}
     above: float
     """The share above the limits."""
     below: float
@@ -122,7 +122,6 @@ class Change(Record):
 class Effect(Record):
     """The effect of the tolerances on a requirement."""
 
-    _read = {'exact': Extremes, 'monte_carlo': Samples, 'sensitivities': each_of(Sensitivity), 'structure': Change}
     equals: bool | None
     """The truth that is required; left out where none is."""
     exact: Extremes | None
@@ -175,7 +174,6 @@ class Units(Record):
 class AllocationAnswer(Record):
     """What `cspace tolerances --allocate --json` prints"""
 
-    _read = {'parameters': each_of(Allocated), 'requirements': Effect, 'units': Units}
     answer: Literal['tolerances']
     """The command."""
     cost: list[float]
@@ -197,7 +195,6 @@ class AllocationAnswer(Record):
 class Station(Record):
     """A requirement where the coordinate has a value."""
 
-    _read = {'hi': Extreme, 'lo': Extreme}
     at: float
     """The value of the coordinate, in the model's unit or radians."""
     failure: str | None
@@ -213,7 +210,6 @@ class Station(Record):
 class Band(Record):
     """A requirement along a coordinate."""
 
-    _read = {'stations': Station}
     along: str
     """The name of the coordinate."""
     measure: str
@@ -227,7 +223,6 @@ class Band(Record):
 class AlongAnswer(Record):
     """What `cspace tolerances --along --json` prints"""
 
-    _read = {'requirements': Band, 'units': Units}
     answer: Literal['tolerances']
     """The command."""
     outcome: Literal['done']
@@ -243,7 +238,6 @@ class AlongAnswer(Record):
 class Requirement(Record):
     """A requirement, measured."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64] | None
     """Where a position is measured."""
     dimension: Literal['length', 'angle', 'time', 'number', 'truth']
@@ -287,7 +281,6 @@ class Requirement(Record):
 class CheckAnswer(Record):
     """What `cspace check --json` prints"""
 
-    _read = {'requirements': Requirement, 'units': Units}
     answer: Literal['check']
     """The command."""
     outcome: Literal['met', 'measured', 'not-met', 'undecided', 'no-value']
@@ -328,7 +321,6 @@ class ClearanceOfPair(Record):
 class ClearanceAnswer(Record):
     """What `cspace clearance --json` prints"""
 
-    _read = {'pairs': ClearanceOfPair, 'units': Units}
     along: list[float] | None
     """The first and the last time of the motion (s)."""
     answer: Literal['clearance']
@@ -351,6 +343,233 @@ class ClearanceAnswer(Record):
     """Pairs with a smaller gap are listed, in the model's unit; none if all are."""
 
 
+class Drawn(Record):
+    """How the parts are at zero motion."""
+
+    clearance: float | None
+    """How far the parts are apart where they are free."""
+    outcome: Literal['free', 'contact', 'exact-fit', 'blocked', 'outside']
+    """In a word."""
+    region: int | None
+    """The number of the free region."""
+
+
+class FeatureCount(Record):
+    """Lines, arcs, and vertices that are not smooth joints, of two parts."""
+
+    fixed: int
+    """In the fixed part."""
+    moving: int
+    """In the moving part."""
+    total: int
+    """In both."""
+
+
+class Links(Record):
+    """How patches are linked."""
+
+    side: int
+    """Links at the left and right boundaries of patches."""
+    vertical: int
+    """Links across critical orientations."""
+
+
+class FreeRegion(Record):
+    """A connected component of free space over all orientations of the window."""
+
+    patches: int
+    """Number of patches on its boundary."""
+    sample: NDArray[np.float64]
+    """A configuration inside, away from contact."""
+    unbounded: bool
+    """Whether it reaches arbitrarily far positions. Exactly one region does."""
+
+
+class AxesRegion(Record):
+    """A connected component of free space."""
+
+    around_u: bool
+    """Whether the part called fixed can turn without end within the region."""
+    around_v: bool
+    """Whether the moving part can turn without end within the region."""
+    open_u: list[Any]
+    """Whether u is unbounded below its smallest and above its largest value: nothing touches there."""
+    open_v: list[Any]
+    """Whether v is unbounded below and above."""
+    sample: list[Any]
+    """A configuration (u, v) within it, between the smallest and largest u and v below."""
+    u: list[Any]
+    """Smallest and largest u, in radians or the model's unit of length; unrolled where the region extends past a turn."""
+    v: list[Any]
+    """Smallest and largest v."""
+
+
+class StageSeconds(Record):
+    """Seconds taken by each stage."""
+
+    branches: float
+    """Crossings followed over orientation."""
+    candidates: float
+    """Pairs of sheets that may cross."""
+    cells: float
+    """Cutting sheets into cells."""
+    graph: float
+    """Patches, links, regions."""
+    pair_events: float
+    """Orientations at which pairs change."""
+    sheets: float
+    """Features, sheets and their names."""
+    shells: float
+    """Deciding which cells bound free space."""
+    total: float
+    """All stages, and all of attempts that were not kept."""
+    triple_events: float
+    """Orientations at which three sheets meet."""
+
+
+class Decisions(Record):
+    """Numbers of decisions: how many were made, and how many of these needed a second method or were left to the resolution."""
+
+    orientations: int
+    """Orientations at which something may change."""
+    orientations_rough: int
+    """Subset of `orientations` with an error above the narrowest band, or closer to another than that: nothing depends on the order of events there."""
+    overlaps: int
+    """Pieces of curve that two cells share at an orientation."""
+    overlaps_uncertain: int
+    """Subset of `overlaps` that may be shorter than the errors of their ends: these do not join shells."""
+    passings: int
+    """Intervals of orientation in which two branches may pass each other: decided by the polynomial of three carriers."""
+    passings_by_places: int
+    """Subset of `passings` in which the sign of the polynomial cannot be determined: decided by the order of places before and after."""
+    shells: int
+    """Shells, each decided by one overlap test and by the bounds of its cells."""
+
+
+class Counts(Record):
+    """Counts of the computation of a space in x, y and theta."""
+
+    branches: int
+    """Crossings of two sheets; of large pairs, without those that are certainly in blocked space."""
+    cells: int
+    """Pieces of sheets."""
+    clusters: int
+    """Different orientations among all events."""
+    conflicts: int
+    """How often the computation contradicted itself; 0 in sound computations."""
+    decisions: Decisions
+    """Counts of decisions, by the certainty reached."""
+    overlap_tests: int
+    """Configurations tested for overlap."""
+    pair_events: int
+    """Orientations examined as possibly critical, from pairs of sheets."""
+    pairs: int
+    """Pairs of sheets whose boxes meet."""
+    sheets: int
+    """Sheets: feature pairs that can touch, by intervals in which their ends keep their identity."""
+    triple_events: int
+    """Orientations at which three sheets meet."""
+
+
+class AxesStatistics(Record):
+    """Counts of a computation."""
+
+    conflicts: int
+    """Conflicts that remained in every attempt: places at which tests and structure contradict each other, or the structure contradicts itself; 0 unless features lie closer than the resolution. If there are any, configurations are classified by intersecting the placed parts, and regions and patches are unreliable."""
+    crossings: int
+    """Crossings of pieces."""
+    pairs: int
+    """Pairs of features that touch somewhere."""
+    pieces: int
+    """Monotone pieces of their contact curves."""
+    tests: int
+    """Tests of overlap. A part that is symmetric about its pivot is tested in one period only."""
+
+
+class PerPart(Record):
+    """A number for each part."""
+
+    fixed: int
+    """For the fixed part."""
+    moving: int
+    """For the moving part."""
+
+
+class Window(Record):
+    """The orientations a contact space covers."""
+
+    full_turn: bool
+    """Whether these are all orientations: the last is then the first again."""
+    hi: float
+    """Last orientation, radians."""
+    lo: float
+    """First orientation, radians."""
+
+
+class SummaryOfPair(Record):
+    """The answer for one pair."""
+
+    bands: int
+    """How many bands the critical orientations make."""
+    cached: bool | None
+    """True where the space was computed before, and read; left out otherwise."""
+    critical_orientations: list[float]
+    """Orientations at which the structure of the slice changes, radians, ascending."""
+    doubtful_orientations: list[list[Any]] | None
+    """From where to where the patches are not relied upon alone, radians."""
+    drawn: Drawn | None
+    """How the parts are at zero motion; absent of a pair that never parts."""
+    features: FeatureCount
+    """Lines, arcs, and vertices that are not smooth joints."""
+    fixed: str
+    """Name of the fixed part."""
+    free_regions: int
+    """Connected components of free space."""
+    least_clearance: float
+    """A clearance below it counts as none, in the model's unit."""
+    links: Links
+    """How patches are linked."""
+    model: str | None
+    """The name of the model, where it is known."""
+    motion: dict[str, Any] | None
+    """How the parts move that have no orientations: on axes or by a joint."""
+    moving: str
+    """Name of the moving part."""
+    outcome: Literal['done']
+    """How it came out."""
+    patches: int
+    """Contact patches, or contact curves on fixed axes."""
+    regions: list[FreeRegion] | list[AxesRegion]
+    """The connected components of free space; their places in this list are their numbers."""
+    resolution: float
+    """How exact places are, in the model's unit of length."""
+    seconds: StageSeconds | dict[str, Any]
+    """How long it took this time: the stages, of a space that was computed, and their total."""
+    slices: int
+    """Bands that were computed, after symmetry."""
+    statistics: Counts | AxesStatistics | None
+    """Counts of the computation."""
+    symmetry: PerPart
+    """The largest fold of a rotation about its own centre that maps the part to itself; 1 for none."""
+    window: Window | None
+    """The orientations that were computed; absent of pairs without orientations."""
+
+
+class ComputeAnswer(Record):
+    """What `cspace compute --json` prints"""
+
+    answer: Literal['compute']
+    """The command."""
+    outcome: Literal['done']
+    """How it came out; of several pairs the worst."""
+    pairs: list[SummaryOfPair]
+    """The answer for each pair."""
+    units: Units
+    """Units of the numbers."""
+    version: Literal[1]
+    """Version of the form of answers."""
+
+
 class Enclosed(Record):
     """Parts that cannot leave."""
 
@@ -369,7 +588,6 @@ class Enclosed(Record):
 class Locked(Record):
     """Parts of which none goes out while the others stay."""
 
-    _read = {'why': Enclosed}
     parts: list[str]
     """The parts."""
     why: list[Enclosed]
@@ -379,7 +597,6 @@ class Locked(Record):
 class Step(Record):
     """A motion of some parts while others stay."""
 
-    _read = {'path': configuration}
     about: list[float] | None
     """The point that legs move straight and turn the parts about, x and y in the assembly's frame as the parts are before the step; none on an axis."""
     clearance: float | None
@@ -401,7 +618,6 @@ class Step(Record):
 class Branch(Record):
     """Parts that go out of others in a step."""
 
-    _read = {'tree': Tree}
     room: list[int] | None
     """The indices of the steps by which others make room for it, from 0; absent if nothing has to."""
     step: int
@@ -413,7 +629,6 @@ class Branch(Record):
 class Tree(Record):
     """Parts that come out of others."""
 
-    _read = {'out': Branch}
     left: list[str]
     """Parts that are left of them."""
     out: list[Branch]
@@ -434,7 +649,6 @@ class Tried(Record):
 class DisassembleAnswer(Record):
     """What `cspace disassemble --json` prints"""
 
-    _read = {'locked': Locked, 'steps': Step, 'tree': Tree, 'tried': Tried, 'units': Units}
     answer: Literal['disassemble']
     """The command."""
     gap: float
@@ -464,7 +678,6 @@ class DisassembleAnswer(Record):
 class Overlap(Record):
     """Parts that overlap."""
 
-    _read = {'nearest': configuration}
     depth: float | None
     """How far it is to the nearest free configuration, in the model's unit; a radian counts the reach of the part that turns. None if there is none."""
     nearest: NDArray[np.float64] | None
@@ -487,7 +700,6 @@ class EnergyEnclosed(Record):
 class Pass(Record):
     """A place at which a way may be highest."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """Its configuration."""
     energy: float
@@ -499,7 +711,6 @@ class Pass(Record):
 class EscapeOfPair(Record):
     """The answer for one pair."""
 
-    _read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': Pass, 'path': configuration}
     blocked: Overlap | None
     """Overlap at the start or the goal."""
     enclosed: EnergyEnclosed | None
@@ -533,7 +744,6 @@ class EscapeOfPair(Record):
 class EnergyAnswer(Record):
     """What `cspace plan --energy --json` prints"""
 
-    _read = {'pairs': EscapeOfPair, 'units': Units}
     answer: Literal['plan']
     """The command."""
     outcome: Literal['escapes', 'cage', 'from-blocked', 'to-blocked']
@@ -544,6 +754,198 @@ class EnergyAnswer(Record):
     """Units of the numbers."""
     version: Literal[1]
     """Version of the form of answers."""
+
+
+class DriveInfo(Record):
+    """A prescribed motion."""
+
+    part: str
+    """The part's name."""
+    rate: float | None
+    """Its rate, radians or lengths per second."""
+    table: list[list[Any]] | None
+    """Times and where the part is then: radians or lengths."""
+
+
+class JointInfo(Record):
+    """A permanent connection of two parts."""
+
+    at: list[float] | None
+    """The point that both parts turn about, or a point of the line of sliding."""
+    direction: list[float] | None
+    """The direction of a slide."""
+    parts: list[str]
+    """The names of the parts."""
+    type: Literal['revolute', 'prismatic', 'rigid']
+    """The kind."""
+
+
+class LoadInfo(Record):
+    """A constant force or torque."""
+
+    at: list[float] | None
+    """Where it acts, in the part's frame; at the centre of mass if this is missing."""
+    force: list[float] | None
+    """In the assembly's frame, kg·unit/s²."""
+    part: str
+    """The part's name."""
+    torque: float | None
+    """kg·unit²/s², counter-clockwise."""
+
+
+class PairInfo(Record):
+    """A pair of parts."""
+
+    features: int
+    """Lines, arcs, and vertices that are not smooth joints, of both parts."""
+    fixed: str
+    """Name of the fixed part."""
+    friction: float | None
+    """The coefficient of friction, where the pair has one of its own."""
+    moving: str
+    """Name of the moving part."""
+    restitution: float | None
+    """The coefficient of restitution, where the pair has one of its own."""
+    theta: list[Any] | None
+    """The first and the last orientation of its window, radians; left out without a window."""
+
+
+class Parameter(Record):
+    """A parameter of a model."""
+
+    deviations: list[float] | None
+    """How far below and above the value it may be, if the model says so; one is negative where the value is outside its limits."""
+    expression: str | None
+    """How the value is written, if it is an expression of other parameters."""
+    name: str
+    """Its name, as expressions write it."""
+    set: bool
+    """Whether the value is not that of the model, but was given."""
+    used_by: list[str]
+    """The parts and other entries in which numbers depend on it."""
+    value: float
+    """Its value; of an angle in radians."""
+
+
+class InfoFeatureCount(Record):
+    """Lines, arcs, and vertices that are not smooth joints."""
+
+    arcs: int
+    """Arcs."""
+    lines: int
+    """Line segments."""
+    total: int
+    """All of these."""
+    vertices: int
+    """Corners."""
+
+
+class PartInfo(Record):
+    """A part."""
+
+    area: float
+    """The area of its material."""
+    bounds: list[float]
+    """Least x and y, greatest x and y."""
+    center_of_mass: list[float] | None
+    """In the part's frame: as given, or of a part with a mass the centroid of its outline."""
+    concave_arcs: int
+    """Arcs with material outside."""
+    convex_arcs: int
+    """Arcs with material inside of their circle."""
+    features: InfoFeatureCount
+    """Lines, arcs, and vertices that are not smooth joints."""
+    holes: int
+    """Loops around holes."""
+    inertia: float | None
+    """The moment of inertia about the centre of mass, kg·unit², as given or from the outline."""
+    loops: int
+    """Closed loops of the outline."""
+    mass: float | None
+    """Its mass in kg, where the model gives it a mass or a density."""
+    motion: dict[str, Any]
+    """How it moves relative to the ground."""
+    name: str
+    """Its name."""
+    radii: list[Any] | None
+    """Least and greatest radius of its arcs."""
+    rate: float | list[float] | None
+    """How fast it moves at the start, where that is given, per second."""
+    round: bool
+    """Whether every rotation about its own centre maps it to itself."""
+    size: float
+    """The diagonal of its box."""
+    start: float | list[float] | None
+    """Where it is at the start, where that is given: x, y and theta, or how far along its axis."""
+    symmetry: int
+    """The largest fold of a rotation about its own centre that maps the part to itself; 1 for none."""
+
+
+class SpringInfo(Record):
+    """A spring, or a damper."""
+
+    angle: float | None
+    """The angle of a torsion spring at which it gives no torque, radians."""
+    at: list[list[float]] | None
+    """The points of a linear spring, each in its part's frame, of the ground in the assembly's."""
+    damping: float
+    """Force per rate of length, kg/s, or torque per angular velocity, kg·unit²/s."""
+    length: float | None
+    """The length of a linear spring at which it gives no force."""
+    parts: list[str]
+    """The names of two parts, or of one if the spring is against the ground."""
+    stiffness: float
+    """Force per length, kg/s², or torque per radian, kg·unit²/s²."""
+    type: Literal['linear', 'torsion']
+    """The kind."""
+
+
+class InfoAnswer(Record):
+    """What `cspace info --json` prints"""
+
+    answer: Literal['info']
+    """The command."""
+    drives: list[DriveInfo] | None
+    """Prescribed motions, where there are any."""
+    friction: float | None
+    """The coefficient of friction of pairs without one of their own, where it is not 0."""
+    gravity: list[float] | None
+    """The acceleration of what falls, unit/s², where there is any."""
+    joints: list[JointInfo]
+    """Permanent connections."""
+    loads: list[LoadInfo] | None
+    """Constant forces and torques, where there are any."""
+    name: str
+    """The name of the model."""
+    outcome: Literal['done']
+    """How it came out; of several pairs the worst."""
+    pairs: list[PairInfo]
+    """The pairs that are studied."""
+    parameters: list[Parameter] | None
+    """The model's parameters, by name; left out if it has none."""
+    parts: list[PartInfo]
+    """The parts."""
+    restitution: float | None
+    """The coefficient of restitution of pairs without one of their own, where it is not 0."""
+    springs: list[SpringInfo] | None
+    """Springs and dampers, where there are any."""
+    unit: str | None
+    """The model's label of the unit of length, if it has one."""
+    units: Units
+    """Units of the numbers."""
+    version: Literal[1]
+    """Version of the form of answers."""
+
+
+class ThreeCoordinates(Record):
+    """A configuration of the three parts, in radians or the model's unit."""
+
+    u: float
+    """Motion of the first part."""
+    v: float
+    """Motion of the second part."""
+    w: float
+    """Motion of the third part."""
 
 
 class Reach(Record):
@@ -560,8 +962,7 @@ class Reach(Record):
 class Mode(Record):
     """A mode."""
 
-    _read = {'sample': configuration, 'u': Reach, 'v': Reach, 'w': Reach}
-    sample: NDArray[np.float64]
+    sample: ThreeCoordinates
     """A configuration in the mode."""
     turns: list[list[int]]
     """The turns of u, v and w by which motions within the mode come back to where they began: all are sums of whole multiples of these."""
@@ -606,8 +1007,7 @@ class Part(Record):
 class Requested(Record):
     """Where the configuration is that is asked about."""
 
-    _read = {'at': configuration}
-    at: NDArray[np.float64]
+    at: ThreeCoordinates
     """The configuration."""
     between: list[str]
     """The parts that touch or overlap, or the one whose range is left."""
@@ -620,7 +1020,6 @@ class Requested(Record):
 class ModesAnswer(Record):
     """What `cspace modes --json` prints"""
 
-    _read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': Requested, 'units': Units}
     answer: Literal['modes']
     """The command."""
     doubts: int
@@ -648,7 +1047,6 @@ class ModesAnswer(Record):
 class Bottleneck(Record):
     """The widest way."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """The configuration."""
     clearance: float
@@ -662,7 +1060,6 @@ class Bottleneck(Record):
 class Contact(Record):
     """A contact on a path that is given."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """The configuration."""
     fraction: float
@@ -687,7 +1084,6 @@ class PlanEnclosed(Record):
 class Place(Record):
     """A configuration with what is nearest there."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """The configuration."""
     touching: list[str] | None
@@ -706,7 +1102,6 @@ class PlanPart(Record):
 class Proof(Record):
     """A proof that no motion leads from start to goal. Angles are in radians."""
 
-    _read = {'fixed': PlanPart, 'moving': PlanPart}
     depth: float
     """Approximate penetration of the parts on the surface; stated, not checked."""
     fixed: PlanPart
@@ -754,7 +1149,6 @@ class Rest(Record):
 class Twin(Record):
     """A configuration in which the moving part covers what it covers at the goal."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """The configuration."""
     turn: float
@@ -764,7 +1158,6 @@ class Twin(Record):
 class PlanOfPair(Record):
     """The answer for one pair."""
 
-    _read = {'blocked': Overlap, 'bottleneck': Bottleneck, 'contact': Contact, 'enclosed': PlanEnclosed, 'narrowest': Place, 'path': configuration, 'proof': Proof, 'regions': Regions, 'rest': Rest, 'twin': Twin}
     about: list[float] | None
     """x and y of the point of a planar part, in its frame, that legs move straight and about which they turn the part: its origin, the middle of a part that is drawn beside its origin, or what is asked for."""
     blocked: Overlap | None
@@ -812,7 +1205,6 @@ class PlanOfPair(Record):
 class PlanAnswer(Record):
     """What `cspace plan --json` prints"""
 
-    _read = {'pairs': PlanOfPair, 'units': Units}
     answer: Literal['plan']
     """The command."""
     outcome: Literal['path', 'no-path', 'blocked', 'from-blocked', 'to-blocked', 'unknown']
@@ -833,7 +1225,7 @@ class Direction(Record):
     distance: float | None
     """In the model's unit of length, or radians; none where nothing stops it."""
     stopped_by: Literal['contact', 'limit', 'nothing']
-    """What stops it."""
+    """The end that it comes to."""
     touching: list[list[str]]
     """Features of the fixed and of the moving part that stop it."""
 
@@ -841,7 +1233,6 @@ class Direction(Record):
 class Moved(Record):
     """How far a displacement at constant rates leads."""
 
-    _read = {'at': configuration}
     at: NDArray[np.float64]
     """The configuration that is reached."""
     fraction: float
@@ -870,7 +1261,6 @@ class Near(Record):
 class PlayOfPair(Record):
     """The answer for one pair."""
 
-    _read = {'at': configuration, 'directions': Direction, 'motion': Moved, 'near': Near}
     at: NDArray[np.float64]
     """The configuration asked about."""
     clearance: float | None
@@ -896,7 +1286,6 @@ class PlayOfPair(Record):
 class PlayAnswer(Record):
     """What `cspace play --json` prints"""
 
-    _read = {'pairs': PlayOfPair, 'units': Units}
     answer: Literal['play']
     """The command."""
     outcome: Literal['free', 'contact', 'exact-fit', 'joined', 'blocked']
@@ -938,7 +1327,6 @@ class InCycle(Record):
 class Period(Record):
     """The cycle in which the motion repeats."""
 
-    _read = {'parts': each_of(InCycle)}
     difference: float
     """How far two cycles are from each other at most, in the unit of length; angles count by the sizes of their parts."""
     driver: str | None
@@ -1054,7 +1442,6 @@ class JointForce(Record):
 class Forces(Record):
     """The forces between parts at a time, in kg·unit/s², torques in kg·unit²/s²."""
 
-    _read = {'contacts': ContactForce, 'drives': DriveForce, 'joints': JointForce}
     contacts: list[ContactForce]
     """Forces of all closed contacts and all ends of ranges that are reached."""
     drives: list[DriveForce]
@@ -1066,7 +1453,6 @@ class Forces(Record):
 class Row(Record):
     """All parts at a time."""
 
-    _read = {'forces': Forces}
     forces: Forces | None
     """Forces, if they are asked for."""
     rates: dict[str, float | list[float]] | None
@@ -1078,7 +1464,6 @@ class Row(Record):
 class SimulateAnswer(Record):
     """What `cspace simulate --json` prints"""
 
-    _read = {'contacts': ContactInterval, 'cycle': Period, 'energy': Energy, 'events': Event, 'gaps': Gap, 'model': MadeOf, 'obstacles': Obstacle, 'samples': Row, 'units': Units}
     answer: Literal['simulate']
     """The command."""
     contacts: list[ContactInterval]
@@ -1122,7 +1507,6 @@ class SimulateAnswer(Record):
 class SolveAnswer(Record):
     """What `cspace solve --json` prints"""
 
-    _read = {'units': Units}
     answer: Literal['solve']
     """The command."""
     none: str | None
@@ -1144,7 +1528,6 @@ class SolveAnswer(Record):
 class SweepAnswer(Record):
     """What `cspace sweep --json` prints"""
 
-    _read = {'units': Units}
     answer: Literal['sweep']
     """The command."""
     outcome: Literal['done', 'interrupted']
@@ -1160,7 +1543,6 @@ class SweepAnswer(Record):
 class TolerancesAnswer(Record):
     """What `cspace tolerances --json` prints"""
 
-    _read = {'requirements': Effect, 'units': Units}
     answer: Literal['tolerances']
     """The command."""
     outcome: Literal['holds', 'fails', 'jams', 'not-met', 'no-value', 'interrupted']
@@ -1171,3 +1553,50 @@ class TolerancesAnswer(Record):
     """Units of the numbers."""
     version: Literal[1]
     """Version of the form of answers."""
+
+
+Extremes._read = {'hi': Extreme, 'lo': Extreme}
+Samples._read = {'histogram': Histogram}
+Effect._read = {'exact': Extremes, 'monte_carlo': Samples, 'sensitivities': each_of(Sensitivity), 'structure': Change}
+AllocationAnswer._read = {'parameters': each_of(Allocated), 'requirements': Effect, 'units': Units}
+Station._read = {'hi': Extreme, 'lo': Extreme}
+Band._read = {'stations': Station}
+AlongAnswer._read = {'requirements': Band, 'units': Units}
+Requirement._read = {'at': configuration}
+CheckAnswer._read = {'requirements': Requirement, 'units': Units}
+ClearanceAnswer._read = {'pairs': ClearanceOfPair, 'units': Units}
+FreeRegion._read = {'sample': configuration}
+Counts._read = {'decisions': Decisions}
+SummaryOfPair._read = {'drawn': Drawn, 'features': FeatureCount, 'links': Links, 'symmetry': PerPart, 'window': Window}
+ComputeAnswer._read = {'pairs': SummaryOfPair, 'units': Units}
+Locked._read = {'why': Enclosed}
+Step._read = {'path': configuration}
+Branch._read = {'tree': Tree}
+Tree._read = {'out': Branch}
+DisassembleAnswer._read = {'locked': Locked, 'steps': Step, 'tree': Tree, 'tried': Tried, 'units': Units}
+Overlap._read = {'nearest': configuration}
+Pass._read = {'at': configuration}
+EscapeOfPair._read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': Pass, 'path': configuration}
+EnergyAnswer._read = {'pairs': EscapeOfPair, 'units': Units}
+PartInfo._read = {'features': InfoFeatureCount}
+InfoAnswer._read = {'drives': DriveInfo, 'joints': JointInfo, 'loads': LoadInfo, 'pairs': PairInfo, 'parameters': Parameter, 'parts': PartInfo, 'springs': SpringInfo, 'units': Units}
+Mode._read = {'sample': ThreeCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
+Requested._read = {'at': ThreeCoordinates}
+ModesAnswer._read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': Requested, 'units': Units}
+Bottleneck._read = {'at': configuration}
+Contact._read = {'at': configuration}
+Place._read = {'at': configuration}
+Proof._read = {'fixed': PlanPart, 'moving': PlanPart}
+Twin._read = {'at': configuration}
+PlanOfPair._read = {'blocked': Overlap, 'bottleneck': Bottleneck, 'contact': Contact, 'enclosed': PlanEnclosed, 'narrowest': Place, 'path': configuration, 'proof': Proof, 'regions': Regions, 'rest': Rest, 'twin': Twin}
+PlanAnswer._read = {'pairs': PlanOfPair, 'units': Units}
+Moved._read = {'at': configuration}
+PlayOfPair._read = {'at': configuration, 'directions': Direction, 'motion': Moved, 'near': Near}
+PlayAnswer._read = {'pairs': PlayOfPair, 'units': Units}
+Period._read = {'parts': each_of(InCycle)}
+Forces._read = {'contacts': ContactForce, 'drives': DriveForce, 'joints': JointForce}
+Row._read = {'forces': Forces}
+SimulateAnswer._read = {'contacts': ContactInterval, 'cycle': Period, 'energy': Energy, 'events': Event, 'gaps': Gap, 'model': MadeOf, 'obstacles': Obstacle, 'samples': Row, 'units': Units}
+SolveAnswer._read = {'units': Units}
+SweepAnswer._read = {'units': Units}
+TolerancesAnswer._read = {'requirements': Effect, 'units': Units}
