@@ -37,7 +37,7 @@ macro_rules! questions {
         #[derive(Debug, Serialize)]
         #[serde(untagged)]
         pub enum AnyAnswer {
-            $($(#[$doc])* $name(Answer<$answer>),)*
+            $($(#[$doc])* $name(Box<Answer<$answer>>),)*
         }
 
         impl Question {
@@ -49,7 +49,7 @@ macro_rules! questions {
                 Ok(match self {
                     $(Self::$name(question) => {
                         let ask: fn(&$question, &Subject, &dyn Host) -> Result<Answer<$answer>, Error> = $ask;
-                        AnyAnswer::$name(ask(question, subject, host)?)
+                        AnyAnswer::$name(Box::new(ask(question, subject, host)?))
                     })*
                 })
             }

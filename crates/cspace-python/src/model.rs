@@ -83,6 +83,7 @@ impl Model {
     }
 
     /// The source of the model: the text, the path, and the values that are set.
+    #[expect(clippy::type_complexity, reason = "a tuple of Python")]
     fn _source(&self) -> PyResult<(String, String, Vec<(String, String)>)> {
         let (file, template) = (self.file()?, self.template()?);
         let set = file.set.iter().map(|s| (s.name.clone(), s.value.clone()));

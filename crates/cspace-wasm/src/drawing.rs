@@ -1,7 +1,7 @@
 //! A drawing, as JavaScript has it: its faces are shown, and picked ones become the parts of a model.
 
-use cspace_drawing::DrawingError;
 use cspace_api::scene::{OpenedDrawing, PickedPart};
+use cspace_drawing::DrawingError;
 use wasm_bindgen::prelude::*;
 
 use crate::fault;
@@ -23,7 +23,8 @@ impl Drawing {
     /// Reads the drawing from the JSON of a scene's `source`.
     #[wasm_bindgen(js_name = fromSource)]
     pub fn from_source(source: &str) -> Result<Drawing, JsError> {
-        let source: cspace_api::scene::DrawingSource = serde_json::from_str(source).map_err(fault)?;
+        let source: cspace_api::scene::DrawingSource =
+            serde_json::from_str(source).map_err(fault)?;
         let file = source.file.clone();
         let opened = OpenedDrawing::from_source(source).map_err(|e| told(&file, &e))?;
         Ok(Self { opened })

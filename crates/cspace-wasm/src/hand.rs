@@ -1,9 +1,9 @@
 //! A whole mechanism, dragged by hand.
 
 use cspace::Point;
+use cspace_api::scene::{Edits, SceneSource};
 use cspace_model::Mechanism;
 use cspace_motion::{Dragged, Ending, Hand};
-use cspace_api::scene::{Edits, SceneSource};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 

@@ -4,13 +4,13 @@ use core::f64::consts::TAU;
 
 use cspace::{AxisMotion, Coordinates, Silent};
 use cspace_api::check::Requirement;
+use cspace_api::scene::{Edits, Opened, SceneSetting};
 use cspace_api::{plan, simulate};
 use cspace_design::{ContactGoal, Span};
 use cspace_model::model::{Coordinate, Template};
 use cspace_model::{DriveMotion, Mechanism};
 use cspace_motion::{Record, Report, Settings, Simulation, Way};
 use cspace_plan::{Clearance, Planner, Wishes};
-use cspace_api::scene::{Edits, Opened, SceneSetting};
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::prelude::*;
 
@@ -136,7 +136,9 @@ impl Model {
     pub fn check(&self, edits: &str) -> Result<String, JsError> {
         let model = self.opened.edited(&parsed(edits)?).map_err(fault)?;
         let checked = cspace_design::check(&model);
-        let rows: Vec<Requirement> = (checked.iter()).map(|c| Requirement::new(&model, c, None)).collect();
+        let rows: Vec<Requirement> = (checked.iter())
+            .map(|c| Requirement::new(&model, c, None))
+            .collect();
         json(&rows)
     }
 
