@@ -92,7 +92,7 @@ mod tests {
             widths.collect::<Vec<_>>()
         };
         let span = Span::new;
-        assert_eq!(common(span(0.1, 1.0), span(2.0, 1.0)), []);
+        assert!(common(span(0.1, 1.0), span(2.0, 1.0)).is_empty());
         let one = common(span(6.0, 1.0), span(0.2, 1.0));
         assert!(one.len() == 1 && (one[0] - (7.0 - TAU - 0.2)).abs() < 1e-5);
         // Both ends of a wide span reach into another.
