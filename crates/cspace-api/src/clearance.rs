@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::frame::{Answer, Content, PairAnswer};
+use crate::given;
 use crate::host::Host;
 use crate::outcome::{outcomes, worst};
 use crate::subject::{Subject, named_pair, tell_starts};
@@ -132,6 +133,8 @@ impl Question {
     /// If it is about no model, or there is no such pair.
     pub fn ask(&self, subject: &Subject, host: &dyn Host) -> Result<Answer<Clearances>, Error> {
         let file = subject.model("clashes are found between all of its parts")?;
+        given::size(host, "within", self.within)?;
+        given::size(host, "touch", self.touch)?;
         let model = &file.model.mechanism;
         let pair = (self.pair.as_ref())
             .map(|names| named_pair(&file.path, model, names, host))

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::frame::{Answer, Content};
+use crate::given;
 use crate::host::Host;
 use crate::leg::{legs_in_words, motion_in_words};
 use crate::outcome::outcomes;
@@ -155,6 +156,7 @@ impl Question {
     /// If the model has parts that cannot be taken apart, or the gap is none.
     pub fn ask(&self, subject: &Subject, host: &dyn Host) -> Result<Answer<Disassembly>, Error> {
         let file = subject.model("an assembly is all of its parts")?;
+        given::size(host, "gap", self.gap)?;
         let model = &file.model.mechanism;
         let begin = Instant::now();
         let failed = |error: AssemblyError| match error {

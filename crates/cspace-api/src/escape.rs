@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::frame::{Answer, Content, Pairs};
-use crate::given::Given;
+use crate::given::{self, Given};
 use crate::host::Host;
 use crate::outcome::outcomes;
 use crate::plan::{Enclosed, Overlap, Parts, goal};
-use crate::subject::{Chosen, Subject, Which};
+use crate::subject::{Chosen, Subject, Which, about};
 
 /// The start from which a part is to get out, and the forces against it.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -118,16 +118,14 @@ impl Question {
     /// # Errors
     /// If a pair cannot be computed, nothing acts on the moving part, or start or goal are not where can be asked.
     pub fn ask(&self, pairs: &[Chosen<'_>]) -> Result<Answer<Pairs<Escape>>, Error> {
-        let unit = pairs.first().and_then(|pair| pair.unit_label());
-        let answer = |pair: &Chosen<'_>| {
+        about(pairs, |pair| {
             let escape = self.of(pair)?;
             Ok(pair.answer(escape.verdict, escape))
-        };
-        let answers = pairs.iter().map(answer).collect::<Result<_, Error>>()?;
-        Ok(Answer::of_pairs(unit, answers))
+        })
     }
 
     fn of(&self, pair: &Chosen<'_>) -> Result<Escape, Error> {
+        given::size(pair.host(), "accuracy", self.accuracy)?;
         let from = pair.at("from", self.from.as_ref())?;
         let to = goal(pair, self.to.as_ref())?;
         let (field, weighs) = self.field(pair)?;

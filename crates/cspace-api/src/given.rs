@@ -1,11 +1,15 @@
 //! Numbers as they are given: angles with a unit, ranges, configurations.
 
 use core::convert::Infallible;
+use core::fmt::Display;
 use core::str::FromStr;
 
 use cspace_model::{LARGEST_ANGLE, shown};
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::error::Error;
+use crate::host::Host;
 
 /// A configuration or displacement as it is given: text such as `10,0,18deg`, or numbers, angles in radians. Which coordinates it has is
 /// known where the pair is.
@@ -33,6 +37,25 @@ impl FromStr for Given {
 
     fn from_str(text: &str) -> Result<Self, Infallible> {
         Ok(Self::Text(text.to_owned()))
+    }
+}
+
+/// An error for the value of an option; `wanted` is what to give in its place.
+pub(crate) fn refused(host: &dyn Host, option: &str, value: impl Display, wanted: &str) -> Error {
+    let option = host.option(option);
+    Error::new(format_args!(
+        "{option} is {value} where {wanted} is expected"
+    ))
+    .help(format_args!("give {wanted}"))
+}
+
+/// Refuses a length, or another size, that is given and is not a finite number of 0 or more.
+pub(crate) fn size(host: &dyn Host, option: &str, value: Option<f64>) -> Result<(), Error> {
+    match value {
+        Some(x) if !(x.is_finite() && x >= 0.0) => {
+            Err(refused(host, option, x, "a finite number of 0 or more"))
+        }
+        _ => Ok(()),
     }
 }
 

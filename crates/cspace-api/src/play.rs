@@ -16,10 +16,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::frame::{Answer, Content, Pairs};
-use crate::given::Given;
+use crate::given::{self, Given};
 use crate::host::Host;
 use crate::outcome::outcomes;
-use crate::subject::{Chosen, Subject, Which};
+use crate::subject::{Chosen, Subject, Which, about};
 
 /// Default of `touch`, as a share of the smaller part's size.
 const NEARBY: f64 = 0.01;
@@ -163,6 +163,7 @@ pub enum Stop {
 
 impl Question {
     fn of(&self, pair: &Chosen<'_>) -> Result<Play, Error> {
+        given::size(pair.host(), "touch", self.touch)?;
         let at = pair.at("at", self.at.as_ref())?;
         let by = (self.by.as_ref())
             .map(|by| pair.coordinates("by", by))
@@ -222,13 +223,10 @@ impl Question {
     /// # Errors
     /// If a pair cannot be computed, or not be asked there.
     pub fn ask(&self, pairs: &[Chosen<'_>]) -> Result<Answer<Pairs<Play>>, Error> {
-        let unit = pairs.first().and_then(|pair| pair.unit_label());
-        let answer = |pair: &Chosen<'_>| {
+        about(pairs, |pair| {
             let play = self.of(pair)?;
             Ok(pair.answer(play.is, play))
-        };
-        let answers = pairs.iter().map(answer).collect::<Result<_, Error>>()?;
-        Ok(Answer::of_pairs(unit, answers))
+        })
     }
 }
 

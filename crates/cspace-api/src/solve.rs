@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::frame::{Answer, Content};
+use crate::given;
 use crate::host::{Host, is_interrupted};
 use crate::outcome::outcomes;
 use crate::subject::{ModelFile, Subject, parameters_of, requirements_of, varied_twice};
@@ -101,6 +102,14 @@ impl Question {
 
     /// Refuses names that the model does not have, and values of another kind than the measure.
     fn check(&self, file: &ModelFile, host: &dyn Host) -> Result<(), Error> {
+        if self.samples < 2 {
+            return Err(given::refused(host, "samples", self.samples, "2 or more"));
+        }
+        if let Value::Number(value) = self.so_that.value
+            && !value.is_finite()
+        {
+            return Err(given::refused(host, "so-that", value, "a finite number"));
+        }
         let model: &Model = &file.model;
         for (i, span) in self.vary.iter().enumerate() {
             let name = &span.parameter;
@@ -110,6 +119,10 @@ impl Question {
             }
             if self.vary[..i].iter().any(|other| other.parameter == *name) {
                 return Err(varied_twice(name));
+            }
+            if !(span.lo.is_finite() && span.hi.is_finite()) {
+                let range = format!("{name} from {:?} to {:?}", span.lo, span.hi);
+                return Err(given::refused(host, "vary", range, "finite bounds"));
             }
             if span.lo.partial_cmp(&span.hi) != Some(Ordering::Less) {
                 let option = host.option("vary");

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use cspace_drawing::{Drawing, DrawingError, Source};
 use cspace_model::model::{Parameter, Template};
+use cspace_model::saved;
 use cspace_model::shown::number;
 use cspace_model::{Document, Host, Mechanism, Model, Refused};
 
@@ -44,6 +45,13 @@ pub(crate) fn template(file: &Path, values: &SetArgs) -> Result<(Template, Model
     output::before_reading(file)?;
     let host = host(values);
     let template = Template::read(file, &host)?;
+    if saved::is_saved(template.text()) {
+        return Err(Failure::new(format_args!(
+            "{}: the file is a saved contact space of two parts",
+            file.display()
+        ))
+        .help("give the model file, whose parameters can have other values"));
+    }
     let model = template.model(&host)?;
     tell_sizes(&model.mechanism);
     Ok((template, model))

@@ -373,7 +373,7 @@ impl<'a> Planner<'a> {
                 let (a, b) = (a.map_err(PlanError::From)?, b.map_err(PlanError::To)?);
                 let tips = [Tip::of(start, a), Tip::of(goal, b)];
                 let found = match a == b {
-                    true => Some(Legs::new(&self.scene, vec![a])),
+                    true => self.stays(&tips[0], wishes, &mut answer),
                     false => {
                         self.found(tips, (enough, outside), wishes, (&mut answer, progress))?
                     }
@@ -391,6 +391,22 @@ impl<'a> Planner<'a> {
             }
         };
         Ok(answer)
+    }
+
+    /// The path without a leg from a configuration to itself; none if it has less clearance there than is asked for, which the answer has.
+    fn stays(&self, tip: &Tip<'_>, wishes: &Wishes, answer: &mut Answer) -> Option<Legs<'_>> {
+        let legs = Legs::new(&self.scene, vec![tip.at]);
+        let Clearance::AtLeast(least) = wishes.clearance else {
+            return Some(legs);
+        };
+        let narrow = legs.narrow();
+        // On a contact nothing is between leaving it and coming to it.
+        if tip.contacts.is_some() || narrow.clearance >= least {
+            return Some(legs);
+        }
+        let most = Some(narrow.clearance);
+        answer.bottleneck = Some(Bottleneck { narrow, most });
+        None
     }
 
     /// The legs of a path between two configurations in the same region; none if that is the answer, which has why.

@@ -67,6 +67,10 @@ impl Model {
     #[staticmethod]
     fn _load(path: std::path::PathBuf) -> PyResult<Self> {
         let template = Template::read(&path, &ReadHost::default()).map_err(|e| of_model(&e))?;
+        if cspace_model::saved::is_saved(template.text()) {
+            let what = format_args!("{}: the file is a saved contact space", path.display());
+            return Err(with_help(what, "give the model file"));
+        }
         Self::new(Arc::new(template), Vec::new())
     }
 
@@ -262,6 +266,15 @@ impl Host for Asking<'_> {
     fn warn(&self, _: &Error) {}
 
     fn option(&self, name: &str) -> String {
+        // The methods call some of them otherwise.
+        let name = match name {
+            "from" => "start",
+            "to" => "goal",
+            "so-that" => "value",
+            "measure" => "measures",
+            "requirement" => "requirements",
+            other => other,
+        };
         format!("`{name}`")
     }
 }

@@ -1,7 +1,9 @@
 """Answers: against closed forms, and against the command to the last bit."""
 
+import copy
 import json
 import math
+import pickle
 import subprocess
 
 import numpy as np
@@ -234,3 +236,34 @@ def test_modes_are_those_of_the_command(models, command):
     ):
         with pytest.raises(cs.Error, match=said):
             model.modes(**wrong)
+
+
+def test_answers_about_one_pair_are_whole(models):
+    """A path is an answer with its frame, whose pair is near at hand; wrong arguments are named as they are called here."""
+    model = cs.Model.load(models / "peg_hole.toml")
+    names = model.pairs[0]
+    plan = model.plan((40, 30, 0), (0, 2, 0), pair=names)
+    assert plan.outcome == "path" and plan.units.length == "mm" and plan.path.shape[1] == 3
+    assert plan["clearance"] == plan.pairs[0].clearance > 0 and plan.gap is None and set(plan.to_dict()) == set(plan)
+    assert copy.copy(plan) == pickle.loads(pickle.dumps(plan)) == plan.copy() == plan
+    with pytest.raises(AttributeError, match="takes no 'gap'"):
+        plan.gap = 1
+    for wrong, said in (
+        (lambda: model.plan((1, 2)), "`start`"),
+        (lambda: model.plan((40, 30, None)), "`start` is .*: give one configuration"),
+        (lambda: model.plan((40, 30, 0), clearance=-1), "`clearance` is -1"),
+        (lambda: model.plan((40, 30, 0), clearance=math.nan), "`clearance` is nan"),
+        (lambda: model.plan((40, 30, 0), clearance=1, widest=True), "`widest` and `clearance` are both given"),
+        (lambda: model.clearance(within=math.nan), "`within` is nan"),
+        (lambda: model.play(pair=3), "`pair` is 3: give the names"),
+        (lambda: model.play(np.zeros((3, 3))), "`at` is"),
+    ):
+        with pytest.raises(cs.Error, match=said):
+            wrong()
+
+
+def test_nothing_infinite_is_solved(peg):
+    for value, ends in ((math.inf, (0.01, 0.5)), (0.01, (0.01, math.inf))):
+        with pytest.raises(cs.Error, match="finite"):
+            peg.solve("tilt", "=", value, play=ends)
+    assert peg.solve("tilt", ">=", 1e308, play=(0.01, 0.5)).outcome == "none"

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use super::answer::{Parts, Plan};
 use crate::error::Error;
 use crate::frame::{Answer, Pairs};
-use crate::subject::Chosen;
+use crate::subject::{Chosen, about};
 
 /// Which path is judged. No contact space is computed for it.
 #[derive(Debug, Clone, Deserialize, JsonSchema)]
@@ -31,13 +31,10 @@ impl Judge {
     /// # Errors
     /// If the path is too far from the parts, or no path of the pair.
     pub fn ask(&self, pairs: &[Chosen<'_>]) -> Result<Answer<Pairs<Plan>>, Error> {
-        let unit = pairs.first().and_then(|pair| pair.unit_label());
-        let answer = |pair: &Chosen<'_>| {
+        about(pairs, |pair| {
             let plan = self.of(pair)?;
             Ok(pair.answer(plan.verdict, plan))
-        };
-        let answers = pairs.iter().map(answer).collect::<Result<_, Error>>()?;
-        Ok(Answer::of_pairs(unit, answers))
+        })
     }
 
     fn of(&self, pair: &Chosen<'_>) -> Result<Plan, Error> {

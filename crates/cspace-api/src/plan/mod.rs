@@ -13,9 +13,9 @@ use serde::Deserialize;
 
 use crate::error::Error;
 use crate::frame::{Answer, Pairs};
-use crate::given::Given;
+use crate::given::{self, Given};
 use crate::host::Host;
-use crate::subject::{Chosen, Subject, Which};
+use crate::subject::{Chosen, Subject, Which, about};
 
 pub(crate) use answer::Parts;
 pub use answer::{Bottleneck, Contact, Enclosed, Outcome, Overlap, Place, Plan, Regions};
@@ -91,16 +91,27 @@ impl Question {
     /// # Errors
     /// If a pair cannot be computed, or start or goal are not where can be asked.
     pub fn ask(&self, pairs: &[Chosen<'_>]) -> Result<Answer<Pairs<Plan>>, Error> {
-        let unit = pairs.first().and_then(|pair| pair.unit_label());
-        let answer = |pair: &Chosen<'_>| {
+        about(pairs, |pair| {
             let plan = self.of(pair)?;
             Ok(pair.answer(plan.verdict, plan))
-        };
-        let answers = pairs.iter().map(answer).collect::<Result<_, Error>>()?;
-        Ok(Answer::of_pairs(unit, answers))
+        })
     }
 
     fn of(&self, pair: &Chosen<'_>) -> Result<Plan, Error> {
+        let host = pair.host();
+        for (option, value) in [
+            ("clearance", self.clearance),
+            ("turn", self.turn),
+            ("travel", self.travel),
+            ("depth", self.depth),
+        ] {
+            given::size(host, option, value)?;
+        }
+        if self.widest && self.clearance.is_some() {
+            let (widest, clearance) = (host.option("widest"), host.option("clearance"));
+            let both = format_args!("{widest} and {clearance} are both given");
+            return Err(Error::new(both).help(format_args!("leave {clearance} out")));
+        }
         let (from, goal) = (self.start(pair)?, self.goal(pair)?);
         let ends: Vec<Coordinates> = [from].into_iter().chain(goal).collect();
         let (space, gap) = pair.space_with_room(&ends)?;

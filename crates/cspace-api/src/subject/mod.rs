@@ -17,7 +17,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::error::Error;
-use crate::frame::{Content, PairAnswer};
+use crate::frame::{Answer, Content, PairAnswer, Pairs};
 use crate::host::Host;
 
 pub use found::Source;
@@ -110,6 +110,16 @@ impl Chosen<'_> {
             content,
         }
     }
+}
+
+/// The answer about pairs, each of which is asked.
+pub(crate) fn about<T: Content>(
+    pairs: &[Chosen<'_>],
+    of: impl Fn(&Chosen<'_>) -> Result<PairAnswer<T>, Error>,
+) -> Result<Answer<Pairs<T>>, Error> {
+    let unit = pairs.first().and_then(Chosen::unit_label);
+    let answers = pairs.iter().map(of).collect::<Result<_, Error>>()?;
+    Ok(Answer::of_pairs(unit, answers))
 }
 
 impl Subject {

@@ -127,6 +127,11 @@ fn what_cannot_be_used_is_told_or_left_out() {
             "--partial",
         ],
     );
+    // One object, however many things are wrong.
+    let refused = cspace(&["import", &path, "--json"]).output().unwrap();
+    let refused: Value = serde_json::from_slice(&refused.stdout).unwrap();
+    let message = refused["error"]["message"].as_str().unwrap();
+    assert!(message.contains("2 things cannot be used"), "{message}");
     let report = json(&["import", &path, "--partial"]);
     assert_eq!(report["parts"].as_array().unwrap().len(), 1);
     let handles: Vec<&str> = (report["ignored"].as_array().unwrap().iter())

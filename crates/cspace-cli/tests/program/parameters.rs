@@ -347,6 +347,11 @@ fn every_command_that_takes_a_model_sets_values() {
             vec!["compute", &space, "--set", "play=0.2"],
             "saved contact space",
         ),
+        (
+            vec!["sweep", &space, "--vary", "play=0:1:2"],
+            "saved contact space",
+        ),
+        (vec!["tolerances", &space], "saved contact space"),
         (vec!["compute", &file, "--set", "play"], "NAME=VALUE"),
         (
             vec!["compute", &file, "--set", "play=peg/0"],

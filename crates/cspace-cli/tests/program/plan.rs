@@ -454,3 +454,15 @@ fn a_way_begins_where_the_parts_are_drawn() {
         "{near}"
     );
 }
+
+#[test]
+fn staying_needs_the_clearance_too() {
+    let peg = model("peg_hole");
+    let ends = ["--from", "0,2,0", "--to", "0,2,0", "--clearance"];
+    let stays = [&["plan", &peg], &ends[..]].concat();
+    // The peg is 0.05 from the sides of its hole.
+    answered(&[&stays[..], &["0.049"]].concat(), "path");
+    let told = answered(&[&stays[..], &["0.051"]].concat(), "no-path");
+    let most = told["bottleneck"]["most"].as_f64().unwrap();
+    assert!((most - 0.05).abs() < 1e-9, "{most}");
+}

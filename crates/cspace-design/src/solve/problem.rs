@@ -179,6 +179,7 @@ impl Problem<'_> {
             At::Off(off, _) => off.abs(),
             _ => 0.0,
         });
-        ZERO * (value + off.fold(0.0, f64::max))
+        // Each by itself: the sum of the largest numbers is infinite.
+        ZERO * value + ZERO * off.fold(0.0, f64::max)
     }
 }

@@ -83,7 +83,7 @@ pub(super) struct Head<'t> {
 }
 
 /// Whether the text is meant to be a saved contact space: models have no format.
-pub(super) fn is_saved(text: &str) -> bool {
+pub fn is_saved(text: &str) -> bool {
     let text = without_mark(text);
     is_object(text)
         && serde_json::from_str::<Head<'_>>(text).is_ok_and(|head| head.format.is_some())

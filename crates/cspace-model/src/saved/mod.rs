@@ -23,7 +23,8 @@ use crate::{Model, ModelError, model};
 
 use check::{check_angles, check_names, is_plain};
 use error::{AGAIN, wrong};
-use head::{as_text, cut, head, is_saved};
+pub use head::is_saved;
+use head::{as_text, cut, head};
 use trust::{checksum, trusted};
 
 /// The largest file read, in bytes: that many take some gigabytes of memory, whatever they say.

@@ -84,6 +84,27 @@ def configuration(name: str, at: Any) -> tuple[float, float, float]:
     return x, y, theta
 
 
+def given(name: str, at: Any) -> list[float] | None:
+    """A configuration or displacement of a pair, of two or three finite numbers, or None."""
+    if at is None:
+        return None
+    try:
+        count = len(at)
+    except TypeError:
+        count = 3
+    forms = "one configuration (x, y, theta), or (u, v) of parts on axes"
+    return _coordinates(name, at, forms, 2 if count == 2 else 3)
+
+
+def pair_names(pair: Any) -> str | None:
+    """The names of the fixed and of the moving part with a comma between, of a text of that form or of two names."""
+    if pair is None or isinstance(pair, str):
+        return pair
+    if isinstance(pair, (list, tuple)) and len(pair) == 2 and all(isinstance(name, str) for name in pair):
+        return ",".join(pair)
+    raise Error(f'`pair` is {pair!r}: give the names of the fixed and of the moving part, such as ("plate", "pin")')
+
+
 def _coordinates(name: str, given: Any, form: str, count: int) -> list[float]:
     try:
         found = [float(coordinate) for coordinate in given]

@@ -8,12 +8,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _rust, answers
-from ._arrays import column, number, position, table, window
+from ._arrays import column, given, number, pair_names, position, table, window
 from ._errors import Error
 from ._part import Part
 from ._record import plain as _plain
-from ._results import Check, Simulation, Table, Tolerances
+from ._results import Check, Escape, Path, Simulation, Table, Tolerances
 from ._space import ContactSpace
+
+def _number(name: str, value: Any) -> float | None:
+    """A finite number of 0 or more, or None."""
+    return None if value is None else number(name, value, 0.0)
+
 
 _RELATIONS = {"=": "equal", "==": "equal", "<=": "at-most", ">=": "at-least"}
 
@@ -101,9 +106,9 @@ class Model:
 
         >>> model.tolerances("dwell", samples=10_000)["dwell"].margin  # doctest: +SKIP
         """
-        for name, number in (("samples", samples), ("seed", seed)):
-            if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < 2**63:
-                raise Error(f"`{name}` is {number!r} where a whole number from 0 up is expected")
+        for name, count in (("samples", samples), ("seed", seed)):
+            if isinstance(count, bool) or not hasattr(count, "__index__") or not 0 <= count < 2**63:
+                raise Error(f"`{name}` is {count!r} where a whole number from 0 up is expected")
         return Tolerances(
             self._ask("tolerances", requirement=requirements, samples=samples, seed=seed, no_proof=not proof)
         )
@@ -118,9 +123,7 @@ class Model:
         """
         names, varied = table(rows, values)
         numbers = np.array([column(name, v) for name, v in zip(names, zip(*varied))])
-        if isinstance(measures, str):
-            measures = [measures]
-        measures = self.requirements if measures is None else list(measures)
+        measures = self.requirements if measures is None else [measures] if isinstance(measures, str) else list(measures)
         found = self._ask("sweep", rows={"names": names, "rows": numbers.T}, measure=measures)["rows"]
         columns = dict(zip(names, numbers))
         for name in measures:
@@ -141,7 +144,7 @@ class Model:
             vary = [{"parameter": name, "lo": float(lo), "hi": float(hi)} for name, (lo, hi) in ranges.items()]
         except (TypeError, ValueError):
             raise Error("a range is not two numbers (lo, hi)") from None
-        if not isinstance(value, (bool, int, float)) or value != value:
+        if not isinstance(value, (bool, int, float, np.bool_, np.integer, np.floating)) or value != value:
             raise Error(f"`value` is {value!r} where a number, true or false is expected")
         if not vary:
             raise Error("no parameter is varied: give a range, solve(..., play=(0.01, 0.5))")
@@ -154,47 +157,61 @@ class Model:
         return answers.SolveAnswer(self._ask("solve", vary=vary, so_that=goal, samples=samples))
 
     def play(
-        self, at: ArrayLike | None = None, by: ArrayLike | None = None, pair: str | None = None, touch: float | None = None
+        self, at: ArrayLike | None = None, by: ArrayLike | None = None, pair: str | Sequence[str] | None = None, touch: float | None = None
     ) -> answers.PlayAnswer:
         """What touches at a configuration, as drawn without one, and how far the parts go from it in each direction; with the displacement
-        `by` how far that leads. `pair` names the fixed and the moving part, "plate,pin"."""
-        return answers.PlayAnswer(self._ask("play", at=at, by=by, pair=pair, touch=touch))
+        `by` how far that leads. `pair` names the fixed and the moving part."""
+        return answers.PlayAnswer(self._ask("play", at=given("at", at), by=given("by", by), pair=pair_names(pair), touch=_number("touch", touch)))
 
     def plan(
         self,
         start: ArrayLike | None = None,
         goal: ArrayLike | None = None,
-        pair: str | None = None,
+        pair: str | Sequence[str] | None = None,
         widest: bool = False,
         clearance: float | None = None,
         proof: bool = False,
-    ) -> answers.PlanOfPair:
+    ) -> Path:
         """A path of a pair from `start`, as drawn without one, to `goal`, or out, or that there is none; with `proof` a proof of that."""
-        asked = self._ask("plan", **{"from": start}, to=goal, pair=pair, widest=widest, clearance=clearance, proof=proof)
-        return answers.PlanAnswer(asked).pairs[0]
+        asked = self._ask(
+            "plan",
+            **{"from": given("start", start)},
+            to=given("goal", goal),
+            pair=pair_names(pair),
+            widest=widest,
+            clearance=_number("clearance", clearance),
+            proof=proof,
+        )
+        return Path(asked)
 
     def escape(
         self,
         start: ArrayLike | None = None,
         goal: ArrayLike | None = None,
-        pair: str | None = None,
+        pair: str | Sequence[str] | None = None,
         gravity: Sequence[float] | None = None,
-    ) -> answers.EscapeOfPair:
+    ) -> Escape:
         """The least energy with which the moving part of a pair leaves the place `start`, against gravity, loads and springs of the model:
         for good, or to `goal`. `gravity` (x, y) is in place of the model's."""
         if gravity is not None:
             gravity = position("gravity", gravity)
-        asked = self._ask("escape", **{"from": start}, to=goal, pair=pair, gravity=gravity)
-        return answers.EnergyAnswer(asked).pairs[0]
+        asked = self._ask(
+            "escape",
+            **{"from": given("start", start)},
+            to=given("goal", goal),
+            pair=pair_names(pair),
+            gravity=gravity,
+        )
+        return Escape(asked)
 
     def disassemble(self, gap: float | None = None) -> answers.DisassembleAnswer:
         """Whether the parts of the model come apart, group by group, and in which order. Parts that touch as drawn are moved apart by
         `gap`."""
-        return answers.DisassembleAnswer(self._ask("disassemble", gap=gap))
+        return answers.DisassembleAnswer(self._ask("disassemble", gap=_number("gap", gap)))
 
-    def clearance(self, pair: str | None = None, within: float | None = None) -> answers.ClearanceAnswer:
+    def clearance(self, pair: str | Sequence[str] | None = None, within: float | None = None) -> answers.ClearanceAnswer:
         """The smallest gap of every two parts as drawn, or by how much they overlap, the worst first; of pairs nearer than `within`."""
-        return answers.ClearanceAnswer(self._ask("clearance", pair=pair, within=within))
+        return answers.ClearanceAnswer(self._ask("clearance", pair=pair_names(pair), within=_number("within", within)))
 
     def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> answers.ModesAnswer:
         """The operating modes of three parts, by name, whose coordinates are u, v and w in that order; of those that move on axes without
@@ -204,14 +221,15 @@ class Model:
         """
         if parts is not None and (isinstance(parts, str) or len(parts) != 3):
             raise Error(f"`parts` is {parts!r} where three names are expected")
-        if len(at) != 3:
+        if isinstance(at, (int, float)) or len(at) != 3:
             raise Error(f"`at` is {at!r} where three numbers (u, v, w) are expected")
         where = ",".join(f"{letter}={number('at', t)!r}" for letter, t in zip("uvw", at))
         return answers.ModesAnswer(self._ask("modes", parts=None if parts is None else ",".join(parts), at=where))
 
     def simulate(self, time: float, every: float | None = None, forces: bool = False) -> Simulation:
-        """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart."""
-        every = None if every is None else number("every", every)
+        """The motion of the mechanism over `time` seconds, with inertia if a part has a mass; samples are `every` seconds apart, and have
+        rates."""
+        every = _number("every", every)
         return Simulation(self._ask("simulate", time=number("time", time), every=every, rates=True, forces=forces))
 
     def __repr__(self) -> str:

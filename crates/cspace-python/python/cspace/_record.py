@@ -1,5 +1,6 @@
 """Answers as records."""
 
+import copy
 from collections.abc import Callable
 from typing import Any, ClassVar
 
@@ -28,6 +29,13 @@ class Record(dict[str, Any]):
             return None
         raise AttributeError(f"{type(self).__name__} has no {name!r}: it has {', '.join(self)}")
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"an answer is what it is: {type(self).__name__} takes no {name!r}")
+
+    def copy(self) -> "Record":
+        """Another record with the same values."""
+        return copy.copy(self)
+
     def __repr__(self) -> str:
         return f"{type(self).__name__}({super().__repr__()})"
 
@@ -40,6 +48,21 @@ class Record(dict[str, Any]):
         """The command's JSON: dictionaries, lists, numbers and texts, for `json.dumps`."""
         read = self._read
         return {key: _coordinates(one) if read.get(key) is configuration else plain(one) for key, one in self.items()}
+
+
+class OfPair(Record):
+    """An answer about one pair, whose keys are those of the answer, too."""
+
+    def __missing__(self, key: str) -> Any:
+        return super().__getitem__("pairs")[0][key]
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return super().__getattr__(name)
+        except AttributeError:
+            if name.startswith("__"):
+                raise
+            return getattr(super().__getitem__("pairs")[0], name)
 
 
 class ByName(Record):

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from . import answers
 from ._arrays import number
 from ._errors import Error
-from ._record import ByName
+from ._record import ByName, OfPair
 
 
 def _along(plan: "Plan", shares: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -156,6 +156,15 @@ class Check(ByName, answers.CheckAnswer):
 
 class Tolerances(ByName, answers.TolerancesAnswer):
     """What tolerances do to the requirements of a model: `tolerances["tilt"].margin`."""
+
+
+class Path(OfPair, answers.PlanAnswer):
+    """A path of a pair, or that there is none: `answer.outcome` is "path", "no-path", …; `answer.path` has a configuration in each row,
+    between which the point `answer.about` of the part goes straight."""
+
+
+class Escape(OfPair, answers.EnergyAnswer):
+    """The least energy that lets a part out: `answer.energy`, between `answer.least` and `answer.most`."""
 
 
 class Simulation(answers.SimulateAnswer):

@@ -73,7 +73,7 @@ fn question(args: &ImportArgs) -> Question {
 /// The failure of a drawing that is refused, once all that is wrong with it is said.
 fn refused(refusal: Refusal) -> Failure {
     for problem in &refusal.problems {
-        Failure::from(problem.clone()).print();
+        Failure::from(problem.clone()).print_beside();
     }
     faces::print(&refusal);
     refusal.error.into()
