@@ -45,7 +45,7 @@ pub struct Scene {
     pub source: Option<SceneSource>,
 }
 
-/// A model, and which of its pairs are shown: all that [`Opened`](crate::Opened) has but for spaces and records.
+/// A model, and which of its pairs are shown: all that [`Opened`](crate::scene::Opened) has but for spaces and records.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneSource {
     /// The model as TOML, with all values as numbers.
