@@ -74,7 +74,7 @@ questions! {
     Disassemble(disassemble::Question) -> disassemble::Disassembly, disassemble::Question::ask;
     /// The least energy that lets a part out.
     Escape(escape::Question) -> Pairs<escape::Escape>, |question, subject, host| {
-        question.ask(&question.pairs(subject, host)?)
+        question.ask(&[subject.one_pair(&question.which, host)?])
     };
     /// Parts, joints and pairs.
     Info(info::Question) -> info::Info, info::Question::ask;
@@ -82,7 +82,7 @@ questions! {
     Modes(modes::Question) -> modes::OperatingModes, modes::Question::ask;
     /// A path, or that there is none.
     Plan(plan::Question) -> Pairs<plan::Plan>, |question, subject, host| {
-        question.ask(&question.pairs(subject, host)?)
+        question.ask(&[subject.one_pair(&question.which, host)?])
     };
     /// Contacts and play at a configuration.
     Play(play::Question) -> Pairs<play::Play>, |question, subject, host| {

@@ -12,10 +12,9 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::frame::{Answer, Content, Pairs};
 use crate::given::{self, Given};
-use crate::host::Host;
 use crate::outcome::outcomes;
 use crate::plan::{Enclosed, Overlap, Parts, goal};
-use crate::subject::{Chosen, Subject, Which, about};
+use crate::subject::{Chosen, Which, about};
 
 /// The start from which a part is to get out, and the forces against it.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
@@ -101,18 +100,6 @@ pub struct Pass {
 }
 
 impl Question {
-    /// The pair that is asked about.
-    ///
-    /// # Errors
-    /// If there are none, or several.
-    pub fn pairs<'a>(
-        &self,
-        subject: &'a Subject,
-        host: &'a dyn Host,
-    ) -> Result<Vec<Chosen<'a>>, Error> {
-        Ok(vec![subject.one_pair(&self.which, host)?])
-    }
-
     /// The energies that the moving parts of these pairs need.
     ///
     /// # Errors

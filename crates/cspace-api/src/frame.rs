@@ -16,11 +16,6 @@ pub trait Content: Serialize + JsonSchema {
     type Outcome: Outcome;
 }
 
-impl<T: Content> Content for &T {
-    const COMMAND: &'static str = T::COMMAND;
-    type Outcome = T::Outcome;
-}
-
 /// Units of the numbers of an answer.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Units {

@@ -14,8 +14,7 @@ use serde::Deserialize;
 use crate::error::Error;
 use crate::frame::{Answer, Pairs};
 use crate::given::{self, Given};
-use crate::host::Host;
-use crate::subject::{Chosen, Subject, Which, about};
+use crate::subject::{Chosen, Which, about};
 
 pub(crate) use answer::Parts;
 pub use answer::{Bottleneck, Contact, Enclosed, Outcome, Overlap, Place, Plan, Regions};
@@ -58,18 +57,6 @@ pub struct Question {
 }
 
 impl Question {
-    /// The pair that is asked about.
-    ///
-    /// # Errors
-    /// If there are none, or several.
-    pub fn pairs<'a>(
-        &self,
-        subject: &'a Subject,
-        host: &'a dyn Host,
-    ) -> Result<Vec<Chosen<'a>>, Error> {
-        Ok(vec![subject.one_pair(&self.which, host)?])
-    }
-
     /// The start.
     ///
     /// # Errors

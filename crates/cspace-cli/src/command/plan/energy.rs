@@ -22,7 +22,7 @@ pub(super) fn run(args: &PlanArgs, subject: &Subject, host: &Terminal) -> Result
         gravity: args.energy.gravity,
         accuracy: args.energy.accuracy,
     };
-    let pairs = question.pairs(subject, host)?;
+    let pairs = [subject.one_pair(&question.which, host)?];
     let output = args.common.result.output.as_deref();
     if format(output).is_some() || output.is_some_and(|path| output::ends_in(path, "csv")) {
         return Err(

@@ -49,7 +49,7 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
         proof: args.proof.is_some(),
         depth: args.depth,
     };
-    let pairs = question.pairs(&subject, &host)?;
+    let pairs = [subject.one_pair(&question.which, &host)?];
     let answer = match &args.verify {
         Some(path) => judged(args, &pairs, path)?,
         None => question.ask(&pairs)?,
