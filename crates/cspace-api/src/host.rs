@@ -12,10 +12,10 @@ pub trait Host: Sync {
     /// has ended where that is dropped.
     fn begin(&self, title: &str) -> Box<dyn Progress + '_>;
 
-    /// Begins long work of so many pieces of one kind, which has ended where what is given is dropped.
-    fn begin_pieces(&self, count: usize) -> Box<dyn Pieces + '_> {
-        let _ = count;
-        Box::new(Silent)
+    /// Begins long work of so many pieces of one kind, which has ended where what is given is dropped. Without a place to show how many are
+    /// done it is as any long work.
+    fn begin_pieces(&self, _count: usize) -> Box<dyn Pieces + '_> {
+        Box::new(Uncounted(self.begin("")))
     }
 
     /// Hears that from here on what is done by then is the answer, where the asker wants no more of long work.
@@ -58,15 +58,18 @@ pub trait Pieces {
     fn seconds(&self) -> f64;
 }
 
-impl Pieces for Silent {
+/// Work in pieces of which nobody counts those that are done.
+struct Uncounted<'a>(Box<dyn Progress + 'a>);
+
+impl Pieces for Uncounted<'_> {
     fn done(&self, _: usize) {}
 
     fn is_interrupted(&self) -> bool {
-        false
+        is_interrupted(&*self.0)
     }
 
     fn seconds(&self) -> f64 {
-        0.0
+        self.0.seconds()
     }
 }
 

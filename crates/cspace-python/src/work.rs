@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use cspace::space::Stage;
 use cspace::{ComputeError, Progress};
@@ -77,15 +77,21 @@ pub(crate) fn pool() -> PyResult<Arc<ThreadPool>> {
 }
 
 /// Ends a computation at its next stage once the user wants no more of it.
-#[derive(Default)]
-struct Ended(AtomicBool);
+struct Ended {
+    ended: AtomicBool,
+    begin: Instant,
+}
 
 impl Progress for Ended {
     fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        match self.0.load(Ordering::Relaxed) {
+        match self.ended.load(Ordering::Relaxed) {
             true => Err(ComputeError::Interrupted),
             false => Ok(()),
         }
+    }
+
+    fn seconds(&self) -> f64 {
+        self.begin.elapsed().as_secs_f64()
     }
 }
 
@@ -94,7 +100,10 @@ pub(crate) fn run<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Progress) -> Result<T, String> + Send + 'static,
 ) -> PyResult<T> {
-    let ended = Arc::new(Ended::default());
+    let ended = Arc::new(Ended {
+        ended: AtomicBool::new(false),
+        begin: Instant::now(),
+    });
     let (sender, receiver) = channel();
     let watched = Arc::clone(&ended);
     pool()?.spawn(move || {
@@ -115,7 +124,7 @@ pub(crate) fn run<T: Send + 'static>(
             Err(RecvTimeoutError::Disconnected) => return Err(internal("the work was lost")),
             Err(RecvTimeoutError::Timeout) => {
                 if let Err(interrupt) = py.check_signals() {
-                    ended.0.store(true, Ordering::Relaxed);
+                    ended.ended.store(true, Ordering::Relaxed);
                     return Err(interrupt);
                 }
             }

@@ -178,6 +178,7 @@ def test_errors_say_what_to_do(peg):
         (lambda: cs.Part.rectangle(1, 2, center=(1, 2, 3)), "(x, y)"),
         (lambda: cs.Part.circle(1, center=5), "center"),
         (lambda: peg.sweep(play=["x"]), "no numbers"),
+        (lambda: peg.sweep(play=[0.1, np.nan]), "not finite"),
         (lambda: peg.sweep("tilt", u=[1]), "coordinate u"),
         (lambda: peg.solve("tilt", "=", "2", play=(0, 1)), "`value`"),
         (lambda: cs.sweep(abs, rows={"x": [1], "y": [1, 2]}), "different lengths"),

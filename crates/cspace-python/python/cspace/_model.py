@@ -123,14 +123,16 @@ class Model:
         """
         names, varied = table(rows, values)
         numbers = np.array([column(name, v) for name, v in zip(names, zip(*varied))])
+        if not np.isfinite(numbers).all():
+            raise Error("a value that is varied is not finite")
         measures = self.requirements if measures is None else [measures] if isinstance(measures, str) else list(measures)
         found = self._ask("sweep", rows={"names": names, "rows": numbers.T}, measure=measures)["rows"]
         columns = dict(zip(names, numbers))
         for name in measures:
             columns[name] = np.array([np.nan if row[name] is None else row[name] for row in found])
-        failures = [(i, row["failure"]) for i, row in enumerate(found) if "failure" in row]
+        failures = [(i, None, row["failure"]) for i, row in enumerate(found) if "failure" in row]
         if found and all(row[name] is None for row in found for name in measures):
-            raise Error(f"no row has an answer; the first ends with {failures[0][1]}")
+            raise Error(f"no row has an answer; the first ends with {failures[0][2]}")
         return Table(columns, failures)
 
     def solve(
