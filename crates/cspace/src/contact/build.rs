@@ -6,8 +6,9 @@ use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 
+use super::carrier::SheetKind;
 use super::end_names::EndNames;
-use super::locus::{Locus, SheetKind};
+use super::locus::Locus;
 use super::sheet::{EndAngle, EndAt, Seam, Sheet};
 use super::spiral::{Spiral, Swing};
 use super::symmetry::{Period, Span};

@@ -69,7 +69,7 @@ fn height<T: Real>(p: &Spiral<T>, line: &Locus<T>, offset: T) -> Trig<T> {
     let beta = turns.cross(line.normal);
     Trig {
         alpha: line.normal.dot(turns),
-        beta: if line.turns() { -beta } else { beta },
+        beta: if line.carrier().turns() { -beta } else { beta },
         gamma: line.normal.dot(stays) - offset,
         scale: size_of(p) + size_of(&line.through) + offset.value().abs(),
         distances: None,

@@ -3,6 +3,7 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
+use super::carrier::{Carrier, SheetKind};
 use super::cycle::Cycle;
 use super::spiral::Spiral;
 
@@ -69,36 +70,17 @@ impl ContactFunction {
     /// does a normal that turns.
     pub fn gradient(&self, p: Point, theta: f64) -> (Vector, f64) {
         let turn = Rotation::by(theta);
-        let cycle = self.cycle(turn);
+        let carrier = self.carrier();
+        let cycle = carrier.cycle(turn);
         let slope = cycle.slope(p);
-        let moves = (turn * self.through().turning()).left();
-        let drift = if self.turns() {
+        let moves = (turn * carrier.through.turning()).left();
+        let drift = if carrier.turns() {
             cycle.normal.left().dot(p - cycle.through)
         } else {
             0.0
         };
         let rate = 1.0 / slope.length();
         (slope * rate, (drift - slope.dot(moves)) * rate)
-    }
-
-    /// The spiral of the point by which its cycles are written.
-    #[inline(always)]
-    pub(crate) fn through(&self) -> Spiral {
-        match *self {
-            Self::FixedLine { through, .. }
-            | Self::MovingLine { through, .. }
-            | Self::FlatCircle { through, .. } => through,
-            Self::Circle { center, .. } => center,
-        }
-    }
-
-    /// Whether the normal turns with the moving part.
-    pub(crate) fn turns(&self) -> bool {
-        match *self {
-            Self::MovingLine { .. } => true,
-            Self::FlatCircle { turns, .. } => turns,
-            Self::FixedLine { .. } | Self::Circle { .. } => false,
-        }
     }
 
     /// The function for positions relative to a moving point.
@@ -116,20 +98,35 @@ impl ContactFunction {
     /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
-        let (real, through) = (T::constant, self.through().lift().at(turn));
+        self.carrier().lift().cycle(turn)
+    }
+
+    /// The line or circle as one that moves with orientation.
+    #[inline(always)]
+    pub(crate) fn carrier(&self) -> Carrier {
+        let of = |kind, through, normal, radius| Carrier {
+            kind,
+            through,
+            normal,
+            radius,
+        };
         match *self {
-            Self::FixedLine { normal, .. } => Cycle::line(through, normal.map(real)),
-            Self::MovingLine { normal, .. } => Cycle::line(through, turn * normal.map(real)),
-            Self::Circle { radius, .. } => Cycle::round(through, real(radius)),
+            Self::FixedLine { normal, through } => of(SheetKind::LineRound, through, normal, 0.0),
+            Self::MovingLine { normal, through } => of(SheetKind::RoundLine, through, normal, 0.0),
+            Self::Circle { center, radius } => {
+                of(SheetKind::RoundRound, center, Vector::ZERO, radius)
+            }
             Self::FlatCircle {
+                through,
                 normal,
                 turns,
                 radius,
-                ..
             } => {
-                let normal = normal.map(real);
-                let normal = if turns { turn * normal } else { normal };
-                Cycle::flat(through, normal, real(1.0 / radius))
+                let kind = match turns {
+                    true => SheetKind::MovingFlatArc,
+                    false => SheetKind::FixedFlatArc,
+                };
+                of(kind, through, normal, radius)
             }
         }
     }

@@ -3,24 +3,9 @@
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
 
-use super::cycle::Cycle;
+use super::carrier::{Carrier, SheetKind};
 use super::function::ContactFunction;
 use super::spiral::Spiral;
-
-/// Kinds of features that touch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SheetKind {
-    /// A line of the fixed part and an arc or vertex of the moving part: the normal is constant.
-    LineRound,
-    /// An arc or vertex of the fixed part and a line of the moving part: the normal turns with θ.
-    RoundLine,
-    /// Arcs or vertices of both.
-    RoundRound,
-    /// As `RoundRound`, where the fixed arc is so large that the curve is a flat arc; its normal is constant.
-    FixedFlatArc,
-    /// As `RoundRound`, where only the moving arc is so large; the normal turns with θ.
-    MovingFlatArc,
-}
 
 /// A line or circle that moves with orientation, and the two ends of the curve on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,19 +22,14 @@ pub(crate) struct Locus<T = f64> {
 }
 
 impl<T: Real> Locus<T> {
-    /// The whole line or circle at an orientation.
+    /// The line or circle on which the curve lies.
     #[inline(always)]
-    pub(crate) fn cycle(&self, turn: Rotation<T>) -> Cycle<T> {
-        let through = self.through.at(turn);
-        match self.kind {
-            SheetKind::RoundRound => Cycle::round(through, self.radius),
-            SheetKind::LineRound | SheetKind::RoundLine => {
-                Cycle::line(through, self.normal_at(turn))
-            }
-            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => {
-                let curvature = T::constant(1.0) / self.radius;
-                Cycle::flat(through, self.normal_at(turn), curvature)
-            }
+    pub(crate) fn carrier(&self) -> Carrier<T> {
+        Carrier {
+            kind: self.kind,
+            through: self.through,
+            normal: self.normal,
+            radius: self.radius,
         }
     }
 
@@ -57,22 +37,6 @@ impl<T: Real> Locus<T> {
     #[inline(always)]
     pub(crate) fn ends(&self, turn: Rotation<T>) -> [Point<T>; 2] {
         [self.start, self.end].map(|p| p.at(turn))
-    }
-
-    /// Whether the normal turns with the moving part.
-    #[inline]
-    pub(crate) fn turns(&self) -> bool {
-        matches!(self.kind, SheetKind::RoundLine | SheetKind::MovingFlatArc)
-    }
-
-    /// The normal at an orientation; not defined for a circle.
-    #[inline]
-    pub(crate) fn normal_at(&self, turn: Rotation<T>) -> Vector<T> {
-        if self.turns() {
-            turn * self.normal
-        } else {
-            self.normal
-        }
     }
 
     /// The spiral of the centre; `None` for a line. For a flat arc it is far away.
@@ -100,7 +64,11 @@ impl<T: Real> Locus<T> {
     /// R n · (u + R w) = n·w + (R n)·u.
     pub(crate) fn seen(&self, spiral: &Spiral<T>) -> (Vector<T>, Vector<T>) {
         let (u, w) = (spiral.u - self.through.u, spiral.w - self.through.w);
-        if self.turns() { (w, u) } else { (u, w) }
+        if self.carrier().turns() {
+            (w, u)
+        } else {
+            (u, w)
+        }
     }
 }
 
@@ -133,7 +101,7 @@ impl Locus {
             SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => ContactFunction::FlatCircle {
                 through,
                 normal,
-                turns: self.turns(),
+                turns: self.carrier().turns(),
                 radius,
             },
         }

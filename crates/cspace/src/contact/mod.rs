@@ -34,12 +34,14 @@
 //!
 //! # Levels of precision
 //!
-//! All lines and circles are cycles (`cycle.rs`). A sheet has its locus (`locus.rs`) in f64, and in double-double for decisions that f64
-//! leaves open; curves, crossings and conditions are written once for both. The parts have been changed so that nothing coincides in
-//! double-double (see the features). A cycle whose centre is far from the parts is written by a point near them, so that no number in it is
+//! All lines and circles are cycles (`cycle.rs`); how they move with orientation is written once, as carriers (`carrier.rs`). A sheet has
+//! its locus (`locus.rs`), a carrier with the ends of the curve on it, in f64, and in double-double for decisions that f64 leaves open;
+//! curves, crossings and conditions are written once for both. The parts have been changed so that nothing coincides in double-double (see
+//! the features). A cycle whose centre is far from the parts is written by a point near them, so that no number in it is
 //! large.
 
 mod build;
+mod carrier;
 mod condition;
 mod contacts;
 mod crossing;
@@ -59,6 +61,8 @@ mod spiral;
 mod symmetry;
 mod tangent;
 
+#[cfg(feature = "fuzzing")]
+pub(crate) use carrier::SheetKind;
 pub(crate) use condition::conditions;
 pub(crate) use crossing::crossings;
 pub(crate) use curve::Curve;
@@ -67,8 +71,6 @@ pub use drawn::{
     ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
 };
 pub use function::ContactFunction;
-#[cfg(feature = "fuzzing")]
-pub(crate) use locus::{Locus, SheetKind};
 pub(crate) use orientation::Orientation;
 pub(crate) use overlap::{Body, overlap};
 pub use pair::overlap_as_drawn;

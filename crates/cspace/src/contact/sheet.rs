@@ -5,10 +5,11 @@ use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
 use crate::geometry::Rotation;
 use crate::number::{Dd, Ordered, Real};
 
+use super::carrier::SheetKind;
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::function::ContactFunction;
-use super::locus::{Locus, SheetKind};
+use super::locus::Locus;
 use super::orientation::Orientation;
 use super::spiral::Spiral;
 use super::symmetry::Span;
@@ -210,13 +211,13 @@ impl Sheet {
     pub(crate) fn curve_on<T: Ordered>(&self, locus: &Locus<T>, at: &Orientation<T>) -> Curve<T> {
         let theta = at.theta.value();
         let angles = [self.start_angle, self.end_angle].map(|a| a.at(theta));
-        Curve::new(locus.cycle(at.turn), locus.ends(at.turn), angles)
+        Curve::new(locus.carrier().cycle(at.turn), locus.ends(at.turn), angles)
     }
 
     /// The whole line or circle of its curve at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
-        self.function().cycle(turn)
+        self.locus.carrier().lift().cycle(turn)
     }
 
     /// Its contact function.

@@ -74,7 +74,7 @@ impl Sheet {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, clippy::panic)]
 pub(super) mod tests {
-    use super::super::locus::SheetKind;
+    use super::super::carrier::SheetKind;
     use super::super::pair::Geometry;
     use super::super::sheet::tests::{round, straight};
     use super::super::spiral::Spiral;

@@ -150,7 +150,8 @@ impl Swept {
             ContactFunction::FixedLine { .. }
             | ContactFunction::MovingLine { .. }
             | ContactFunction::FlatCircle { .. } => {
-                let (through, turns) = (patch.function.through(), patch.function.turns());
+                let carrier = patch.function.carrier();
+                let (through, turns) = (carrier.through, carrier.turns());
                 let cycle = patch.function.cycle(turn);
                 // Anything within FAR is no farther than twice that from the point it turns about.
                 let turning = if turns { 2.0 * FAR } else { 0.0 };

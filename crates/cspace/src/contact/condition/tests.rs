@@ -1,6 +1,6 @@
 //! Conditions compared with the distances that they represent.
 
-use super::super::locus::SheetKind;
+use super::super::carrier::SheetKind;
 use super::super::locus::tests::{exact, geometry, pairs};
 use super::super::sheet::Sheet;
 use super::super::sheet::tests::{round, straight};
@@ -43,6 +43,7 @@ fn off(p: Point, sheet: &Sheet, turn: Rotation) -> f64 {
     } else {
         sheet
             .locus
+            .carrier()
             .normal_at(turn)
             .dot(p - sheet.locus.start.at(turn))
     }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::super::locus::SheetKind;
+use super::super::carrier::SheetKind;
 use super::*;
 use crate::contact::{Curve, Geometry};
 use crate::feature::FeatureKind;

@@ -70,7 +70,7 @@ fn furthest_from_tangent(f: &Sheet, g: &Sheet) -> f64 {
             (apart - (r + s)).abs().min((apart - (r - s).abs()).abs())
         }
         (false, true) => {
-            let n = f.locus.normal_at(turn);
+            let n = f.locus.carrier().normal_at(turn);
             (n.dot(g.locus.through.at(turn) - f.locus.start.at(turn))
                 .abs()
                 - g.locus.radius.abs())

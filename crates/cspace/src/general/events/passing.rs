@@ -354,7 +354,7 @@ impl Passing<'_> {
             let g = &sheets[b.other(self.sheet) as usize];
             let (swapped, root) = (b.second == self.sheet, b.root);
             if let Some((o, _)) = f.close_to(g) {
-                let about = |s: &Sheet| s.locus.about(&o).function().cycle(turn);
+                let about = |s: &Sheet| s.locus.about(&o).carrier().lift().cycle(turn);
                 return about(f).root(&about(g), root, swapped);
             }
             cycle.root(&g.cycle(turn), root, swapped)
