@@ -152,7 +152,7 @@ impl Row {
             Column::Class => self.class = Some(class),
             Column::Region => {
                 self.region = Some(match class {
-                    Classification::Free => region(space, at),
+                    Classification::Free => region(space, at)?,
                     Classification::Contact | Classification::Blocked => None,
                 });
             }
@@ -175,13 +175,11 @@ impl Row {
 }
 
 /// The region of a free configuration.
-fn region(space: &PairSpace, at: Coordinates) -> Option<u32> {
-    match (space, at) {
-        (_, _) if space.region_count() == 1 => Some(0),
-        (PairSpace::Planar(space), Coordinates::Planar(c)) => space.region_at(c),
-        (PairSpace::FixedAxes(space), Coordinates::Axes { u, v }) => space.region_at(u, v),
-        _ => None,
-    }
+fn region(space: &PairSpace, at: Coordinates) -> Result<Option<u32>, QueryError> {
+    Ok(match space.region_count() {
+        1 => Some(0),
+        _ => space.locate(at)?.region().map(|r| r.0),
+    })
 }
 
 impl Question {

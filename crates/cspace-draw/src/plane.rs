@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use cspace::fixed_axes::BranchForm;
-use cspace::{Axis, AxisMotion, FixedAxesSpace};
+use cspace::{Axis, AxisMotion, FixedAxesSpace, Location, RegionId};
 
 use crate::colour::{BLOCKED, INK, KINDS, MARK, WHITE, kind, region as ground};
 use crate::labels::Placed;
@@ -261,7 +261,7 @@ fn channels(items: &mut Vec<Item>, space: &FixedAxesSpace, view: &View, strips: 
     let thin = (0.3 * em).max(3.0);
     let is_free = |at: Dot, region: u32| {
         let (u, v) = view.motions(at);
-        space.region_at(u, v) == Some(region)
+        space.locate(u, v) == Location::Free(RegionId(region))
     };
     let mut path = Path::new();
     let mut by_region: Vec<(u32, Path)> = Vec::new();

@@ -126,20 +126,23 @@ pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
 pub use number::{Ball, Dual, Real, SecondOrder};
 pub use pair::{
-    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,
-    PairSpace, PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkKind, LowerPair, Metric,
+    NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, Projection,
+    QueryError, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
     PartSymmetry, Vertex,
 };
-pub use query::{Classification, FirstContact, MotionError, MotionOutcome, NearestContact};
+pub use query::{
+    Classification, FirstContact, Location, MotionError, MotionOutcome, NearestContact,
+};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,
-    FeatureCounts, FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress,
-    SideLink, Silent, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
+    FeatureCounts, FreeRegion, LONGEST_WINDOW, LinkId, Options, PairSymmetry, Patch, PatchId,
+    PatchRef, Progress, RegionId, SideLink, Silent, Stage, StageSeconds, Statistics, Symmetry,
+    VerticalLink, Window,
 };
 
 /// The library's example in the README.

@@ -1,11 +1,12 @@
 //! Classification of a configuration, and the contacts there.
 
 use super::condition::Condition;
-use super::motion::brought_between;
+use super::motion::{Extent, brought_between};
 use super::patches::{AxesBranch, AxesPatch, BranchForm};
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
-use crate::query::Classification;
+use crate::query::{Classification, Location};
+use crate::space::RegionId;
 
 /// Distance from a curve above which a configuration at which its function vanishes, up to the resolution, is tested itself (radians or
 /// length of the frame): the square root of rounding, which is the possible error of a place beside a tangency.
@@ -16,20 +17,49 @@ impl FixedAxesSpace {
     /// otherwise by the free gaps at u, or by intersecting the placed parts if the space has [conflicts](super::AxesStatistics::conflicts).
     /// `None` outside the ranges of motion (for a part that does not move, only 0 is inside), or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
-        let (x, y) = self.setting.placed(u, v)?;
-        if self.is_touching(x, y) {
-            return Some(Classification::Contact);
-        }
-        let free = if self.data.statistics.conflicts > 0 {
-            !self.setting.bodies.overlap(x, y)
-        } else {
-            self.gaps().hold(x, y)
+        self.locate(u, v).class()
+    }
+
+    /// Classifies a configuration, as [`classify`](Self::classify) says, with the free region that contains a free one: two free
+    /// configurations can be joined by a motion if and only if they are in one region.
+    ///
+    /// ```
+    /// use cspace::{Axis, FixedAxesSpace, Location, Part, Vector, Vertex};
+    /// let square = |name: &str, x: f64| {
+    ///     let corners = [(x - 1.0, -1.0), (x + 1.0, -1.0), (x + 1.0, 1.0), (x - 1.0, 1.0)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slide = Axis::prismatic(Vector::new(1.0, 0.0));
+    /// let space = FixedAxesSpace::compute(&square("wall", 0.0)?, Axis::FIXED, &square("slider", 5.0)?, slide)?;
+    /// // It cannot come to the other side of the wall.
+    /// assert_ne!(space.locate(0.0, 0.0), space.locate(0.0, -10.0));
+    /// assert_eq!(space.locate(0.0, -5.0), Location::Blocked);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn locate(&self, u: f64, v: f64) -> Location {
+        let Some((x, y)) = self.setting.placed(u, v) else {
+            return Location::Outside;
         };
-        Some(if free {
-            Classification::Free
-        } else {
-            Classification::Blocked
-        })
+        if self.is_touching(x, y) {
+            return Location::Contact;
+        }
+        let gaps = self.gaps();
+        let free = match self.data.statistics.conflicts > 0 {
+            true => !self.setting.bodies.overlap(x, y),
+            false => gaps.hold(x, y),
+        };
+        if !free {
+            return Location::Blocked;
+        }
+        // Beyond the window nothing touches: a straight motion leads to its border.
+        let into = |t: f64, extent: &Extent| t.clamp(extent.lo, extent.hi);
+        let region = gaps.region_nearest(into(x, &self.setting.x), into(y, &self.setting.y));
+        region.map_or(Location::Blocked, |r| Location::Free(RegionId(r)))
+    }
+
+    /// Whether a configuration is finite and within the ranges of motion.
+    pub(crate) fn covers(&self, u: f64, v: f64) -> bool {
+        self.setting.placed(u, v).is_some()
     }
 
     /// The patches that touch at (u, v) within `tolerance` (model length), with the values of their contact functions; the nearest first.

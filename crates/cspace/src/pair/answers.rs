@@ -2,8 +2,8 @@
 
 use crate::geometry::Configuration;
 use crate::query::MotionError;
+use crate::space::PatchId;
 
-use super::ids::PatchId;
 use super::relation::{Coordinates, PairClass};
 
 /// First contact along a motion.

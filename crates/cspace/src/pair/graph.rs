@@ -1,9 +1,9 @@
 //! Elements of a pair's space: patches, the links between them, bands and free regions.
 
 use crate::fixed_axes::{AxesPatch, AxesRegion};
-use crate::space::{SideLink, VerticalLink};
+use crate::space::{LinkId, PatchId, RegionId, SideLink, VerticalLink};
 
-use super::{Coordinates, LinkId, Neighbours, PairSpace, PatchId, RegionId};
+use super::{Coordinates, Neighbours, PairSpace};
 
 /// Two patches that are neighbours on the boundary of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]

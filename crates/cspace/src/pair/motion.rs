@@ -4,9 +4,11 @@ use crate::fixed_axes::{AxesMotionOutcome, Axis, AxisMotion};
 use crate::geometry::{Point, Vector};
 use crate::part::Part;
 use crate::query::MotionOutcome;
+use crate::space::PatchId;
 
+use super::locate::{covered, distance};
 use super::space::ByClass;
-use super::{Coordinates, PairContact, PairCrossing, PairMotion, PairSpace, PatchId, QueryError};
+use super::{Coordinates, PairContact, PairCrossing, PairMotion, PairSpace, QueryError};
 
 /// A motion given by functions of time with bounded rates.
 pub trait SmoothMotion {
@@ -117,13 +119,11 @@ pub(super) fn first_contact_along(
     let mut step = duration;
     for taken in 0..MOST_STEPS {
         let at = motion.at(time);
-        let clearance = match space.clearance(at) {
-            Err(QueryError::Outside) if taken > 0 => {
-                return Ok(SmoothOutcome::Leaves { time });
-            }
-            // The parts as drawn touch slightly later than the parts as computed.
-            Err(QueryError::Blocked) if taken > 0 => 0.0,
-            clearance => clearance?,
+        // Only the start can be in an overlap: no step is longer than the parts stay apart.
+        let clearance = match covered(space, at) {
+            Err(QueryError::Outside) if taken > 0 => return Ok(SmoothOutcome::Leaves { time }),
+            Ok(()) if taken > 0 => distance(space, at)?,
+            _ => space.clearance(at)?,
         };
         if clearance <= tolerance {
             return Ok(SmoothOutcome::Contact { time, at });

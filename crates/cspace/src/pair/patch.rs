@@ -5,10 +5,9 @@ use crate::feature::{FeatureKind, FeatureName};
 use crate::fixed_axes::AxisMotion;
 use crate::number::{Dual, Real, SecondOrder};
 use crate::part::{Part, PartFeature};
+use crate::space::{PatchId, RegionId};
 
-use super::{
-    Coordinates, FeatureId, Neighbours, PairClass, PairSpace, PatchId, QueryError, RegionId, graph,
-};
+use super::{Coordinates, FeatureId, Neighbours, PairClass, PairSpace, QueryError, graph};
 
 /// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,9 @@
 //! The configuration of a patch that is nearest to a given one.
 
+use crate::space::PatchId;
+
 use super::space::ByClass;
-use super::{Coordinates, PairSpace, PatchId, QueryError};
+use super::{Coordinates, PairSpace, QueryError};
 
 /// Metric on configurations.
 ///

@@ -2,15 +2,14 @@
 
 use crate::feature::FeatureName;
 use crate::geometry::Vector;
-use crate::query::Classification;
-use crate::space::Band;
+use crate::query::{Classification, Location};
+use crate::space::{Band, PatchId};
 
 use super::space::ByClass;
 use super::{
-    Coordinates, FeatureContact, Location, Metric, NearFeatures, Neighbours, PairCrossing,
-    PairData, PairLink, PairMotion, PairNearest, PairPatch, PairRegion, PairSpace, PatchId,
-    Projection, QueryError, SmoothMotion, SmoothOutcome, graph, locate, motion, near, patch,
-    project,
+    Coordinates, FeatureContact, Metric, NearFeatures, Neighbours, PairCrossing, PairData,
+    PairLink, PairMotion, PairNearest, PairPatch, PairRegion, PairSpace, Projection, QueryError,
+    SmoothMotion, SmoothOutcome, graph, locate, motion, near, patch, project,
 };
 
 /// Location of a configuration, and the clearance of the parts.
@@ -20,12 +19,7 @@ impl PairSpace {
     /// # Errors
     /// If the configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
     pub fn classify(&self, at: Coordinates) -> Result<Classification, QueryError> {
-        let class = match self.by_class(at)? {
-            ByClass::Lower(pair, c) => pair.classify(c),
-            ByClass::Axes(space, u, v) => space.classify(u, v),
-            ByClass::Planar(space, c) => space.classify(c),
-        };
-        class.ok_or(QueryError::Outside)
+        self.locate(at)?.class().ok_or(QueryError::Outside)
     }
 
     /// Location of a configuration.

@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::fmt::{self, Write};
 
-use cspace::{Configuration, ContactSpace, FixedAxesSpace, FreeRegion, PairSpace, RegionId};
+use cspace::{
+    Configuration, ContactSpace, FixedAxesSpace, FreeRegion, Location, PairSpace, RegionId,
+};
 use cspace_api::Chosen;
 use cspace_api::compute::{AsDrawn, Drawn};
 
@@ -94,8 +96,8 @@ fn beside(space: &ContactSpace, region: &FreeRegion) -> Configuration {
         c.y + share * (far.y - c.y),
         far.theta,
     );
-    match (space.region_at(near), space.region_at(far)) {
-        (Some(a), Some(b)) if a == b => near,
+    match (space.locate(near), space.locate(far)) {
+        (Location::Free(a), Location::Free(b)) if a == b => near,
         _ => far,
     }
 }

@@ -58,7 +58,7 @@ fn branches_have_free_space_on_their_right() {
             assert_eq!(space.classify(u, v), contact, "{}: {b:?}", m.name);
             if let Some(class) = space.classify(right.0, right.1) {
                 assert_eq!(class, Classification::Free, "{}: {b:?}", m.name);
-                let region = space.region_at(right.0, right.1);
+                let region = space.locate(right.0, right.1).region().map(|r| r.0);
                 assert_eq!(
                     region,
                     space.patches()[b.patch as usize].region,
@@ -118,7 +118,7 @@ fn curves_that_coincide_bound_the_region_on_their_free_side() {
                     } else {
                         (u, v + step)
                     };
-                    let region = space.region_at(aside.0, aside.1);
+                    let region = space.locate(aside.0, aside.1).region().map(|r| r.0);
                     assert!(region.is_some());
                     assert_eq!(p.region, region, "{x} {radius} {angle}: {p:?}");
                 }
