@@ -105,6 +105,7 @@ pub mod fuzzing;
 pub(crate) mod general;
 pub mod geometry;
 mod grouped;
+mod ids;
 pub(crate) mod number;
 pub mod pair;
 pub mod parallel;
@@ -124,6 +125,7 @@ pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
+pub use ids::{LinkId, PatchId, RegionId};
 pub use number::{Ball, Dual, Real, SecondOrder};
 pub use pair::{
     ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkKind, LowerPair, Metric,
@@ -140,9 +142,8 @@ pub use query::{
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,
-    FeatureCounts, FreeRegion, LONGEST_WINDOW, LinkId, Options, PairSymmetry, Patch, PatchId,
-    PatchRef, Progress, RegionId, SideLink, Silent, Stage, StageSeconds, Statistics, Symmetry,
-    VerticalLink, Window,
+    FeatureCounts, FreeRegion, LONGEST_WINDOW, Options, PairSymmetry, Patch, PatchRef, Progress,
+    SideLink, Silent, Stage, StageSeconds, Statistics, Symmetry, VerticalLink, Window,
 };
 
 /// The library's example in the README.

@@ -5,8 +5,8 @@ use super::motion::{Extent, brought_between};
 use super::patches::{AxesBranch, AxesPatch, BranchForm};
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
+use crate::ids::{PatchId, RegionId};
 use crate::query::{Classification, Location};
-use crate::space::RegionId;
 
 /// Distance from a curve above which a configuration at which its function vanishes, up to the resolution, is tested itself (radians or
 /// length of the frame): the square root of rounding, which is the possible error of a place beside a tangency.
@@ -64,7 +64,7 @@ impl FixedAxesSpace {
 
     /// The patches that touch at (u, v) within `tolerance` (model length), with the values of their contact functions; the nearest first.
     /// Empty outside the ranges of motion.
-    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
+    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(PatchId, f64)> {
         let Some((x, y)) = self.setting.placed(u, v) else {
             return Vec::new();
         };
@@ -75,10 +75,10 @@ impl FixedAxesSpace {
 
     /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no such
     /// patch.
-    pub fn is_on(&self, patch: u32, u: f64, v: f64, tolerance: f64) -> bool {
+    pub fn is_on(&self, patch: PatchId, u: f64, v: f64, tolerance: f64) -> bool {
         let (Some((x, y)), Some(patch)) = (
             self.setting.placed(u, v),
-            self.data.patches.get(patch as usize),
+            self.data.patches.get(patch.index()),
         ) else {
             return false;
         };
@@ -95,15 +95,15 @@ impl FixedAxesSpace {
         branches: impl IntoIterator<Item = u32>,
         (x, y): (f64, f64),
         reach: f64,
-    ) -> Vec<(u32, f64)> {
+    ) -> Vec<(PatchId, f64)> {
         let branches = branches.into_iter().map(|b| self.data.branches[b as usize]);
-        let mut found: Vec<(u32, f64)> = branches
+        let mut found: Vec<(PatchId, f64)> = branches
             .filter_map(|b| {
                 let value = self.touch(b.cell, x, y, reach.max(NEAR), reach)?;
                 Some((b.patch, value / self.setting.map.frame.scale))
             })
             .collect();
-        let nearer = |a: &(u32, f64), b: &(u32, f64)| a.1.abs().total_cmp(&b.1.abs());
+        let nearer = |a: &(PatchId, f64), b: &(PatchId, f64)| a.1.abs().total_cmp(&b.1.abs());
         found.sort_by(|a, b| a.0.cmp(&b.0).then(nearer(a, b)));
         found.dedup_by_key(|f| f.0);
         found.sort_by(|a, b| nearer(a, b).then(a.0.cmp(&b.0)));

@@ -1,8 +1,8 @@
 //! Answers to questions about pairs of any class, and reasons why a question has no answer.
 
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::query::MotionError;
-use crate::space::PatchId;
 
 use super::relation::{Coordinates, PairClass};
 

@@ -2,9 +2,9 @@
 
 use crate::contact::ContactFunction;
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::part::distance_of;
 use crate::query::Location;
-use crate::space::PatchId;
 
 use super::space::ByClass;
 use super::{Coordinates, PairNearest, PairSpace, QueryError};
@@ -56,18 +56,16 @@ pub(super) fn contacts(
     tolerance: f64,
 ) -> Result<Vec<(PatchId, f64)>, QueryError> {
     covered(space, at)?;
-    let found: Vec<(u32, f64)> = match space.by_class(at)? {
+    Ok(match space.by_class(at)? {
         ByClass::Lower(pair, c) => {
             let off = |f: &ContactFunction| f.value(c.position(), c.theta).abs();
-            let all = (0..).zip(pair.contacts());
+            let all = (0..).map(PatchId).zip(pair.contacts());
             let all = all.map(|(i, contact)| (i, off(&contact.function)));
             all.filter(|&(_, off)| off <= tolerance).collect()
         }
         ByClass::Axes(space, u, v) => space.contacts(u, v, tolerance),
         ByClass::Planar(space, c) => space.contacts(c, tolerance),
-    };
-    let named = |(patch, distance)| (PatchId(patch), distance);
-    Ok(found.into_iter().map(named).collect())
+    })
 }
 
 pub(super) fn nearest_contact(
@@ -76,7 +74,7 @@ pub(super) fn nearest_contact(
 ) -> Result<Option<PairNearest>, QueryError> {
     covered(space, at)?;
     let nearest = |patch, at, distance| PairNearest {
-        patch: PatchId(patch),
+        patch,
         at,
         distance,
     };

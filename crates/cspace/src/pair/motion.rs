@@ -4,7 +4,6 @@ use crate::fixed_axes::{AxesMotionOutcome, Axis, AxisMotion};
 use crate::geometry::{Point, Vector};
 use crate::part::Part;
 use crate::query::MotionOutcome;
-use crate::space::PatchId;
 
 use super::locate::{covered, distance};
 use super::space::ByClass;
@@ -51,10 +50,7 @@ pub(super) fn first_contact_about(
     duration: f64,
 ) -> Result<PairMotion, QueryError> {
     space.refuse_lower()?;
-    let contact = |time, at, patch| {
-        let patch = PatchId(patch);
-        PairMotion::Contact(PairContact { time, at, patch })
-    };
+    let contact = |time, at, patch| PairMotion::Contact(PairContact { time, at, patch });
     Ok(match (space.by_class(from)?, rates) {
         (ByClass::Axes(space, u, v), Coordinates::Axes { u: du, v: dv }) => {
             match space.first_contact((u, v), (du, dv), duration)? {
@@ -93,13 +89,10 @@ pub(super) fn crossings(
         }
         _ => return Err(QueryError::coordinates(space.class(), rates)),
     };
-    let found = found.into_iter().map(|(time, patch, enters)| {
-        let patch = PatchId(patch);
-        PairCrossing {
-            time,
-            patch,
-            enters,
-        }
+    let found = found.into_iter().map(|(time, patch, enters)| PairCrossing {
+        time,
+        patch,
+        enters,
     });
     Ok(found.collect())
 }

@@ -1,9 +1,8 @@
 //! The configuration of a patch that is nearest to a given one.
 
-use crate::space::PatchId;
-
 use super::space::ByClass;
 use super::{Coordinates, PairSpace, QueryError};
+use crate::ids::PatchId;
 
 /// Metric on configurations.
 ///

@@ -2,8 +2,9 @@
 
 use crate::feature::FeatureName;
 use crate::geometry::Vector;
+use crate::ids::PatchId;
 use crate::query::{Classification, Location};
-use crate::space::{Band, PatchId};
+use crate::space::Band;
 
 use super::space::ByClass;
 use super::{
@@ -93,8 +94,8 @@ impl PairSpace {
     ) -> Result<bool, QueryError> {
         Ok(match self.by_class(at)? {
             ByClass::Lower(..) => (self.contacts(at, tolerance)?.iter()).any(|c| c.0 == patch),
-            ByClass::Axes(space, u, v) => space.is_on(patch.0, u, v, tolerance),
-            ByClass::Planar(space, c) => space.covers(c) && space.is_on(patch.0, c, tolerance),
+            ByClass::Axes(space, u, v) => space.is_on(patch, u, v, tolerance),
+            ByClass::Planar(space, c) => space.covers(c) && space.is_on(patch, c, tolerance),
         })
     }
 

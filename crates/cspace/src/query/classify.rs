@@ -3,8 +3,9 @@
 use core::f64::consts::TAU;
 
 use crate::geometry::{Configuration, Point, Vector};
+use crate::ids::{PatchId, RegionId};
 use crate::slice::SliceCurve;
-use crate::space::{ContactSpace, RegionId};
+use crate::space::ContactSpace;
 
 use super::Location;
 
@@ -88,7 +89,7 @@ impl ContactSpace {
         }
         let clear = self.data.frame.outer_length(CLEAR);
         let near = self.contact_distance();
-        let mut nearest: Option<(u32, Point, f64)> = None;
+        let mut nearest: Option<(PatchId, Point, f64)> = None;
         let mut next = f64::INFINITY;
         self.visit_near(c, f64::INFINITY, |patch, q, distance| {
             match nearest {
@@ -110,7 +111,7 @@ impl ContactSpace {
         if distance <= near {
             return Some(Location::Contact);
         }
-        let patch = &self.data.patches[patch as usize];
+        let patch = &self.data.patches[patch.index()];
         let curve = self.curve(patch, self.alive(patch, self.settled(c.theta))?);
         let ends = [0.0, 1.0].map(|s| curve.point(s));
         if next <= distance + clear || ends.iter().any(|e| e.distance(q) <= clear) {
@@ -118,7 +119,7 @@ impl ContactSpace {
         }
         let above = (patch.function).value(self.data.frame.inner_from_outer(c), c.theta) > 0.0;
         Some(match above {
-            true => Location::Free(RegionId(patch.region)),
+            true => Location::Free(patch.region),
             false => Location::Blocked,
         })
     }
@@ -133,7 +134,7 @@ impl ContactSpace {
     /// Locates a configuration by its slice; its region is bounded by the curve that decides the class.
     fn by_slice(&self, c: Configuration) -> Location {
         /// Region of a position from which a ray meets nothing.
-        const UNBOUNDED: u32 = 0;
+        const UNBOUNDED: RegionId = RegionId(0);
         let slice = self.slice(c.theta);
         let away = |curve: &SliceCurve| {
             let p = c.position();
@@ -161,8 +162,8 @@ impl ContactSpace {
             nearest.map(|n| n.0)
         };
         let patch = bounding.and_then(|i| slice.curves[i].patch);
-        let region = patch.map_or(UNBOUNDED, |p| self.patches()[p as usize].region);
-        Location::Free(RegionId(region))
+        let region = patch.map_or(UNBOUNDED, |p| self.patches()[p.index()].region);
+        Location::Free(region)
     }
 
     /// Whether, of some positions at twice the contact distance, some overlap and some do not.

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::contact::{ContactFunction, Geometry, SlabMotion};
 use crate::feature::{FeatureName, Outline, PairFrame};
+use crate::ids::RegionId;
 use crate::parallel;
 
 use crate::general::cells::cell::{Cell, END};
@@ -241,7 +242,7 @@ impl Assembler<'_> {
             hi: chain.hi,
             left: bound(cell.left, sheet.locus.start),
             right: bound(cell.right, sheet.locus.end),
-            region: 0,
+            region: RegionId(0),
         }
     }
 }
@@ -286,7 +287,7 @@ impl Linked {
         };
         let regions = find_regions(&surface, &vertical_links, &copying);
         for (patch, region) in patches.iter_mut().zip(regions.of_patches) {
-            patch.region = region;
+            patch.region = RegionId(region);
         }
         Graph {
             critical_orientations,

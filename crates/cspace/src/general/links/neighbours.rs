@@ -1,6 +1,7 @@
 //! Neighbours of patches: contacts of cells in one period, copied to all.
 
 use crate::contact::{Curve, SlabMotion};
+use crate::ids::PatchId;
 use crate::parallel;
 use crate::slice::CurveGeometry;
 
@@ -85,8 +86,8 @@ impl Links<'_> {
             };
             let (lo, hi) = self.lifts.clipped(bring(f.from, first), bring(f.to, last));
             links.push(SideLink {
-                before,
-                after,
+                before: PatchId(before),
+                after: PatchId(after),
                 lo,
                 hi,
             });
@@ -201,8 +202,8 @@ impl Links<'_> {
         };
         let theta = self.lifts.orientation(place, slabs);
         self.lifts.is_inside(theta).then(|| VerticalLink {
-            lower,
-            upper,
+            lower: PatchId(lower),
+            upper: PatchId(upper),
             theta,
             overlap: CurveGeometry::from_inner(
                 &motion.curve(&c.curve),
@@ -265,8 +266,8 @@ fn sort_vertical(links: &mut [VerticalLink]) {
     let mut keys: Vec<Key> = ((0u32..).zip(&*links))
         .map(|(number, l)| Key {
             theta: l.theta,
-            lower: l.lower,
-            upper: l.upper,
+            lower: l.lower.0,
+            upper: l.upper.0,
             number,
         })
         .collect();
