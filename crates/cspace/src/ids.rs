@@ -10,7 +10,6 @@ macro_rules! id {
         pub struct $name(pub u32);
 
         impl $name {
-
             /// The number as an index, from 0.
             pub const fn index(self) -> usize {
                 self.0 as usize

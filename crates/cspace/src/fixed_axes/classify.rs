@@ -203,14 +203,14 @@ impl FixedAxesSpace {
 
     /// The contact function of a patch at (u, v), in the model's unit of length: zero on the patch, positive on its free
     /// side (equations 1 and 2 of Sacks 1999, scaled to distances). `None` if there is no such patch.
-    pub fn contact_function(&self, patch: usize, u: f64, v: f64) -> Option<f64> {
+    pub fn contact_function(&self, patch: PatchId, u: f64, v: f64) -> Option<f64> {
         let condition = self.condition_of(patch)?;
         let (x, y) = self.setting.map.inner(u, v);
         Some(condition.value(x, y) / self.setting.map.frame.scale)
     }
 
     /// Its derivatives by u and by v.
-    pub fn contact_gradient(&self, patch: usize, u: f64, v: f64) -> Option<(f64, f64)> {
+    pub fn contact_gradient(&self, patch: PatchId, u: f64, v: f64) -> Option<(f64, f64)> {
         let condition = self.condition_of(patch)?;
         let (x, y) = self.setting.map.inner(u, v);
         let (by_x, by_y) = condition.gradient(x, y);
@@ -220,8 +220,8 @@ impl FixedAxesSpace {
         Some((by_u / (scale * unit.0), by_v / (scale * unit.1)))
     }
 
-    fn condition_of(&self, patch: usize) -> Option<&Condition> {
-        let first = self.data.patches.get(patch)?.branches.start;
+    fn condition_of(&self, patch: PatchId) -> Option<&Condition> {
+        let first = self.data.patches.get(patch.index())?.branches.start;
         let cell = self.data.branches.get(first as usize)?.cell;
         Some(self.graphs().condition(cell))
     }
@@ -233,6 +233,7 @@ mod tests {
     use crate::fixed_axes::FixedAxesSpace;
     use crate::fixed_axes::axis::Axis;
     use crate::geometry::{Point, Vector};
+    use crate::ids::PatchId;
     use crate::part::{Part, Vertex};
 
     /// Pairs for which x and y run over a turn, between limits, and without limits.
@@ -287,7 +288,7 @@ mod tests {
                             asked,
                             space.contacts_among(all(), placed, tolerance * scale)
                         );
-                        for patch in 0..space.data.patches.len() as u32 {
+                        for patch in (0..space.data.patches.len() as u32).map(PatchId) {
                             let is_told = asked.iter().any(|a| a.0 == patch);
                             assert_eq!(space.is_on(patch, u, v, tolerance), is_told);
                         }

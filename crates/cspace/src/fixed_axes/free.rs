@@ -1,5 +1,7 @@
 //! Free space in the plane of the motions: its regions, and its gaps for drawing.
 
+use crate::ids::RegionId;
+
 use super::region::AxesRegion;
 use super::setup::Setting;
 use super::space::FixedAxesSpace;
@@ -62,8 +64,8 @@ pub struct FreeGap<'a> {
 
 impl FreeGap<'_> {
     /// The region it belongs to, an index into [`FixedAxesSpace::regions`].
-    pub fn region(&self) -> u32 {
-        self.gap.region
+    pub fn region(&self) -> RegionId {
+        RegionId(self.gap.region)
     }
 
     /// The two configurations (u, v) at its ends at a fraction of its interval, 0 to 1: they differ in one coordinate, and between them all

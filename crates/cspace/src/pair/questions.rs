@@ -179,7 +179,7 @@ impl PairSpace {
     ) -> Result<Projection, QueryError> {
         self.patch(onto)?;
         project::check(self, at, metric)?;
-        let found = project::project_below(self, at, onto.index(), metric, f64::INFINITY);
+        let found = project::project_below(self, at, onto, metric, f64::INFINITY);
         found.ok_or(QueryError::Outside)
     }
 

@@ -287,7 +287,7 @@ impl Linked {
         };
         let regions = find_regions(&surface, &vertical_links, &copying);
         for (patch, region) in patches.iter_mut().zip(regions.of_patches) {
-            patch.region = RegionId(region);
+            patch.region = region;
         }
         Graph {
             critical_orientations,

@@ -256,8 +256,8 @@ fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
 #[derive(Clone, Copy)]
 struct Key {
     theta: f64,
-    lower: u32,
-    upper: u32,
+    lower: PatchId,
+    upper: PatchId,
     number: u32,
 }
 
@@ -266,8 +266,8 @@ fn sort_vertical(links: &mut [VerticalLink]) {
     let mut keys: Vec<Key> = ((0u32..).zip(&*links))
         .map(|(number, l)| Key {
             theta: l.theta,
-            lower: l.lower.0,
-            upper: l.upper.0,
+            lower: l.lower,
+            upper: l.upper,
             number,
         })
         .collect();

@@ -10,7 +10,7 @@ use crate::contact::Steps;
 use crate::feature::PairFrame;
 use crate::feature::tolerance::JOINT;
 use crate::geometry::{Configuration, Point, Vector};
-use crate::ids::PatchId;
+use crate::ids::{PatchId, RegionId};
 use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
 
@@ -70,7 +70,7 @@ pub(crate) struct Regions {
     /// The regions, the unbounded one first.
     pub(crate) regions: Vec<FreeRegion>,
     /// The region of each patch.
-    pub(crate) of_patches: Vec<u32>,
+    pub(crate) of_patches: Vec<RegionId>,
 }
 
 /// Numbers the regions, and assigns one to each patch.
@@ -189,7 +189,7 @@ pub(crate) fn find_regions(
             NONE => 0,
             region => region,
         };
-        of_patches.push(region);
+        of_patches.push(RegionId(region));
         regions[region as usize].patches += 1;
     }
     Regions {

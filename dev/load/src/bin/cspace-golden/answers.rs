@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cspace::{Configuration, Coordinates, Location, Options, PairSpace, Slice};
+use cspace::{Configuration, Coordinates, Location, Options, PairSpace, PatchId, Slice};
 use cspace_model::saved;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -104,7 +104,7 @@ fn classes(question: &Question, space: &PairSpace, rng: &mut ChaCha8Rng) -> Valu
                 space.locate(u, v)
             }
             PairSpace::Planar(space) => {
-                let on = space.patch(7 * i as u32).map(|p| {
+                let on = space.patch(PatchId(7 * i as u32)).map(|p| {
                     let c = p.left().at(p.data().lo);
                     Configuration::new(c.x + 1e-6 * x, c.y + 1e-6 * y, c.theta)
                 });
