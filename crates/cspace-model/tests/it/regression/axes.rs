@@ -115,17 +115,17 @@ impl OnAxes {
         let read = serde_json::from_str(&saved).unwrap();
         let read = FixedAxesSpace::from_data(read).unwrap();
         assert_eq!(read.resolution(), space.resolution());
-        for (i, region) in (0..).zip(space.regions()) {
+        for (i, region) in (0..).map(RegionId).zip(space.regions()) {
             let (u, v) = region.sample;
             let verdict = self.oracle.judge(self.relative((u, v)));
             assert!(!verdict.overlap, "region {i}");
-            assert_eq!(space.locate(u, v), Location::Free(RegionId(i)));
-            assert_eq!(read.locate(u, v), Location::Free(RegionId(i)));
+            assert_eq!(space.locate(u, v), Location::Free(i));
+            assert_eq!(read.locate(u, v), Location::Free(i));
         }
         for patch in space.patches() {
             assert!(patch.region.is_some(), "{patch:?}");
             if let Some(next) = patch.next {
-                assert_eq!(space.patches()[next as usize].region, patch.region);
+                assert_eq!(space.patches()[next.index()].region, patch.region);
             }
         }
     }
