@@ -22,13 +22,13 @@ pub(crate) const FORMAT: &str = "contact-space";
 /// `docs/contact-space.schema.json` in the project's repository describes every field and its unit.
 ///
 /// ```
-/// use cspace::{ContactSpace, Options, Part};
+/// use cspace::{ContactSpace, Options, Part, PatchId};
 /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
 /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
 /// let space = ContactSpace::compute(&table, &block, &Options::default())?;
 /// let mut data = space.data().clone();
 /// assert_eq!(ContactSpace::from_data(data.clone())?.data(), space.data());
-/// data.side_links[0].after = 1_000_000;
+/// data.side_links[0].after = PatchId(1_000_000);
 /// let error = ContactSpace::from_data(data).unwrap_err();
 /// assert_eq!(error.to_string(), "side link 0 is damaged: there is no such patch");
 /// # Ok::<(), Box<dyn std::error::Error>>(())

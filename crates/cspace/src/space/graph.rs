@@ -193,11 +193,11 @@ impl ContactSpace {
     /// space on the right. `None` at other orientations, and if there is no such patch.
     ///
     /// ```
-    /// use cspace::{ContactSpace, Options, Part};
+    /// use cspace::{ContactSpace, Options, Part, PatchId};
     /// let coin = |r| Part::circle("coin", (0.0, 0.0), r);
     /// let space = ContactSpace::compute(&coin(2.0)?, &coin(1.0)?, &Options::default())?;
     /// let theta = 0.5 * (space.patches()[0].lo + space.patches()[0].hi);
-    /// let middle = space.curve_at(0, theta).ok_or("coins touch")?.point(0.5);
+    /// let middle = space.curve_at(PatchId(0), theta).ok_or("coins touch")?.point(0.5);
     /// assert!((middle.to_vector().length() - 3.0).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
