@@ -19,6 +19,7 @@ pub struct SliceCurve {
     /// Positions (x, y) of the moving part.
     pub geometry: CurveGeometry,
     /// The patch of the contact space from which the curve comes; `None` if the slice was computed on its own.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<u32>"))]
     pub patch: Option<PatchId>,
     /// The curve of the slice that follows around the boundary.
     pub next: u32,
