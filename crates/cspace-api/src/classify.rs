@@ -4,7 +4,8 @@ use core::f64::consts::TAU;
 use std::collections::BTreeMap;
 
 use cspace::{
-    Classification, Classifier, Configuration, Coordinates, PairSpace, QueryError, parallel,
+    Classification, Classifier, Configuration, Coordinates, PairSpace, QueryError, RegionId,
+    parallel,
 };
 use cspace_design::{pair_of, texts};
 use cspace_model::shown;
@@ -130,7 +131,8 @@ pub struct Row {
     pub class: Option<Classification>,
     /// The number of the free region; null where it is not free.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub region: Option<Option<u32>>,
+    #[schemars(with = "Option<Option<u32>>")]
+    pub region: Option<Option<RegionId>>,
     /// How far the moving part moves to the nearest contact; null where it is blocked, or nothing can be touched.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub distance: Option<Option<f64>>,
@@ -152,7 +154,7 @@ impl Row {
             Column::Class => self.class = Some(class),
             Column::Region => {
                 self.region = Some(match class {
-                    Classification::Free => region(space, at),
+                    Classification::Free => region(space, at)?,
                     Classification::Contact | Classification::Blocked => None,
                 });
             }
@@ -175,13 +177,11 @@ impl Row {
 }
 
 /// The region of a free configuration.
-fn region(space: &PairSpace, at: Coordinates) -> Option<u32> {
-    match (space, at) {
-        (_, _) if space.region_count() == 1 => Some(0),
-        (PairSpace::Planar(space), Coordinates::Planar(c)) => space.region_at(c),
-        (PairSpace::FixedAxes(space), Coordinates::Axes { u, v }) => space.region_at(u, v),
-        _ => None,
-    }
+fn region(space: &PairSpace, at: Coordinates) -> Result<Option<RegionId>, QueryError> {
+    Ok(match space.region_count() {
+        1 => Some(RegionId(0)),
+        _ => space.locate(at)?.region(),
+    })
 }
 
 impl Question {

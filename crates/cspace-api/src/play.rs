@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use cspace::pair::PairMotion;
 use cspace::{
     Axis, AxisMotion, Configuration, Coordinates, Location, NearFeatures, PairSpace, QueryError,
-    Vector,
+    RegionId, Vector,
 };
 use cspace_design::{
     FeaturePair, Motion, Outcome as Reach, displace, pair_of, reach, texts, touching,
@@ -74,7 +74,8 @@ pub struct Play {
     pub is: Outcome,
     /// The number of the free region.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub region: Option<u32>,
+    #[schemars(with = "Option<u32>")]
+    pub region: Option<RegionId>,
     /// The minimum distance of the parts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clearance: Option<f64>,
@@ -270,7 +271,7 @@ fn at_configuration(
     }
     play.is = match space.locate(at)? {
         Location::Free(region) => {
-            play.region = Some(region.0);
+            play.region = Some(region);
             Outcome::Free
         }
         Location::Contact => Outcome::Contact,

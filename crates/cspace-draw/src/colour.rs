@@ -1,6 +1,6 @@
 //! Colours of pictures: those of Okabe and Ito, which the colour-blind can distinguish.
 
-use cspace::{FeatureKind, FeatureName};
+use cspace::{FeatureKind, FeatureName, RegionId};
 
 use crate::scene::Colour;
 
@@ -42,7 +42,7 @@ pub(crate) fn bar(number: usize) -> (Colour, Colour) {
 }
 
 /// The ground of a free region, by its number.
-pub(crate) fn region(number: u32) -> Colour {
+pub(crate) fn region(id: RegionId) -> Colour {
     const GROUNDS: [Colour; 7] = [
         WHITE,
         Colour(0xff, 0xf3, 0xb8),
@@ -53,9 +53,9 @@ pub(crate) fn region(number: u32) -> Colour {
         Colour(0xe4, 0xdf, 0xf7),
     ];
     // The first is mostly that of far away; it comes once.
-    match number {
+    match id.index() {
         0 => GROUNDS[0],
-        n => GROUNDS[1 + (n as usize - 1) % (GROUNDS.len() - 1)],
+        n => GROUNDS[1 + (n - 1) % (GROUNDS.len() - 1)],
     }
 }
 

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use cspace::fixed_axes::BranchForm;
-use cspace::{Axis, AxisMotion, FixedAxesSpace};
+use cspace::{Axis, AxisMotion, FixedAxesSpace, Location, PatchId, RegionId};
 
 use crate::colour::{BLOCKED, INK, KINDS, MARK, WHITE, kind, region as ground};
 use crate::labels::Placed;
@@ -164,7 +164,7 @@ pub(crate) fn axis(name: &str, part: &str, axis: Axis, options: &PictureOptions)
 
 /// A contact curve that is seen.
 struct Curve {
-    patch: usize,
+    patch: PatchId,
     line: Vec<Dot>,
 }
 
@@ -179,7 +179,7 @@ fn curves(space: &FixedAxesSpace, view: &View) -> Vec<Curve> {
     let (u_axis, v_axis) = space.axes();
     let still = [u_axis, v_axis].map(|a| a.motion == AxisMotion::Fixed);
     let mut all = Vec::new();
-    for (patch, p) in space.patches().iter().enumerate() {
+    for (patch, p) in (0..).map(PatchId).zip(space.patches()) {
         for i in p.branches.start as usize..p.branches.end as usize {
             let b = &space.branches()[i];
             let (from, to) = match b.form {
@@ -222,7 +222,7 @@ fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], 
     const MOST_NAMED: usize = 300;
     let width = 0.11 * em;
     let of = |c: &Curve| {
-        let p = &space.patches()[c.patch];
+        let p = &space.patches()[c.patch.index()];
         kind(p.fixed, p.moving)
     };
     for (k, (colour, _)) in KINDS.iter().enumerate() {
@@ -236,7 +236,7 @@ fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], 
             continue;
         }
         for c in of_kind {
-            let p = &space.patches()[c.patch];
+            let p = &space.patches()[c.patch.index()];
             items.push(Item::Shape {
                 path: Path::through(c.line.iter().copied()),
                 fill: None,
@@ -259,12 +259,12 @@ fn draw_curves(items: &mut Vec<Item>, space: &FixedAxesSpace, curves: &[Curve], 
 /// Channels thinner than can be seen between their curves: a line of free space with an edge.
 fn channels(items: &mut Vec<Item>, space: &FixedAxesSpace, view: &View, strips: &[Strip], em: f64) {
     let thin = (0.3 * em).max(3.0);
-    let is_free = |at: Dot, region: u32| {
+    let is_free = |at: Dot, region: RegionId| {
         let (u, v) = view.motions(at);
-        space.region_at(u, v) == Some(region)
+        space.locate(u, v) == Location::Free(region)
     };
     let mut path = Path::new();
-    let mut by_region: Vec<(u32, Path)> = Vec::new();
+    let mut by_region: Vec<(RegionId, Path)> = Vec::new();
     for strip in strips {
         let across = strip.thin_across(thin, |at| is_free(at, strip.region));
         for line in strip.thin(thin).into_iter().chain(across) {
@@ -293,7 +293,7 @@ fn channels(items: &mut Vec<Item>, space: &FixedAxesSpace, view: &View, strips: 
 
 /// The number of each region where it is widest, if it fits.
 fn number_regions(items: &mut Vec<Item>, strips: &[Strip], placed: &mut Placed, em: f64) {
-    let mut best: Vec<(u32, f64, Dot)> = Vec::new();
+    let mut best: Vec<(RegionId, f64, Dot)> = Vec::new();
     for strip in strips {
         let Some((room, at)) = strip.widest() else {
             continue;
@@ -321,7 +321,7 @@ fn name_curves(
 ) {
     let size = 0.72 * em;
     for c in curves {
-        let p = &space.patches()[c.patch];
+        let p = &space.patches()[c.patch.index()];
         let said = format!(
             "{} | {}",
             short(space.fixed(), p.fixed),
@@ -342,10 +342,10 @@ fn entries(space: &FixedAxesSpace, options: &PictureOptions) -> Vec<(Sign, Strin
     /// Number of regions from which on only their numbers are given.
     const MOST: usize = 8;
     let mut all = Vec::new();
-    for (i, _) in space.regions().iter().enumerate().take(MOST) {
+    for (region, _) in (0..).map(RegionId).zip(space.regions()).take(MOST) {
         all.push((
-            Sign::Field(ground(i as u32), INK),
-            format!("free, region {i}"),
+            Sign::Field(ground(region), INK),
+            format!("free, region {region}"),
         ));
     }
     all.push((Sign::Field(BLOCKED, INK), "blocked".to_owned()));

@@ -1,7 +1,7 @@
 //! Slices: positions of the moving part at one orientation, free and blocked.
 
 use cspace::{
-    ContactSpace, CurveGeometry, FeatureKind, FeatureName, Part, Point, Slice, SliceCurve,
+    ContactSpace, CurveGeometry, FeatureKind, FeatureName, Part, Point, RegionId, Slice, SliceCurve,
 };
 
 use crate::colour::{BLOCKED, INK, KINDS, WHITE, kind, region as ground};
@@ -188,13 +188,13 @@ fn panel(
 ) {
     let areas = areas(picture.space, slice, plot);
     let outside = areas.iter().rev().find(|a| !a.free_inside);
-    let outside = outside.and_then(|a| a.region).unwrap_or(0);
+    let outside = outside.and_then(|a| a.region).unwrap_or(RegionId(0));
     let mut inner = vec![Item::filled(Path::rectangle(plot.area), ground(outside))];
     // Blocked space is on the left of the loops. From the largest to the smallest each covers what it is in.
     for area in &areas {
         let colour = match area.region {
             _ if !area.free_inside => BLOCKED,
-            region => ground(region.unwrap_or(0)),
+            region => ground(region.unwrap_or(RegionId(0))),
         };
         inner.push(Item::filled(area.path.clone(), colour));
     }
@@ -234,7 +234,7 @@ struct Enclosed {
     polygon: Vec<Dot>,
     free_inside: bool,
     /// The free region beside it.
-    region: Option<u32>,
+    region: Option<RegionId>,
 }
 
 /// The loops of a slice, those that enclose more first.
@@ -258,7 +258,7 @@ fn areas(space: &ContactSpace, slice: &Slice, plot: &Plot) -> Vec<Enclosed> {
         path.steps.push(Step::Close);
         let region = curves.iter().find_map(|c| {
             let patch = c.patch?;
-            space.patches().get(patch as usize).map(|p| p.region)
+            space.patches().get(patch.index()).map(|p| p.region)
         });
         all.push((
             area.abs(),
@@ -293,7 +293,7 @@ fn swept(geometry: &CurveGeometry, about: Point) -> f64 {
 fn number_regions(
     items: &mut Vec<Item>,
     areas: &[Enclosed],
-    outside: u32,
+    outside: RegionId,
     plot: &Plot,
     placed: &mut Placed,
 ) {
@@ -427,10 +427,10 @@ fn mark(items: &mut Vec<Item>, at: Point, plot: &Plot) {
 fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, String)> {
     let mut all = Vec::new();
     let regions = picture.space.free_regions();
-    let mut shown: Vec<u32> = Vec::new();
+    let mut shown: Vec<RegionId> = Vec::new();
     let curves = || picture.slices.iter().flat_map(|s| &s.curves);
     for patch in curves().filter_map(|c| c.patch) {
-        let region = picture.space.patches()[patch as usize].region;
+        let region = picture.space.patches()[patch.index()].region;
         if !shown.contains(&region) {
             shown.push(region);
         }
@@ -439,7 +439,7 @@ fn entries(picture: &SlicesPicture<'_>, options: &PictureOptions) -> Vec<(Sign, 
     /// Number of regions from which on only their numbers are given.
     const MOST: usize = 8;
     for &region in shown.iter().take(MOST) {
-        let is = match regions.get(region as usize).map(|r| r.unbounded) {
+        let is = match regions.get(region.index()).map(|r| r.unbounded) {
             Some(true) => "open",
             _ => "caged",
         };

@@ -1,7 +1,7 @@
 //! Free space in the plane of motions as strips: gaps of one region that follow each other.
 
-use cspace::FixedAxesSpace;
 use cspace::fixed_axes::FreeGap;
+use cspace::{FixedAxesSpace, RegionId};
 
 use crate::line::{SEEN, off, simplified};
 use crate::scene::{Area, Dot, Path, Step};
@@ -10,7 +10,7 @@ use crate::view::View;
 /// Free space between two lines whose points belong together: corresponding ones differ in one coordinate.
 #[derive(Debug, Clone)]
 pub(crate) struct Strip {
-    pub(crate) region: u32,
+    pub(crate) region: RegionId,
     lower: Vec<Dot>,
     upper: Vec<Dot>,
     /// Visible rectangle.

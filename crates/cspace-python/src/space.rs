@@ -598,7 +598,11 @@ impl Space {
         })?;
         let vertices = (mesh.vertices.iter()).map(|c| vec![c.x, c.y, c.theta]);
         let faces = (mesh.triangles.iter()).map(|t| t.vertices.map(i64::from).to_vec());
-        let patches: Vec<i64> = mesh.triangles.iter().map(|t| i64::from(t.patch)).collect();
+        let patches: Vec<i64> = mesh
+            .triangles
+            .iter()
+            .map(|t| i64::from(t.patch.0))
+            .collect();
         Ok((
             matrix(py, vertices.collect())?,
             matrix(py, faces.collect())?,

@@ -1,6 +1,6 @@
 //! Slices and bounds of planar pairs, to be drawn.
 
-use cspace::{ContactSpace, CurveGeometry};
+use cspace::{ContactSpace, CurveGeometry, PatchId, RegionId};
 use js_sys::{Array, Float64Array, Object, Reflect};
 use wasm_bindgen::JsValue;
 
@@ -20,7 +20,7 @@ pub(crate) fn slice(space: &ContactSpace, theta: f64, deviation: f64) -> Array {
                 let p = curve.geometry.point(f64::from(k) / f64::from(n));
                 [p.x, p.y]
             });
-            let region = Some(space.patches()[patch as usize].region);
+            let region = Some(space.patches()[patch.index()].region);
             Some(of_region(Some(patch), region, points))
         })
         .collect()
@@ -28,8 +28,8 @@ pub(crate) fn slice(space: &ContactSpace, theta: f64, deviation: f64) -> Array {
 
 /// An object with a region, perhaps a patch, and points [x, y, x, y, ...].
 pub(crate) fn of_region(
-    patch: Option<u32>,
-    region: Option<u32>,
+    patch: Option<PatchId>,
+    region: Option<RegionId>,
     points: impl Iterator<Item = f64>,
 ) -> JsValue {
     let points: Vec<f64> = points.collect();
@@ -39,9 +39,9 @@ pub(crate) fn of_region(
         let _ = Reflect::set(&made, &key.into(), value);
     };
     if let Some(patch) = patch {
-        set("patch", &patch.into());
+        set("patch", &patch.0.into());
     }
-    set("region", &region.map_or(JsValue::NULL, JsValue::from));
+    set("region", &region.map_or(JsValue::NULL, |r| r.0.into()));
     set("points", &Float64Array::from(&points[..]));
     made.into()
 }

@@ -252,7 +252,13 @@ impl Pair {
     /// A patch of a planar pair as triangles, within a deviation.
     #[wasm_bindgen(unchecked_return_type = "PatchSurface")]
     pub fn surface(&self, patch: u32, deviation: f64, per_radian: f64) -> Result<JsValue, JsError> {
-        let made = surface::of_patch(&self.space, self.planar()?, patch, deviation, per_radian);
+        let made = surface::of_patch(
+            &self.space,
+            self.planar()?,
+            PatchId(patch),
+            deviation,
+            per_radian,
+        );
         made.map_err(fault)
     }
 

@@ -23,7 +23,7 @@ pub(crate) fn curves(space: &FixedAxesSpace, deviation: f64) -> Array {
         let points = followed(at, deviation)
             .into_iter()
             .flat_map(|[(u, v)]| [u, v]);
-        let region = space.patches()[branch.patch as usize].region;
+        let region = space.patches()[branch.patch.index()].region;
         of_region(Some(branch.patch), region, points)
     });
     branches.collect()

@@ -37,11 +37,11 @@ impl Row {
 pub(crate) fn of_patch(
     pair: &PairSpace,
     space: &ContactSpace,
-    patch: u32,
+    patch: PatchId,
     deviation: f64,
     per_radian: f64,
 ) -> Result<JsValue, QueryError> {
-    let asked = pair.patch(PatchId(patch))?;
+    let asked = pair.patch(patch)?;
     let (lo, hi) = asked.orientations()?;
     let row = |theta: f64| {
         let curve = space.curve_at(patch, theta).ok_or(QueryError::Outside)?;

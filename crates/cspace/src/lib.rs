@@ -105,6 +105,7 @@ pub mod fuzzing;
 pub(crate) mod general;
 pub mod geometry;
 mod grouped;
+mod ids;
 pub(crate) mod number;
 pub mod pair;
 pub mod parallel;
@@ -124,17 +125,20 @@ pub use feature::{FeatureKind, FeatureName, PairFrame};
 pub use fixed_axes::{AxesError, Axis, AxisMotion, FixedAxesSpace};
 pub use general::{NoFit, NoFitError, Slicer};
 pub use geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector};
+pub use ids::{LinkId, PatchId, RegionId};
 pub use number::{Ball, Dual, Real, SecondOrder};
 pub use pair::{
-    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkId, LinkKind, Location,
-    LowerPair, Metric, NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion,
-    PairSpace, PatchId, Projection, QueryError, RegionId, Relation, SmoothMotion, SmoothOutcome,
+    ByDrawing, ByVertex, Coordinates, FeatureContact, FeatureId, LinkKind, LowerPair, Metric,
+    NearFeatures, PairClass, PairError, PairLink, PairPatch, PairRegion, PairSpace, Projection,
+    QueryError, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
     ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
     PartSymmetry, Vertex,
 };
-pub use query::{Classification, FirstContact, MotionError, MotionOutcome, NearestContact};
+pub use query::{
+    Classification, FirstContact, Location, MotionError, MotionOutcome, NearestContact,
+};
 pub use slice::{CurveGeometry, Slice, SliceCurve};
 pub use space::{
     Band, Boundary, BoundaryCurve, BoundaryKind, ComputeError, ContactSpace, Decisions,

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{ContactSpace, Slice};
+use cspace::{ContactSpace, PatchId, Slice};
 use rayon::prelude::*;
 
 use crate::{Layer, Stack, Surface};
@@ -50,7 +50,7 @@ pub struct Errors {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn errors(stack: &Stack, surface: &Surface, space: &ContactSpace) -> Errors {
-    let patches: Vec<Vec<Option<u32>>> = (stack.slices.par_iter())
+    let patches: Vec<Vec<Option<PatchId>>> = (stack.slices.par_iter())
         .map(|slice| patches_of(slice, space))
         .collect();
     let continued = Continued::new(space);
@@ -104,7 +104,7 @@ pub fn missed_bands(space: &ContactSpace, orientations: &[f64]) -> usize {
 }
 
 /// The patch of each curve of a slice: of those in the exact slice with the same features, the one whose ends are nearest.
-fn patches_of(slice: &Slice, space: &ContactSpace) -> Vec<Option<u32>> {
+fn patches_of(slice: &Slice, space: &ContactSpace) -> Vec<Option<PatchId>> {
     let exact = space.slice(slice.theta);
     let patch = |curve: &cspace::SliceCurve| {
         let off = |other: &cspace::SliceCurve| {
@@ -121,7 +121,7 @@ fn patches_of(slice: &Slice, space: &ContactSpace) -> Vec<Option<u32>> {
 
 /// For each patch the patches of the same features that continue it upwards, with the orientation.
 struct Continued {
-    above: Vec<Vec<(f64, u32)>>,
+    above: Vec<Vec<(f64, PatchId)>>,
 }
 
 impl Continued {
@@ -129,23 +129,23 @@ impl Continued {
         let patches = space.patches();
         let mut above = vec![Vec::new(); patches.len()];
         for link in space.vertical_links() {
-            let [a, b] = [link.lower, link.upper].map(|i| &patches[i as usize]);
+            let [a, b] = [link.lower, link.upper].map(|i| &patches[i.index()]);
             if (a.fixed, a.moving) == (b.fixed, b.moving) {
-                above[link.lower as usize].push((link.theta, link.upper));
+                above[link.lower.index()].push((link.theta, link.upper));
             }
         }
         Self { above }
     }
 
     /// Whether a patch is connected with another one by patches that continue it between two orientations.
-    fn leads(&self, from: u32, to: u32, (lo, hi): (f64, f64)) -> bool {
+    fn leads(&self, from: PatchId, to: PatchId, (lo, hi): (f64, f64)) -> bool {
         let mut open = vec![from];
         let mut seen = vec![from];
         while let Some(patch) = open.pop() {
             if patch == to {
                 return true;
             }
-            for &(theta, next) in &self.above[patch as usize] {
+            for &(theta, next) in &self.above[patch.index()] {
                 let turned = theta + TAU * ((lo - theta) / TAU).ceil();
                 if turned <= hi && !seen.contains(&next) {
                     seen.push(next);
@@ -160,7 +160,7 @@ impl Continued {
 fn layer_errors(
     layer: &Layer,
     slices: [&Slice; 2],
-    patches: [&[Option<u32>]; 2],
+    patches: [&[Option<PatchId>]; 2],
     space: &ContactSpace,
     continued: &Continued,
 ) -> Errors {

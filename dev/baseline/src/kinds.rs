@@ -3,8 +3,8 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    Boundary, Configuration, ContactSpace, FeatureKind, FeatureName, Part, PatchRef, SideLink,
-    Vector,
+    Boundary, Configuration, ContactSpace, FeatureKind, FeatureName, Part, PatchId, PatchRef,
+    SideLink, Vector,
 };
 
 /// Largest difference (radians) of equal orientations: the space stores one number per event, but the angles of normals
@@ -59,7 +59,7 @@ pub fn of(space: &ContactSpace) -> Vec<(f64, Kinds)> {
         near.into_iter()
             .find(|&i| critical.get(i).is_some_and(|c| off(*c, theta) <= SAME))
     };
-    for i in 0..space.patches().len() as u32 {
+    for i in (0..space.patches().len() as u32).map(PatchId) {
         let Some(patch) = space.patch(i) else {
             continue;
         };
@@ -82,7 +82,7 @@ fn off(a: f64, b: f64) -> f64 {
 }
 
 /// Adds the kinds of criticality for which a patch begins or ends at an orientation.
-fn add(kinds: &mut Kinds, space: &ContactSpace, index: u32, patch: PatchRef<'_>, theta: f64) {
+fn add(kinds: &mut Kinds, space: &ContactSpace, id: PatchId, patch: PatchRef<'_>, theta: f64) {
     let data = patch.data();
     let normals = [
         normals(space.fixed(), data.fixed),
@@ -106,8 +106,8 @@ fn add(kinds: &mut Kinds, space: &ContactSpace, index: u32, patch: PatchRef<'_>,
             _ => kinds.end = true,
         }
     } else if !aligned {
-        let before = neighbour(space.links_before(index), theta, |l| l.before);
-        let after = neighbour(space.links_after(index), theta, |l| l.after);
+        let before = neighbour(space.links_before(id), theta, |l| l.before);
+        let after = neighbour(space.links_after(id), theta, |l| l.after);
         kinds.tangent |= crossings[0].is_some() && is_tangent(space, patch, before, left);
         kinds.tangent |= crossings[1].is_some() && is_tangent(space, patch, after, right);
     }
@@ -117,8 +117,8 @@ fn add(kinds: &mut Kinds, space: &ContactSpace, index: u32, patch: PatchRef<'_>,
 fn neighbour<'a>(
     mut links: impl Iterator<Item = &'a SideLink>,
     theta: f64,
-    other: fn(&SideLink) -> u32,
-) -> Option<u32> {
+    other: fn(&SideLink) -> PatchId,
+) -> Option<PatchId> {
     links
         .find(|l| off(l.lo, theta) <= SAME || off(l.hi, theta) <= SAME)
         .map(other)
@@ -127,7 +127,7 @@ fn neighbour<'a>(
 fn is_tangent(
     space: &ContactSpace,
     patch: PatchRef<'_>,
-    other: Option<u32>,
+    other: Option<PatchId>,
     at: Configuration,
 ) -> bool {
     let Some(other) = other.and_then(|i| space.patch(i)) else {

@@ -40,11 +40,11 @@ pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
     })
 }
 
-fn region_in_words(pair: &Chosen<'_>, space: &PairSpace, region: u32) -> String {
+fn region_in_words(pair: &Chosen<'_>, space: &PairSpace, region: RegionId) -> String {
     match space {
         PairSpace::Planar(space) => regions::planar(space, region),
         PairSpace::FixedAxes(space) => {
-            regions::on_axes(space, &space.regions()[region as usize], &pair.unit())
+            regions::on_axes(space, &space.regions()[region.index()], &pair.unit())
         }
         PairSpace::Lower(_) => String::new(),
     }
@@ -79,7 +79,7 @@ fn describe(text: &mut String, pair: &Chosen<'_>, play: &Play) -> std::fmt::Resu
     }
     if let (Some(region), Ok(space)) = (play.region, pair.space()) {
         let words = region_in_words(pair, &space, region);
-        writeln!(text, "  {:24} {words}", pair.region(RegionId(region)))?;
+        writeln!(text, "  {:24} {words}", pair.region(region))?;
     }
     for d in &play.directions {
         let far = match d.distance {

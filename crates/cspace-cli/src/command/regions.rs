@@ -3,14 +3,14 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::fixed_axes::AxesRegion;
-use cspace::{Axis, AxisMotion, ContactSpace, FixedAxesSpace};
+use cspace::{Axis, AxisMotion, ContactSpace, FixedAxesSpace, RegionId};
 
 use crate::wording::{degrees, length};
 
 /// Whether the moving part can leave the fixed part, and in which orientations it is.
-pub(super) fn planar(space: &ContactSpace, region: u32) -> String {
+pub(super) fn planar(space: &ContactSpace, region: RegionId) -> String {
     let moving = space.moving().name();
-    if space.free_regions()[region as usize].unbounded {
+    if space.free_regions()[region.index()].unbounded {
         return format!("open: {moving} goes as far away as you like");
     }
     format!(
@@ -43,7 +43,7 @@ pub(super) fn coordinates<'a>(space: &'a FixedAxesSpace, unit: &'a str) -> [Coor
 }
 
 /// In which orientations a caged region is: those of the patches on its boundary.
-fn orientations(space: &ContactSpace, region: u32) -> String {
+fn orientations(space: &ContactSpace, region: RegionId) -> String {
     let mut patches: Vec<(f64, f64)> = (space.patches().iter())
         .filter(|p| p.region == region)
         .map(|p| (p.lo, p.hi))

@@ -1,5 +1,6 @@
 //! Meshes in the GLB format: binary glTF 2.0.
 
+use cspace::PatchId;
 use serde_json::{Value, json};
 
 use super::mesh::Mesh;
@@ -132,9 +133,9 @@ impl Arrays {
             coordinates: mesh.coordinates(),
         };
         // The vertex of the file that a vertex of the mesh had last, and for which patch.
-        let mut last: Vec<Option<(u32, u32)>> = vec![None; places.len()];
+        let mut last: Vec<Option<(PatchId, u32)>> = vec![None; places.len()];
         for t in triangles {
-            if t.patch >= TOO_MANY_PATCHES {
+            if t.patch.0 >= TOO_MANY_PATCHES {
                 return Err(GlbError::Patches);
             }
             for v in t.vertices {
@@ -148,7 +149,7 @@ impl Arrays {
                             .filter(|&i| i < u32::MAX)
                             .ok_or(GlbError::Size)?;
                         arrays.positions.push(places[v as usize]);
-                        arrays.patches.push(t.patch);
+                        arrays.patches.push(t.patch.0);
                         *slot = Some((t.patch, index));
                         index
                     }

@@ -41,7 +41,7 @@ fn binary(mut out: Vec<u8>, mesh: &Mesh) -> Vec<u8> {
     }
     for t in &mesh.triangles {
         out.push(3);
-        for v in t.vertices.into_iter().chain([t.patch]) {
+        for v in t.vertices.into_iter().chain([t.patch.0]) {
             out.extend_from_slice(&v.to_le_bytes());
         }
     }

@@ -145,7 +145,7 @@ impl Barrier {
     }
 
     /// The surface of the enclosed region: its mesh, and whether a triangle is of it.
-    pub(crate) fn mesh(&self) -> Result<(Mesh, impl Fn(u32) -> bool + '_), ProofError> {
+    pub(crate) fn mesh(&self) -> Result<(Mesh, impl Fn(PatchId) -> bool + '_), ProofError> {
         let PairSpace::Planar(space) = &self.space else {
             return Err(ProofError::NotPlanar);
         };
@@ -154,7 +154,7 @@ impl Barrier {
         let mesh =
             Mesh::new(space, &MeshOptions { tolerance }).map_err(|_| self.too_many_triangles())?;
         let of_region = |patch| {
-            let patch = self.space.patch(PatchId(patch));
+            let patch = self.space.patch(patch);
             patch.is_ok_and(|p| p.region().is_ok_and(|r| r == Some(self.region)))
         };
         Ok((mesh, of_region))

@@ -4,12 +4,14 @@ use std::collections::HashMap;
 
 use core::f64::consts::TAU;
 
+use cspace::PatchId;
+
 /// A triangle: its vertices, the turns added to the orientation of each, the patch it comes from, and its witness.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Triangle {
     pub(crate) vertices: [u32; 3],
     pub(crate) turns: [i32; 3],
-    pub(crate) patch: u32,
+    pub(crate) patch: PatchId,
     pub(crate) witness: Option<u32>,
 }
 

@@ -16,7 +16,11 @@ const SMALLEST: f64 = 1e-3;
 const REMEMBERED: usize = 8;
 
 /// The triangles of a mesh that are of a region. At a full turn's ends the same vertices come in the same order: they are one.
-pub(crate) fn complex(mesh: &Mesh, full_turn: bool, of_region: impl Fn(u32) -> bool) -> Complex {
+pub(crate) fn complex(
+    mesh: &Mesh,
+    full_turn: bool,
+    of_region: impl Fn(PatchId) -> bool,
+) -> Complex {
     let mut complex = Complex::default();
     let (lo, hi) = mesh.ends;
     let at = |theta: f64| {
@@ -66,7 +70,7 @@ pub(crate) fn refine(
         let t = complex.triangles[number as usize];
         let corners = Corners::new(complex.corners(&t));
         let holds = |w: u32| materials.is_enough(corners.overlap(&witnesses[w as usize]));
-        let known = &mut known[t.patch as usize];
+        let known = &mut known[t.patch.index()];
         let tried = t.witness.iter().chain(known.iter().rev()).copied();
         let mut found = tried.into_iter().find(|&w| holds(w));
         if found.is_none() {
@@ -99,10 +103,10 @@ pub(crate) fn refine(
 /// Points at which the features of a patch touch, or would touch, at a configuration.
 fn touching(
     space: &PairSpace,
-    patch: u32,
+    patch: PatchId,
     [x, y, theta]: [f64; 3],
 ) -> Result<Touching, ProofError> {
     let theta = theta - TAU * (theta / TAU).round();
     let at = Coordinates::Planar(Configuration::new(x, y, theta));
-    Ok(space.patch(PatchId(patch))?.contact()?.touching(at)?)
+    Ok(space.patch(patch)?.contact()?.touching(at)?)
 }

@@ -33,7 +33,7 @@ impl Above<'_> {
     fn station(&self, s: f64) -> Station {
         /// The middle keeps this share of the orientations away from both ends.
         const MARGIN: f64 = 0.1;
-        let patch = &self.planar.space().patches()[self.across.patch as usize];
+        let patch = &self.planar.space().patches()[self.across.patch.index()];
         let Across { entry, exit, .. } = self.across;
         let margin = MARGIN * (patch.hi - patch.lo);
         let middle = Station {

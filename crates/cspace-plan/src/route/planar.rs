@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{ContactSpace, CurveGeometry, FeatureName, Point, Rotation};
+use cspace::{ContactSpace, CurveGeometry, FeatureName, PatchId, Point, Rotation};
 
 use crate::legs::{Coords, Scene};
 
@@ -27,8 +27,11 @@ impl<'a> Planar<'a> {
             }
             i
         }
-        let side = space.side_links().iter().map(|l| (l.before, l.after));
-        let vertical = space.vertical_links().iter().map(|l| (l.lower, l.upper));
+        let side = space.side_links().iter().map(|l| (l.before.0, l.after.0));
+        let vertical = space
+            .vertical_links()
+            .iter()
+            .map(|l| (l.lower.0, l.upper.0));
         for (a, b) in side.chain(vertical) {
             let (a, b) = (find(&mut root, a), find(&mut root, b));
             root[a.max(b) as usize] = a.min(b);
@@ -46,13 +49,13 @@ impl<'a> Planar<'a> {
     }
 
     /// The features of a patch, of the fixed and of the moving part.
-    pub(super) fn features(&self, patch: u32) -> Option<(FeatureName, FeatureName)> {
-        let p = self.space.patches().get(patch as usize)?;
+    pub(super) fn features(&self, patch: PatchId) -> Option<(FeatureName, FeatureName)> {
+        let p = self.space.patches().get(patch.index())?;
         Some((p.fixed, p.moving))
     }
 
     /// Where a configuration is on a patch, and by how much its orientation is more than the patch counts it.
-    pub(super) fn on(&self, patch: u32, at: Coords) -> (Station, f64) {
+    pub(super) fn on(&self, patch: PatchId, at: Coords) -> (Station, f64) {
         let theta = self.brought(patch, at[2]);
         let share = self
             .curve(patch, theta)
@@ -72,13 +75,13 @@ impl<'a> Planar<'a> {
     }
 
     /// The contact curve of a patch at an orientation in its numbering.
-    pub(super) fn curve(&self, patch: u32, theta: f64) -> Option<CurveGeometry> {
+    pub(super) fn curve(&self, patch: PatchId, theta: f64) -> Option<CurveGeometry> {
         self.space().curve_at(patch, theta)
     }
 
     /// An orientation in the numbering of a patch, brought within it if rounding has put it outside.
-    pub(super) fn brought(&self, patch: u32, theta: f64) -> f64 {
-        let p = &self.space.patches()[patch as usize];
+    pub(super) fn brought(&self, patch: PatchId, theta: f64) -> f64 {
+        let p = &self.space.patches()[patch.index()];
         let turned = theta - TAU * ((theta - p.lo) / TAU).floor();
         if turned <= p.hi {
             turned

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{CurveGeometry, Point};
+use cspace::{CurveGeometry, PatchId, Point};
 
 /// A place on a patch: its orientation, in the numbering of the patch, and the share of its contact curve, 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub(super) struct Station {
 /// A way across a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Across {
-    pub(super) patch: u32,
+    pub(super) patch: PatchId,
     /// Whole turns that are added to the patch's orientations along the path.
     pub(super) turn: f64,
     pub(super) entry: Station,

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BinaryHeap};
 
-use cspace::Point;
+use cspace::{PatchId, Point};
 
 use crate::legs::Coords;
 use crate::open::Open;
@@ -21,13 +21,13 @@ struct Reached {
     entry: Station,
     turn: f64,
     /// The patch before, and where it was left.
-    before: Option<(u32, Station)>,
+    before: Option<(PatchId, Station)>,
     done: bool,
 }
 
 impl Planar<'_> {
     /// The configuration at a station.
-    fn place(&self, patch: u32, at: Station, turn: f64) -> Coords {
+    fn place(&self, patch: PatchId, at: Station, turn: f64) -> Coords {
         let p = self
             .curve(patch, at.theta)
             .map_or(Point::ORIGIN, |c| c.point(at.share));
@@ -37,8 +37,8 @@ impl Planar<'_> {
     /// A way from a station on one patch, whose orientations count `turn` more, to a station on another of the same surface.
     pub(super) fn walk(
         &self,
-        (first, entry, turn): (u32, Station, f64),
-        (last, exit): (u32, Station),
+        (first, entry, turn): (PatchId, Station, f64),
+        (last, exit): (PatchId, Station),
     ) -> Option<Vec<Across>> {
         let goal = self.place(last, exit, 0.0);
         let lever = self.scene.levers()[2];
@@ -51,7 +51,7 @@ impl Planar<'_> {
             };
             (a[0] - b[0]).hypot(a[1] - b[1]) + lever * turned.abs()
         };
-        let mut reached: BTreeMap<u32, Reached> = BTreeMap::new();
+        let mut reached: BTreeMap<PatchId, Reached> = BTreeMap::new();
         let mut open = BinaryHeap::new();
         reached.insert(
             first,
@@ -107,13 +107,18 @@ impl Planar<'_> {
     }
 
     /// Calls `with` for every link of a patch: the patch beyond, where this one is left and where that one is entered.
-    fn links(&self, patch: u32, from: Station, mut with: impl FnMut(u32, Station, Station)) {
+    fn links(
+        &self,
+        patch: PatchId,
+        from: Station,
+        mut with: impl FnMut(PatchId, Station, Station),
+    ) {
         let space = self.space();
-        let mut side = |next: u32, (lo, hi): (f64, f64), (leave, enter): (f64, f64)| {
+        let mut side = |next: PatchId, (lo, hi): (f64, f64), (leave, enter): (f64, f64)| {
             let lo = self.brought(patch, lo);
             let hi = lo
                 + (hi - lo)
-                    .min(space.patches()[patch as usize].hi - lo)
+                    .min(space.patches()[patch.index()].hi - lo)
                     .max(0.0);
             let margin = MARGIN * (hi - lo);
             let theta = from
@@ -164,7 +169,7 @@ impl Planar<'_> {
     }
 }
 
-fn unrolled(reached: &BTreeMap<u32, Reached>, last: u32, exit: Station) -> Vec<Across> {
+fn unrolled(reached: &BTreeMap<PatchId, Reached>, last: PatchId, exit: Station) -> Vec<Across> {
     let mut walk = Vec::new();
     let (mut patch, mut leave) = (last, exit);
     while let Some(here) = reached.get(&patch) {

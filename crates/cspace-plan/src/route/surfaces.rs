@@ -30,9 +30,9 @@ impl Planar<'_> {
         while let Some((k, &(hit, patch, _))) =
             (crossings.iter().enumerate().skip(next)).find(|(_, c)| c.2)
         {
-            let surface = self.component[patch as usize];
+            let surface = self.component[patch.index()];
             let (last, &(leaves, exit, _)) = (crossings.iter().enumerate().skip(k + 1))
-                .rfind(|(_, c)| !c.2 && self.component[c.1 as usize] == surface)?;
+                .rfind(|(_, c)| !c.2 && self.component[c.1.index()] == surface)?;
             pieces.push(Box::new(Straight {
                 from: at(time, turn),
                 to: at(hit, turn),

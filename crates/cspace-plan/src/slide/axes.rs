@@ -59,7 +59,7 @@ impl<'a> OnAxes<'a> {
             AxesMotionOutcome::Free => (1.0, None),
             // The goal is in the ranges, but for rounding.
             AxesMotionOutcome::Leaves { time } => (time, None),
-            AxesMotionOutcome::Contact(contact) => (contact.time, Some(PatchId(contact.patch))),
+            AxesMotionOutcome::Contact(contact) => (contact.time, Some(contact.patch)),
         };
         Ok(Stop {
             at: between(from, to, time),
@@ -86,7 +86,7 @@ impl Ground for OnAxes<'_> {
         let last = last_not_blocked(|t| self.is_blocked(at(t)), 1.0, 0.0);
         let at = self.unweighted(at(last));
         let near = self.space.contacts(at[0], at[1], f64::INFINITY);
-        let nearest = near.first().map(|&(patch, _)| PatchId(patch));
+        let nearest = near.first().map(|&(patch, _)| patch);
         Ok((at, found.stopped.or(nearest)))
     }
 
@@ -111,13 +111,13 @@ impl Ground for OnAxes<'_> {
         let [u, v] = self.unweighted(at);
         let within = TOUCHES * self.space.contact_distance();
         let found = self.space.contacts(u, v, within);
-        Ok(found.into_iter().map(|(p, _)| PatchId(p)).collect())
+        Ok(found.into_iter().map(|(p, _)| p).collect())
     }
 
     fn constraint(&self, patch: PatchId, at: Vec3) -> Result<Constraint, QueryError> {
-        let ([u, v], index) = (self.unweighted(at), patch.index());
-        let value = self.space.contact_function(index, u, v);
-        let slopes = self.space.contact_gradient(index, u, v);
+        let [u, v] = self.unweighted(at);
+        let value = self.space.contact_function(patch, u, v);
+        let slopes = self.space.contact_gradient(patch, u, v);
         let ((by_u, by_v), value) = slopes.zip(value).ok_or(QueryError::Outside)?;
         let [a, b] = self.units.map(|unit| unit * self.scale);
         Ok(Constraint {

@@ -86,7 +86,7 @@ fn end_of(outcome: MotionOutcome) -> (f64, Option<PatchId>) {
         MotionOutcome::Free => (1.0, None),
         // The goal is in the window, but for rounding.
         MotionOutcome::LeavesWindow { time } => (time, None),
-        MotionOutcome::Contact(contact) => (contact.time, Some(PatchId(contact.patch))),
+        MotionOutcome::Contact(contact) => (contact.time, Some(contact.patch)),
     }
 }
 
@@ -115,7 +115,7 @@ impl Ground for Planar<'_> {
         if last >= 1.0 {
             return Ok((goal, None));
         }
-        let nearest = || Some(PatchId(self.space.nearest_contact(at(last))?.patch));
+        let nearest = || Some(self.space.nearest_contact(at(last))?.patch);
         Ok((at(last), patch.or_else(nearest)))
     }
 
@@ -173,7 +173,6 @@ impl Ground for Planar<'_> {
             let theta = at[2] / self.radius + beside;
             let there = self.within(self.unweighted([at[0], at[1], theta * self.radius]));
             for (patch, _) in self.space.contacts(there, tolerance) {
-                let patch = PatchId(patch);
                 let is_new = !found.contains(&patch);
                 if is_new && self.constraint(patch, at)?.value.abs() <= within * self.frame.scale {
                     found.push(patch);
@@ -184,7 +183,7 @@ impl Ground for Planar<'_> {
     }
 
     fn constraint(&self, patch: PatchId, at: Vec3) -> Result<Constraint, QueryError> {
-        let found = self.space.patch(patch.0).ok_or(QueryError::Outside)?;
+        let found = self.space.patch(patch).ok_or(QueryError::Outside)?;
         let function = &found.data().function;
         let (p, theta) = (Point::new(at[0], at[1]), at[2] / self.radius);
         let (normal, by_theta) = function.gradient(p, theta);

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 use super::slab::Slab;
@@ -54,7 +55,7 @@ impl Grid {
         let scale = space.data().frame.scale;
         let area: f64 = (slab.representatives(space))
             .filter_map(|(i, p)| {
-                let curve = space.curve_at(i, 0.5 * (p.lo + p.hi))?;
+                let curve = space.curve_at(PatchId(i), 0.5 * (p.lo + p.hi))?;
                 Some(curve.length() * scale * (p.hi - p.lo))
             })
             .sum();

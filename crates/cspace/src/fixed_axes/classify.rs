@@ -1,11 +1,12 @@
 //! Classification of a configuration, and the contacts there.
 
 use super::condition::Condition;
-use super::motion::brought_between;
+use super::motion::{Extent, brought_between};
 use super::patches::{AxesBranch, AxesPatch, BranchForm};
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
-use crate::query::Classification;
+use crate::ids::{PatchId, RegionId};
+use crate::query::{Classification, Location};
 
 /// Distance from a curve above which a configuration at which its function vanishes, up to the resolution, is tested itself (radians or
 /// length of the frame): the square root of rounding, which is the possible error of a place beside a tangency.
@@ -16,25 +17,54 @@ impl FixedAxesSpace {
     /// otherwise by the free gaps at u, or by intersecting the placed parts if the space has [conflicts](super::AxesStatistics::conflicts).
     /// `None` outside the ranges of motion (for a part that does not move, only 0 is inside), or if the configuration is not finite.
     pub fn classify(&self, u: f64, v: f64) -> Option<Classification> {
-        let (x, y) = self.setting.placed(u, v)?;
-        if self.is_touching(x, y) {
-            return Some(Classification::Contact);
-        }
-        let free = if self.data.statistics.conflicts > 0 {
-            !self.setting.bodies.overlap(x, y)
-        } else {
-            self.gaps().hold(x, y)
+        self.locate(u, v).class()
+    }
+
+    /// Classifies a configuration, as [`classify`](Self::classify) says, with the free region that contains a free one: two free
+    /// configurations can be joined by a motion if and only if they are in one region.
+    ///
+    /// ```
+    /// use cspace::{Axis, FixedAxesSpace, Location, Part, Vector, Vertex};
+    /// let square = |name: &str, x: f64| {
+    ///     let corners = [(x - 1.0, -1.0), (x + 1.0, -1.0), (x + 1.0, 1.0), (x - 1.0, 1.0)];
+    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
+    /// };
+    /// let slide = Axis::prismatic(Vector::new(1.0, 0.0));
+    /// let space = FixedAxesSpace::compute(&square("wall", 0.0)?, Axis::FIXED, &square("slider", 5.0)?, slide)?;
+    /// // It cannot come to the other side of the wall.
+    /// assert_ne!(space.locate(0.0, 0.0), space.locate(0.0, -10.0));
+    /// assert_eq!(space.locate(0.0, -5.0), Location::Blocked);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn locate(&self, u: f64, v: f64) -> Location {
+        let Some((x, y)) = self.setting.placed(u, v) else {
+            return Location::Outside;
         };
-        Some(if free {
-            Classification::Free
-        } else {
-            Classification::Blocked
-        })
+        if self.is_touching(x, y) {
+            return Location::Contact;
+        }
+        let gaps = self.gaps();
+        let free = match self.data.statistics.conflicts > 0 {
+            true => !self.setting.bodies.overlap(x, y),
+            false => gaps.hold(x, y),
+        };
+        if !free {
+            return Location::Blocked;
+        }
+        // Beyond the window nothing touches: a straight motion leads to its border.
+        let into = |t: f64, extent: &Extent| t.clamp(extent.lo, extent.hi);
+        let region = gaps.region_nearest(into(x, &self.setting.x), into(y, &self.setting.y));
+        region.map_or(Location::Blocked, |r| Location::Free(RegionId(r)))
+    }
+
+    /// Whether a configuration is finite and within the ranges of motion.
+    pub(crate) fn covers(&self, u: f64, v: f64) -> bool {
+        self.setting.placed(u, v).is_some()
     }
 
     /// The patches that touch at (u, v) within `tolerance` (model length), with the values of their contact functions; the nearest first.
     /// Empty outside the ranges of motion.
-    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(u32, f64)> {
+    pub fn contacts(&self, u: f64, v: f64, tolerance: f64) -> Vec<(PatchId, f64)> {
         let Some((x, y)) = self.setting.placed(u, v) else {
             return Vec::new();
         };
@@ -45,10 +75,10 @@ impl FixedAxesSpace {
 
     /// Whether a patch touches at (u, v) within `tolerance` (model length). False outside the ranges of motion, and if there is no such
     /// patch.
-    pub fn is_on(&self, patch: u32, u: f64, v: f64, tolerance: f64) -> bool {
+    pub fn is_on(&self, patch: PatchId, u: f64, v: f64, tolerance: f64) -> bool {
         let (Some((x, y)), Some(patch)) = (
             self.setting.placed(u, v),
-            self.data.patches.get(patch as usize),
+            self.data.patches.get(patch.index()),
         ) else {
             return false;
         };
@@ -65,15 +95,15 @@ impl FixedAxesSpace {
         branches: impl IntoIterator<Item = u32>,
         (x, y): (f64, f64),
         reach: f64,
-    ) -> Vec<(u32, f64)> {
+    ) -> Vec<(PatchId, f64)> {
         let branches = branches.into_iter().map(|b| self.data.branches[b as usize]);
-        let mut found: Vec<(u32, f64)> = branches
+        let mut found: Vec<(PatchId, f64)> = branches
             .filter_map(|b| {
                 let value = self.touch(b.cell, x, y, reach.max(NEAR), reach)?;
                 Some((b.patch, value / self.setting.map.frame.scale))
             })
             .collect();
-        let nearer = |a: &(u32, f64), b: &(u32, f64)| a.1.abs().total_cmp(&b.1.abs());
+        let nearer = |a: &(PatchId, f64), b: &(PatchId, f64)| a.1.abs().total_cmp(&b.1.abs());
         found.sort_by(|a, b| a.0.cmp(&b.0).then(nearer(a, b)));
         found.dedup_by_key(|f| f.0);
         found.sort_by(|a, b| nearer(a, b).then(a.0.cmp(&b.0)));
@@ -173,14 +203,14 @@ impl FixedAxesSpace {
 
     /// The contact function of a patch at (u, v), in the model's unit of length: zero on the patch, positive on its free
     /// side (equations 1 and 2 of Sacks 1999, scaled to distances). `None` if there is no such patch.
-    pub fn contact_function(&self, patch: usize, u: f64, v: f64) -> Option<f64> {
+    pub fn contact_function(&self, patch: PatchId, u: f64, v: f64) -> Option<f64> {
         let condition = self.condition_of(patch)?;
         let (x, y) = self.setting.map.inner(u, v);
         Some(condition.value(x, y) / self.setting.map.frame.scale)
     }
 
     /// Its derivatives by u and by v.
-    pub fn contact_gradient(&self, patch: usize, u: f64, v: f64) -> Option<(f64, f64)> {
+    pub fn contact_gradient(&self, patch: PatchId, u: f64, v: f64) -> Option<(f64, f64)> {
         let condition = self.condition_of(patch)?;
         let (x, y) = self.setting.map.inner(u, v);
         let (by_x, by_y) = condition.gradient(x, y);
@@ -190,8 +220,8 @@ impl FixedAxesSpace {
         Some((by_u / (scale * unit.0), by_v / (scale * unit.1)))
     }
 
-    fn condition_of(&self, patch: usize) -> Option<&Condition> {
-        let first = self.data.patches.get(patch)?.branches.start;
+    fn condition_of(&self, patch: PatchId) -> Option<&Condition> {
+        let first = self.data.patches.get(patch.index())?.branches.start;
         let cell = self.data.branches.get(first as usize)?.cell;
         Some(self.graphs().condition(cell))
     }
@@ -203,6 +233,7 @@ mod tests {
     use crate::fixed_axes::FixedAxesSpace;
     use crate::fixed_axes::axis::Axis;
     use crate::geometry::{Point, Vector};
+    use crate::ids::PatchId;
     use crate::part::{Part, Vertex};
 
     /// Pairs for which x and y run over a turn, between limits, and without limits.
@@ -257,7 +288,7 @@ mod tests {
                             asked,
                             space.contacts_among(all(), placed, tolerance * scale)
                         );
-                        for patch in 0..space.data.patches.len() as u32 {
+                        for patch in (0..space.data.patches.len() as u32).map(PatchId) {
                             let is_told = asked.iter().any(|a| a.0 == patch);
                             assert_eq!(space.is_on(patch, u, v, tolerance), is_told);
                         }

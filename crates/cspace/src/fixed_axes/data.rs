@@ -189,14 +189,16 @@ impl AxesData {
             ),
             (
                 "branches",
-                (self.branches.iter()).all(|b| within(b.cell, cells) && within(b.patch, patches)),
+                (self.branches.iter()).all(|b| within(b.cell, cells) && within(b.patch.0, patches)),
             ),
             (
                 "patches",
                 (self.patches.iter()).all(|p| {
                     range(&p.branches, branches)
-                        && [p.previous, p.next].iter().all(|&i| optional(i, patches))
-                        && optional(p.region, regions)
+                        && [p.previous, p.next]
+                            .iter()
+                            .all(|&i| optional(i.map(|p| p.0), patches))
+                        && optional(p.region.map(|r| r.0), regions)
                 }),
             ),
         ];

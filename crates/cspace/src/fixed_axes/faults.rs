@@ -64,7 +64,7 @@ impl FixedAxesSpace {
         let mut faults = finite.iter().filter(|f| !**f).count();
         faults += usize::from(p.region.is_none());
         faults += usize::from(p.previous.is_none() && inside(start.start));
-        faults += match p.next.map(|n| &self.data.patches[n as usize]) {
+        faults += match p.next.map(|n| &self.data.patches[n.index()]) {
             None => usize::from(inside(end.end)),
             Some(next) => {
                 let follows = self.data.branches[next.branches.start as usize].start;

@@ -7,6 +7,7 @@ use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
 use crate::contact::Cycle;
 use crate::geometry::time_of_known_angle;
+use crate::ids::PatchId;
 use crate::number::{Ball, Dual, Real, halved};
 use crate::query::{Classification, MotionError};
 use core::f64::consts::TAU;
@@ -32,7 +33,7 @@ pub struct AxesContact {
     /// The configuration (u, v) at that time.
     pub at: (f64, f64),
     /// Patch that is touched; one of them, if several are.
-    pub patch: u32,
+    pub patch: PatchId,
 }
 
 /// Outcome of a motion on fixed axes.
@@ -128,7 +129,7 @@ impl FixedAxesSpace {
         if end < 0.0 {
             return Err(MotionError::TurnsTooFar);
         }
-        let mut first: Option<(f64, u32)> = None;
+        let mut first: Option<(f64, PatchId)> = None;
         let mut look = |b: &AxesBranch| {
             let until = first.map_or(end, |f| f.0);
             if let Some(time) = self.meets(&way, b.cell, until, touches, depth) {
@@ -164,7 +165,7 @@ impl FixedAxesSpace {
         from: (f64, f64),
         rates: (f64, f64),
         duration: f64,
-    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+    ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
         check(from, rates, duration)?;
         if self.setting.placed(from.0, from.1).is_none() {
             return Err(MotionError::StartsOutside);

@@ -1,6 +1,7 @@
 //! Free space in the plane of the motions: its regions, and its gaps for drawing.
 
-use super::motion::Extent;
+use crate::ids::RegionId;
+
 use super::region::AxesRegion;
 use super::setup::Setting;
 use super::space::FixedAxesSpace;
@@ -11,33 +12,6 @@ impl FixedAxesSpace {
     pub fn regions(&self) -> Vec<AxesRegion> {
         let regions = self.data.regions.iter();
         regions.map(|r| AxesRegion::new(r, &self.setting)).collect()
-    }
-
-    /// The free region that contains a configuration, as an index into [`regions`](Self::regions): two free configurations can be joined by
-    /// a motion if and only if they are in one region. `None` where the parts touch or overlap, and outside the ranges of motion.
-    ///
-    /// ```
-    /// use cspace::{Axis, FixedAxesSpace, Part, Vector, Vertex};
-    /// let square = |name: &str, x: f64| {
-    ///     let corners = [(x - 1.0, -1.0), (x + 1.0, -1.0), (x + 1.0, 1.0), (x - 1.0, 1.0)];
-    ///     Part::new(name, vec![corners.iter().map(|&(x, y)| Vertex::line(x, y)).collect()])
-    /// };
-    /// let slide = Axis::prismatic(Vector::new(1.0, 0.0));
-    /// let space = FixedAxesSpace::compute(&square("wall", 0.0)?, Axis::FIXED, &square("slider", 5.0)?, slide)?;
-    /// // It cannot come to the other side of the wall.
-    /// assert_ne!(space.region_at(0.0, 0.0), space.region_at(0.0, -10.0));
-    /// assert_eq!(space.region_at(0.0, -5.0), None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn region_at(&self, u: f64, v: f64) -> Option<u32> {
-        let (x, y) = self.setting.placed(u, v)?;
-        if self.is_touching(x, y) {
-            return None;
-        }
-        // Beyond the window nothing touches: a straight motion leads to its border.
-        let into = |t: f64, extent: &Extent| t.clamp(extent.lo, extent.hi);
-        let (x, y) = (into(x, &self.setting.x), into(y, &self.setting.y));
-        self.gaps().region(x, y)
     }
 
     /// Smallest and largest u and v for drawing: the ranges of motion, a turn, or the range in which sliding parts can touch. For a part
@@ -90,8 +64,8 @@ pub struct FreeGap<'a> {
 
 impl FreeGap<'_> {
     /// The region it belongs to, an index into [`FixedAxesSpace::regions`].
-    pub fn region(&self) -> u32 {
-        self.gap.region
+    pub fn region(&self) -> RegionId {
+        RegionId(self.gap.region)
     }
 
     /// The two configurations (u, v) at its ends at a fraction of its interval, 0 to 1: they differ in one coordinate, and between them all

@@ -5,13 +5,14 @@ use super::place::crossing_of_level;
 use super::ranges::Ranges;
 use super::space::FixedAxesSpace;
 use super::tolerance::NEAR;
+use crate::ids::PatchId;
 use core::f64::consts::TAU;
 
 /// The contact nearest to a configuration when only one part is moved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestOnAxes {
     /// Contact curve of the contact.
-    pub patch: u32,
+    pub patch: PatchId,
     /// The configuration (u, v) in contact.
     pub at: (f64, f64),
     /// Displacement of the part: radians if it turns, length if it slides.

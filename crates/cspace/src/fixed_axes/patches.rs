@@ -7,6 +7,7 @@ use super::setup::Setting;
 use super::sweep::{Gaps, Graphs};
 use super::tolerance::NEAR;
 use crate::feature::FeatureName;
+use crate::ids::{PatchId, RegionId};
 
 /// Data from which patches are made.
 pub(super) struct Patches<'a> {
@@ -31,7 +32,7 @@ impl Patches<'_> {
         for (chain, region) in chains.iter().zip(regions) {
             let first = branches.len() as u32;
             for &cell in &chain.cells {
-                branches.push(self.branch(patches.len() as u32, cell));
+                branches.push(self.branch(PatchId(patches.len() as u32), cell));
             }
             let pair = &self.gaps.graphs.pairs[chain.pair as usize];
             let (a, b) = (firsts[pair.first as usize], seconds[pair.second as usize]);
@@ -40,15 +41,15 @@ impl Patches<'_> {
                 fixed,
                 moving,
                 branches: first..branches.len() as u32,
-                previous: chain.previous,
-                next: chain.next,
-                region,
+                previous: chain.previous.map(PatchId),
+                next: chain.next.map(PatchId),
+                region: region.map(RegionId),
             });
         }
         (patches, branches)
     }
 
-    fn branch(&self, patch: u32, cell: u32) -> AxesBranch {
+    fn branch(&self, patch: PatchId, cell: u32) -> AxesBranch {
         let graphs = self.gaps.graphs;
         let (c, p) = graphs.cell(cell);
         let swapped = self.setting.map.swapped;
@@ -152,11 +153,11 @@ pub struct AxesPatch {
     /// Its branches, as indices into [`FixedAxesSpace::branches`](super::FixedAxesSpace::branches), in order of travel.
     pub branches: core::ops::Range<u32>,
     /// The contact curve before it, on its left side.
-    pub previous: Option<u32>,
+    pub previous: Option<PatchId>,
     /// The contact curve after it.
-    pub next: Option<u32>,
+    pub next: Option<PatchId>,
     /// The free region it bounds.
-    pub region: Option<u32>,
+    pub region: Option<RegionId>,
 }
 
 /// Direction of the function on a branch: v of u, or u of v.
@@ -175,7 +176,7 @@ pub enum BranchForm {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AxesBranch {
     /// Contact curve of the branch.
-    pub patch: u32,
+    pub patch: PatchId,
     /// Which coordinate is a function of the other.
     pub form: BranchForm,
     /// The configuration (u, v) at which travel along it begins; v and u are continuous along the branch.

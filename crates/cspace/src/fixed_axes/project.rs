@@ -6,6 +6,7 @@
 //! (`number/least.rs`).
 
 use crate::geometry::images;
+use crate::ids::PatchId;
 use crate::number::{Ball, Bounded, Real, least};
 
 use super::motion::{Extent, Motion, brought_between};
@@ -25,7 +26,7 @@ impl FixedAxesSpace {
     pub(crate) fn project(
         &self,
         (u, v): (f64, f64),
-        patch: usize,
+        patch: PatchId,
         length_per_radian: f64,
         known: f64,
     ) -> Option<((f64, f64), f64)> {
@@ -42,7 +43,7 @@ impl FixedAxesSpace {
         );
         let known = known * scale;
         let mut best: Found = ((x, y), known);
-        for branch in self.data.patches.get(patch)?.branches.clone() {
+        for branch in self.data.patches.get(patch.index())?.branches.clone() {
             let cell = self.data.branches[branch as usize].cell;
             if let Some(share) = self.setting.on_one_line() {
                 let found = self.foot_on_line(cell, share, (x, y));

@@ -385,6 +385,26 @@ impl Gaps<'_> {
         self.region_in(self.bands.get(band).or(self.bands.last())?, x, y)
     }
 
+    /// The region of the free gap that contains a configuration, or is nearest to it: where the space has conflicts, a free configuration may
+    /// be in none. `None` if there is no gap.
+    pub(super) fn region_nearest(&self, x: f64, y: f64) -> Option<u32> {
+        let held = self.region(x, y);
+        held.or_else(|| {
+            let gaps = self.bands.iter().flat_map(|band| {
+                let gaps = &self.gaps[band.gaps.start as usize..band.gaps.end as usize];
+                gaps.iter().map(move |gap| {
+                    let beside = x.clamp(band.lo, band.hi);
+                    let (from, to) = self.graphs.interval(gap, beside);
+                    let middle = 0.5 * (from + to);
+                    let y = middle - self.graphs.y.apart(middle, y);
+                    ((x - beside).hypot(y - y.clamp(from, to)), gap.region)
+                })
+            });
+            gaps.min_by(|a, b| a.0.total_cmp(&b.0))
+                .map(|(_, region)| region)
+        })
+    }
+
     /// The region of the free gap of a band that contains a configuration.
     pub(super) fn region_in(&self, band: &Band, x: f64, y: f64) -> Option<u32> {
         let gaps = &self.gaps[band.gaps.start as usize..band.gaps.end as usize];

@@ -158,7 +158,7 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
     let mut slice = linked.slice(at, theta, &geometry.frame);
     let patches = linked.patches;
     slice.doubtful |= lies_on_another(&slice, &patches, &geometry, at);
-    let of_curve = |c: &mut SliceCurve| c.patch.take().map(|i| patches[i as usize]);
+    let of_curve = |c: &mut SliceCurve| c.patch.take().map(|i| patches[i.index()]);
     let patches = slice.curves.iter_mut().filter_map(of_curve).collect();
     let sliced = Sliced {
         geometry,
@@ -184,7 +184,7 @@ fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta:
     }
     let turn = Rotation::by(theta);
     let arc = |c: &SliceCurve| {
-        let function = &patches[c.patch? as usize].function;
+        let function = &patches[c.patch?.index()].function;
         let CurveGeometry::Arc {
             start_angle, sweep, ..
         } = c.geometry

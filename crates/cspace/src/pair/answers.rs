@@ -1,9 +1,9 @@
 //! Answers to questions about pairs of any class, and reasons why a question has no answer.
 
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::query::MotionError;
 
-use super::ids::PatchId;
 use super::relation::{Coordinates, PairClass};
 
 /// First contact along a motion.

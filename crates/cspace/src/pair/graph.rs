@@ -1,9 +1,10 @@
 //! Elements of a pair's space: patches, the links between them, bands and free regions.
 
 use crate::fixed_axes::{AxesPatch, AxesRegion};
+use crate::ids::{LinkId, PatchId, RegionId};
 use crate::space::{SideLink, VerticalLink};
 
-use super::{Coordinates, LinkId, Neighbours, PairSpace, PatchId, RegionId};
+use super::{Coordinates, Neighbours, PairSpace};
 
 /// Two patches that are neighbours on the boundary of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,12 +50,12 @@ pub struct PairRegion {
 }
 
 pub(super) fn links(space: &PairSpace) -> Vec<PairLink> {
-    let mut links: Vec<(u32, u32, LinkKind)> = Vec::new();
+    let mut links: Vec<(PatchId, PatchId, LinkKind)> = Vec::new();
     match space {
         PairSpace::Lower(_) => {}
         PairSpace::FixedAxes(space) => {
-            let next = |(i, p): (u32, &AxesPatch)| Some((i, p.next?, LinkKind::Side));
-            links.extend((0..).zip(space.patches()).filter_map(next));
+            let next = |(i, p): (PatchId, &AxesPatch)| Some((i, p.next?, LinkKind::Side));
+            links.extend((0..).map(PatchId).zip(space.patches()).filter_map(next));
         }
         PairSpace::Planar(space) => {
             let side = |l: &SideLink| {
@@ -73,16 +74,16 @@ pub(super) fn links(space: &PairSpace) -> Vec<PairLink> {
         .zip(links)
         .map(|(i, (first, second, kind))| PairLink {
             id: LinkId(i),
-            first: PatchId(first),
-            second: PatchId(second),
+            first,
+            second,
             kind,
         })
         .collect()
 }
 
 pub(super) fn neighbours(space: &PairSpace, patch: PatchId) -> Neighbours {
-    let sorted = |list: &mut dyn Iterator<Item = u32>| {
-        let mut list: Vec<PatchId> = list.map(PatchId).collect();
+    let sorted = |list: &mut dyn Iterator<Item = PatchId>| {
+        let mut list: Vec<PatchId> = list.collect();
         list.sort_unstable();
         list.dedup();
         list
@@ -92,20 +93,17 @@ pub(super) fn neighbours(space: &PairSpace, patch: PatchId) -> Neighbours {
         PairSpace::FixedAxes(space) => {
             let p = &space.patches()[patch.index()];
             Neighbours {
-                before: p.previous.into_iter().map(PatchId).collect(),
-                after: p.next.into_iter().map(PatchId).collect(),
+                before: p.previous.into_iter().collect(),
+                after: p.next.into_iter().collect(),
                 ..Neighbours::default()
             }
         }
-        PairSpace::Planar(space) => {
-            let patch = patch.0;
-            Neighbours {
-                before: sorted(&mut space.links_before(patch).map(|l| l.before)),
-                after: sorted(&mut space.links_after(patch).map(|l| l.after)),
-                below: sorted(&mut space.links_below(patch).map(|l| l.lower)),
-                above: sorted(&mut space.links_above(patch).map(|l| l.upper)),
-            }
-        }
+        PairSpace::Planar(space) => Neighbours {
+            before: sorted(&mut space.links_before(patch).map(|l| l.before)),
+            after: sorted(&mut space.links_after(patch).map(|l| l.after)),
+            below: sorted(&mut space.links_below(patch).map(|l| l.lower)),
+            above: sorted(&mut space.links_above(patch).map(|l| l.upper)),
+        },
     }
 }
 

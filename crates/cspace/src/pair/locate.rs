@@ -2,52 +2,34 @@
 
 use crate::contact::ContactFunction;
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::part::distance_of;
-use crate::query::Classification;
+use crate::query::Location;
 
 use super::space::ByClass;
-use super::{Coordinates, PairNearest, PairSpace, PatchId, QueryError, RegionId};
-
-/// Location of a configuration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Location {
-    /// The parts are apart, in this free region.
-    Free(RegionId),
-    /// The parts touch, within the resolution.
-    Contact,
-    /// The parts overlap.
-    Blocked,
-    /// The configuration is not finite, or outside the window of orientations or the ranges of motion: nothing was computed there.
-    Outside,
-}
+use super::{Coordinates, PairNearest, PairSpace, QueryError};
 
 pub(super) fn locate(space: &PairSpace, at: Coordinates) -> Result<Location, QueryError> {
-    let class = match space.classify(at) {
-        Err(QueryError::Outside) => return Ok(Location::Outside),
-        class => class?,
-    };
-    let region = match space.by_class(at)? {
-        ByClass::Lower(..) => None,
-        ByClass::Axes(space, u, v) => space.region_at(u, v),
-        ByClass::Planar(space, c) => space.region_at(c),
-    };
-    Ok(match (class, region) {
-        (Classification::Contact, _) => Location::Contact,
-        (Classification::Free, Some(region)) => Location::Free(RegionId(region)),
-        _ => Location::Blocked,
+    Ok(match space.by_class(at)? {
+        ByClass::Lower(pair, c) => pair.locate(c),
+        ByClass::Axes(space, u, v) => space.locate(u, v),
+        ByClass::Planar(space, c) => space.locate(c),
     })
 }
 
 pub(super) fn clearance(space: &PairSpace, at: Coordinates) -> Result<f64, QueryError> {
-    match space.classify(at)? {
-        Classification::Contact => Ok(0.0),
-        Classification::Blocked => Err(QueryError::Blocked),
-        Classification::Free => {
-            let at = placed(space, at)?;
-            Ok(distance_of(space.fixed(), space.moving(), at))
-        }
+    match locate(space, at)? {
+        Location::Contact => Ok(0.0),
+        Location::Blocked => Err(QueryError::Blocked),
+        Location::Outside => Err(QueryError::Outside),
+        Location::Free(_) => distance(space, at),
     }
+}
+
+/// Distance of the parts' boundaries: their clearance, where they are known not to overlap.
+pub(super) fn distance(space: &PairSpace, at: Coordinates) -> Result<f64, QueryError> {
+    let at = placed(space, at)?;
+    Ok(distance_of(space.fixed(), space.moving(), at))
 }
 
 /// Placement of the moving part in the fixed part's frame.
@@ -59,11 +41,13 @@ pub(super) fn placed(space: &PairSpace, at: Coordinates) -> Result<Configuration
 }
 
 /// Returns an error for a configuration for which nothing was computed.
-fn check(space: &PairSpace, at: Coordinates) -> Result<(), QueryError> {
-    match space.by_class(at)? {
-        ByClass::Planar(space, c) if space.covers(c) => Ok(()),
-        _ => space.classify(at).map(|_| ()),
-    }
+pub(super) fn covered(space: &PairSpace, at: Coordinates) -> Result<(), QueryError> {
+    let covered = match space.by_class(at)? {
+        ByClass::Planar(space, c) => space.covers(c),
+        ByClass::Axes(space, u, v) => space.covers(u, v),
+        ByClass::Lower(_, c) => c.position().is_finite() && c.theta.is_finite(),
+    };
+    covered.then_some(()).ok_or(QueryError::Outside)
 }
 
 pub(super) fn contacts(
@@ -71,28 +55,26 @@ pub(super) fn contacts(
     at: Coordinates,
     tolerance: f64,
 ) -> Result<Vec<(PatchId, f64)>, QueryError> {
-    check(space, at)?;
-    let found: Vec<(u32, f64)> = match space.by_class(at)? {
+    covered(space, at)?;
+    Ok(match space.by_class(at)? {
         ByClass::Lower(pair, c) => {
             let off = |f: &ContactFunction| f.value(c.position(), c.theta).abs();
-            let all = (0..).zip(pair.contacts());
+            let all = (0..).map(PatchId).zip(pair.contacts());
             let all = all.map(|(i, contact)| (i, off(&contact.function)));
             all.filter(|&(_, off)| off <= tolerance).collect()
         }
         ByClass::Axes(space, u, v) => space.contacts(u, v, tolerance),
         ByClass::Planar(space, c) => space.contacts(c, tolerance),
-    };
-    let named = |(patch, distance)| (PatchId(patch), distance);
-    Ok(found.into_iter().map(named).collect())
+    })
 }
 
 pub(super) fn nearest_contact(
     space: &PairSpace,
     at: Coordinates,
 ) -> Result<Option<PairNearest>, QueryError> {
-    check(space, at)?;
+    covered(space, at)?;
     let nearest = |patch, at, distance| PairNearest {
-        patch: PatchId(patch),
+        patch,
         at,
         distance,
     };

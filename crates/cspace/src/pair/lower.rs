@@ -7,7 +7,7 @@ use crate::feature::tolerance::GROWTH;
 use crate::fixed_axes::{Axis, AxisMotion};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::Part;
-use crate::query::Classification;
+use crate::query::{Classification, Location};
 
 /// A permanent connection of two parts. Both are drawn in the assembly's frame as they are at zero motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,7 +66,7 @@ pub enum PermanentKind {
 /// | rigid | point/arc and point/line | (0, 0) |
 ///
 /// ```
-/// use cspace::{Classification, Configuration, Part, Point, Vertex};
+/// use cspace::{Configuration, Location, Part, Point, Vertex};
 /// use cspace::pair::{Joint, LowerPair};
 /// let bar = |name: &str| {
 ///     let corners = [(0.0, 0.0), (3.0, 0.0), (3.0, 1.0), (0.0, 1.0)];
@@ -74,9 +74,9 @@ pub enum PermanentKind {
 /// };
 /// let at = Point::new(0.5, 0.5);
 /// let hinge = LowerPair::new(&bar("frame")?, &bar("arm")?, Joint::Revolute { at }, Some((-1.0, 1.0)));
-/// assert_eq!(hinge.classify(hinge.configuration(0.3)), Some(Classification::Contact));
-/// assert_eq!(hinge.classify(hinge.configuration(1.2)), Some(Classification::Blocked));
-/// assert_eq!(hinge.classify(Configuration::new(1.0, 0.0, 0.0)), Some(Classification::Blocked));
+/// assert_eq!(hinge.locate(hinge.configuration(0.3)), Location::Contact);
+/// assert_eq!(hinge.locate(hinge.configuration(1.2)), Location::Blocked);
+/// assert_eq!(hinge.locate(Configuration::new(1.0, 0.0, 0.0)), Location::Blocked);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -198,11 +198,16 @@ impl LowerPair {
         }
     }
 
-    /// Classifies a configuration: contact on the joint and within its limits, otherwise blocked; a lower pair has no free configurations.
-    /// `None` if the configuration is not finite.
+    /// Classifies a configuration; `None` if it is not finite.
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
+        self.locate(c).class()
+    }
+
+    /// Location of a configuration: contact on the joint and within its limits, otherwise blocked; a lower pair has no free configurations.
+    /// Outside if it is not finite.
+    pub fn locate(&self, c: Configuration) -> Location {
         if !(c.position().is_finite() && c.theta.is_finite()) {
-            return None;
+            return Location::Outside;
         }
         let resolution = self.resolution();
         let angular = resolution / self.size();
@@ -214,11 +219,10 @@ impl LowerPair {
             turned.abs() <= angular
                 && self.configuration_at(c, t).distance(c.position()) <= resolution
         });
-        Some(if on_joint {
-            Classification::Contact
-        } else {
-            Classification::Blocked
-        })
+        match on_joint {
+            true => Location::Contact,
+            false => Location::Blocked,
+        }
     }
 
     /// The motion of the joint nearest to a configuration, within its limits; `None` beyond them.

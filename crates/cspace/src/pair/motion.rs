@@ -5,8 +5,9 @@ use crate::geometry::{Point, Vector};
 use crate::part::Part;
 use crate::query::MotionOutcome;
 
+use super::locate::{covered, distance};
 use super::space::ByClass;
-use super::{Coordinates, PairContact, PairCrossing, PairMotion, PairSpace, PatchId, QueryError};
+use super::{Coordinates, PairContact, PairCrossing, PairMotion, PairSpace, QueryError};
 
 /// A motion given by functions of time with bounded rates.
 pub trait SmoothMotion {
@@ -49,10 +50,7 @@ pub(super) fn first_contact_about(
     duration: f64,
 ) -> Result<PairMotion, QueryError> {
     space.refuse_lower()?;
-    let contact = |time, at, patch| {
-        let patch = PatchId(patch);
-        PairMotion::Contact(PairContact { time, at, patch })
-    };
+    let contact = |time, at, patch| PairMotion::Contact(PairContact { time, at, patch });
     Ok(match (space.by_class(from)?, rates) {
         (ByClass::Axes(space, u, v), Coordinates::Axes { u: du, v: dv }) => {
             match space.first_contact((u, v), (du, dv), duration)? {
@@ -91,13 +89,10 @@ pub(super) fn crossings(
         }
         _ => return Err(QueryError::coordinates(space.class(), rates)),
     };
-    let found = found.into_iter().map(|(time, patch, enters)| {
-        let patch = PatchId(patch);
-        PairCrossing {
-            time,
-            patch,
-            enters,
-        }
+    let found = found.into_iter().map(|(time, patch, enters)| PairCrossing {
+        time,
+        patch,
+        enters,
     });
     Ok(found.collect())
 }
@@ -117,13 +112,11 @@ pub(super) fn first_contact_along(
     let mut step = duration;
     for taken in 0..MOST_STEPS {
         let at = motion.at(time);
-        let clearance = match space.clearance(at) {
-            Err(QueryError::Outside) if taken > 0 => {
-                return Ok(SmoothOutcome::Leaves { time });
-            }
-            // The parts as drawn touch slightly later than the parts as computed.
-            Err(QueryError::Blocked) if taken > 0 => 0.0,
-            clearance => clearance?,
+        // Only the start can be in an overlap: no step is longer than the parts stay apart.
+        let clearance = match covered(space, at) {
+            Err(QueryError::Outside) if taken > 0 => return Ok(SmoothOutcome::Leaves { time }),
+            Ok(()) if taken > 0 => distance(space, at)?,
+            _ => space.clearance(at)?,
         };
         if clearance <= tolerance {
             return Ok(SmoothOutcome::Contact { time, at });

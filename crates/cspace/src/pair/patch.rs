@@ -3,12 +3,11 @@
 use crate::contact::{ContactValue, FeatureShape, Placement, Touching, contact_function, touching};
 use crate::feature::{FeatureKind, FeatureName};
 use crate::fixed_axes::AxisMotion;
+use crate::ids::{PatchId, RegionId};
 use crate::number::{Dual, Real, SecondOrder};
 use crate::part::{Part, PartFeature};
 
-use super::{
-    Coordinates, FeatureId, Neighbours, PairClass, PairSpace, PatchId, QueryError, RegionId, graph,
-};
+use super::{Coordinates, FeatureId, Neighbours, PairClass, PairSpace, QueryError, graph};
 
 /// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]
@@ -115,10 +114,8 @@ impl<'a> PairPatch<'a> {
     pub fn region(&self) -> Result<Option<RegionId>, QueryError> {
         match self.space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
-            PairSpace::FixedAxes(space) => {
-                Ok(space.patches()[self.id.index()].region.map(RegionId))
-            }
-            PairSpace::Planar(space) => Ok(Some(RegionId(space.patches()[self.id.index()].region))),
+            PairSpace::FixedAxes(space) => Ok(space.patches()[self.id.index()].region),
+            PairSpace::Planar(space) => Ok(Some(space.patches()[self.id.index()].region)),
         }
     }
 
@@ -139,7 +136,7 @@ impl<'a> PairPatch<'a> {
     /// # Errors
     /// If the pair has no orientation as a coordinate, or `theta` is outside the patch's [orientations](Self::orientations).
     pub fn ends_at(&self, theta: f64) -> Result<[(Coordinates, [f64; 2]); 2], QueryError> {
-        let patch = (self.space.oriented()?.patch(self.id.0)).ok_or(QueryError::Outside)?;
+        let patch = (self.space.oriented()?.patch(self.id)).ok_or(QueryError::Outside)?;
         if !patch.contains_orientation(theta) {
             return Err(QueryError::Outside);
         }

@@ -1,7 +1,8 @@
 //! The configuration of a patch that is nearest to a given one.
 
 use super::space::ByClass;
-use super::{Coordinates, PairSpace, PatchId, QueryError};
+use super::{Coordinates, PairSpace, QueryError};
+use crate::ids::PatchId;
 
 /// Metric on configurations.
 ///
@@ -38,14 +39,14 @@ pub(super) fn nearest_patch(
         let found = space.nearest_patch(c, metric.length_per_radian);
         return Ok(found.map(|(patch, c, distance)| {
             let at = Coordinates::Planar(c);
-            (PatchId(patch as u32), Projection { at, distance })
+            (patch, Projection { at, distance })
         }));
     }
     let mut nearest: Option<(PatchId, Projection)> = None;
-    for patch in 0..space.patch_count() {
+    for patch in (0..space.patch_count() as u32).map(PatchId) {
         let known = nearest.map_or(f64::INFINITY, |(_, found)| found.distance);
         if let Some(found) = project_below(space, at, patch, metric, known) {
-            nearest = Some((PatchId(patch as u32), found));
+            nearest = Some((patch, found));
         }
     }
     Ok(nearest)
@@ -73,7 +74,7 @@ pub(super) fn check(space: &PairSpace, at: Coordinates, metric: Metric) -> Resul
 pub(super) fn project_below(
     space: &PairSpace,
     at: Coordinates,
-    patch: usize,
+    patch: PatchId,
     metric: Metric,
     known: f64,
 ) -> Option<Projection> {
@@ -85,7 +86,8 @@ pub(super) fn project_below(
             (Coordinates::of_axes(at), distance)
         }
         ByClass::Planar(space, c) => {
-            let (c, distance) = space.project(c, space.patches().get(patch)?, rho, known)?;
+            let (c, distance) =
+                space.project(c, space.patches().get(patch.index())?, rho, known)?;
             (Coordinates::Planar(c), distance)
         }
     };

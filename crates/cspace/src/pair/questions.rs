@@ -2,15 +2,15 @@
 
 use crate::feature::FeatureName;
 use crate::geometry::Vector;
-use crate::query::Classification;
+use crate::ids::PatchId;
+use crate::query::{Classification, Location};
 use crate::space::Band;
 
 use super::space::ByClass;
 use super::{
-    Coordinates, FeatureContact, Location, Metric, NearFeatures, Neighbours, PairCrossing,
-    PairData, PairLink, PairMotion, PairNearest, PairPatch, PairRegion, PairSpace, PatchId,
-    Projection, QueryError, SmoothMotion, SmoothOutcome, graph, locate, motion, near, patch,
-    project,
+    Coordinates, FeatureContact, Metric, NearFeatures, Neighbours, PairCrossing, PairData,
+    PairLink, PairMotion, PairNearest, PairPatch, PairRegion, PairSpace, Projection, QueryError,
+    SmoothMotion, SmoothOutcome, graph, locate, motion, near, patch, project,
 };
 
 /// Location of a configuration, and the clearance of the parts.
@@ -20,12 +20,7 @@ impl PairSpace {
     /// # Errors
     /// If the configuration is in the coordinates of another class, not finite, or outside the window or the ranges of motion.
     pub fn classify(&self, at: Coordinates) -> Result<Classification, QueryError> {
-        let class = match self.by_class(at)? {
-            ByClass::Lower(pair, c) => pair.classify(c),
-            ByClass::Axes(space, u, v) => space.classify(u, v),
-            ByClass::Planar(space, c) => space.classify(c),
-        };
-        class.ok_or(QueryError::Outside)
+        self.locate(at)?.class().ok_or(QueryError::Outside)
     }
 
     /// Location of a configuration.
@@ -99,8 +94,8 @@ impl PairSpace {
     ) -> Result<bool, QueryError> {
         Ok(match self.by_class(at)? {
             ByClass::Lower(..) => (self.contacts(at, tolerance)?.iter()).any(|c| c.0 == patch),
-            ByClass::Axes(space, u, v) => space.is_on(patch.0, u, v, tolerance),
-            ByClass::Planar(space, c) => space.covers(c) && space.is_on(patch.0, c, tolerance),
+            ByClass::Axes(space, u, v) => space.is_on(patch, u, v, tolerance),
+            ByClass::Planar(space, c) => space.covers(c) && space.is_on(patch, c, tolerance),
         })
     }
 
@@ -184,7 +179,7 @@ impl PairSpace {
     ) -> Result<Projection, QueryError> {
         self.patch(onto)?;
         project::check(self, at, metric)?;
-        let found = project::project_below(self, at, onto.index(), metric, f64::INFINITY);
+        let found = project::project_below(self, at, onto, metric, f64::INFINITY);
         found.ok_or(QueryError::Outside)
     }
 

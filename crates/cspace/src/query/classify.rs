@@ -3,8 +3,11 @@
 use core::f64::consts::TAU;
 
 use crate::geometry::{Configuration, Point, Vector};
+use crate::ids::{PatchId, RegionId};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
+
+use super::Location;
 
 /// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
 /// of rounding, and critical orientations are known to 1e-6 at worst.
@@ -45,26 +48,48 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn classify(&self, c: Configuration) -> Option<Classification> {
-        match self.plainly(c) {
-            Some(class) => Some(class),
-            None => Some(self.located(c)?.0),
-        }
+        self.locate(c).class()
     }
 
-    /// Classifies a configuration by the nearest contact curve, without the slice: contact if the curve is near, otherwise by the side of
+    /// Classifies a configuration, as [`classify`](Self::classify) says, with the free region that contains a free one: two free
+    /// configurations can be joined by a motion if and only if they are in one region.
+    ///
+    /// ```
+    /// use cspace::{Configuration, ContactSpace, Location, Options, Part, Vertex};
+    /// let square = |r: f64| -> Vec<Vertex> {
+    ///     [(-r, -r), (r, -r), (r, r), (-r, r)].iter().map(|&(x, y)| Vertex::line(x, y)).collect()
+    /// };
+    /// let ring = Part::new("ring", vec![square(3.0), square(2.0)])?;
+    /// let block = Part::new("block", vec![square(1.0)])?;
+    /// let space = ContactSpace::compute(&ring, &block, &Options::default())?;
+    /// let at = |x, theta| space.locate(Configuration::new(x, 0.0, theta));
+    /// // It can turn within the ring, but not get out.
+    /// assert_eq!(at(0.0, 0.0), at(0.1, 1.6));
+    /// assert_ne!(at(0.0, 0.0), at(9.0, 0.0));
+    /// assert_eq!(at(2.5, 0.0), Location::Blocked);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn locate(&self, c: Configuration) -> Location {
+        if !self.covers(c) {
+            return Location::Outside;
+        }
+        self.plainly(c).unwrap_or_else(|| self.by_slice(c))
+    }
+
+    /// Locates a configuration by the nearest contact curve, without the slice: contact if the curve is near, otherwise by the side of
     /// the curve on which the configuration is, since the segment to the nearest point meets no other curve. `None` where this is in doubt,
     /// or would take as long as the slice.
-    fn plainly(&self, c: Configuration) -> Option<Classification> {
+    fn plainly(&self, c: Configuration) -> Option<Location> {
         /// Curves closer to each other than this may be in the other order; the ends of curves are known to this accuracy (length of the
         /// pair's frame).
         const CLEAR: f64 = 2.0 * END_ERROR;
         self.places.made()?;
-        if !self.covers(c) || self.doubts().hold(self.settled(c.theta)) {
+        if self.doubts().hold(self.settled(c.theta)) {
             return None;
         }
         let clear = self.data.frame.outer_length(CLEAR);
         let near = self.contact_distance();
-        let mut nearest: Option<(u32, Point, f64)> = None;
+        let mut nearest: Option<(PatchId, Point, f64)> = None;
         let mut next = f64::INFINITY;
         self.visit_near(c, f64::INFINITY, |patch, q, distance| {
             match nearest {
@@ -84,9 +109,9 @@ impl ContactSpace {
         });
         let (patch, q, distance) = nearest?;
         if distance <= near {
-            return Some(Classification::Contact);
+            return Some(Location::Contact);
         }
-        let patch = &self.data.patches[patch as usize];
+        let patch = &self.data.patches[patch.index()];
         let curve = self.curve(patch, self.alive(patch, self.settled(c.theta))?);
         let ends = [0.0, 1.0].map(|s| curve.point(s));
         if next <= distance + clear || ends.iter().any(|e| e.distance(q) <= clear) {
@@ -94,35 +119,9 @@ impl ContactSpace {
         }
         let above = (patch.function).value(self.data.frame.inner_from_outer(c), c.theta) > 0.0;
         Some(match above {
-            true => Classification::Free,
-            false => Classification::Blocked,
+            true => Location::Free(patch.region),
+            false => Location::Blocked,
         })
-    }
-
-    /// The free region that contains a configuration, as an index into [`free_regions`](Self::free_regions): two free configurations can be
-    /// joined by a motion if and only if they are in one region. `None` where the parts touch or overlap, outside the window, and if the
-    /// configuration is not finite.
-    ///
-    /// ```
-    /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
-    /// let square = |r: f64| -> Vec<Vertex> {
-    ///     [(-r, -r), (r, -r), (r, r), (-r, r)].iter().map(|&(x, y)| Vertex::line(x, y)).collect()
-    /// };
-    /// let ring = Part::new("ring", vec![square(3.0), square(2.0)])?;
-    /// let block = Part::new("block", vec![square(1.0)])?;
-    /// let space = ContactSpace::compute(&ring, &block, &Options::default())?;
-    /// let at = |x, theta| space.region_at(Configuration::new(x, 0.0, theta));
-    /// // It can turn within the ring, but not get out.
-    /// assert_eq!(at(0.0, 0.0), at(0.1, 1.6));
-    /// assert_ne!(at(0.0, 0.0), at(9.0, 0.0));
-    /// assert_eq!(at(2.5, 0.0), None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn region_at(&self, c: Configuration) -> Option<u32> {
-        match self.located(c)? {
-            (Classification::Free, region) => Some(region),
-            _ => None,
-        }
     }
 
     /// Whether a configuration is finite and within the window.
@@ -132,13 +131,10 @@ impl ContactSpace {
         c.position().is_finite() && c.theta.is_finite() && within
     }
 
-    /// Class of a configuration, and the region bounded by the curve that decides the class.
-    fn located(&self, c: Configuration) -> Option<(Classification, u32)> {
+    /// Locates a configuration by its slice; its region is bounded by the curve that decides the class.
+    fn by_slice(&self, c: Configuration) -> Location {
         /// Region of a position from which a ray meets nothing.
-        const UNBOUNDED: u32 = 0;
-        if !self.covers(c) {
-            return None;
-        }
+        const UNBOUNDED: RegionId = RegionId(0);
         let slice = self.slice(c.theta);
         let away = |curve: &SliceCurve| {
             let p = c.position();
@@ -148,26 +144,26 @@ impl ContactSpace {
             (slice.curves.iter().map(away).enumerate()).min_by(|a, b| a.1.total_cmp(&b.1));
         let near = nearest.is_some_and(|n| n.1 <= self.contact_distance())
             && (!slice.doubtful || self.touches(c));
+        if near {
+            return Location::Contact;
+        }
         let met = slice.first_met(c.position());
         let by_slice = met.is_none_or(|m| m.from_free);
-        let free = if !near && slice.doubtful {
-            !self.overlaps(c)
-        } else {
-            by_slice
+        let free = match slice.doubtful {
+            true => !self.overlaps(c),
+            false => by_slice,
         };
-        let class = match (near, free) {
-            (true, _) => Classification::Contact,
-            (false, true) => Classification::Free,
-            (false, false) => Classification::Blocked,
-        };
+        if !free {
+            return Location::Blocked;
+        }
         let bounding = if free == by_slice {
             met.map(|m| m.curve)
         } else {
             nearest.map(|n| n.0)
         };
         let patch = bounding.and_then(|i| slice.curves[i].patch);
-        let region = patch.map_or(UNBOUNDED, |p| self.patches()[p as usize].region);
-        Some((class, region))
+        let region = patch.map_or(UNBOUNDED, |p| self.patches()[p.index()].region);
+        Location::Free(region)
     }
 
     /// Whether, of some positions at twice the contact distance, some overlap and some do not.

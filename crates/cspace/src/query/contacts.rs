@@ -3,6 +3,7 @@
 use core::cmp;
 
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 /// The contact that is nearest to a configuration by translation alone.
@@ -10,7 +11,7 @@ use crate::space::ContactSpace;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NearestContact {
     /// Patch of the contact.
-    pub patch: u32,
+    pub patch: PatchId,
     /// The configuration in contact, of the same orientation.
     pub configuration: Configuration,
     /// The distance to it, in the model's unit of length.
@@ -34,7 +35,7 @@ impl ContactSpace {
     /// assert_eq!(space.contacts(nearest.configuration, 1e-9)[0].0, nearest.patch);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn contacts(&self, c: Configuration, tolerance: f64) -> Vec<(u32, f64)> {
+    pub fn contacts(&self, c: Configuration, tolerance: f64) -> Vec<(PatchId, f64)> {
         let mut found = Vec::new();
         self.visit_near(c, tolerance, |patch, _, distance| {
             if distance <= tolerance {
@@ -60,8 +61,8 @@ impl ContactSpace {
     /// assert!(!space.is_on(nearest.patch, Configuration::new(5.0, 0.0, 0.1), 1e-9));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn is_on(&self, patch: u32, c: Configuration, tolerance: f64) -> bool {
-        let there = self.data.patches.get(patch as usize).and_then(|patch| {
+    pub fn is_on(&self, patch: PatchId, c: Configuration, tolerance: f64) -> bool {
+        let there = self.data.patches.get(patch.index()).and_then(|patch| {
             let t = self.alive(patch, self.settled(c.theta))?;
             Some(self.curve_as_at(patch, t, c.theta).nearest(c.position()))
         });

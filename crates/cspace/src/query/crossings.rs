@@ -1,6 +1,7 @@
 //! All contacts that a motion of constant rates crosses.
 
 use crate::geometry::{Configuration, Vector};
+use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 use super::first_contact::MotionError;
@@ -33,7 +34,7 @@ impl ContactSpace {
         from: Configuration,
         rates: [f64; 3],
         duration: f64,
-    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+    ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
         self.crossings_about(from, rates, Vector::ZERO, duration)
     }
 
@@ -60,7 +61,7 @@ impl ContactSpace {
         rates: [f64; 3],
         about: Vector,
         duration: f64,
-    ) -> Result<Vec<(f64, u32, bool)>, MotionError> {
+    ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
         let [dx, dy, turning] = rates;
         let numbers = [from.x, from.y, from.theta, dx, dy, turning];
         let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);

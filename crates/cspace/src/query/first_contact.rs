@@ -1,6 +1,7 @@
 //! The first contact along a motion of constant rates.
 
 use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
+use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 use super::classify::Classification;
@@ -16,7 +17,7 @@ pub struct FirstContact {
     /// Configuration at that time. Its orientation is not reduced by turns.
     pub configuration: Configuration,
     /// Patch that is touched; one of them, if several are.
-    pub patch: u32,
+    pub patch: PatchId,
 }
 
 /// Outcome of a motion: free to the end, first contact, or end of the window.
@@ -213,7 +214,7 @@ impl ContactSpace {
     /// Whether a motion that starts in contact enters blocked space there although it crosses no patch: where all contacts at a position
     /// end at one orientation, as for a part that is clamped between two corners, the motion leaves them by turning further. Until the next
     /// contact the motion is free or blocked as a whole, so one configuration on it decides. Returns a patch that touches at the start.
-    fn enters_at_once(&self, path: &Path, found: Option<&Touch>, end: f64) -> Option<u32> {
+    fn enters_at_once(&self, path: &Path, found: Option<&Touch>, end: f64) -> Option<PatchId> {
         /// Largest depth of a grazing motion, in contact distances: twice the resolution, and room for rounding.
         const DEEP: f64 = 8.0;
         let middle = path.outer_at(0.5 * found.map_or(end, |touch| touch.time));

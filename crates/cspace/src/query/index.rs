@@ -11,6 +11,7 @@ use crate::boxes::{Boxes, Swath};
 use crate::contact::ContactFunction;
 use crate::feature::tolerance::WIDEST_SAGITTA;
 use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::ids::PatchId;
 use crate::parallel::prelude::*;
 use crate::part::Bounds;
 use crate::space::{ContactSpace, Patch};
@@ -42,7 +43,7 @@ impl ContactSpace {
         &self,
         c: Configuration,
         within: f64,
-        mut visit: impl FnMut(u32, Point, f64) -> f64,
+        mut visit: impl FnMut(PatchId, Point, f64) -> f64,
     ) {
         let settled = self.settled(c.theta);
         let home = home(settled);
@@ -62,7 +63,7 @@ impl ContactSpace {
             let patch = &self.data.patches[i as usize];
             if let Some(t) = self.alive(patch, settled) {
                 let q = self.curve_as_at(patch, t, c.theta).nearest(c.position());
-                limit = visit(i, q, q.distance(c.position()));
+                limit = visit(PatchId(i), q, q.distance(c.position()));
             }
             limit
         };

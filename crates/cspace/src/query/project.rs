@@ -10,6 +10,7 @@ use core::f64::consts::PI;
 
 use crate::contact::{ContactFunction, Spiral};
 use crate::geometry::{Configuration, Point, Rotation, Vector, images};
+use crate::ids::PatchId;
 use crate::number::{Ball, Bounded, Expansion, Real, SecondOrder, least};
 use crate::space::{Boundary, ContactSpace, Patch};
 
@@ -28,9 +29,9 @@ impl ContactSpace {
         &self,
         from: Configuration,
         length_per_radian: f64,
-    ) -> Option<(usize, Configuration, f64)> {
+    ) -> Option<(PatchId, Configuration, f64)> {
         // Patches that seem near come first, so that the others are excluded quickly.
-        let mut order: Vec<(f64, usize)> = (self.patches().iter().enumerate())
+        let mut order: Vec<(f64, PatchId)> = ((0..).map(PatchId).zip(self.patches()))
             .map(|(i, patch)| {
                 let near = images(from.theta, (patch.lo, patch.hi))
                     .map(|theta| {
@@ -44,10 +45,10 @@ impl ContactSpace {
             })
             .collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut best: Option<(usize, Configuration, f64)> = None;
+        let mut best: Option<(PatchId, Configuration, f64)> = None;
         for (_, i) in order {
             let known = best.map_or(f64::INFINITY, |b| b.2);
-            let found = self.project(from, &self.patches()[i], length_per_radian, known);
+            let found = self.project(from, &self.patches()[i.index()], length_per_radian, known);
             best = found.map(|(at, distance)| (i, at, distance)).or(best);
         }
         best

@@ -3,6 +3,7 @@
 use core::f64::consts::TAU;
 
 use crate::feature::tolerance::{GROWTH, NARROWEST_BAND};
+use crate::ids::PatchId;
 use crate::number::{Ball, Dual, Real, halved};
 use crate::space::{ContactSpace, Patch};
 
@@ -49,12 +50,12 @@ pub(super) struct Touch {
     known: f64,
     /// Time at which the motion comes to the patch.
     pub(super) time: f64,
-    pub(super) patch: u32,
+    pub(super) patch: PatchId,
 }
 
 /// A patch along the motion; the motion's orientations exceed the patch's own by `turn`.
 struct Along<'a> {
-    index: u32,
+    index: PatchId,
     patch: &'a Patch,
     turn: f64,
 }
@@ -84,13 +85,13 @@ impl<'a> Search<'a> {
     }
 
     /// All contacts that the motion crosses up to `end`: time, patch, and whether it enters blocked space there.
-    pub(super) fn all(&self, end: f64) -> Vec<(f64, u32, bool)> {
+    pub(super) fn all(&self, end: f64) -> Vec<(f64, PatchId, bool)> {
         let Some((lo, hi)) = self.path.times_in_reach(end) else {
             return Vec::new();
         };
         let mut found = Vec::new();
         for (lo, hi) in self.path.pieces(lo, hi) {
-            for (index, patch) in (0u32..).zip(&self.space.data.patches) {
+            for (index, patch) in (0..).map(PatchId).zip(&self.space.data.patches) {
                 self.presences(patch, lo, hi, |turn, from, to| {
                     let along = Along { index, patch, turn };
                     self.all_of(&along, from, to, &mut found);
@@ -99,7 +100,7 @@ impl<'a> Search<'a> {
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         // A contact at the boundary of two pieces of time is found in both.
-        let same = |a: &mut (f64, u32, bool), b: &mut (f64, u32, bool)| {
+        let same = |a: &mut (f64, PatchId, bool), b: &mut (f64, PatchId, bool)| {
             (a.1, a.2) == (b.1, b.2) && a.0 - b.0 <= 4.0 * self.narrowest
         };
         found.dedup_by(same);
@@ -107,7 +108,13 @@ impl<'a> Search<'a> {
     }
 
     /// Finds every contact with one patch: after each contact the search continues behind it.
-    fn all_of(&self, along: &Along<'_>, mut lo: f64, hi: f64, found: &mut Vec<(f64, u32, bool)>) {
+    fn all_of(
+        &self,
+        along: &Along<'_>,
+        mut lo: f64,
+        hi: f64,
+        found: &mut Vec<(f64, PatchId, bool)>,
+    ) {
         loop {
             let mut best: Best = None;
             self.search(along, lo, hi, &mut best);
@@ -164,7 +171,8 @@ impl<'a> Search<'a> {
     fn first_between(&self, lo: f64, hi: f64) -> Best {
         let mut all: Vec<(f64, f64, Along<'_>)> = Vec::new();
         for index in self.near_between(lo, hi) {
-            let patch = &self.space.data.patches[index as usize];
+            let index = PatchId(index);
+            let patch = &self.space.data.patches[index.index()];
             self.presences(patch, lo, hi, |turn, from, to| {
                 let along = Along { index, patch, turn };
                 all.push((from, to, along));

@@ -3,6 +3,7 @@
 use crate::feature::tolerance::{FACING, FACING_FAR, TORN};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Point, Vector};
+use crate::ids::PatchId;
 
 use super::curve_geometry::CurveGeometry;
 
@@ -18,7 +19,8 @@ pub struct SliceCurve {
     /// Positions (x, y) of the moving part.
     pub geometry: CurveGeometry,
     /// The patch of the contact space from which the curve comes; `None` if the slice was computed on its own.
-    pub patch: Option<u32>,
+    #[cfg_attr(feature = "schema", schemars(with = "Option<u32>"))]
+    pub patch: Option<PatchId>,
     /// The curve of the slice that follows around the boundary.
     pub next: u32,
 }

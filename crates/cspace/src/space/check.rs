@@ -3,6 +3,7 @@
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::FeatureName;
 use crate::geometry::Point;
+use crate::ids::PatchId;
 use crate::part::Part;
 use crate::slice::CurveGeometry;
 
@@ -95,7 +96,7 @@ fn check_references(data: &SpaceData) -> Result<(), DataError> {
     check_whole(data).map_err(|(what, why)| DataError::Whole { what, why })?;
     each("patch", &data.patches, |p| check_patch(data, p))?;
     let patches = data.patches.len();
-    let is_patch = |i: u32| (i as usize) < patches;
+    let is_patch = |i: PatchId| i.index() < patches;
     each("side link", &data.side_links, |l| {
         ensure(
             is_patch(l.before) && is_patch(l.after),
@@ -195,7 +196,7 @@ fn orientations(window: Window) -> (f64, f64) {
 
 fn check_patch(data: &SpaceData, p: &Patch) -> Check {
     ensure(
-        (p.region as usize) < data.free_regions.len(),
+        p.region.index() < data.free_regions.len(),
         "there is no such free region",
     )?;
     ensure(is_interval(p.lo, p.hi), "its orientations are no interval")?;

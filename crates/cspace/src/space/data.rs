@@ -2,6 +2,7 @@
 
 use crate::feature::{Outline, PairFrame};
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::part::Part;
 use crate::slice::CurveGeometry;
 
@@ -21,13 +22,13 @@ pub(crate) const FORMAT: &str = "contact-space";
 /// `docs/contact-space.schema.json` in the project's repository describes every field and its unit.
 ///
 /// ```
-/// use cspace::{ContactSpace, Options, Part};
+/// use cspace::{ContactSpace, Options, Part, PatchId};
 /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
 /// let block = Part::rectangle("block", (0.0, 0.0), 2.0, 2.0)?;
 /// let space = ContactSpace::compute(&table, &block, &Options::default())?;
 /// let mut data = space.data().clone();
 /// assert_eq!(ContactSpace::from_data(data.clone())?.data(), space.data());
-/// data.side_links[0].after = 1_000_000;
+/// data.side_links[0].after = PatchId(1_000_000);
 /// let error = ContactSpace::from_data(data).unwrap_err();
 /// assert_eq!(error.to_string(), "side link 0 is damaged: there is no such patch");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -77,9 +78,9 @@ pub struct SpaceData {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SideLink {
     /// The patch that comes first in the direction of travel; its right boundary is the curve of the link.
-    pub before: u32,
+    pub before: PatchId,
     /// The patch that comes second; its left boundary is the curve of the link.
-    pub after: u32,
+    pub after: PatchId,
     /// First orientation at which they are neighbours.
     pub lo: f64,
     /// Last orientation.
@@ -91,9 +92,9 @@ pub struct SideLink {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VerticalLink {
     /// The patch that ends at the orientation.
-    pub lower: u32,
+    pub lower: PatchId,
     /// The patch that begins there.
-    pub upper: u32,
+    pub upper: PatchId,
     /// The critical orientation, radians.
     pub theta: f64,
     /// The curve that their top and bottom share.

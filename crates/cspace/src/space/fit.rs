@@ -94,7 +94,7 @@ pub(super) fn check_ends(p: &Patch, reach: f64) -> Check {
 
 /// Checks that two linked patches meet: the right boundary of `before` coincides with the left boundary of `after`.
 pub(super) fn check_link(patches: &[Patch], link: &SideLink) -> Check {
-    let [before, after] = [link.before, link.after].map(|i| patches.get(i as usize));
+    let [before, after] = [link.before, link.after].map(|i| patches.get(i.index()));
     let (Some(before), Some(after)) = (before, after) else {
         return Err("there is no such patch");
     };

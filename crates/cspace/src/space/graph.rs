@@ -6,6 +6,7 @@ use crate::boxes::Places;
 use crate::contact::{Bodies, Fit, growths};
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
 use crate::geometry::Configuration;
+use crate::ids::PatchId;
 use crate::part::Part;
 use crate::slice::{CurveGeometry, Slice};
 
@@ -192,24 +193,24 @@ impl ContactSpace {
     /// space on the right. `None` at other orientations, and if there is no such patch.
     ///
     /// ```
-    /// use cspace::{ContactSpace, Options, Part};
+    /// use cspace::{ContactSpace, Options, Part, PatchId};
     /// let coin = |r| Part::circle("coin", (0.0, 0.0), r);
     /// let space = ContactSpace::compute(&coin(2.0)?, &coin(1.0)?, &Options::default())?;
     /// let theta = 0.5 * (space.patches()[0].lo + space.patches()[0].hi);
-    /// let middle = space.curve_at(0, theta).ok_or("coins touch")?.point(0.5);
+    /// let middle = space.curve_at(PatchId(0), theta).ok_or("coins touch")?.point(0.5);
     /// assert!((middle.to_vector().length() - 3.0).abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn curve_at(&self, patch: u32, theta: f64) -> Option<CurveGeometry> {
-        let patch = self.data.patches.get(patch as usize)?;
+    pub fn curve_at(&self, patch: PatchId, theta: f64) -> Option<CurveGeometry> {
+        let patch = self.data.patches.get(patch.index())?;
         (patch.lo..=patch.hi)
             .contains(&theta)
             .then(|| self.curve(patch, theta))
     }
 
     /// A patch together with its frame. `None` if there is no such patch.
-    pub fn patch(&self, index: u32) -> Option<PatchRef<'_>> {
-        let patch = self.data.patches.get(index as usize)?;
+    pub fn patch(&self, id: PatchId) -> Option<PatchRef<'_>> {
+        let patch = self.data.patches.get(id.index())?;
         Some(PatchRef {
             patch,
             frame: &self.data.frame,
@@ -227,25 +228,25 @@ impl ContactSpace {
     }
 
     /// The side links at the right boundary of a patch, in order of orientation; empty if there is no such patch.
-    pub fn links_after(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
+    pub fn links_after(&self, patch: PatchId) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.after(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
     /// The side links at the left boundary of a patch, in order of orientation; empty if there is no such patch.
-    pub fn links_before(&self, patch: u32) -> impl Iterator<Item = &SideLink> {
+    pub fn links_before(&self, patch: PatchId) -> impl Iterator<Item = &SideLink> {
         let links = self.walk.before(patch).iter();
         links.map(|&l| &self.data.side_links[l as usize])
     }
 
     /// The vertical links at the last orientation of a patch; empty if there is no such patch.
-    pub fn links_above(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
+    pub fn links_above(&self, patch: PatchId) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.above(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])
     }
 
     /// The vertical links at the first orientation of a patch; empty if there is no such patch.
-    pub fn links_below(&self, patch: u32) -> impl Iterator<Item = &VerticalLink> {
+    pub fn links_below(&self, patch: PatchId) -> impl Iterator<Item = &VerticalLink> {
         let links = self.walk.below(patch).iter();
         links.map(|&l| &self.data.vertical_links[l as usize])
     }
@@ -290,7 +291,7 @@ impl ContactSpace {
     }
 
     /// The boundary of free space in a band, as closed loops of patches in order of travel.
-    pub fn loops(&self, band: Band) -> Vec<Vec<u32>> {
+    pub fn loops(&self, band: Band) -> Vec<Vec<PatchId>> {
         let slice = self.slice(0.5 * (band.lo + band.hi));
         slice
             .loops

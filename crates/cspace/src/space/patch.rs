@@ -3,6 +3,7 @@
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::{FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::ids::RegionId;
 use crate::number::{Dual, Real};
 
 /// A maximal piece of the contact space on which one pair of features touches between the same two boundary curves.
@@ -24,7 +25,7 @@ pub struct Patch {
     /// Where it ends.
     pub right: Boundary,
     /// The free region it bounds.
-    pub region: u32,
+    pub region: RegionId,
 }
 
 /// A boundary curve of a patch: a position for every orientation, in closed form.

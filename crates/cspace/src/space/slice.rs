@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use crate::contact::Cycle;
 use crate::feature::PairFrame;
 use crate::geometry::{Point, Rotation, Vector};
+use crate::ids::PatchId;
 use crate::slice::{CurveGeometry, Slice, SliceCurve};
 
 use super::data::SideLink;
@@ -59,20 +60,20 @@ impl<'a> Surface<'a> {
                 if t != turned.theta {
                     turned = Turned::by(t);
                 }
-                at.push((i, t));
+                at.push((PatchId(i), t));
                 let (geometry, both) = self.curve_with_ends(patch, turned, asked);
                 ends.push(both);
                 curves.push(SliceCurve {
                     fixed: patch.fixed,
                     moving: patch.moving,
                     geometry,
-                    patch: Some(i),
+                    patch: Some(PatchId(i)),
                     next: u32::MAX,
                 });
             }
         }
         for (curve, &(i, t)) in curves.iter_mut().zip(&at) {
-            let last = t == self.patches[i as usize].hi;
+            let last = t == self.patches[i.index()].hi;
             let mut links = (self.walk.after(i).iter()).map(|&l| &self.side_links[l as usize]);
             let link = links.find(|l| l.lo <= t && (t < l.hi || (last && t <= l.hi)));
             // The link's orientations are counted as those of the patch before it.

@@ -1,6 +1,7 @@
 //! Links of every patch, found in constant time.
 
 use crate::grouped::Grouped;
+use crate::ids::PatchId;
 use crate::parallel;
 
 use super::data::{SideLink, VerticalLink};
@@ -21,14 +22,14 @@ impl Walk {
         let ((after, before), (above, below)) = parallel::join(
             || {
                 parallel::join(
-                    || Grouped::new(patches, side().map(|(i, l)| (l.before, i))),
-                    || Grouped::new(patches, side().map(|(i, l)| (l.after, i))),
+                    || Grouped::new(patches, side().map(|(i, l)| (l.before.0, i))),
+                    || Grouped::new(patches, side().map(|(i, l)| (l.after.0, i))),
                 )
             },
             || {
                 parallel::join(
-                    || Grouped::new(patches, vertical().map(|(i, l)| (l.lower, i))),
-                    || Grouped::new(patches, vertical().map(|(i, l)| (l.upper, i))),
+                    || Grouped::new(patches, vertical().map(|(i, l)| (l.lower.0, i))),
+                    || Grouped::new(patches, vertical().map(|(i, l)| (l.upper.0, i))),
                 )
             },
         );
@@ -41,22 +42,22 @@ impl Walk {
     }
 
     /// Numbers of the side links at the right boundary of a patch, in order of orientation.
-    pub(crate) fn after(&self, patch: u32) -> &[u32] {
-        self.after.of(patch)
+    pub(crate) fn after(&self, patch: PatchId) -> &[u32] {
+        self.after.of(patch.0)
     }
 
     /// Numbers of the side links at the left boundary of a patch, in order of orientation.
-    pub(crate) fn before(&self, patch: u32) -> &[u32] {
-        self.before.of(patch)
+    pub(crate) fn before(&self, patch: PatchId) -> &[u32] {
+        self.before.of(patch.0)
     }
 
     /// Numbers of the vertical links at the last orientation of a patch.
-    pub(crate) fn above(&self, patch: u32) -> &[u32] {
-        self.above.of(patch)
+    pub(crate) fn above(&self, patch: PatchId) -> &[u32] {
+        self.above.of(patch.0)
     }
 
     /// Numbers of the vertical links at the first orientation of a patch.
-    pub(crate) fn below(&self, patch: u32) -> &[u32] {
-        self.below.of(patch)
+    pub(crate) fn below(&self, patch: PatchId) -> &[u32] {
+        self.below.of(patch.0)
     }
 }

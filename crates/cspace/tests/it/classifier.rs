@@ -3,8 +3,8 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    Classification, Classifier, Configuration, ContactSpace, Options, Part, Symmetry, Vector,
-    Vertex,
+    Classification, Classifier, Configuration, ContactSpace, Options, Part, PatchId, Symmetry,
+    Vector, Vertex,
 };
 use cspace_oracle::shapes::{gear, pawl, ratchet};
 use cspace_oracle::{Oracle, Pair, effort, is_long, near_contact_about, pair};
@@ -479,7 +479,7 @@ fn slabs_that_are_none() {
     let mut shuffled = space.data().clone();
     // Patches with other numbers, also in links.
     let n = shuffled.patches.len() as u32;
-    let number = |i: u32| (i + 3) % n;
+    let number = |i: PatchId| PatchId((i.0 + 3) % n);
     shuffled.patches.rotate_right(3);
     for link in &mut shuffled.side_links {
         (link.before, link.after) = (number(link.before), number(link.after));

@@ -193,8 +193,8 @@ fn found(space: &ContactSpace, c: Configuration) -> Result<Found, Failure> {
     let patch = nearest
         .and_then(|c| c.patch)
         .ok_or("a slice without curves")?;
-    let region = space.patches()[patch as usize].region;
-    Ok(if space.free_regions()[region as usize].unbounded {
+    let region = space.patches()[patch.index()].region;
+    Ok(if space.free_regions()[region.index()].unbounded {
         Found::Open
     } else {
         Found::Caged

@@ -135,7 +135,7 @@ fn flood(case: &Case, space: &ContactSpace, depth: u32) -> Flood {
     let Window { lo, hi, full_turn } = space.window();
     let fill = Fill::new(case, (lo, hi), full_turn, depth);
     let regions = space.free_regions().len();
-    let compared = fill.compare(regions, |c| space.region_at(c));
+    let compared = fill.compare(regions, |c| Some(space.locate(c).region()?.0));
     if !compared.wrong.is_empty() {
         return Flood::Wrong(compared.wrong);
     }

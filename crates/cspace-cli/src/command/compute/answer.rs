@@ -3,7 +3,9 @@
 use std::collections::BTreeSet;
 use std::fmt::{self, Write};
 
-use cspace::{Configuration, ContactSpace, FixedAxesSpace, FreeRegion, PairSpace, RegionId};
+use cspace::{
+    Configuration, ContactSpace, FixedAxesSpace, FreeRegion, Location, PairSpace, RegionId,
+};
 use cspace_api::Chosen;
 use cspace_api::compute::{AsDrawn, Drawn};
 
@@ -60,7 +62,7 @@ fn planar_regions(text: &mut String, pair: &Chosen<'_>, space: &ContactSpace) ->
         "  free space     {}, {caged} caged",
         count(regions.len(), "connected region", "connected regions"),
     )?;
-    for (i, region) in regions.iter().enumerate().take(MOST_LISTED) {
+    for (id, region) in (0..).map(RegionId).zip(regions).take(MOST_LISTED) {
         let example = if region.unbounded {
             beside(space, region)
         } else {
@@ -69,8 +71,8 @@ fn planar_regions(text: &mut String, pair: &Chosen<'_>, space: &ContactSpace) ->
         writeln!(
             text,
             "    {:12} {}, e.g. x {}, y {}{}, theta {}",
-            pair.region(RegionId(i as u32)),
-            regions::planar(space, i as u32),
+            pair.region(id),
+            regions::planar(space, id),
             length(example.x),
             length(example.y),
             pair.unit(),
@@ -94,8 +96,8 @@ fn beside(space: &ContactSpace, region: &FreeRegion) -> Configuration {
         c.y + share * (far.y - c.y),
         far.theta,
     );
-    match (space.region_at(near), space.region_at(far)) {
-        (Some(a), Some(b)) if a == b => near,
+    match (space.locate(near), space.locate(far)) {
+        (Location::Free(a), Location::Free(b)) if a == b => near,
         _ => far,
     }
 }
@@ -169,13 +171,13 @@ fn axes_regions(text: &mut String, pair: &Chosen<'_>, space: &FixedAxesSpace) ->
         count(regions.len(), "connected region", "connected regions")
     )?;
     let unit = pair.unit();
-    for (i, r) in regions.iter().enumerate().take(MOST_LISTED) {
+    for (id, r) in (0..).map(RegionId).zip(&regions).take(MOST_LISTED) {
         let [u, v] = regions::coordinates(space, &unit);
         let ranges = regions::on_axes(space, r, &unit);
         writeln!(
             text,
             "    {:12} {ranges}, e.g. {}, {}",
-            pair.region(RegionId(i as u32)),
+            pair.region(id),
             u.example(r.sample.0, r.u, r.around_u),
             v.example(r.sample.1, r.v, r.around_v)
         )?;

@@ -3,13 +3,13 @@
 use core::f64::consts::TAU;
 use std::collections::{BTreeMap, HashMap};
 
-use cspace::{ContactFunction, ContactSpace, CurveGeometry, PatchRef, Point, Vector};
+use cspace::{ContactFunction, ContactSpace, CurveGeometry, PatchId, PatchRef, Point, Vector};
 
 /// The boundary of free space within a band: patches, and for each the one that follows.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Structure {
     /// Patches.
-    pub(super) patches: Vec<u32>,
+    pub(super) patches: Vec<PatchId>,
     /// Sweeps of their curves, 0 for segments.
     sweeps: Vec<f64>,
     /// The place before each; none where the boundary is broken.
@@ -49,7 +49,7 @@ impl Structure {
     pub(super) fn at(space: &ContactSpace, theta: f64) -> Self {
         let slice = space.slice(theta);
         // Every curve of a slice of a space has its patch.
-        let patches: Vec<u32> = slice.curves.iter().filter_map(|c| c.patch).collect();
+        let patches: Vec<PatchId> = slice.curves.iter().filter_map(|c| c.patch).collect();
         let mut before = vec![None; patches.len()];
         for (i, c) in slice.curves.iter().enumerate() {
             if let Some(slot) = before.get_mut(c.next as usize) {
@@ -74,7 +74,7 @@ impl Structure {
 
 /// A curve of a patch at the level, on one side of it.
 struct Curve {
-    patch: u32,
+    patch: PatchId,
     start: u32,
     end: u32,
     geometry: CurveGeometry,
@@ -301,7 +301,7 @@ impl<'a> Builder<'a> {
         let [below, above] = sides else {
             return;
         };
-        let mut at: HashMap<u32, (u32, u32)> = HashMap::new();
+        let mut at: HashMap<PatchId, (u32, u32)> = HashMap::new();
         for c in below {
             at.insert(c.patch, (c.start, c.end));
         }
@@ -340,7 +340,7 @@ impl<'a> Builder<'a> {
                 self.find(m)
             } else {
                 // Between critical orientations nothing coincides: the patch is name enough.
-                curve.patch
+                curve.patch.0
             };
             pieces.push(Piece {
                 from,

@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
 
-use cspace::{Configuration, ContactSpace};
+use cspace::{Configuration, ContactSpace, PatchId};
 
 use super::level::{Fineness, Level, Structure};
 use super::strip::zip;
@@ -21,7 +21,7 @@ pub struct Triangle {
     /// Indices of its vertices, counter-clockwise seen from free space.
     pub vertices: [u32; 3],
     /// The patch it lies on.
-    pub patch: u32,
+    pub patch: PatchId,
 }
 
 /// The contact surface as triangles: vertices (x, y, θ) on the exact surface.

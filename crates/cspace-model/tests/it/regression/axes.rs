@@ -1,7 +1,8 @@
 //! Expectations of spaces on fixed axes.
 
 use cspace::{
-    Axis, AxisMotion, Classification, Configuration, FixedAxesSpace, Relation, Rotation, Vector,
+    Axis, AxisMotion, Classification, Configuration, FixedAxesSpace, Location, RegionId, Relation,
+    Rotation, Vector,
 };
 use cspace_model::Mechanism;
 use cspace_oracle::Oracle;
@@ -114,17 +115,17 @@ impl OnAxes {
         let read = serde_json::from_str(&saved).unwrap();
         let read = FixedAxesSpace::from_data(read).unwrap();
         assert_eq!(read.resolution(), space.resolution());
-        for (i, region) in (0..).zip(space.regions()) {
+        for (i, region) in (0..).map(RegionId).zip(space.regions()) {
             let (u, v) = region.sample;
             let verdict = self.oracle.judge(self.relative((u, v)));
             assert!(!verdict.overlap, "region {i}");
-            assert_eq!(space.region_at(u, v), Some(i));
-            assert_eq!(read.region_at(u, v), Some(i));
+            assert_eq!(space.locate(u, v), Location::Free(i));
+            assert_eq!(read.locate(u, v), Location::Free(i));
         }
         for patch in space.patches() {
             assert!(patch.region.is_some(), "{patch:?}");
             if let Some(next) = patch.next {
-                assert_eq!(space.patches()[next as usize].region, patch.region);
+                assert_eq!(space.patches()[next.index()].region, patch.region);
             }
         }
     }
@@ -154,7 +155,7 @@ pub(crate) fn check(model: &Mechanism, e: &Axes) {
         assert_eq!(space.classify(u, v), Some(Classification::Contact));
     }
     let mut own: Vec<_> = (e.regions_of_their_own.iter())
-        .map(|&(u, v)| space.region_at(u, v).unwrap())
+        .map(|&(u, v)| space.locate(u, v).region().unwrap())
         .collect();
     own.sort_unstable();
     assert!(own.windows(2).all(|w| w[0] != w[1]), "{own:?}");

@@ -4,8 +4,8 @@ use core::f64::consts::{PI, TAU};
 
 use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::{
-    Axis, Classification, Classifier, Configuration, ContactSpace, FixedAxesSpace, Options, Part,
-    Point, Slicer, Vector, Vertex,
+    Axis, Classification, Classifier, Configuration, ContactSpace, FixedAxesSpace, Location,
+    Options, Part, Point, RegionId, Slicer, Vector, Vertex,
 };
 use cspace_oracle::{Oracle, effort};
 use rand::{Rng, SeedableRng};
@@ -271,7 +271,7 @@ fn door_and_peg() {
         .collect();
     assert!(pair.certainly_right(&behind) > 900);
     for (u, v) in behind {
-        assert_eq!(pair.space.region_at(u, v), Some(0));
+        assert_eq!(pair.space.locate(u, v), Location::Free(RegionId(0)));
     }
     let still = FixedAxesSpace::compute(&fixed, Axis::FIXED, &moving, turn).unwrap();
     for rate in [1.0, -1.0] {

@@ -2,7 +2,9 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Classification, Classifier, Configuration, ContactSpace, Options, Slice, Slicer};
+use cspace::{
+    Classification, Classifier, Configuration, ContactSpace, Options, RegionId, Slice, Slicer,
+};
 use cspace_model::Mechanism;
 use cspace_oracle::{Oracle, Verdict, effort, near_contact};
 use rand::{Rng, SeedableRng};
@@ -59,7 +61,7 @@ pub(crate) fn check(model: &Mechanism, e: &Planar) {
     let doubtful = space.doubtful_orientations().len();
     is(doubtful, e.doubtful_orientations, "doubtful orientations");
     more(patches.len(), e.patches_more_than, "patches");
-    let outer = patches.iter().filter(|p| p.region == 0).count();
+    let outer = patches.iter().filter(|p| p.region == RegionId(0)).count();
     more(outer, e.outer_patches_more_than, "outer patches");
     if let Some((lo, hi)) = e.resolution {
         assert!((lo..hi).contains(&resolution), "{resolution:e}");

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use cspace::{ContactSpace, Options};
+use cspace::{ContactSpace, Options, PatchId};
 use cspace_model::model;
 use cspace_model::write::glb::{GlbError, PATCH_ATTRIBUTE, glb};
 use cspace_model::write::mesh::{Mesh, MeshOptions};
@@ -191,7 +191,7 @@ fn check(name: &str, mesh: &Mesh) {
         ([0, 1, 2].map(|k| bits[(least + k) % 3]), patch as u32)
     };
     let mut wanted: Vec<_> = (mesh.triangles.iter())
-        .map(|t| t.vertices.map(|v| (place(v), t.patch as f32)))
+        .map(|t| t.vertices.map(|v| (place(v), t.patch.0 as f32)))
         .filter(|[a, b, c]| a.0 != b.0 && b.0 != c.0 && c.0 != a.0)
         .map(key)
         .collect();
@@ -270,7 +270,7 @@ fn what_single_precision_cannot_hold_is_refused() {
     far.vertices[3].x = 1e39;
     assert_eq!(glb(&far), Err(GlbError::Coordinate));
     let mut many = good;
-    many.triangles[0].patch = 1 << 24;
+    many.triangles[0].patch = PatchId(1 << 24);
     assert_eq!(glb(&many), Err(GlbError::Patches));
 }
 
@@ -299,7 +299,7 @@ fn normals_are_those_of_the_surface() {
     for ((p, n), patch) in places.iter().zip(&normals).zip(file.patches()) {
         let theta = f64::from(p[2]) / mesh.theta_scale;
         let c = cspace::Configuration::new(f64::from(p[0]), f64::from(p[1]), theta);
-        let g = space.patch(patch as u32).unwrap().gradient(c);
+        let g = space.patch(PatchId(patch as u32)).unwrap().gradient(c);
         let g = [g[0], g[1], g[2] / mesh.theta_scale];
         let length = g.iter().map(|x| x * x).sum::<f64>().sqrt();
         let dot: f64 = g.iter().zip(n).map(|(g, n)| g * f64::from(*n)).sum();

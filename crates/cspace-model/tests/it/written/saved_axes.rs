@@ -4,8 +4,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use cspace::FixedAxesSpace;
 use cspace::pair::PairSpace;
+use cspace::{FixedAxesSpace, PatchId};
 use cspace_model::saved;
 use cspace_oracle::effort;
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
@@ -55,11 +55,12 @@ fn answers(space: &FixedAxesSpace, rng: &mut ChaCha8Rng) -> Vec<String> {
             space.configuration(at.0, at.1),
         ));
         let k = rng.random_range(0..space.branches().len().max(1));
+        let patch = PatchId(k as u32);
         said.push(format!(
             "{:?} {:?} {:?}",
             space.branch_at(k, at.0),
-            space.contact_function(k, at.0, at.1),
-            space.contact_gradient(k, at.0, at.1),
+            space.contact_function(patch, at.0, at.1),
+            space.contact_gradient(patch, at.0, at.1),
         ));
     }
     said

@@ -249,7 +249,7 @@ fn outlines_drawn_by_chance() {
         };
         let space = ContactSpace::compute(&fixed, &part, &Options::default()).unwrap();
         let start = Configuration::new(0.0, 0.0, 0.0);
-        if space.region_at(start).is_none() {
+        if space.locate(start).region().is_none() {
             continue;
         }
         kept += 1;

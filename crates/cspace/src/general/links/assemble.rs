@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::contact::{ContactFunction, Geometry, SlabMotion};
 use crate::feature::{FeatureName, Outline, PairFrame};
+use crate::ids::RegionId;
 use crate::parallel;
 
 use crate::general::cells::cell::{Cell, END};
@@ -241,7 +242,7 @@ impl Assembler<'_> {
             hi: chain.hi,
             left: bound(cell.left, sheet.locus.start),
             right: bound(cell.right, sheet.locus.end),
-            region: 0,
+            region: RegionId(0),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Neighbours of patches: contacts of cells in one period, copied to all.
 
 use crate::contact::{Curve, SlabMotion};
+use crate::ids::PatchId;
 use crate::parallel;
 use crate::slice::CurveGeometry;
 
@@ -85,8 +86,8 @@ impl Links<'_> {
             };
             let (lo, hi) = self.lifts.clipped(bring(f.from, first), bring(f.to, last));
             links.push(SideLink {
-                before,
-                after,
+                before: PatchId(before),
+                after: PatchId(after),
                 lo,
                 hi,
             });
@@ -201,8 +202,8 @@ impl Links<'_> {
         };
         let theta = self.lifts.orientation(place, slabs);
         self.lifts.is_inside(theta).then(|| VerticalLink {
-            lower,
-            upper,
+            lower: PatchId(lower),
+            upper: PatchId(upper),
             theta,
             overlap: CurveGeometry::from_inner(
                 &motion.curve(&c.curve),
@@ -255,8 +256,8 @@ fn one_list<T>(parts: Vec<Vec<T>>) -> Vec<T> {
 #[derive(Clone, Copy)]
 struct Key {
     theta: f64,
-    lower: u32,
-    upper: u32,
+    lower: PatchId,
+    upper: PatchId,
     number: u32,
 }
 

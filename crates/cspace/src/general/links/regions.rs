@@ -10,6 +10,7 @@ use crate::contact::Steps;
 use crate::feature::PairFrame;
 use crate::feature::tolerance::JOINT;
 use crate::geometry::{Configuration, Point, Vector};
+use crate::ids::{PatchId, RegionId};
 use crate::slice::{CurveGeometry, Slice, is_on_arc};
 use crate::union_find::UnionFind;
 
@@ -69,7 +70,7 @@ pub(crate) struct Regions {
     /// The regions, the unbounded one first.
     pub(crate) regions: Vec<FreeRegion>,
     /// The region of each patch.
-    pub(crate) of_patches: Vec<u32>,
+    pub(crate) of_patches: Vec<RegionId>,
 }
 
 /// Numbers the regions, and assigns one to each patch.
@@ -84,10 +85,10 @@ pub(crate) fn find_regions(
     let joint = surface.frame.outer_length(JOINT);
     let mut sets = UnionFind::new(n + 1);
     for l in surface.side_links {
-        sets.union(l.before, l.after);
+        sets.union(l.before.0, l.after.0);
     }
     for l in vertical_links {
-        sets.union(l.lower, l.upper);
+        sets.union(l.lower.0, l.upper.0);
     }
     if let Copying::None { shells } = copying {
         let mut first_of_shell = BTreeMap::new();
@@ -139,7 +140,7 @@ pub(crate) fn find_regions(
         for l in &slice.loops {
             for w in l.windows(2) {
                 if let [Some(a), Some(b)] = [w[0], w[1]].map(|c| slice.curves[c as usize].patch) {
-                    together.push((a, b));
+                    together.push((a.0, b.0));
                 }
             }
         }
@@ -153,7 +154,7 @@ pub(crate) fn find_regions(
         if !shared {
             continue;
         }
-        for j in slice.curves.iter().filter_map(|c| c.patch) {
+        for j in slice.curves.iter().filter_map(|c| Some(c.patch?.0)) {
             let (p, s) = (&surface.patches[j as usize], shell[j as usize] as usize);
             let margin = (slice.theta - p.lo).min(p.hi - slice.theta);
             if !done[s] && passed[s].is_none() && margin > WELL_AWAY * (p.hi - p.lo) {
@@ -188,7 +189,7 @@ pub(crate) fn find_regions(
             NONE => 0,
             region => region,
         };
-        of_patches.push(region);
+        of_patches.push(RegionId(region));
         regions[region as usize].patches += 1;
     }
     Regions {
@@ -211,7 +212,7 @@ fn nest(slice: &Slice, far: u32, joint: f64, mut join: impl FnMut(u32, u32)) {
         if signed_area(slice, l) <= 0.0 {
             continue;
         }
-        let Some(own) = slice.curves[curve as usize].patch else {
+        let Some(PatchId(own)) = slice.curves[curve as usize].patch else {
             continue;
         };
         let right = Vector::new(1.0, 0.0);
@@ -224,7 +225,7 @@ fn nest(slice: &Slice, far: u32, joint: f64, mut join: impl FnMut(u32, u32)) {
             None => join(own, far),
             Some((_, c)) => {
                 if let Some(other) = slice.curves[c as usize].patch {
-                    join(own, other);
+                    join(own, other.0);
                 }
             }
         }
@@ -275,7 +276,11 @@ fn signed_area(slice: &Slice, l: &[u32]) -> f64 {
 
 /// A free configuration beside a patch: half way from the middle of its curve to the next contact.
 fn sample(slice: &Slice, patch: u32, joint: f64) -> Configuration {
-    let Some(curve) = slice.curves.iter().find(|c| c.patch == Some(patch)) else {
+    let Some(curve) = slice
+        .curves
+        .iter()
+        .find(|c| c.patch == Some(PatchId(patch)))
+    else {
         return Configuration::default();
     };
     let p = curve.geometry.point(0.5);

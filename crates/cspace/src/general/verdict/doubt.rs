@@ -6,6 +6,7 @@
 use core::f64::consts::TAU;
 
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::ids::PatchId;
 
 use crate::general::cells::cell::Cell;
 use crate::general::events::clusters::Clusters;
@@ -65,7 +66,7 @@ fn unlinked(patches: &[Patch], side_links: &[SideLink]) -> Vec<(f64, f64)> {
                 open.push((known, to));
             }
         };
-        while let Some(link) = links.next_if(|l| l.before == i) {
+        while let Some(link) = links.next_if(|l| l.before == PatchId(i)) {
             until(link.lo, known);
             known = known.max(link.hi);
         }

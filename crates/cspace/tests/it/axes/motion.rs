@@ -5,7 +5,7 @@
 
 use cspace::fixed_axes::AxesMotionOutcome;
 use cspace::fixed_axes::{AxisMotion, FixedAxesSpace};
-use cspace::{Axis, Classification};
+use cspace::{Axis, Classification, PatchId};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
 use rand::{Rng, SeedableRng};
@@ -107,7 +107,7 @@ impl Trial<'_> {
     }
 
     /// Checks that the contact is one of the patch, and that just beyond it the parts overlap where the motion enters at an angle.
-    fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: u32, given: (f64, f64)) {
+    fn touches(&mut self, at: (f64, f64), rates: (f64, f64), patch: PatchId, given: (f64, f64)) {
         let size = self.oracle.size();
         let mut wrong = Vec::new();
         if given != at {
@@ -119,10 +119,7 @@ impl Trial<'_> {
                 "{at:?} is not on patch {patch}, but on {contacts:?}"
             ));
         }
-        let (by_u, by_v) = self
-            .space
-            .contact_gradient(patch as usize, at.0, at.1)
-            .unwrap();
+        let (by_u, by_v) = self.space.contact_gradient(patch, at.0, at.1).unwrap();
         let slope = by_u * rates.0 + by_v * rates.1;
         let speed = (by_u * rates.0).abs() + (by_v * rates.1).abs();
         if slope > 1e-9 * speed {

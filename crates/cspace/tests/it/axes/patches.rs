@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::fixed_axes::{AxisMotion, BranchForm, FixedAxesSpace};
-use cspace::{Axis, Classification, ContactSpace, Options, Part, Point, Vector, Vertex};
+use cspace::{Axis, Classification, ContactSpace, Options, Part, PatchId, Point, Vector, Vertex};
 use cspace_oracle::Oracle;
 use cspace_oracle::shapes::mechanisms::{Mechanism, mechanisms};
 use rand::{Rng, SeedableRng};
@@ -34,7 +34,7 @@ fn branches_have_free_space_on_their_right() {
             };
             let t = from + 0.4 * (to - from);
             let ((u, v), slope) = space.branch_at(i, t).unwrap();
-            let value = space.contact_function(b.patch as usize, u, v).unwrap();
+            let value = space.contact_function(b.patch, u, v).unwrap();
             assert!(value.abs() < 1e-12 * size, "{}: {value:e}", m.name);
             let contacts = space.contacts(u, v, 1e-11 * size);
             assert!(contacts.iter().any(|c| c.0 == b.patch), "{}", m.name);
@@ -58,10 +58,10 @@ fn branches_have_free_space_on_their_right() {
             assert_eq!(space.classify(u, v), contact, "{}: {b:?}", m.name);
             if let Some(class) = space.classify(right.0, right.1) {
                 assert_eq!(class, Classification::Free, "{}: {b:?}", m.name);
-                let region = space.region_at(right.0, right.1);
+                let region = space.locate(right.0, right.1).region();
                 assert_eq!(
                     region,
-                    space.patches()[b.patch as usize].region,
+                    space.patches()[b.patch.index()].region,
                     "{}",
                     m.name
                 );
@@ -97,7 +97,7 @@ fn curves_that_coincide_bound_the_region_on_their_free_side() {
             );
             for (space, sliding_first) in [(&a, false), (&b, true)] {
                 assert!(space.regions().len() > 1, "{x} {radius} {angle}");
-                for (i, p) in space.patches().iter().enumerate() {
+                for (i, p) in (0..).map(PatchId).zip(space.patches()) {
                     let b = p.branches.start as usize;
                     let branch = space.branches()[b];
                     let ends = match branch.form {
@@ -118,7 +118,7 @@ fn curves_that_coincide_bound_the_region_on_their_free_side() {
                     } else {
                         (u, v + step)
                     };
-                    let region = space.region_at(aside.0, aside.1);
+                    let region = space.locate(aside.0, aside.1).region();
                     assert!(region.is_some());
                     assert_eq!(p.region, region, "{x} {radius} {angle}: {p:?}");
                 }
@@ -134,17 +134,13 @@ fn gradients_agree_with_differences() {
         let space = compute(&m);
         for (i, b) in space.branches().iter().enumerate().step_by(7) {
             let ((u, v), _) = space.branch_at(i, 0.5 * (b.start.0 + b.end.0)).unwrap();
-            let f = |du: f64, dv: f64| {
-                space
-                    .contact_function(b.patch as usize, u + du, v + dv)
-                    .unwrap()
-            };
+            let f = |du: f64, dv: f64| space.contact_function(b.patch, u + du, v + dv).unwrap();
             let h = 1e-6;
             let differences = (
                 (f(h, 0.0) - f(-h, 0.0)) / (2.0 * h),
                 (f(0.0, h) - f(0.0, -h)) / (2.0 * h),
             );
-            let (by_u, by_v) = space.contact_gradient(b.patch as usize, u, v).unwrap();
+            let (by_u, by_v) = space.contact_gradient(b.patch, u, v).unwrap();
             assert!((by_u - differences.0).abs() < 1e-7, "{}", m.name);
             assert!((by_v - differences.1).abs() < 1e-7, "{}", m.name);
         }
@@ -168,12 +164,12 @@ fn patches_follow_each_other() {
             };
             d.abs() < 1e-7
         };
-        for (i, p) in (0u32..).zip(patches) {
+        for (i, p) in (0..).map(PatchId).zip(patches) {
             let last = branches[p.branches.end as usize - 1];
             assert!(p.region.is_some(), "{}: {p:?}", m.name);
             match p.next {
                 Some(n) => {
-                    let next = &patches[n as usize];
+                    let next = &patches[n.index()];
                     assert_eq!(next.previous, Some(i), "{}", m.name);
                     assert_eq!(next.region, p.region, "{}", m.name);
                     let first = branches[next.branches.start as usize];

@@ -9,7 +9,7 @@ use core::f64::consts::TAU;
 use std::collections::{BTreeMap, BTreeSet};
 
 use cspace::fixed_axes::AxisMotion;
-use cspace::{Axis, FixedAxesSpace, Part, Point};
+use cspace::{Axis, FixedAxesSpace, Location, Part, Point, RegionId};
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
 use cspace_oracle::{Oracle, effort};
 use rayon::prelude::*;
@@ -196,9 +196,9 @@ fn compare(m: &Mechanism) -> (Vec<String>, String, usize) {
         let (u, v) = place(i);
         let filled = root(&mut of, i);
         let generous = clear[i].is_some_and(|c| c > GENEROUS * step);
-        match space.region_at(u, v) {
+        match space.locate(u, v).region() {
             None => wrong.push(format!("({u}, {v}) is free, but in no region")),
-            Some(region) => {
+            Some(RegionId(region)) => {
                 regions_of.entry(filled).or_default().insert(region);
                 if generous {
                     fills_of.entry(region).or_default().insert(filled);
@@ -291,7 +291,11 @@ fn samples_lie_in_their_regions() {
             for (t, axis) in [(u, m.fixed_axis), (v, m.moving_axis)] {
                 assert!(axis.range.is_none_or(|range| within(t, range)), "{name}");
             }
-            assert_eq!(space.region_at(u, v), Some(i as u32), "{name}");
+            assert_eq!(
+                space.locate(u, v),
+                Location::Free(RegionId(i as u32)),
+                "{name}"
+            );
             let verdict = oracle.judge(space.configuration(u, v));
             assert!(
                 !verdict.overlap || verdict.margin <= CERTAIN * oracle.size(),

@@ -4,7 +4,7 @@
 use core::f64::consts::TAU;
 
 use cspace::fixed_axes::{AxisMotion, BranchForm, FixedAxesSpace};
-use cspace::{Axis, FeatureName, Part, Point, Vertex};
+use cspace::{Axis, FeatureName, Part, PatchId, Point, Vertex};
 use cspace_oracle::shapes::mechanisms::{Mechanism, gears, mechanisms};
 use cspace_oracle::shapes::{circle, gear, shifted};
 use rand::{Rng, SeedableRng};
@@ -81,9 +81,9 @@ fn compare(m: &Mechanism) -> (FixedAxesSpace, FixedAxesSpace) {
         };
         let ((u, v), _) = copied.branch_at(i, middle).unwrap();
         let (u, v) = (turned(&m.fixed_axis, u), turned(&m.moving_axis, v));
-        let patch = &copied.patches()[b.patch as usize];
-        let named = |p: u32| {
-            let p = &whole.patches()[p as usize];
+        let patch = &copied.patches()[b.patch.index()];
+        let named = |p: PatchId| {
+            let p = &whole.patches()[p.index()];
             (p.fixed, p.moving) == (patch.fixed, patch.moving)
         };
         let there = whole.contacts(u, v, 1e-9 + copied.resolution());

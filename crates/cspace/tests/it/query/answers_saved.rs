@@ -59,7 +59,7 @@ fn answers_come_back() {
     again(MotionOutcome::Free);
     let (configuration, distance) = (c, 0.5);
     again(NearestContact {
-        patch: 7,
+        patch,
         configuration,
         distance,
     });

@@ -87,7 +87,7 @@ fn values_and_gradients_are_those_of_spaces() {
         let near = 1e-9 * size(space) + 2.0 * space.resolution() + 1e-13 * lever(space);
         for patch in space.patches().step_by(1 + space.patch_count() / 60) {
             let contact = patch.contact().unwrap();
-            let of_space = inner.patch(patch.id().0).unwrap();
+            let of_space = inner.patch(patch.id()).unwrap();
             let (lo, hi) = patch.orientations().unwrap();
             let theta = rng.random_range(lo..=hi);
             let c = of_space.left().at(theta);
@@ -124,7 +124,7 @@ fn values_and_gradients_are_those_of_spaces() {
             let at = Coordinates::Axes { u, v };
             let f = patch.contact().unwrap().evaluate(at).unwrap();
             assert!(f.value.abs() < 1e-7 * size(space), "{name}: {}", f.value);
-            let (by_u, by_v) = inner.contact_gradient(patch.id().index(), u, v).unwrap();
+            let (by_u, by_v) = inner.contact_gradient(patch.id(), u, v).unwrap();
             // Functions of one contact differ by a factor: their gradients have one direction.
             let cross = f.gradient[0] * by_v - f.gradient[1] * by_u;
             let lengths = f.gradient[0].hypot(f.gradient[1]) * by_u.hypot(by_v);

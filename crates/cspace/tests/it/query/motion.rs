@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2, TAU};
 
 use cspace::{
     Classification, Configuration, ContactSpace, FirstContact, MotionError, MotionOutcome, Options,
-    Part,
+    Part, PatchId,
 };
 use cspace_oracle::shapes::{circle, rectangle, square};
 use cspace_oracle::{Oracle, Pair, effort, pairs};
@@ -50,7 +50,7 @@ fn a_disc_meets_a_corner() {
     let c = first(&space, at(4.0, 1.3, 0.0), [-1.0, 0.0, 0.0], 10.0);
     // The corner is (1, 1); the disc's middle is then 0.3 above it and √(0.25 − 0.09) beside it.
     assert!((c.time - (4.0 - 1.4)).abs() < GROWN, "{c:?}");
-    let patch = space.patches()[c.patch as usize];
+    let patch = space.patches()[c.patch.index()];
     assert_eq!(patch.fixed.kind, cspace::FeatureKind::Vertex);
 }
 
@@ -187,7 +187,7 @@ fn motions_that_turn_too_far_end() {
     );
     // There is no such patch, and it has no links.
     let none = space.patches().len() as u32;
-    for patch in [none, u32::MAX] {
+    for patch in [none, u32::MAX].map(PatchId) {
         assert_eq!(
             space.links_after(patch).count() + space.links_before(patch).count(),
             0

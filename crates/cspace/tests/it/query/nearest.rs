@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use cspace::{Classification, Configuration, ContactSpace, Options, Point};
+use cspace::{Classification, Configuration, ContactSpace, Options, PatchId, Point};
 use cspace_oracle::{Oracle, effort, near_contact_about, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -78,9 +78,9 @@ const TURNS: [f64; 4] = [0.0, 1.0, -3.0, 100.0];
 const BESIDE: [f64; 9] = [-1e-3, -1e-7, -1e-10, -1e-15, 0.0, 1e-15, 1e-10, 1e-7, 1e-3];
 
 /// Near contacts found by examining every curve of the slice, equal to the last bit.
-fn by_slice(space: &ContactSpace, c: Configuration) -> Vec<(f64, u32, Point)> {
+fn by_slice(space: &ContactSpace, c: Configuration) -> Vec<(f64, PatchId, Point)> {
     let slice = space.slice(c.theta);
-    let mut all: Vec<(f64, u32, Point)> = (slice.curves.iter())
+    let mut all: Vec<(f64, PatchId, Point)> = (slice.curves.iter())
         .map(|curve| {
             let p = curve.geometry.nearest(c.position());
             (p.distance(c.position()), curve.patch.unwrap(), p)
@@ -135,10 +135,10 @@ fn is_as_by_slice(name: &str, space: &ContactSpace) -> usize {
             assert_eq!(told, expected.first().copied(), "{name} at {c:?}");
             for tolerance in [0.0, 1e-9 * size, 0.1 * size, f64::INFINITY] {
                 let mut within = expected.iter().filter(|e| e.0 <= tolerance);
-                let within: Vec<(u32, f64)> = within.by_ref().map(|e| (e.1, e.0)).collect();
+                let within: Vec<(PatchId, f64)> = within.by_ref().map(|e| (e.1, e.0)).collect();
                 assert_eq!(space.contacts(c, tolerance), within, "{name} at {c:?}");
                 // Queries of single patches: one of those within, and any other.
-                let any = rng.random_range(0..=space.patches().len() as u32);
+                let any = PatchId(rng.random_range(0..=space.patches().len() as u32));
                 for patch in within.first().map(|w| w.0).into_iter().chain([any]) {
                     let is_within = within.iter().any(|w| w.0 == patch);
                     assert_eq!(

@@ -185,10 +185,10 @@ fn neighbours_are_mutual() {
         assert!(links >= count as usize / 2, "{links}");
         if let PairSpace::Planar(space) = &space {
             for l in space.side_links() {
-                assert!(all[l.before as usize].after.contains(&PatchId(l.after)));
+                assert!(all[l.before.index()].after.contains(&l.after));
             }
             for l in space.vertical_links() {
-                assert!(all[l.lower as usize].above.contains(&PatchId(l.upper)));
+                assert!(all[l.lower.index()].above.contains(&l.upper));
             }
         }
         let beyond = QueryError::NoPatch {

@@ -25,8 +25,8 @@ fn turned(angle: f64) -> f64 {
 }
 
 /// The smallest distance of samples of a patch, at orientations that get denser towards both ends and towards one within.
-fn sampled(space: &ContactSpace, patch: u32, c: Configuration, rho: f64, about: f64) -> f64 {
-    let data = space.patches()[patch as usize];
+fn sampled(space: &ContactSpace, patch: PatchId, c: Configuration, rho: f64, about: f64) -> f64 {
+    let data = space.patches()[patch.index()];
     let (lo, hi) = (data.lo, data.hi);
     let even = (0..=150).map(|i| 0.5 * (1.0 - (f64::from(i) * TAU / 300.0).cos()));
     let close = (-20..=20).map(|i: i32| about + 1e-3 * f64::from(i).powi(3) / 8e3);
@@ -77,8 +77,8 @@ fn no_sample_of_a_patch_is_nearer() {
         let mut rng = ChaCha8Rng::seed_from_u64(17);
         let count = space.patches().len();
         for k in 0..count.min(PATCHES) {
-            let patch = (k * count / count.min(PATCHES)) as u32;
-            let data = space.patches()[patch as usize];
+            let patch = PatchId((k * count / count.min(PATCHES)) as u32);
+            let data = space.patches()[patch.index()];
             for asked in 0..ASKED {
                 // Anywhere, near the patch, and in between; with different weights of a radian.
                 let by = [1.5, 0.1, 1e-4][asked] * size;
@@ -89,14 +89,14 @@ fn no_sample_of_a_patch_is_nearer() {
                 let mut off = |by: f64| rng.random_range(-by..by);
                 let c =
                     Configuration::new(q.x + off(by), q.y + off(by), theta + off(3.0) * by / size);
-                let rho = size * [1.0, 0.03, 7.0][(patch as usize + asked) % 3];
+                let rho = size * [1.0, 0.03, 7.0][(patch.index() + asked) % 3];
                 let metric = Metric {
                     length_per_radian: rho,
                 };
-                let turns = TAU * f64::from((patch % 3) as i32 - 1);
+                let turns = TAU * f64::from((patch.0 % 3) as i32 - 1);
                 let from = Configuration::new(c.x, c.y, c.theta + turns);
                 let Projection { at, distance } = all
-                    .project(Coordinates::Planar(from), PatchId(patch), metric)
+                    .project(Coordinates::Planar(from), patch, metric)
                     .unwrap();
                 let Coordinates::Planar(found) = at else {
                     panic!("{at:?}")
@@ -142,10 +142,14 @@ fn no_sample_of_a_patch_is_nearer() {
 }
 
 /// The smallest distance of samples of a patch, given a function for the distance.
-fn sampled_on_axes(space: &FixedAxesSpace, patch: u32, away: impl Fn((f64, f64)) -> f64) -> f64 {
+fn sampled_on_axes(
+    space: &FixedAxesSpace,
+    patch: PatchId,
+    away: impl Fn((f64, f64)) -> f64,
+) -> f64 {
     use cspace::fixed_axes::BranchForm;
     let mut least = f64::INFINITY;
-    for i in space.patches()[patch as usize].branches.clone() {
+    for i in space.patches()[patch.index()].branches.clone() {
         let b = space.branches()[i as usize];
         let (from, to) = match b.form {
             BranchForm::VOfU => (b.start.0, b.end.0),
@@ -176,7 +180,7 @@ fn no_sample_of_a_curve_on_axes_is_nearer() {
         let mut rng = ChaCha8Rng::seed_from_u64(18);
         let count = space.patches().len();
         for k in 0..count.min(PATCHES_ON_AXES) {
-            let patch = (k * count / count.min(PATCHES_ON_AXES)) as u32;
+            let patch = PatchId((k * count / count.min(PATCHES_ON_AXES)) as u32);
             let rho = size * [1.0, 0.05, 7.0][k % 3];
             let metric = Metric {
                 length_per_radian: rho,
@@ -192,7 +196,7 @@ fn no_sample_of_a_curve_on_axes_is_nearer() {
                 apart(&m.fixed_axis, at.0 - u).hypot(apart(&m.moving_axis, at.1 - v))
             };
             let at = Coordinates::Axes { u, v };
-            let found = all.project(at, PatchId(patch), metric).unwrap();
+            let found = all.project(at, patch, metric).unwrap();
             let Coordinates::Axes { u: s, v: t } = found.at else {
                 panic!("{found:?}")
             };
@@ -203,7 +207,7 @@ fn no_sample_of_a_curve_on_axes_is_nearer() {
                 (away((s, t)) - distance).abs() < NEAR * size * scale,
                 "{what}"
             );
-            let f = space.contact_function(patch as usize, s, t).unwrap();
+            let f = space.contact_function(patch, s, t).unwrap();
             assert!(f.abs() < ON_PATCH * size, "{what}: {f}");
             let least = sampled_on_axes(space, patch, away);
             assert!(

@@ -4,8 +4,8 @@ use core::cell::RefCell;
 use core::f64::consts::{PI, TAU};
 
 use cspace::{
-    BoundaryCurve, BoundaryKind, Configuration, ContactSpace, FeatureName, Options, PatchRef,
-    Point, Slice, SliceCurve,
+    BoundaryCurve, BoundaryKind, Configuration, ContactSpace, FeatureName, Options, PatchId,
+    PatchRef, Point, Slice, SliceCurve,
 };
 use cspace_oracle::{Pair, effort, pair};
 use rand::{Rng, SeedableRng};
@@ -43,8 +43,8 @@ impl Trial {
         }
     }
 
-    fn patch(&self, index: u32) -> PatchRef<'_> {
-        self.space.patch(index).unwrap()
+    fn patch(&self, id: PatchId) -> PatchRef<'_> {
+        self.space.patch(id).unwrap()
     }
 
     fn check(&self, holds: bool, message: impl FnOnce() -> String) {
@@ -219,7 +219,7 @@ fn slices_at_critical_orientations_are_those_just_above() {
             if all.len() > 1 && gap < ALONE {
                 continue;
             }
-            let patches = |theta: f64| -> Vec<Option<u32>> {
+            let patches = |theta: f64| -> Vec<Option<PatchId>> {
                 let slice = trial.space.slice(theta);
                 slice.curves.iter().map(|c| c.patch).collect()
             };
@@ -248,7 +248,7 @@ fn slices_at_critical_orientations_of_a_window_are_those_just_above() {
     for name in ["bar in maze", "random 5", "hexagon in a hexagonal hole"] {
         let pair = pair(name);
         let space = ContactSpace::compute(&pair.fixed, &pair.moving, &options).unwrap();
-        let patches = |theta: f64| -> Vec<Option<u32>> {
+        let patches = |theta: f64| -> Vec<Option<PatchId>> {
             let slice = space.slice(theta);
             slice.curves.iter().map(|c| c.patch).collect()
         };
@@ -344,8 +344,7 @@ fn side_links_lie_on_both_patches_and_cover_them() {
                 });
             }
         }
-        for i in 0..trial.space.patches().len() as u32 {
-            let p = trial.space.patches()[i as usize];
+        for (i, &p) in (0..).map(PatchId).zip(trial.space.patches()) {
             let covers = |spans: Vec<(f64, f64)>| {
                 let length: f64 = spans.iter().map(|s| s.1 - s.0).sum();
                 (length - (p.hi - p.lo)).abs() <= 1e-9
@@ -396,8 +395,7 @@ fn vertical_links_lie_on_both_patches_and_cover_their_ends() {
                 });
             }
         }
-        for i in 0..trial.space.patches().len() as u32 {
-            let p = trial.space.patches()[i as usize];
+        for (i, &p) in (0..).map(PatchId).zip(trial.space.patches()) {
             if p.hi - p.lo >= TAU - 1e-9 || p.hi - p.lo < 4.0 * INSIDE {
                 continue;
             }
@@ -443,8 +441,7 @@ fn slope_by_differences(curve: &BoundaryCurve<'_>, theta: f64, h: f64) -> (f64, 
 fn derivatives_of_boundary_curves_agree_with_differences() {
     on_all_pairs(|trial| {
         let mut tried = std::collections::BTreeMap::<BoundaryKind, u32>::new();
-        for i in 0..trial.space.patches().len() as u32 {
-            let p = trial.space.patches()[i as usize];
+        for (i, &p) in (0..).map(PatchId).zip(trial.space.patches()) {
             if p.hi - p.lo < 1e-2 {
                 continue;
             }
@@ -494,8 +491,7 @@ fn bands_cover_the_turn() {
 #[test]
 fn gradients_of_patches_agree_with_differences() {
     on_all_pairs(|trial| {
-        for i in 0..trial.space.patches().len() as u32 {
-            let p = trial.space.patches()[i as usize];
+        for (i, &p) in (0..).map(PatchId).zip(trial.space.patches()) {
             let patch = trial.patch(i);
             let c = patch.left().at(0.5 * (p.lo + p.hi));
             let size = trial.size;

@@ -5,7 +5,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use cspace::{Configuration, ContactSpace, Edge, Options, Part, Point, Slice, Vector};
+use cspace::{Configuration, ContactSpace, Edge, Options, Part, PatchId, Point, Slice, Vector};
 use cspace_oracle::{Oracle, Pair, effort, near_contact_about, pair};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -274,8 +274,9 @@ fn orientations_repeat_after_a_turn() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     for _ in 0..50 {
         let theta = rng.random_range(-PI..PI);
-        let patches =
-            |slice: &Slice| -> Vec<Option<u32>> { slice.curves.iter().map(|c| c.patch).collect() };
+        let patches = |slice: &Slice| -> Vec<Option<PatchId>> {
+            slice.curves.iter().map(|c| c.patch).collect()
+        };
         let here = patches(&space.slice(theta));
         assert_eq!(here, patches(&space.slice(theta + TAU)));
         assert_eq!(here, patches(&space.slice(theta - 3.0 * TAU)));

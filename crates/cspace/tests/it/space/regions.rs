@@ -43,7 +43,7 @@ fn compare(name: &str, case: &Case, depth: u32) -> (Vec<String>, usize) {
     let Window { lo, hi, full_turn } = space.window();
     let fill = Fill::new(case, (lo, hi), full_turn, depth);
     let regions = space.free_regions().len();
-    let compared = fill.compare(regions, |c| space.region_at(c));
+    let compared = fill.compare(regions, |c| Some(space.locate(c).region()?.0));
     let known = compared.known;
     let mut wrong: Vec<String> = (compared.wrong.iter())
         .map(|w| format!("{name}: {w}"))

@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 
 use cspace::{
     BoundaryKind, Classification, Classifier, Configuration, ContactSpace, FeatureName, Options,
-    Part, Patch, Symmetry, Vertex,
+    Part, Patch, PatchId, RegionId, Symmetry, Vertex,
 };
 use cspace_oracle::shapes::*;
 use cspace_oracle::{Oracle, effort, near_contact, pairs};
@@ -33,7 +33,7 @@ fn computed(fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> [Contact
 /// Identity of a patch without its numbers: features, kinds of bounds, and whether it goes around the turn.
 type Label = (FeatureName, FeatureName, BoundaryKind, BoundaryKind, bool);
 
-fn label(space: &ContactSpace, i: u32) -> Label {
+fn label(space: &ContactSpace, i: PatchId) -> Label {
     let p = space.patch(i).unwrap();
     let Patch {
         fixed,
@@ -49,16 +49,17 @@ fn label(space: &ContactSpace, i: u32) -> Label {
 /// For every patch of one space, the equal patch of the other.
 ///
 /// Patches are equal if they have one label, over equal orientations up to whole turns, and their middles coincide.
-fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
+fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<PatchId> {
     let sorted = |space: &ContactSpace| {
-        let mut all: Vec<(Label, u32)> = (0..space.patches().len() as u32)
+        let mut all: Vec<(Label, PatchId)> = (0..space.patches().len() as u32)
+            .map(PatchId)
             .map(|i| (label(space, i), i))
             .collect();
         all.sort_by_key(|x| format!("{:?}", x.0));
         all
     };
     let (left, right) = (sorted(a), sorted(b));
-    let labels = |all: &[(Label, u32)]| all.iter().map(|x| x.0).collect::<Vec<_>>();
+    let labels = |all: &[(Label, PatchId)]| all.iter().map(|x| x.0).collect::<Vec<_>>();
     assert_eq!(left.len(), right.len(), "{name}: numbers of patches");
     assert!(
         labels(&left) == labels(&right),
@@ -66,22 +67,22 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
     );
     let known_to = tolerance(name);
     let size = a.fixed().size().max(a.moving().size());
-    let middle = |space: &ContactSpace, i: u32, theta: f64| {
+    let middle = |space: &ContactSpace, i: PatchId, theta: f64| {
         let p = space.patch(i).unwrap();
         let (l, r) = (p.left().at(theta), p.right().at(theta));
         l.position().midpoint(r.position())
     };
-    let mut to = vec![u32::MAX; left.len()];
+    let mut to = vec![PatchId(u32::MAX); left.len()];
     for (of_a, of_b) in left
         .chunk_by(|x, y| x.0 == y.0)
         .zip(right.chunk_by(|x, y| x.0 == y.0))
     {
-        let mut free: Vec<u32> = of_b.iter().map(|x| x.1).collect();
+        let mut free: Vec<PatchId> = of_b.iter().map(|x| x.1).collect();
         for &(label, i) in of_a {
-            let p = a.patches()[i as usize];
+            let p = a.patches()[i.index()];
             let theta = 0.5 * (p.lo + p.hi);
-            let same = |&j: &u32| {
-                let q = b.patches()[j as usize];
+            let same = |&j: &PatchId| {
+                let q = b.patches()[j.index()];
                 let off = |x: f64, y: f64| (x - y - TAU * ((x - y) / TAU).round()).abs();
                 let times = label.4 || (off(p.lo, q.lo) <= known_to && off(p.hi, q.hi) <= known_to);
                 // Curves that coincide at a critical orientation cross at small angles during such a patch.
@@ -90,31 +91,31 @@ fn matched(a: &ContactSpace, b: &ContactSpace, name: &str) -> Vec<u32> {
             };
             let k = free.iter().position(same);
             assert!(k.is_some(), "{name}: {label:?} {p:?} is missing");
-            to[i as usize] = free.swap_remove(k.unwrap());
+            to[i.index()] = free.swap_remove(k.unwrap());
         }
     }
     to
 }
 
 /// Checks that links of one space are links of the other, between the same patches; those of patches that go around may be cut elsewhere.
-fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
+fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[PatchId], name: &str) {
     // Three contacts lie on one circle at a critical orientation: the links there depend on the growth of the parts.
     if name.starts_with("three pegs") {
         return;
     }
-    let around = |space: &ContactSpace, i: u32| {
-        let p = space.patches()[i as usize];
+    let around = |space: &ContactSpace, i: PatchId| {
+        let p = space.patches()[i.index()];
         p.hi - p.lo > TAU - SAME
     };
-    let id = |i: u32| i;
-    let image = |i: u32| to[i as usize];
-    let side = |space: &ContactSpace, map: &dyn Fn(u32) -> u32| {
-        let mut all: Vec<(u32, u32, i64)> = space
+    let id = |i: PatchId| i;
+    let image = |i: PatchId| to[i.index()];
+    let side = |space: &ContactSpace, map: &dyn Fn(PatchId) -> PatchId| {
+        let mut all: Vec<(PatchId, PatchId, i64)> = space
             .side_links()
             .iter()
             .filter(|l| !around(space, l.before))
             .map(|l| {
-                let p = space.patches()[l.before as usize];
+                let p = space.patches()[l.before.index()];
                 let after = ((l.lo - p.lo) * 1e7).round() as i64;
                 (map(l.before), map(l.after), after)
             })
@@ -123,8 +124,8 @@ fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
         all
     };
     same_within_one(&side(a, &image), &side(b, &id), &format!("{name}: side"));
-    let vertical = |space: &ContactSpace, map: &dyn Fn(u32) -> u32| {
-        let mut all: Vec<(u32, u32, i64)> = space
+    let vertical = |space: &ContactSpace, map: &dyn Fn(PatchId) -> PatchId| {
+        let mut all: Vec<(PatchId, PatchId, i64)> = space
             .vertical_links()
             .iter()
             .map(|l| {
@@ -141,7 +142,7 @@ fn same_links(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
 }
 
 /// Checks that links are equal, except that orientations may differ by one unit.
-fn same_within_one(a: &[(u32, u32, i64)], b: &[(u32, u32, i64)], name: &str) {
+fn same_within_one(a: &[(PatchId, PatchId, i64)], b: &[(PatchId, PatchId, i64)], name: &str) {
     assert_eq!(a.len(), b.len(), "{name} links");
     for (x, y) in a.iter().zip(b) {
         assert!(
@@ -151,20 +152,20 @@ fn same_within_one(a: &[(u32, u32, i64)], b: &[(u32, u32, i64)], name: &str) {
     }
 }
 
-fn same_regions(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
+fn same_regions(a: &ContactSpace, b: &ContactSpace, to: &[PatchId], name: &str) {
     assert_eq!(
         a.free_regions().len(),
         b.free_regions().len(),
         "{name}: regions"
     );
-    let mut image = vec![u32::MAX; a.free_regions().len()];
+    let mut image = vec![None; a.free_regions().len()];
     for (p, &j) in a.patches().iter().zip(to) {
-        let region = &mut image[p.region as usize];
-        let other = b.patches()[j as usize].region;
-        assert!(*region == u32::MAX || *region == other, "{name}: regions");
-        *region = other;
+        let region = &mut image[p.region.index()];
+        let other = b.patches()[j.index()].region;
+        assert!(region.is_none_or(|r| r == other), "{name}: regions");
+        *region = Some(other);
     }
-    let mut reached: Vec<u32> = image.iter().copied().filter(|&r| r != u32::MAX).collect();
+    let mut reached: Vec<RegionId> = image.iter().copied().flatten().collect();
     reached.sort_unstable();
     let all = reached.len();
     reached.dedup();
@@ -172,8 +173,8 @@ fn same_regions(a: &ContactSpace, b: &ContactSpace, to: &[u32], name: &str) {
     for (r, &s) in a.free_regions().iter().zip(&image) {
         assert_eq!(a.classify(r.sample), Some(Classification::Free), "{name}");
         assert_eq!(b.classify(r.sample), Some(Classification::Free), "{name}");
-        if s != u32::MAX {
-            let other = &b.free_regions()[s as usize];
+        if let Some(s) = s {
+            let other = &b.free_regions()[s.index()];
             assert_eq!(
                 (r.unbounded, r.patches),
                 (other.unbounded, other.patches),

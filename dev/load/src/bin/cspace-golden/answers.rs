@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use cspace::{Configuration, Coordinates, Options, PairSpace, Slice};
+use cspace::{Configuration, Coordinates, Location, Options, PairSpace, PatchId, Slice};
 use cspace_model::saved;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -96,28 +96,28 @@ fn classes(question: &Question, space: &PairSpace, rng: &mut ChaCha8Rng) -> Valu
     for i in 0..CONFIGURATIONS {
         let (x, y) = (rng.random_range(-size..size), rng.random_range(-size..size));
         let theta = rng.random_range(-PI..PI);
-        let (class, region) = match space {
+        let location = match space {
             PairSpace::FixedAxes(space) => {
                 // Every other one on a contact curve.
                 let ends = space.branches().get(7 * i).map(|b| b.start);
                 let (u, v) = ends.filter(|_| i % 2 == 0).unwrap_or((x, y));
-                (space.classify(u, v), space.region_at(u, v))
+                space.locate(u, v)
             }
             PairSpace::Planar(space) => {
-                let on = space.patch(7 * i as u32).map(|p| {
+                let on = space.patch(PatchId(7 * i as u32)).map(|p| {
                     let c = p.left().at(p.data().lo);
                     Configuration::new(c.x + 1e-6 * x, c.y + 1e-6 * y, c.theta)
                 });
                 let c = on.filter(|_| i % 2 == 0);
                 let c = c.unwrap_or(Configuration::new(x, y, theta));
-                (space.classify(c), space.region_at(c))
+                space.locate(c)
             }
             PairSpace::Lower(_) => {
                 let c = Coordinates::Planar(Configuration::new(x, y, theta));
-                (space.classify(c).ok(), None)
+                space.locate(c).unwrap_or(Location::Outside)
             }
         };
-        all.push(json!([class, region]));
+        all.push(json!([location.class(), location.region()]));
     }
     Value::Array(all)
 }

@@ -47,7 +47,7 @@ impl Drawn<'_> {
             PairSpace::Planar(space) => {
                 let (lo, hi) = self.space.patch(patch).ok()?.orientations().ok()?;
                 let theta = lo + 0.375 * (hi - lo);
-                let of = space.patch(patch.0)?;
+                let of = space.patch(patch)?;
                 let [a, b] = [of.left(), of.right()].map(|end| end.at(theta).position());
                 let middle = a.midpoint(b);
                 let middle = Configuration::new(middle.x, middle.y, theta);

@@ -53,7 +53,7 @@ fn three_pads_locate_the_workpiece() {
     expect(&fixture, seat, Contact);
     let touches = |c| -> BTreeSet<u32> {
         (fixture.contacts(c, 1e-6).iter())
-            .map(|&(patch, _)| fixture.patches()[patch as usize].fixed.loop_index)
+            .map(|&(patch, _)| fixture.patches()[patch.index()].fixed.loop_index)
             .collect()
     };
     // The long side lies on two pads, in one line: tilted a little, it stands on the first or on the second.
