@@ -7,6 +7,8 @@ mod ask;
 pub mod check;
 pub mod classify;
 pub mod clearance;
+#[cfg(feature = "command")]
+mod command;
 pub mod compute;
 pub mod disassemble;
 pub mod error;
@@ -48,6 +50,6 @@ pub use made_of::MadeOf;
 pub use outcome::{Done, Is, Outcome, worst};
 pub use rest::Rest;
 pub use side::place_on_part;
-pub use subject::{Chosen, Subject, Which};
+pub use subject::{Chosen, Named, Subject, Which};
 pub use twin::Twin;
 pub use vary::Vary;
