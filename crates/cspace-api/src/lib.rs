@@ -2,6 +2,8 @@
 //!
 //! Each module has one question and its answer. An answer is data, with a schema in the folder `docs/answers` of the project's repository;
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
+//!
+//! With the feature `command` each question is the arguments of a command as well: what documents a field is the help of its option.
 
 mod ask;
 pub mod check;

@@ -99,7 +99,7 @@ pub struct Named {
     /// The pair: names of its fixed and its moving part, with a comma between.
     #[cfg_attr(feature = "command", arg(long, value_name = "FIXED,MOVING"))]
     pub pair: Option<String>,
-    /// Use the general method whatever the class of the pair.
+    /// Use the general method whatever the class of the pair
     ///
     /// The symmetry of parts is not used then.
     #[cfg_attr(feature = "command", arg(long, hide_short_help = true))]

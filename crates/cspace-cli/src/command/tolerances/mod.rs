@@ -8,10 +8,7 @@ mod zones;
 use std::path::PathBuf;
 
 use clap::Args;
-use cspace_api::tolerances::Outcome;
-use cspace_api::tolerances::{
-    allocation as allocations, along as bands, analysis, zones as contact_zones,
-};
+use cspace_api::tolerances::{self as asked, Outcome};
 
 use crate::args::{ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
@@ -45,20 +42,20 @@ pub(crate) struct TolerancesArgs {
     #[command(flatten)]
     pub(crate) values: SetArgs,
     #[command(flatten)]
-    pub(crate) analysis: analysis::Question,
+    pub(crate) analysis: asked::analysis::Question,
     #[command(flatten)]
-    pub(crate) allocation: Option<allocations::Question>,
+    pub(crate) allocation: Option<asked::allocation::Question>,
     /// Cost of a parameter's tolerance at the value given in the model; may be given several times [default: 1 for every parameter]
     #[arg(long, value_name = "NAME=COST", requires = "allocate", value_parser = cost, hide_short_help = true)]
     pub(crate) cost: Vec<(String, f64)>,
     #[command(flatten)]
-    pub(crate) bands: Option<bands::Question>,
+    pub(crate) bands: Option<asked::along::Question>,
     /// Report where the pair of a requirement is free, blocked, or either, within the tolerances: over u and v, or over x and y at an orientation;
     /// -o OUT.svg, .png or .pdf makes a picture of it
     #[arg(long, conflicts_with_all = ["no_proof", "allocate", "samples", "along"])]
     pub(crate) zones: bool,
     #[command(flatten)]
-    pub(crate) zone: contact_zones::Question,
+    pub(crate) zone: asked::zones::Question,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
