@@ -17,11 +17,14 @@ use crate::subject::{ModelFile, Subject, requirements_of};
 
 /// Which requirements are measured, and how.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// The names of the requirements; all of the model without one.
+    /// This requirement alone; may be given several times [default: all of the model]
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME"))]
     pub requirement: Vec<String>,
-    /// Whether it is asked how much each value changes with each parameter.
+    /// Report how much each value changes with each parameter.
+    #[cfg_attr(feature = "command", arg(long))]
     pub sensitivities: bool,
 }
 

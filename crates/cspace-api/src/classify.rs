@@ -23,18 +23,24 @@ const MANY: usize = 4096;
 
 /// Which configurations are classified, and what is asked about them.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; that of the model without.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
     /// The configurations.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub rows: Vec<Given>,
     /// Where the rows are from, for messages.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub source: Option<String>,
-    /// Columns that are added to each row.
+    /// Columns added to each row, in this order.
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAMES", value_parser = crate::command::words::<Column>(), value_delimiter = ',', default_value = "class", hide_short_help = true))]
     pub columns: Vec<Column>,
-    /// How far apart features may be that touch, in the model's unit; the resolution without.
+    /// How far apart features may be that touch, in the model's unit [default: the resolution]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::distance, allow_negative_numbers = true, hide_short_help = true))]
     pub touch: Option<f64>,
 }
 
@@ -86,9 +92,9 @@ impl From<&str> for Cell {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Column {
-    /// Whether it is free, blocked or in contact.
+    /// free, blocked or contact.
     Class,
-    /// The number of the free region.
+    /// The number of the free region: 0 for `outside`, 1 for `pocket 1`.
     Region,
     /// How far the moving part moves to the nearest contact.
     Distance,

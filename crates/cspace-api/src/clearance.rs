@@ -22,16 +22,21 @@ const NEARBY: f64 = 0.1;
 
 /// Which parts are looked at, and where.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// The pair: names of its two parts, with a comma between; every two parts without.
+    /// This pair alone: names of its two parts, with a comma between.
+    #[cfg_attr(feature = "command", arg(long, value_name = "FIRST,SECOND"))]
     pub pair: Option<String>,
-    /// Pairs with a smaller gap are listed, and others counted, in the model's unit; without, all are listed, and of more than 200 parts those
-    /// nearer than a tenth of the largest part's size.
+    /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts a tenth of the largest
+    /// part's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
     pub within: Option<f64>,
-    /// Parts touch that are nearer than this, or overlap by less, in the model's unit; 10⁻¹¹ of the larger part's size without.
+    /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true, hide_short_help = true))]
     pub touch: Option<f64>,
     /// A motion, by samples in order of time, between which coordinates have constant rates; the parts as drawn without.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub along: Option<Vec<Sample>>,
 }
 

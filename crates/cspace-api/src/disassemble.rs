@@ -22,9 +22,11 @@ use crate::subject::Subject;
 
 /// The way in which an assembly is taken apart.
 #[derive(Debug, Clone, Copy, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// How far parts that touch are opened, in the model's unit; a millionth of the assembly's size without.
+    /// How far parts that touch are opened, in the model's unit [default: a millionth of the assembly's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::length, allow_negative_numbers = true))]
     pub gap: Option<f64>,
 }
 

@@ -18,18 +18,25 @@ use crate::subject::{Chosen, Which, about};
 
 /// The start from which a part is to get out, and the forces against it.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[cfg_attr(feature = "command", group(skip))]
 #[serde(default)]
 pub struct Question {
     /// The pair; the one of the model without.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", arg(skip))]
     pub which: Which,
     /// The start; as drawn without.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub from: Option<Given>,
     /// The goal; `out`, where the parts can be taken apart for good, without.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub to: Option<Given>,
-    /// The acceleration of gravity, in the model's unit per s²; that of the model without.
+    /// For the least energy: the acceleration of gravity, unit/s², in place of the model's.
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = given::point, allow_hyphen_values = true, requires = "energy", hide_short_help = true))]
     pub gravity: Option<[f64; 2]>,
-    /// How near the bounds of the energy are brought, in kg·unit²/s²; 3 % of it without.
+    /// For the least energy: how near its bounds are brought, kg·unit²/s² [default: 3 % of it]
+    #[cfg_attr(feature = "command", arg(long, value_name = "E", value_parser = given::energy, allow_negative_numbers = true, requires = "energy", hide_short_help = true))]
     pub accuracy: Option<f64>,
 }
 

@@ -2,11 +2,15 @@
 //!
 //! Each module has one question and its answer. An answer is data, with a schema in the folder `docs/answers` of the project's repository;
 //! [`frame`] says which command it is of, in which units, and how it came out in one word.
+//!
+//! With the feature `command` each question is the arguments of a command as well: what documents a field is the help of its option.
 
 mod ask;
 pub mod check;
 pub mod classify;
 pub mod clearance;
+#[cfg(feature = "command")]
+mod command;
 pub mod compute;
 pub mod disassemble;
 pub mod error;
@@ -48,6 +52,6 @@ pub use made_of::MadeOf;
 pub use outcome::{Done, Is, Outcome, worst};
 pub use rest::Rest;
 pub use side::place_on_part;
-pub use subject::{Chosen, Subject, Which};
+pub use subject::{Chosen, Named, Subject, Which};
 pub use twin::Twin;
 pub use vary::Vary;

@@ -26,18 +26,30 @@ const NEARBY: f64 = 0.01;
 
 /// At which configuration is asked.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; all of the model without `at` and `by`.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
-    /// The configuration; as drawn without.
-    pub at: Option<Given>,
-    /// A displacement from there, at constant rates, to the first contact.
-    pub by: Option<Given>,
-    /// The point of the moving part, in its frame, that goes straight and about which the part turns.
+    /// The point of the moving part, in its frame, that moves straight and about which the part turns.
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = given::point, allow_hyphen_values = true, hide_short_help = true))]
     pub about: Option<[f64; 2]>,
-    /// How far apart features may be that are near, in the model's unit; a hundredth of the smaller part's size without.
+    /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "C", allow_hyphen_values = true)
+    )]
+    pub at: Option<Given>,
+    /// Move from there by this displacement, in the same coordinates, at constant rates, to the first contact.
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "D", allow_hyphen_values = true)
+    )]
+    pub by: Option<Given>,
+    /// How far apart features may be that are near, in the model's unit [default: a hundredth of the smaller part's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
     pub touch: Option<f64>,
 }
 

@@ -7,18 +7,23 @@ use serde::{Deserialize, Serialize, Serializer};
 use crate::error::Error;
 use crate::frame::{Answer, Content, Pairs};
 use crate::outcome::Done;
-use crate::subject::{Chosen, Space, Which};
+use crate::subject::{Chosen, Named, Space};
 
 /// At which orientation a pair is sliced.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; that of the model without.
     #[serde(flatten)]
-    pub which: Which,
-    /// The orientation of the moving part, radians; a pair on fixed axes has none.
+    #[cfg_attr(feature = "command", command(flatten))]
+    pub named: Named,
+    /// The orientation of the moving part, in radians or such as 18deg, at most 1e6 rad from 0; a pair with fixed axes has none.
+    #[cfg_attr(feature = "command", arg(long, value_name = "T", value_parser = crate::given::angle, allow_hyphen_values = true))]
     pub theta: Option<f64>,
-    /// Whether exact fits count as free: a loop may then be a single point, or run along a curve and back.
+    /// Count exact fits as free: a loop of the slice may be a single point, or run along a segment or an arc and back; curves are those of
+    /// the parts as drawn, and adjacent curves on one line or circle are merged.
+    #[cfg_attr(feature = "command", arg(long, hide_short_help = true))]
     pub exact: bool,
 }
 

@@ -22,19 +22,71 @@ pub const SAMPLES: u32 = 65;
 
 /// A condition, and the parameters that may change for it.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(deny_unknown_fields)]
 pub struct Question {
-    /// The parameters with their ranges; of several the smallest change from the model's values is sought, relative to the ranges.
+    /// A parameter that may be from LO to HI; of several the smallest change from the model's values is sought, relative to their ranges.
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME=LO:HI", value_parser = span, allow_hyphen_values = true, required = true))]
     pub vary: Vec<Span>,
-    /// The condition: a requirement of the model, and the value that it is to have, in the model's unit or radians.
+    /// Condition to satisfy: the name of a requirement, =, <= or >=, and a value such as 0.1, 0.5deg or true.
+    #[cfg_attr(feature = "command", arg(long, value_name = "MEASURE = VALUE", value_parser = goal, allow_hyphen_values = true))]
     pub so_that: Goal,
-    /// With one parameter: the number of values at which is measured before solutions are sought between them; 65 without.
+    /// One parameter: the number of values at which is measured before solutions are sought between them.
+    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true))]
     #[serde(default = "usual_samples")]
     pub samples: u32,
 }
 
 const fn usual_samples() -> u32 {
     SAMPLES
+}
+
+/// Reads the range of a parameter, such as `play=0.05:0.3`.
+#[cfg(feature = "command")]
+fn span(text: &str) -> Result<Span, String> {
+    const HELP: &str = "give it as NAME=LO:HI, such as play=0.05:0.3";
+    let (name, range) = text.split_once('=').ok_or(HELP)?;
+    let (lo, hi) = range.split_once(':').ok_or(HELP)?;
+    let (lo, hi) = (given::value(lo).ok_or(HELP)?, given::value(hi).ok_or(HELP)?);
+    if lo >= hi {
+        return Err("the range is empty: give the smaller bound first".to_owned());
+    }
+    Ok(Span {
+        parameter: name.trim().to_owned(),
+        lo,
+        hi,
+    })
+}
+
+/// Reads a condition, such as `tilt = 0.5deg`.
+#[cfg(feature = "command")]
+fn goal(text: &str) -> Result<Goal, String> {
+    use cspace_design::Relation;
+
+    const HELP: &str =
+        "give it as \"MEASURE = VALUE\", with =, <= or >=, such as --so-that \"tilt = 0.5deg\"";
+    let at = text.find('=').ok_or(HELP)?;
+    let (name, right) = (&text[..at], text[at + 1..].trim());
+    let (name, relation) = match name.strip_suffix('<') {
+        Some(name) => (name, Relation::AtMost),
+        None => match name.strip_suffix('>') {
+            Some(name) => (name, Relation::AtLeast),
+            None => (name, Relation::Equal),
+        },
+    };
+    let value = match right {
+        "true" | "yes" => Value::Truth(true),
+        "false" | "no" => Value::Truth(false),
+        number => Value::Number(given::value(number).ok_or(HELP)?),
+    };
+    if relation != Relation::Equal && matches!(value, Value::Truth(_)) {
+        return Err("yes and no have no order: use =".to_owned());
+    }
+    Ok(Goal {
+        requirement: name.trim().to_owned(),
+        relation,
+        value,
+    })
 }
 
 outcomes! {

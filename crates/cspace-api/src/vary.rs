@@ -1,7 +1,11 @@
 //! Ranges of values of what is varied.
 
+use core::str::FromStr;
+
 use schemars::JsonSchema;
 use serde::Deserialize;
+
+use crate::given::value;
 
 /// A parameter or a coordinate, with values evenly over a range.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
@@ -18,6 +22,30 @@ pub struct Vary {
     /// Whether the values are angles, which text and pictures have in degrees.
     #[serde(default)]
     pub is_angle: bool,
+}
+
+impl FromStr for Vary {
+    type Err = String;
+
+    /// Reads text such as `play=0.05:0.3:26` or `u=0deg:360deg:361`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        const HELP: &str = "give it as NAME=LO:HI:N, such as play=0.05:0.3:26 or u=0deg:360deg:361";
+        let (name, range) = text.split_once('=').ok_or(HELP)?;
+        let [lo, hi, count] = range.split(':').collect::<Vec<_>>()[..] else {
+            return Err(HELP.to_owned());
+        };
+        let bound = |text: &str| value(text).ok_or(HELP);
+        let count = (count.trim().parse::<usize>().ok()).filter(|n| (1..=1_000_000).contains(n));
+        Ok(Self {
+            name: name.trim().to_owned(),
+            lo: bound(lo)?,
+            hi: bound(hi)?,
+            is_angle: [lo, hi]
+                .iter()
+                .any(|text| text.trim().parse::<f64>().is_err()),
+            count: count.ok_or("N is a whole number from 1 to 1000000")?,
+        })
+    }
 }
 
 impl Vary {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use cspace::{Options, PairError, PairSpace, Part, Progress, Relation};
-use cspace_api::{Error, Host, Pieces, Subject, Which};
+use cspace_api::{Error, Host, Pieces, Subject};
 use cspace_model::Document;
 
 use crate::args::{CacheArgs, Common, SetArgs, ThreadsArg};
@@ -83,15 +83,6 @@ pub(crate) fn set_threads(ThreadsArg { threads }: ThreadsArg) -> Result<(), Fail
         .map_err(|e| {
             Failure::new(format_args!("--threads {threads}: {e}")).help("give a smaller number")
         })
-}
-
-/// The pair that the arguments choose.
-pub(crate) fn which(common: &Common, window: Option<(f64, f64)>) -> Which {
-    Which {
-        pair: common.pair.clone(),
-        general: common.general,
-        window,
-    }
 }
 
 /// Reads the file, and sets up what all commands need.

@@ -3,22 +3,22 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use cspace_api::import::Lengths;
+use cspace_api::import::Finding;
 use cspace_drawing::{Drawing, DrawingError, Source};
 use cspace_model::shown;
 
-use crate::args::DrawingArgs;
+use crate::args::SourceArgs;
 use crate::failure::Failure;
 use crate::input;
 
 /// The drawing in a file.
-pub(crate) fn read(args: &DrawingArgs, path: &Path) -> Result<Drawing, Failure> {
+pub(crate) fn read(args: &SourceArgs, path: &Path) -> Result<Drawing, Failure> {
     input::drawing(path, &source(args))?.map_err(|e| failed(path, &e))
 }
 
 /// The drawing in a file, and the file's bytes.
 pub(crate) fn read_with_bytes(
-    args: &DrawingArgs,
+    args: &SourceArgs,
     path: &Path,
 ) -> Result<(Drawing, Vec<u8>), Failure> {
     let bytes = input::drawing_bytes(path)?.map_err(|e| failed(path, &e))?;
@@ -31,7 +31,7 @@ pub(crate) fn failed(path: &Path, error: &DrawingError) -> Failure {
     Failure::new(format_args!("{}: {error}", path.display())).help(error.help())
 }
 
-fn source(args: &DrawingArgs) -> Source {
+fn source(args: &SourceArgs) -> Source {
     Source {
         layers: args.layer.clone(),
         ids: args.id.clone(),
@@ -43,7 +43,7 @@ fn source(args: &DrawingArgs) -> Source {
 
 /// Refuses options about formats that none of the drawings has.
 pub(crate) fn check_options<'p>(
-    args: &DrawingArgs,
+    args: &SourceArgs,
     drawings: impl Iterator<Item = &'p Path> + Clone,
 ) -> Result<(), Failure> {
     let given = [
@@ -82,12 +82,12 @@ pub(crate) fn check_option<'p>(
 }
 
 /// The options that were given, as a shell takes them, each with a space before.
-pub(crate) fn options(args: &DrawingArgs) -> String {
+pub(crate) fn options(args: &SourceArgs, finding: &Finding) -> String {
     let mut text = String::new();
     let texts = (args.layer.iter().map(|l| ("--layer", l)))
         .chain(args.id.iter().map(|id| ("--id", id)))
         .chain(args.linetype.iter().map(|name| ("--linetype", name)))
-        .chain(args.unit.iter().map(|unit| ("--unit", unit)));
+        .chain(finding.lengths.unit.iter().map(|unit| ("--unit", unit)));
     for (option, value) in texts {
         // A String takes everything.
         let _ = write!(text, " {option} {}", shown::word(value));
@@ -98,33 +98,22 @@ pub(crate) fn options(args: &DrawingArgs) -> String {
     if args.hatches {
         text.push_str(" --hatches");
     }
-    if args.without_sheet {
+    if finding.without_sheet {
         text.push_str(" --without-sheet");
     }
-    for (option, value) in given_lengths(args) {
+    let lengths = [
+        ("--scale", finding.lengths.scale),
+        ("--join", finding.join),
+        ("--fit", finding.fit),
+    ];
+    for (option, value) in lengths {
         let _ = value.map(|x| write!(text, " {option} {x:?}"));
     }
     text
 }
 
 /// An option that was given.
-pub(crate) fn first_given(args: &DrawingArgs) -> Option<String> {
-    let given = options(args);
+pub(crate) fn first_given(args: &SourceArgs, finding: &Finding) -> Option<String> {
+    let given = options(args, finding);
     given.split_whitespace().next().map(str::to_owned)
-}
-
-fn given_lengths(args: &DrawingArgs) -> [(&'static str, Option<f64>); 3] {
-    [
-        ("--scale", args.scale),
-        ("--join", args.join),
-        ("--fit", args.fit),
-    ]
-}
-
-/// How lengths of drawings become those of a model.
-pub(crate) fn lengths(args: &DrawingArgs) -> Lengths {
-    Lengths {
-        scale: args.scale,
-        unit: args.unit.clone(),
-    }
 }

@@ -3,6 +3,7 @@
 mod args;
 mod ask;
 mod cache;
+mod cli;
 mod command;
 mod drawing;
 mod failure;
@@ -20,10 +21,9 @@ mod wording;
 use std::ffi::OsString;
 
 use clap::FromArgMatches;
-use cspace_api::written::{Export, Picture};
 use cspace_model::shown;
 
-use args::{Cli, ColorWhen, Colored, Command};
+use cli::{Cli, ColorWhen, Colored};
 use failure::Failure;
 
 /// Runs the command with its arguments, of which the first is its name, and returns its exit code: 0 where the answer
@@ -42,7 +42,7 @@ pub fn main(arguments: &[OsString]) -> u8 {
 fn parsed(
     arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>,
 ) -> Result<Cli, clap::Error> {
-    Cli::from_arg_matches(&args::command().try_get_matches_from(arguments)?)
+    Cli::from_arg_matches(&cli::command().try_get_matches_from(arguments)?)
 }
 
 fn finish(result: Result<(), Failure>) -> u8 {
@@ -73,7 +73,7 @@ fn usage(arguments: &[OsString], error: &clap::Error) -> u8 {
     failure::UNANSWERED
 }
 
-fn run(mut cli: Cli) -> Result<(), Failure> {
+fn run(cli: Cli) -> Result<(), Failure> {
     let mut when = ColorWhen::Auto;
     let mut colors = Vec::new();
     for color in &cli.color {
@@ -84,43 +84,5 @@ fn run(mut cli: Cli) -> Result<(), Failure> {
     }
     anstream::ColorChoice::write_global(when.into());
     failure::set_quiet(cli.quiet);
-    match &mut cli.command {
-        Command::Import(args) => args.drawing.colors = colors,
-        Command::View(args) => args.drawing.colors = colors,
-        _ => {
-            if let Some(color) = colors.first() {
-                let message = format_args!("--color {color}: colours are chosen of drawings");
-                return Err(Failure::new(message).help("give auto, always or never"));
-            }
-        }
-    }
-    match cli.command {
-        Command::Info(args) => command::info::run(&args),
-        Command::Compute(args) => command::compute::run(&args),
-        Command::Slice(args) => command::slice::run(&args),
-        Command::Classify(args) => command::classify::run(&args),
-        Command::Draw(args) => {
-            let answer = |written| Picture { written };
-            command::writing(&args.common.result, answer, || command::draw::run(&args))
-        }
-        Command::Plan(args) => command::plan::run(&args),
-        Command::Disassemble(args) => command::disassemble::run(&args),
-        Command::Check(args) => command::check::run(&args),
-        Command::Clearance(args) => command::clearance::run(&args),
-        Command::Modes(args) => command::modes::run(&args),
-        Command::Sweep(args) => command::sweep::run(&args),
-        Command::Tolerances(args) => command::tolerances::run(&args),
-        Command::Solve(args) => command::solve::run(&args),
-        Command::Simulate(args) => command::simulate::run(&args),
-        Command::Play(args) => command::play::run(&args),
-        Command::View(args) => command::view::run(&args),
-        Command::Export(args) => {
-            let answer = |written| Export { written };
-            command::writing(&args.common.result, answer, || command::export::run(&args))
-        }
-        Command::Import(args) => command::import::run(&args),
-        Command::New(args) => command::new::run(&args),
-        Command::Completions(args) => command::completions::run(&args),
-        Command::Man(args) => command::man::run(&args),
-    }
+    cli.command.run(colors)
 }

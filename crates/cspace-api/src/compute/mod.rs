@@ -17,12 +17,15 @@ use crate::subject::{Chosen, Space, Which};
 
 /// The spaces of which pairs are computed.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; all of the model without.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
-    /// The clearance that the parts keep, in the model's unit of length: the moving part is grown by it all round; as drawn without.
+    /// The space in which the parts keep this clearance, in the model's unit: with the moving part grown by it all round.
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
     pub clearance: Option<f64>,
 }
 

@@ -11,13 +11,15 @@ use crate::host::Host;
 
 /// How lengths of drawings become those of a model.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Lengths {
-    /// Factor of all lengths, and nothing else converts them then; without, they are converted from the drawing's unit to the
-    /// model's.
+    /// Multiply all lengths by this; nothing else converts them then [default: from the drawing's unit to the model's]
+    #[cfg_attr(feature = "command", arg(long, value_name = "F", value_parser = crate::given::factor, allow_negative_numbers = true))]
     pub scale: Option<f64>,
-    /// The unit of length of the model: a drawing that names another is converted, one that names none is taken to be in it. Without, it is
-    /// that of the first drawing that names one.
+    /// The unit of length of the model: a drawing that names another is converted, one that names none is taken to be in it [default: that
+    /// of the first drawing that names one]
+    #[cfg_attr(feature = "command", arg(long, value_name = "LABEL"))]
     pub unit: Option<String>,
 }
 

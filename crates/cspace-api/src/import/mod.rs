@@ -24,37 +24,82 @@ pub use lengths::Lengths;
 pub use refusal::Refusal;
 pub use report::{Apart, Entity, Fitted, Gap, Imported, PartReport, Removed};
 
+/// How outlines are found in drawings.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[serde(default)]
+pub struct Finding {
+    /// Leave out a rectangle around everything, such as the sheet of material.
+    #[cfg_attr(feature = "command", arg(long))]
+    pub without_sheet: bool,
+    /// How lengths of drawings become those of the model.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
+    pub lengths: Lengths,
+    /// Ends nearer than this are one, after scaling [default: 1e-5 of the drawing's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
+    pub join: Option<f64>,
+    /// How far lines and arcs may be from curves and points that they are fitted to, after scaling [default: 1e-4 of the drawing's size]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
+    pub fit: Option<f64>,
+}
+
 /// How parts are made of drawings.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The name of the model.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub name: String,
-    /// How lengths of drawings become those of the model.
+    /// How outlines are found.
     #[serde(flatten)]
-    pub lengths: Lengths,
-    /// Ends nearer than this are one, after scaling; 1e-5 of the drawing's size without.
-    pub join: Option<f64>,
-    /// How far lines and arcs may be from curves and points that they are fitted to, after scaling; 1e-4 of the drawing's size without.
-    pub fit: Option<f64>,
-    /// On which side of a curve they may be, seen from the material.
-    pub fit_side: FitSide,
-    /// Whether lines and arcs are fitted to loops of 64 edges and more, too: they are traces of something smooth.
+    #[cfg_attr(feature = "command", command(flatten))]
+    pub finding: Finding,
+    /// Fit lines and arcs to loops of 64 edges and more, too: they are traces of something smooth.
+    #[cfg_attr(feature = "command", arg(long))]
     pub trace: bool,
-    /// Whether a rectangle around everything is left out, such as the sheet of material.
-    pub without_sheet: bool,
-    /// By how much every part is made larger all around, or smaller if it is below 0, after scaling and fitting.
+    /// On which side of a curve they may be, seen from the material.
+    #[cfg_attr(feature = "command", arg(long, value_name = "SIDE", value_parser = crate::command::words::<FitSide>(), default_value = "both"))]
+    pub fit_side: FitSide,
+    /// Make every part larger by this all around, or smaller if it is below 0, after scaling and fitting.
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::offset, allow_negative_numbers = true))]
     pub offset: Option<f64>,
-    /// Whether the offset may divide a part: every piece is one then.
+    /// Let the offset divide a part: every piece is one.
+    #[cfg_attr(feature = "command", arg(long, requires = "offset"))]
     pub split: bool,
-    /// The name of the one part that is made of all loops; without, each outermost loop is one with its holes.
+    /// Make one part of this name of all loops.
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME"))]
     pub part: Option<String>,
-    /// Whether one part is made of all outlines of each layer.
+    /// Make one part of all outlines of each layer (DXF).
+    #[cfg_attr(feature = "command", arg(long, conflicts_with_all = ["part", "pick"]))]
     pub by_layer: bool,
-    /// Whether what cannot be used is left out, and listed.
+    /// Leave out what cannot be used, and list it.
+    #[cfg_attr(feature = "command", arg(long))]
     pub partial: bool,
-    /// Faces of which parts are made, in place of the outlines.
+    /// Make a part of the face at a point, with its holes, after scaling; several points of one part are joined by `;`, and a part is given
+    /// its name as NAME=X,Y. May be given several times.
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = pick, allow_hyphen_values = true, conflicts_with_all = ["part", "partial", "trace"]))]
     pub pick: Vec<Pick>,
+}
+
+/// Reads the points of faces, and the name of their part, such as `pin=12.5,-3;20,0`.
+#[cfg(feature = "command")]
+fn pick(text: &str) -> Result<Pick, String> {
+    let (name, points) = match text.rsplit_once('=') {
+        Some((name, points)) if name.trim().is_empty() => {
+            return Err(format!("give a name before `={points}`"));
+        }
+        Some((name, points)) => (Some(name.trim().to_owned()), points),
+        None => (None, text),
+    };
+    let at = points
+        .split(';')
+        .map(|point| crate::given::two(point).map(cspace::Point::from));
+    match at.collect() {
+        Some(at) => Ok(Pick { name, at }),
+        None => Err("give a point as X,Y, such as 12.5,-3, and several joined by `;`".to_owned()),
+    }
 }
 
 impl Question {
@@ -67,7 +112,7 @@ impl Question {
         drawings: &[(PathBuf, Drawing)],
         host: &dyn Host,
     ) -> Result<Answer<Imported>, Box<Refusal>> {
-        let unit = (self.lengths).unit(drawings.iter().map(|d| &d.1), host)?;
+        let unit = (self.finding.lengths).unit(drawings.iter().map(|d| &d.1), host)?;
         let mut imported = Vec::with_capacity(drawings.len());
         for (path, drawing) in drawings {
             imported.push(self.outlines(path, drawing, unit.as_deref(), host)?);
@@ -106,7 +151,7 @@ impl Question {
         host: &dyn Host,
     ) -> Result<Outlines, Box<Refusal>> {
         let file = path.display();
-        let settings = self.settings(self.lengths.factor(path, drawing, unit, host));
+        let settings = self.settings(self.finding.lengths.factor(path, drawing, unit, host));
         let reading = (drawing.reading(&settings))
             .map_err(|e| Error::new(format_args!("{file}: {e}")).help(e.help()))?;
         let mut outlines = reading.outlines().map_err(|error| {
@@ -117,7 +162,7 @@ impl Question {
             Refusal::of(path, &error, (drawing, &reading), chosen, host)
         })?;
         let is_sheet = |i: &Ignored| i.reason == cspace_drawing::SHEET;
-        if self.without_sheet && !outlines.ignored.iter().any(is_sheet) {
+        if self.finding.without_sheet && !outlines.ignored.iter().any(is_sheet) {
             host.note(&format_args!(
                 "{file}: {} leaves nothing out: no upright rectangle is around everything",
                 host.option("without-sheet")
@@ -145,13 +190,13 @@ impl Question {
     fn settings(&self, scale: f64) -> Settings {
         Settings {
             scale,
-            join: self.join,
-            fit: self.fit,
+            join: self.finding.join,
+            fit: self.finding.fit,
             side: self.fit_side,
             partial: self.partial,
             one_part: self.part.clone(),
             by_layer: self.by_layer,
-            without_sheet: self.without_sheet,
+            without_sheet: self.finding.without_sheet,
             trace: self.trace,
             picks: self.pick.clone(),
         }

@@ -22,10 +22,12 @@ use crate::subject::{Chosen, Subject, Which};
 
 /// Which pairs are told of.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; all of the model without.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
 }
 

@@ -23,12 +23,17 @@ pub use answer::{
 
 /// The parts whose modes are asked for.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// The three parts: their names with commas between, whose coordinates are u, v and w in that order; without, those that move on axes, if
-    /// there are three.
+    /// The three parts, whose coordinates are u, v and w in that order [default: those that move on axes, if there are three]
+    #[cfg_attr(feature = "command", arg(long, value_name = "A,B,C"))]
     pub parts: Option<String>,
-    /// The configuration of which the mode is asked for, such as `u=18deg,w=2.5`; coordinates that are left out are as drawn, 0.
+    /// The configuration of which the mode is requested; coordinates left out are as drawn [default: all as drawn]
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "u=U,v=V,w=W", allow_hyphen_values = true)
+    )]
     pub at: Option<String>,
 }
 

@@ -28,31 +28,49 @@ const OUT: &str = "out";
 
 /// Which path is asked for.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Question {
     /// The pair; the one of the model without.
     #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
-    /// The start; as drawn without.
-    pub from: Option<Given>,
-    /// The goal; `out`, where the parts can be taken apart for good, without.
-    pub to: Option<Given>,
-    /// The point of the moving part, in its frame, that legs move straight and about which they turn the part; its origin without, or the
-    /// middle of a part that is drawn beside its origin.
+    /// The point of the moving part, in its frame, that moves straight and about which the part turns [default: its origin, or the middle of
+    /// a part that is drawn beside its origin]
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = given::point, allow_hyphen_values = true, hide_short_help = true))]
     pub about: Option<[f64; 2]>,
-    /// Whether the path is asked for whose smallest clearance is largest.
+    /// The configuration to begin at, x,y,theta, or u,v of a pair on fixed axes; as drawn unless given.
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "C", allow_hyphen_values = true)
+    )]
+    pub from: Option<Given>,
+    /// The configuration to come to; `out`, where the parts can be taken apart for good, unless given.
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "C", allow_hyphen_values = true)
+    )]
+    pub to: Option<Given>,
+    /// The path whose smallest clearance is largest, and its bottleneck.
+    #[cfg_attr(feature = "command", arg(long, conflicts_with = "clearance"))]
     pub widest: bool,
-    /// The least clearance that the path must have, in the model's unit; half of what is possible without, or with `widest` all of it.
+    /// A path with at least this clearance, in the model's unit [default: half of what is possible]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
     pub clearance: Option<f64>,
-    /// By what the path is chosen among those with that clearance.
+    /// Property by which the path is chosen among those with that clearance.
+    #[cfg_attr(feature = "command", arg(long, value_name = "WHAT", value_parser = crate::command::words::<Prefer>(), default_value = "legs", hide_short_help = true))]
     pub prefer: Prefer,
-    /// The largest turn of a leg, in radians; none without.
+    /// No leg turns by more than this, in radians or such as 18deg.
+    #[cfg_attr(feature = "command", arg(long, value_name = "A", value_parser = given::turn, allow_hyphen_values = true, hide_short_help = true))]
     pub turn: Option<f64>,
-    /// The farthest that a leg moves along a coordinate, in the model's unit; any distance without.
+    /// No leg moves along a coordinate by more than this, in the model's unit.
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::length, allow_negative_numbers = true, hide_short_help = true))]
     pub travel: Option<f64>,
-    /// Whether it is to be proved where there is no path.
+    /// Prove it where there is no path.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub proof: bool,
-    /// How deep the surface of the proof lies in blocked space, in the model's unit; as deep as can be without. With it the proof is asked for.
+    /// How deep the surface of a proof lies in blocked space, in the model's unit [default: as deep as can be]; it asks for a proof
+    #[cfg_attr(feature = "command", arg(long, value_name = "D", value_parser = given::length, allow_negative_numbers = true, hide_short_help = true))]
     pub depth: Option<f64>,
 }
 

@@ -8,32 +8,42 @@ use serde_json::Value;
 
 /// How long a mechanism moves, and how it is followed.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(deny_unknown_fields)]
 pub struct Question {
     /// How long, in seconds.
+    #[cfg_attr(feature = "command", arg(long, value_name = "T", value_parser = crate::given::duration, allow_negative_numbers = true))]
     pub time: f64,
-    /// The time between samples, in seconds; a 200th of the whole without.
+    /// The time between samples, in seconds [default: a 200th of the whole]
+    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::given::duration, allow_negative_numbers = true))]
     #[serde(default)]
     pub every: Option<f64>,
-    /// Whether inertia plays a part; without, it does if a part has a mass.
+    /// Whether inertia plays a part [default: dynamic if a part has a mass, otherwise kinematic]
+    #[cfg_attr(feature = "command", arg(long, value_parser = crate::command::words::<Mode>()))]
     #[serde(default)]
     pub mode: Option<Mode>,
-    /// How a motion with masses is followed.
+    /// How the dynamic mode goes on.
+    #[cfg_attr(feature = "command", arg(long, value_parser = crate::command::words::<Scheme>(), default_value = "event", hide_short_help = true))]
     #[serde(default)]
     pub scheme: Scheme,
-    /// With the scheme `stepping`: the longest step, in seconds; a 10000th of the whole without.
+    /// The longest step of the scheme `stepping`, in seconds [default: a 10000th of the whole]
+    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::given::duration, allow_negative_numbers = true, hide_short_help = true))]
     #[serde(default)]
     pub step: Option<f64>,
-    /// Whether the rates of all coordinates are reported.
+    /// Report the rates of all coordinates as well.
+    #[cfg_attr(feature = "command", arg(long))]
     #[serde(default)]
     pub rates: bool,
-    /// Whether the forces at contacts, in joints and of drives are reported.
+    /// Report the forces at contacts, in joints and of drives as well.
+    #[cfg_attr(feature = "command", arg(long))]
     #[serde(default)]
     pub forces: bool,
-    /// Whether all states and hashes of the model are reported, so that the motion can go on where it ends.
+    /// Report all states and hashes of the model as well, so that the motion can go on where it ends.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub states: bool,
     /// An earlier answer of the same model with its states: the motion goes on where that ends.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub resume: Option<Earlier>,
 }

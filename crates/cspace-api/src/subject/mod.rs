@@ -79,14 +79,40 @@ impl ModelFile {
 
 /// The pair that a question is about, and how it is computed.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default)]
 pub struct Which {
-    /// The pair: names of its fixed and its moving part, with a comma between.
-    pub pair: Option<String>,
-    /// Whether the general method is used whatever the class of the pair. The symmetry of parts is not used then.
-    pub general: bool,
-    /// These orientations alone (radians).
+    /// The pair by its name.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "command", command(flatten))]
+    pub named: Named,
+    /// Compute only these orientations: two angles, in radians or such as 18deg, at most 1e6 rad from 0.
+    #[cfg_attr(feature = "command", arg(long, value_name = "LO,HI", value_parser = crate::given::window, allow_hyphen_values = true))]
     pub window: Option<(f64, f64)>,
+}
+
+/// A pair by its name, and how it is computed.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[serde(default)]
+pub struct Named {
+    /// The pair: names of its fixed and its moving part, with a comma between.
+    #[cfg_attr(feature = "command", arg(long, value_name = "FIXED,MOVING"))]
+    pub pair: Option<String>,
+    /// Use the general method whatever the class of the pair
+    ///
+    /// The symmetry of parts is not used then.
+    #[cfg_attr(feature = "command", arg(long, hide_short_help = true))]
+    pub general: bool,
+}
+
+impl From<Named> for Which {
+    fn from(named: Named) -> Self {
+        Self {
+            named,
+            window: None,
+        }
+    }
 }
 
 /// A pair of a subject.
@@ -264,7 +290,7 @@ impl Subject {
         host: &'a dyn Host,
     ) -> Result<Vec<Chosen<'a>>, Error> {
         let mut pairs = self.all(which, host)?;
-        if which.window.is_none() || which.pair.is_some() {
+        if which.window.is_none() || which.named.pair.is_some() {
             return Ok(pairs);
         }
         let option = host.option("window");
@@ -302,19 +328,19 @@ impl Subject {
                     subject: self,
                     host,
                     pair: None,
-                    general: which.general,
+                    general: which.named.general,
                     known: OnceLock::new(),
                 }]);
             }
         };
-        let pairs = match &which.pair {
+        let pairs = match &which.named.pair {
             Some(names) => vec![named_pair(path, model, names, host)?],
             None => model.pairs.clone(),
         };
         let chosen = |pair: PairEntry| Chosen {
             subject: self,
             host,
-            general: which.general,
+            general: which.named.general,
             known: OnceLock::new(),
             pair: Some(PairEntry {
                 window: which.window.or(pair.window),
@@ -370,11 +396,11 @@ impl Subject {
             (names.match_indices(','))
                 .any(|(at, _)| names[..at].trim() == fixed && names[at + 1..].trim() == moving)
         };
-        if which.pair.as_ref().is_some_and(|p| !is_it(p)) {
+        if which.named.pair.as_ref().is_some_and(|p| !is_it(p)) {
             let message = format!("contact space of the pair {fixed},{moving}");
             return refused(message, "pair");
         }
-        if which.general && space.class() != PairClass::General {
+        if which.named.general && space.class() != PairClass::General {
             let class = space.class();
             let message =
                 format!("configuration space of a {class} pair, and nothing is computed again");

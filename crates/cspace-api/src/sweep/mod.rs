@@ -19,17 +19,28 @@ pub use table::{Cell, Outcome, Row, Rows, Values};
 
 /// The values that vary, and the requirements that are measured.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// Parameters, and coordinates of the configurations at which is measured; of several every combination.
+    /// A parameter, or a coordinate (x, y, theta, u, v) of the configurations at which is measured, from LO to HI in N values; of several
+    /// every combination.
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "NAME=LO:HI:N", allow_hyphen_values = true)
+    )]
     pub vary: Vec<Vary>,
     /// Rows of values in place of `vary`.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub rows: Option<Values>,
-    /// The names of the requirements that are measured; all of the model without one.
+    /// A requirement that is measured; may be given several times [default: all]
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME"))]
     pub measure: Vec<String>,
-    /// Whether it is asked, in place of the rows, where the structure changes as the name that is varied last goes through its range.
+    /// Report in place of the rows where the structure changes as the name that is varied last goes through its range: features that touch,
+    /// free regions, whether there is a value; located to 1e-9 of the range.
+    #[cfg_attr(feature = "command", arg(long))]
     pub changes: bool,
     /// The first rows as they are known, each with a value for each column: they are not computed again.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub known: Vec<Vec<Cell>>,
 }
 

@@ -22,23 +22,49 @@ pub const YIELDS: RangeInclusive<f64> = 0.5..=0.9999;
 
 /// The criterion that tolerances must meet, and what they cost.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[cfg_attr(feature = "command", group(id = "allocation"))]
 #[serde(deny_unknown_fields)]
 pub struct Question {
     /// The names of the requirements; all of the model without one.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub requirement: Vec<String>,
-    /// `worst` if every part is to meet the limits, or the share of the parts that is to, from 0.5 to 0.9999.
+    /// Find the tolerances of minimum cost at which every part meets the limits (worst), or a share of the parts, such as 99.9%: halving a
+    /// tolerance doubles its cost.
+    #[cfg_attr(feature = "command", arg(long, value_name = "worst|YIELD", value_parser = criterion, required = false))]
     pub allocate: Criterion,
     /// The cost of a parameter's tolerance at the value given in the model, by the parameter's name; 1 without. Half a tolerance costs
     /// twice as much.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub cost: BTreeMap<String, f64>,
     /// The number of samples by chance on which yields are measured; as many as the criterion needs without.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub samples: u64,
     /// Seed of the samples: the same seed gives the same numbers, on any number of threads.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub seed: u64,
+}
+
+/// Reads `worst`, or a yield such as `99.9%`.
+#[cfg(feature = "command")]
+fn criterion(text: &str) -> Result<Criterion, String> {
+    let text = text.trim();
+    if text == "worst" {
+        return Ok(Criterion::Worst);
+    }
+    let share = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse::<f64>().map(|x| x / 100.0),
+        None => text.parse(),
+    };
+    share
+        .ok()
+        .filter(|share| YIELDS.contains(share))
+        .map(Criterion::Yield)
+        .ok_or_else(|| "give worst, or a yield from 50% to 99.99%, such as 99.9%".to_owned())
 }
 
 /// Tolerances that are allocated.

@@ -15,12 +15,16 @@ use crate::vary::Vary;
 
 /// Which requirements are measured, and along what.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[cfg_attr(feature = "command", group(id = "bands"))]
 #[serde(deny_unknown_fields)]
 pub struct Question {
     /// The names of the requirements; all of the model without one.
+    #[cfg_attr(feature = "command", arg(skip))]
     #[serde(default)]
     pub requirement: Vec<String>,
-    /// The coordinate, and its values in order. A play is measured about where the part was before.
+    /// Report each value and its extremes at N values of a coordinate from LO to HI; a play is measured about where the part was before.
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME=LO:HI:N", allow_hyphen_values = true, required = false, conflicts_with_all = ["allocate", "samples"]))]
     pub along: Vary,
 }
 

@@ -13,15 +13,23 @@ use crate::subject::Subject;
 
 /// Which requirements are analysed, and how.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
-    /// The names of the requirements; all of the model without one.
+    /// This requirement alone; may be given several times [default: all of the model]
+    #[cfg_attr(feature = "command", arg(long, value_name = "NAME"))]
     pub requirement: Vec<String>,
-    /// Whether extremes are left as they are found, without the proof that nothing is beyond them.
+    /// Leave the extremes as they are found, without the proof that nothing is beyond them.
+    #[cfg_attr(feature = "command", arg(long, conflicts_with_all = ["allocate", "along"]))]
     pub no_proof: bool,
-    /// The number of samples by chance on which the yield is measured; none without.
+    /// Measure the yield on this many samples by chance.
+    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000), hide_short_help = true))]
     pub samples: u64,
-    /// Seed of the samples: the same seed gives the same numbers, on any number of threads.
+    /// Seed of the random samples: the same seed gives the same numbers, on any number of threads.
+    #[cfg_attr(
+        feature = "command",
+        arg(long, value_name = "S", default_value_t = 0, hide_short_help = true)
+    )]
     pub seed: u64,
 }
 

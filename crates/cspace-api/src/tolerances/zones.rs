@@ -16,13 +16,18 @@ use crate::subject::Subject;
 
 /// The pair of which the zones are asked for, and where.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "command", derive(clap::Args))]
+#[cfg_attr(feature = "command", group(skip))]
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
     /// The names of requirements: the pair is that of the first of them that is about one; of all of the model without a name.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub requirement: Vec<String>,
-    /// The orientation of a pair in the plane, radians; that at which the requirement is measured without.
+    /// The orientation of the zones of a pair in the plane [default: that at which the requirement is measured]
+    #[cfg_attr(feature = "command", arg(long, value_name = "A", value_parser = crate::given::angle, allow_hyphen_values = true))]
     pub at: Option<f64>,
     /// The ranges of both coordinates that are looked at: of u and v, or of x and y.
+    #[cfg_attr(feature = "command", arg(skip))]
     pub window: Option<Cell>,
 }
 

@@ -1,31 +1,59 @@
 //! `cspace check`.
 
 use std::fmt::{self, Write};
+use std::path::PathBuf;
 
+use clap::Args;
 use cspace_api::check::{Amount, Question, Requirement};
 use cspace_api::{Is, Outcome as _, Subject};
 use cspace_design::Sensitivity;
 use cspace_model::Mechanism;
 use cspace_model::model::Dimension;
 
-use crate::args::CheckArgs;
+use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
 use crate::subject::placed_by_name;
 use crate::wording::{count, degrees, length};
 
+const HELP: &str = "\
+Examples:
+  cspace check models/ratchet_pawl.toml
+  cspace check models/ratchet_pawl.toml --set tip=50.02
+  cspace check models/ratchet_pawl.toml --json
+
+Requirements are [[requirement]] tables of the model: what is measured, and what
+it must be. Each is printed with its value, its limits, and what touches there.
+The exit code is 1 if one is not met, and 2 if one is not decided or cannot be
+measured.
+";
+
+/// Arguments of `cspace check`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct CheckArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    #[command(flatten)]
+    pub(crate) question: Question,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
+}
+
 pub(crate) fn run(args: &CheckArgs) -> Result<(), Failure> {
     args.result.artefact(&[])?;
-    let read = match args.sensitivities {
+    let read = match args.question.sensitivities {
         true => ask::read_again,
         false => ask::read,
     };
     let subject = read(&args.file, &args.values, args.threads)?;
-    let question = Question {
-        requirement: args.requirement.clone(),
-        sensitivities: args.sensitivities,
-    };
-    let answer = question.ask(&subject, &Terminal::new(args.cache))?;
+    let answer = args.question.ask(&subject, &Terminal::new(args.cache))?;
     super::tell(&args.result, &answer, |text, found| {
         let Subject::Model(file) = &subject else {
             return Ok(());

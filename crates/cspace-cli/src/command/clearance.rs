@@ -1,16 +1,70 @@
 //! `cspace clearance`.
 
 use std::fmt::{self, Write};
+use std::path::PathBuf;
 
+use clap::Args;
 use cspace_api::Outcome as _;
 use cspace_api::clearance::{Clearances, Outcome, Question};
 use cspace_model::shown;
 
 use super::record;
-use crate::args::{CacheArgs, ClearanceArgs};
+use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
 use crate::wording::{count, length};
+
+const HELP: &str = "\
+Examples:
+  cspace clearance models/peg_hole.toml
+  cspace clearance models/ratchet_mechanism.toml --within 2
+  cspace simulate models/geneva.toml --time 2 -o run.csv
+  cspace clearance models/geneva.toml --along run.csv --json
+
+Every two parts as they are drawn, the worst first. No contact space is
+computed.
+
+  overlaps  with the depth: the length of the shortest translation of the
+            second part that separates the two, neither of them turned; and by
+            how much smaller it would be clear, where that is less
+  meets     with --along: the boundaries meet between two samples at which the
+            parts are apart
+  touches   the gap or the depth is --touch or less
+  clear     with the gap: the minimum distance
+  joined    a joint connects the two, so they may overlap: they are not judged
+
+Features and points are those that are nearest, in the assembly's frame; of an
+overlap those that touch after the translation, the point of the second part
+where it is before. All parts are taken to lie in one plane, whichever pairs
+the model lists.
+
+With --along the gap is the minimum over the whole motion, with its time:
+between two samples all coordinates are taken to change at constant rates, and
+the gap is bounded there, not sampled. Depths are those at the samples.
+
+The exit code is 1 if parts overlap. See docs/clearance.md.";
+
+/// Arguments of `cspace clearance`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct ClearanceArgs {
+    /// A model (.toml, .json); - is standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    #[command(flatten)]
+    pub(crate) question: Question,
+    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of the parts as drawn
+    #[arg(long, value_name = "RECORD")]
+    pub(crate) along: Option<PathBuf>,
+    /// As drawn
+    #[arg(long, conflicts_with = "along")]
+    pub(crate) drawn: bool,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
+}
 
 /// In the order in which pairs are counted.
 const OUTCOMES: [Outcome; 5] = [
@@ -29,10 +83,8 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         .map(|file| record::samples(file, &model.model.mechanism))
         .transpose()?;
     let question = Question {
-        pair: args.pair.clone(),
-        within: args.within,
-        touch: args.touch,
         along,
+        ..args.question.clone()
     };
     let answer = question.ask(&subject, &Terminal::new(CacheArgs::default()))?;
     super::tell(&args.result, &answer, |text, found| {

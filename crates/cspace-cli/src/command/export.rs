@@ -1,10 +1,11 @@
 //! `cspace export`.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use core::f64::consts::TAU;
 
+use clap::Args;
 use cspace::{PairClass, PairSpace, Slice, Window};
 use cspace_draw::{PictureFormat, Scene, SlicesPicture, plane, slices};
 use cspace_model::shown;
@@ -15,15 +16,76 @@ use cspace_model::write::ply::{Encoding, ply};
 use cspace_model::write::stl::stl;
 
 use super::page;
-use crate::args::ExportArgs;
+use crate::args::Common;
 use crate::ask;
 use crate::failure::Failure;
 use crate::output;
-use crate::picture::{self, Plane};
+use crate::picture::{self, PictureArgs, Plane};
 use crate::wording::count;
-use cspace_api::Chosen;
+use cspace_api::{Chosen, Which, given};
 
 use crate::view::Page;
+
+const HELP: &str = "\
+Examples:
+  cspace export models/ratchet_pawl.toml -o pawl.json
+  cspace export models/ratchet_pawl.toml -o pawl.svg --slices 20
+  cspace export models/snap_fastener.toml -o snap.ply --tolerance 1e-4
+  cspace export models/ball_in_c.toml -o ball.stl
+  cspace export models/knee.toml -o knee.glb
+  cspace export pawl.json -o pawl.obj
+  cspace export models/gears.toml -o gears.html
+
+Formats, by the extension of OUT:
+  .json   the whole configuration space; every command reads it in place of a
+          model. The schemas are docs/contact-space.schema.json,
+          docs/fixed-axes-space.schema.json and docs/lower-pair.schema.json.
+          The model's `name` and `unit` are written with it
+  .html   one page to look at and drag, with all pairs or that of --pair, which
+          works without a network; --with adds what `cspace plan`, `disassemble`
+          or `simulate` wrote with -o OUT.json, to be played
+  .svg, .png, .pdf
+          pictures of slices at even steps of orientation, free regions
+          numbered, blocked space grey; of a pair with fixed axes of the plane
+          of its two motions
+  .ply    the contact surface as triangles: vertices (x, y, theta) on the exact
+          surface, in double precision; triangles are counter-clockwise seen
+          from free space and carry their `patch`
+  .obj    the same as text, the triangles of a patch in a group, such as
+          patch_7
+  .stl    the same as loose triangles, in single precision, which is all the
+          format has
+  .glb    binary glTF 2.0: positions (x, y, theta) in single precision, which
+          is all the format has; the attribute `_PATCH` of a triangle's
+          vertices is its patch";
+
+/// Arguments of `cspace export`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct ExportArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) which: Which,
+    /// Meshes: how far a triangle may be from the contact surface, as a share of the pair's size [default: 0.001]
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true, hide_short_help = true)]
+    pub(crate) tolerance: Option<f64>,
+    /// Meshes: what a radian of θ is as third coordinate, in the model's unit [default: 1 in PLY; else a turn is as tall as
+    /// the surface is wide]
+    #[arg(long, value_name = "S", value_parser = given::factor, allow_negative_numbers = true, hide_short_help = true)]
+    pub(crate) theta_scale: Option<f64>,
+    /// Meshes: write numbers as text where the format can have either
+    #[arg(long, hide_short_help = true)]
+    pub(crate) ascii: bool,
+    /// Pictures: the number of slices, at even steps of orientation [default: 12]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
+    pub(crate) slices: Option<u32>,
+    /// Pages: an answer of `cspace plan`, `disassemble` or `simulate` in JSON, to be played; may be given several times
+    #[arg(long, value_name = "RECORD.json")]
+    pub(crate) with: Vec<PathBuf>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
 
 /// A format of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +110,11 @@ const SLICES: u32 = 12;
 
 const EXTENSIONS: &str = ".json, .html, .svg, .png, .pdf, .ply, .obj, .stl or .glb";
 
+fn share(text: &str) -> Result<f64, String> {
+    let is_right = |x| (1e-6..=0.5).contains(&x);
+    given::number(text, is_right, "give a number from 1e-6 to 0.5")
+}
+
 pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     let common = &args.common;
     let Some(path) = common.result.output.as_deref() else {
@@ -58,11 +125,11 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     refuse_unused(args, kind, path)?;
     if kind == Kind::Page {
         let page = page::bundled(Page::bundled())?;
-        let file = page::file(&page, common, args.window.window, &args.with)?;
+        let file = page::file(&page, common, &args.which, &args.with)?;
         return output::write(Some(path), &file);
     }
     let (subject, host) = ask::open(common)?;
-    let pair = subject.one_pair(&ask::which(common, args.window.window), &host)?;
+    let pair = subject.one_pair(&args.which, &host)?;
     let mut said = None;
     let bytes = match kind {
         // Written above: it is of all pairs.

@@ -1,15 +1,29 @@
 //! `cspace man`.
 
-use clap::CommandFactory;
+use clap::{Args, Command};
 use clap_mangen::Man;
 use cspace_model::shown::quoted;
 
-use crate::args::{Cli, ManArgs};
 use crate::failure::Failure;
 use crate::output;
 
-pub(crate) fn run(args: &ManArgs) -> Result<(), Failure> {
-    let mut cspace = Cli::command();
+const HELP: &str = "\
+Example:
+  mkdir -p ~/.local/share/man/man1
+  cspace man > ~/.local/share/man/man1/cspace.1
+  cspace man compute > ~/.local/share/man/man1/cspace-compute.1
+  man cspace-compute";
+
+/// Arguments of `cspace man`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct ManArgs {
+    /// The subcommand; without one, the page of `cspace` itself
+    #[arg(value_name = "COMMAND")]
+    pub(crate) command: Option<String>,
+}
+
+pub(crate) fn run(args: &ManArgs, mut cspace: Command) -> Result<(), Failure> {
     cspace.build();
     let page = match &args.command {
         None => cspace,

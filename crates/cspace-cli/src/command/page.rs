@@ -12,7 +12,7 @@ use crate::ask;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
-use cspace_api::{Chosen, Subject};
+use cspace_api::{Chosen, Subject, Which};
 
 use crate::view::{Page, PageError};
 
@@ -26,11 +26,11 @@ pub(super) fn bundled(found: Result<Page, PageError>) -> Result<Page, Failure> {
 pub(super) fn opened(
     subject: Subject,
     pairs: Vec<PairEntry>,
-    common: &Common,
+    (common, which): (&Common, &Which),
 ) -> Result<Opened, Failure> {
     Ok(match subject {
         Subject::Model(file) => {
-            let opened = Opened::model(file.model.mechanism, pairs, common.general);
+            let opened = Opened::model(file.model.mechanism, pairs, which.named.general);
             // With arcs made tangent the model is another than its text says.
             if common.snap || common.file == Path::new(output::STANDARD) {
                 return Ok(opened);
@@ -53,7 +53,7 @@ pub(super) fn entries(chosen: &[Chosen<'_>]) -> Vec<PairEntry> {
 pub(super) fn file(
     page: &Page,
     common: &Common,
-    window: Option<(f64, f64)>,
+    which: &Which,
     with: &[PathBuf],
 ) -> Result<Vec<u8>, Failure> {
     let (subject, host) = ask::open(common)?;
@@ -61,13 +61,13 @@ pub(super) fn file(
     for record in with {
         output::before_reading(record)?;
     }
-    let chosen = subject.pairs(&ask::which(common, window), &host)?;
+    let chosen = subject.pairs(which, &host)?;
     let mut known = Vec::new();
     if !matches!(subject, Subject::Saved { .. }) {
         known = computed(&chosen)?;
     }
     let entries = entries(&chosen);
-    let mut opened = opened(subject, entries, common)?;
+    let mut opened = opened(subject, entries, (common, which))?;
     opened.records = records(with, &opened)?;
     let pairs = match &opened.saved {
         Some(space) => {

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use clap::Args;
 use cspace::{PairSpace, RegionId};
 use cspace_api::play::{Moved, Outcome, Play, Question, Stop};
 use cspace_api::{Chosen, Outcome as _};
@@ -9,26 +10,54 @@ use cspace_design::Outcome as Reach;
 use cspace_model::shown;
 
 use super::regions;
-use crate::args::PlayArgs;
+use crate::args::Common;
 use crate::ask;
 use crate::failure::Failure;
 use crate::subject::{InWords, placed};
 use crate::wording::{EXACT_FIT, degrees, length};
+
+const HELP: &str = "\
+Examples:
+  cspace play latch.toml
+  cspace play models/peg_hole.toml --at=0,-10,0
+  cspace play models/peg_hole.toml --at 0,60,0 --by 0,-80,0
+  cspace play models/cam_tappet.toml --at 30deg,0 --touch 2
+  cspace play models/gears_on_shafts.toml --at 5deg,-7deg --json
+
+Of every pair, or of that of --pair: how far the moving part goes along x and y
+of the fixed part's frame, and how far it turns about its own origin and about
+the middle of its box, until something touches, and what; on fixed axes, how
+far each part goes on its axis while the other is held, to a contact or to its
+limit. From contact a direction that is blocked has distance 0. The answer
+begins with the place of the configuration: free and in which region, in
+contact, or blocked, which is exit code 1.
+
+near: the features that face each other and are no farther apart than --touch
+(less than 0 where they overlap, by as much), where, and in JSON the outward
+normal of the fixed part there, in its frame.
+
+--by D moves by that displacement at constant rates: free (nothing touches all
+the way), contact (with the share of the displacement and what touches), blocked
+or leaves (the window of orientations, or the range of a part's motion). Angles
+run on and are not taken modulo a turn.";
+
+/// Arguments of `cspace play`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct PlayArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) question: Question,
+}
 
 pub(crate) fn run(args: &PlayArgs) -> Result<(), Failure> {
     let common = &args.common;
     common.result.artefact(&[])?;
     let (subject, host) = ask::open(common)?;
     subject.warn(&host);
-    let question = Question {
-        which: ask::which(common, args.window.window),
-        at: args.at.clone(),
-        by: args.by.clone(),
-        about: args.about.about,
-        touch: args.touch,
-    };
-    let pairs = question.pairs(&subject, &host)?;
-    let answer = question.ask(&pairs)?;
+    let pairs = args.question.pairs(&subject, &host)?;
+    let answer = args.question.ask(&pairs)?;
     super::tell(&common.result, &answer, |text, found| {
         for (i, (pair, answer)) in pairs.iter().zip(&found.pairs).enumerate() {
             if i > 0 {

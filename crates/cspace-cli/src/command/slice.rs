@@ -2,22 +2,61 @@
 
 use std::fmt::{self, Write};
 
+use clap::Args;
 use cspace::{
     Classification, Configuration, ContactSpace, Coordinates, CurveGeometry, Edge, FixedAxesSpace,
     PairSpace, Point, Slice,
 };
-use cspace_api::Chosen;
 use cspace_api::slice::{Question, Sliced};
+use cspace_api::{Chosen, given};
 use cspace_draw::{PictureFormat, SlicesPicture, slices};
 use cspace_drawing::Drawn;
 
 use super::draw::{at_configuration, check_version, write_outlines};
-use crate::args::SliceArgs;
+use crate::args::{Common, DxfChoice};
 use crate::ask;
 use crate::failure::Failure;
 use crate::output;
-use crate::picture::{self, Plane};
+use crate::picture::{self, PictureArgs, Plane};
 use crate::wording::{angle, count, length};
+
+const HELP: &str = "\
+Examples:
+  cspace slice models/ratchet_pawl.toml --theta 5deg
+  cspace slice models/ratchet_mechanism.toml --pair driver,link -o rocking.svg
+  cspace slice models/snap_fastener.toml --theta=-0.02 --json
+  cspace slice models/ratchet_pawl.toml --theta 0 -o slice.svg
+
+Each loop is one closed piece of the boundary of free space: blocked space on
+the left of travel, free space on the right. Features are named by the loop and
+vertex of the part as given, counted from 0. At a critical orientation the
+slice just above it is shown. A pair with fixed axes has no orientation to
+choose: the plane of its two motions (u, v) is shown. -o OUT.svg, .png or .pdf
+is a picture, with the parts beside it to scale at the position --at; .dxf the
+loops as lines and arcs, .json the answer.";
+
+/// Arguments of `cspace slice`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct SliceArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) question: Question,
+    /// Pictures: the position x,y at which the parts are shown beside the slice [default: as drawn, or the nearest contact]
+    #[arg(long, value_name = "X,Y", value_parser = position, allow_hyphen_values = true)]
+    pub(crate) at: Option<(f64, f64)>,
+    /// The version of DXF, where the name after -o ends in .dxf
+    #[arg(long, value_enum, value_name = "VERSION", hide_short_help = true)]
+    pub(crate) dxf: Option<DxfChoice>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
+
+fn position(text: &str) -> Result<(f64, f64), String> {
+    let advice = "give two numbers with a comma between, such as 10,-2.5";
+    given::two(text).ok_or_else(|| advice.to_owned())
+}
 
 pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -37,12 +76,8 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
         }
     }
     let (subject, host) = ask::open(common)?;
-    let question = Question {
-        which: ask::which(common, None),
-        theta: args.theta,
-        exact: args.exact,
-    };
-    let pair = subject.one_pair(&question.which, &host)?;
+    let question = &args.question;
+    let pair = subject.one_pair(&question.named.clone().into(), &host)?;
     question.check(&pair)?;
     if !pair.is_planar() {
         check_plane(args, &pair)?;
@@ -75,9 +110,12 @@ fn draw(
 ) -> Result<(), Failure> {
     let output = args.common.result.output.as_deref();
     match (sliced, format) {
-        (Sliced::Positions { slice }, Some(format)) => {
-            picture(args, pair, args.theta.unwrap_or(slice.theta), format)
-        }
+        (Sliced::Positions { slice }, Some(format)) => picture(
+            args,
+            pair,
+            args.question.theta.unwrap_or(slice.theta),
+            format,
+        ),
         (Sliced::Positions { slice }, None) => {
             let Some(path) = output.filter(|path| output::ends_in(path, "dxf")) else {
                 return Ok(());
@@ -114,7 +152,7 @@ fn picture(
     let (x, y) = args.at.unwrap_or_else(|| beside(&space, theta));
     let at = Coordinates::Planar(Configuration::new(x, y, theta));
     let parts = at_configuration(pair, at);
-    let slice = if args.exact {
+    let slice = if args.question.exact {
         pair.slice(theta, true)?
     } else {
         space.slice(theta)

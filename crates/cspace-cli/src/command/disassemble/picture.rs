@@ -5,7 +5,7 @@ use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames
 use cspace_model::Mechanism;
 use cspace_plan::assembly::{Kind, Step, TakenApart};
 
-use crate::args::DisassembleArgs;
+use super::DisassembleArgs;
 use crate::command::plan::picture::steps as along;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};

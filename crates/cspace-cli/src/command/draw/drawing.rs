@@ -6,7 +6,7 @@ use cspace::{Configuration, Point};
 use cspace_draw::{PartsPicture, PictureFormat, PlacedPart, UnusedPath, parts};
 use cspace_drawing::{Entity, Piece, Settings, Source};
 
-use crate::args::DrawArgs;
+use super::DrawArgs;
 use crate::failure::{Failure, warning};
 use crate::input;
 use crate::picture::{self, Plane};
@@ -23,7 +23,7 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
     if args.at.is_some() {
         return refused("--at");
     }
-    if args.common.pair.is_some() {
+    if args.named.pair.is_some() {
         return refused("--pair");
     }
     let failed = |e: cspace_drawing::DrawingError| {

@@ -3,6 +3,7 @@
 mod drawing;
 mod outlines;
 
+use clap::Args;
 use cspace::{
     Axis, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation, Vector,
 };
@@ -12,16 +13,54 @@ use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
 
 use cspace_plan::fits_exactly;
 
-use crate::args::DrawArgs;
+use crate::args::{Common, DxfChoice};
 use crate::ask;
 use crate::failure::Failure;
 use crate::output;
-use crate::picture::{self, Plane};
+use crate::picture::{self, PictureArgs, Plane};
 use crate::subject::InWords;
 use crate::wording::{EXACT_FIT, length};
-use cspace_api::Given;
-use cspace_api::{Chosen, Subject};
+use cspace_api::{Chosen, Given, Named, Subject};
 use cspace_design::pair_of;
+
+const HELP: &str = "\
+Examples:
+  cspace draw models/ratchet_mechanism.toml -o mechanism.svg
+  cspace draw models/ratchet_pawl.toml --labels all -o pawl.pdf
+  cspace draw models/gears_on_shafts.toml --at 5deg,-7deg -o gears.png
+
+All parts are drawn as they are in the file; with --pair or --at, the two parts
+of the pair at the configuration, and the features that touch there are marked
+by a point and the normal of the fixed part. A cross with a long and a short
+arm is the x and y axis of a part's frame, a ring the pivot of a part that
+turns, a double arrow the direction of one that slides. With --labels all
+vertices are numbered as in the file, loop and index from 0. Without -o the
+picture is SVG on standard output.
+
+FILE may be a drawing too: what of it makes no part is red. An output that ends
+in .dxf has the outlines alone, arcs as arcs, each part on a layer of its name;
+so has SVG with --outlines.";
+
+/// Arguments of `cspace draw`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct DrawArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) named: Named,
+    /// Write SVG of the outlines alone, to scale
+    #[arg(long)]
+    pub(crate) outlines: bool,
+    /// The version of DXF
+    #[arg(long, value_enum, value_name = "VERSION", hide_short_help = true)]
+    pub(crate) dxf: Option<DxfChoice>,
+    /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) at: Option<Given>,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
 
 pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let common = &args.common;
@@ -51,7 +90,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     }
     let (subject, host) = ask::open(common)?;
     subject.warn(&host);
-    let one = common.pair.is_some() || args.at.is_some();
+    let one = args.named.pair.is_some() || args.at.is_some();
     let pair;
     let (drawn, title) = match &subject {
         Subject::Model(file) if !one => {
@@ -59,9 +98,9 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
             (assembly(model), model.name.clone())
         }
         _ => {
-            pair = subject.one_pair(&ask::which(common, None), &host)?;
+            pair = subject.one_pair(&args.named.clone().into(), &host)?;
             let at = match &args.at {
-                Some(text) => pair.coordinates("at", &Given::Text(text.to_string()))?,
+                Some(at) => pair.coordinates("at", at)?,
                 None => as_drawn(&pair),
             };
             let mut drawn = at_configuration(&pair, at);

@@ -4,12 +4,11 @@ use std::path::Path;
 
 use cspace_drawing::{Drawn, DxfVersion, Unit};
 
-use super::{as_drawn, assembly, at_configuration};
-use crate::args::{DrawArgs, DxfChoice};
+use super::{DrawArgs, as_drawn, assembly, at_configuration};
+use crate::args::DxfChoice;
 use crate::ask;
 use crate::failure::Failure;
 use crate::output;
-use cspace_api::Given;
 use cspace_api::Subject;
 
 /// Whether a file's name asks for DXF.
@@ -56,13 +55,13 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
     let (subject, host) = ask::open(common)?;
     let pair;
     let picture = match &subject {
-        Subject::Model(file) if common.pair.is_none() && args.at.is_none() => {
+        Subject::Model(file) if args.named.pair.is_none() && args.at.is_none() => {
             assembly(&file.model.mechanism)
         }
         _ => {
-            pair = subject.one_pair(&ask::which(common, None), &host)?;
+            pair = subject.one_pair(&args.named.clone().into(), &host)?;
             let at = match &args.at {
-                Some(text) => pair.coordinates("at", &Given::Text(text.to_string()))?,
+                Some(at) => pair.coordinates("at", at)?,
                 None => as_drawn(&pair),
             };
             at_configuration(&pair, at)

@@ -5,16 +5,56 @@ mod text;
 
 use std::path::{Path, PathBuf};
 
-use cspace_api::import::{Imported, Question, Refusal};
-use cspace_drawing::{Drawing, FitSide};
+use clap::Args;
+use cspace_api::import::{Finding, Imported, Question, Refusal};
+use cspace_drawing::Drawing;
 use cspace_model::model;
 
-use crate::args::{DrawingArgs, ImportArgs, Side};
+use crate::args::{FormArgs, SourceArgs};
 use crate::ask::Terminal;
 use crate::drawing;
 use crate::failure::{self, Failure};
 use crate::output;
 use crate::traces::{self, OTHER, quoted};
+
+const HELP: &str = "\
+Examples:
+  cspace import plate.dxf -o plate.toml
+  cspace import pawl.dxf wheel.svg --unit mm -o ratchet.toml
+  cspace import gear.dxf --layer OUTLINE --layer HOLES --part gear -o gear.toml
+  cspace import scan.csv --fit 0.02 -o profile.toml
+  cspace import traced.dxf --trace --fit 0.02 -o gear.toml
+
+Every outermost loop with the holes in it is a part, called as its block, its
+layer or its file. Loose lines and arcs are joined where their ends meet, what
+is drawn twice is taken once, splines, ellipses and points become tangent lines
+and arcs. What was made, left out, joined and fitted is printed; what cannot be
+used is an error that names it, or with --partial is left out and listed.
+Without -o nothing is written. A model may name a drawing as well: dxf =
+\"plate.dxf\" in place of loops. See docs/drawings.md.";
+
+/// Arguments of `cspace import`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct ImportArgs {
+    /// Drawings: .dxf, .svg, or .csv with the columns x and y
+    #[arg(value_name = "DRAWING", required = true)]
+    pub(crate) drawings: Vec<PathBuf>,
+
+    /// Write the model to this file, .toml or .json; whole or not at all
+    #[arg(short, long, value_name = "MODEL")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// How to print what was done
+    #[command(flatten)]
+    pub(crate) form: FormArgs,
+
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+
+    #[command(flatten)]
+    pub(crate) question: Question,
+}
 
 pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     let output = args.output.as_deref();
@@ -23,12 +63,16 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     }
     output::check(output)?;
     let paths = args.drawings.iter().map(AsRef::as_ref);
-    drawing::check_options(&args.drawing, paths.clone())?;
-    drawing::check_option("--by-layer", "dxf", args.by_layer, paths)?;
+    drawing::check_options(&args.source, paths.clone())?;
+    drawing::check_option("--by-layer", "dxf", args.question.by_layer, paths)?;
     let drawings = (args.drawings.iter())
-        .map(|path| Ok((path.clone(), drawing::read(&args.drawing, path)?)))
+        .map(|path| Ok((path.clone(), drawing::read(&args.source, path)?)))
         .collect::<Result<Vec<(PathBuf, Drawing)>, Failure>>()?;
-    let answer = question(args)
+    let question = Question {
+        name: cspace_api::scene::model_name(&args.drawings[0]),
+        ..args.question.clone()
+    };
+    let answer = question
         .ask(&drawings, &Terminal::default())
         .map_err(|refusal| refused(*refusal))?;
     let made = &answer.content;
@@ -46,28 +90,6 @@ pub(crate) fn run(args: &ImportArgs) -> Result<(), Failure> {
     super::tell_in(args.form.format(), &answer, |text, made| {
         text::describe(text, &args.drawings, made)
     })
-}
-
-fn question(args: &ImportArgs) -> Question {
-    Question {
-        name: cspace_api::scene::model_name(&args.drawings[0]),
-        lengths: drawing::lengths(&args.drawing),
-        join: args.drawing.join,
-        fit: args.drawing.fit,
-        fit_side: match args.fit_side {
-            Side::Both => FitSide::Both,
-            Side::Outside => FitSide::Outside,
-            Side::Inside => FitSide::Inside,
-        },
-        trace: args.trace,
-        without_sheet: args.drawing.without_sheet,
-        offset: args.offset,
-        split: args.split,
-        part: args.part.clone(),
-        by_layer: args.by_layer,
-        partial: args.partial,
-        pick: args.pick.clone(),
-    }
 }
 
 /// The failure of a drawing that is refused, once all that is wrong with it is said.
@@ -97,15 +119,16 @@ fn remark(args: &ImportArgs, made: &Imported) {
             "parts overlap as they are drawn: {problem}; if they are one part, or holes, mend the drawing"
         ));
     }
-    if args.trace {
+    if args.question.trace {
         return;
     }
     let files = args.drawings.iter().map(|d| quoted(d));
     let files = files.collect::<Vec<_>>().join(" ");
-    let options = drawing::options(&DrawingArgs {
+    let finding = Finding {
         fit: None,
-        ..args.drawing.clone()
-    });
+        ..args.question.finding.clone()
+    };
+    let options = drawing::options(&args.source, &finding);
     traces::tell(&made.mechanism, |fit| {
         format!("cspace import {files}{options} --trace --fit {fit} -o {OTHER}")
     });

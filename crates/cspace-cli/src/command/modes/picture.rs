@@ -5,7 +5,7 @@ use cspace_api::modes::{Letter, OperatingModes};
 use cspace_draw::{ModeFields, ModePlane, ModeRow, ModesPicture, PictureOptions, Scene, modes};
 use cspace_plan::modes::ModePlace;
 
-use crate::args::ModesArgs;
+use super::ModesArgs;
 use crate::failure::note;
 
 /// More modes than these are not drawn.

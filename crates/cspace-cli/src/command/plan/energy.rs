@@ -6,8 +6,8 @@ use cspace_api::escape::{Escape, Outcome, Question};
 use cspace_api::plan::Overlap;
 use cspace_api::{Chosen, Subject};
 
-use crate::args::PlanArgs;
-use crate::ask::{self, Terminal};
+use super::PlanArgs;
+use crate::ask::Terminal;
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::format;
@@ -16,11 +16,10 @@ use crate::wording::{count, length};
 
 pub(super) fn run(args: &PlanArgs, subject: &Subject, host: &Terminal) -> Result<(), Failure> {
     let question = Question {
-        which: ask::which(&args.common, args.window.window),
-        from: args.from.clone(),
-        to: args.to.clone(),
-        gravity: args.energy.gravity,
-        accuracy: args.energy.accuracy,
+        which: args.question.which.clone(),
+        from: args.question.from.clone(),
+        to: args.question.to.clone(),
+        ..args.escape.clone()
     };
     let pairs = [subject.one_pair(&question.which, host)?];
     let output = args.common.result.output.as_deref();

@@ -5,22 +5,83 @@ mod hint;
 pub(crate) mod picture;
 
 use std::fmt::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use clap::Args;
 use cspace::Coordinates;
 use cspace_api::plan::{Contact, Judge, Outcome, Plan, Question};
-use cspace_api::{Answer, Chosen, Pairs, Rest};
+use cspace_api::{Answer, Chosen, Pairs, Rest, escape};
 use cspace_model::shown;
 
-use crate::args::{Format, PlanArgs};
+use crate::args::{Common, Format};
 use crate::ask;
 use crate::command::rows;
 use crate::failure::{Failure, note};
 use crate::input;
 use crate::output;
-use crate::picture::format;
+use crate::picture::{PictureArgs, format};
 use crate::subject::InWords;
 use crate::wording::{about_point, angle, count, length};
+
+const HELP: &str = "\
+Examples:
+  cspace plan models/peg_hole.toml --from 40,30,90deg --to 0,2,0
+  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 --widest
+  cspace plan models/ball_in_c.toml --from 0,0,0 --to 60,0,0 --proof proof.json
+  cspace plan models/peg_hole.toml --from 40,30,0 --to 0,2,0 -o path.csv
+  cspace plan models/peg_hole.toml --verify path.csv --json
+  cspace plan models/peg_hole.toml --from 0,-10,0 --energy --gravity=0,-9810
+
+The answer is a path of motions of constant rates, each of them checked, or
+no-path: start and goal are in different free regions, with what encloses the
+smaller; or from-blocked, to-blocked: the parts overlap there, and the nearest
+free configuration. The answer is certain: a path is found if there is one.
+`unknown` is the answer only at doubtful orientations, which are listed, and
+where rounding hides a path. The path has at least half the clearance that is
+possible; --widest and --clearance ask for more. Angles run on, not modulo a
+turn.
+
+--proof FILE writes the proof of no-path, that start and goal are in different
+regions, which the program cspace-check verifies from the file alone; or
+`unproved` says why there is none: there is a path, but with less than
+--clearance, or the pair is on fixed axes.
+
+-o OUT writes the path as .csv, whose rows are joined straight, the answer as
+.json, or a picture of the path as .svg, .png or .pdf. --verify judges a path by
+the two outlines alone, without their contact space; blocked: it meets a
+contact.
+
+With --energy the answer is the least energy with which the moving part gets
+from --from to --to, or out, while the fixed part stays: over the lowest pass,
+where contacts balance gravity, loads and springs of the model; `cage` if no
+energy is enough. The bounds are certain: no path needs less than `least`, and
+the path printed needs no more than `most`. `energy` is that of the one pass
+between them, to rounding; it is null where there are several or the bounds stay
+far apart. Energies are counted from that at --from. Without a mass in the model
+the part weighs as 1 kg.";
+
+/// Arguments of `cspace plan`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct PlanArgs {
+    #[command(flatten)]
+    pub(crate) common: Common,
+    #[command(flatten)]
+    pub(crate) question: Question,
+    /// Judge the path in this file instead: configurations in rows, with the columns x,y,theta or u,v
+    #[arg(long, value_name = "PATH.csv", conflicts_with_all = ["from", "to", "widest", "clearance", "prefer", "turn", "travel", "depth"])]
+    pub(crate) verify: Option<PathBuf>,
+    /// Write the proof that there is no path to this file, which `cspace-check` verifies
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["verify", "energy"])]
+    pub(crate) proof: Option<PathBuf>,
+    /// Bound the least energy with which the moving part gets out, or comes to --to, against gravity, loads and springs
+    #[arg(long, conflicts_with_all = ["widest", "clearance", "prefer", "turn", "travel", "depth", "verify", "about"])]
+    pub(crate) energy: bool,
+    #[command(flatten)]
+    pub(crate) escape: escape::Question,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
 
 /// The largest path that is judged: as much as of rows that are classified.
 const MOST_BYTES: u64 = 1 << 30;
@@ -33,21 +94,12 @@ pub(crate) fn run(args: &PlanArgs) -> Result<(), Failure> {
     }
     check_proof(args, output)?;
     let (subject, host) = ask::open(common)?;
-    if args.energy.energy {
+    if args.energy {
         return energy::run(args, &subject, &host);
     }
     let question = Question {
-        which: ask::which(common, args.window.window),
-        from: args.from.clone(),
-        to: args.to.clone(),
-        about: args.about.about,
-        widest: args.widest,
-        clearance: args.clearance,
-        prefer: args.prefer.into(),
-        turn: args.turn,
-        travel: args.travel,
         proof: args.proof.is_some(),
-        depth: args.depth,
+        ..args.question.clone()
     };
     let pairs = [subject.one_pair(&question.which, &host)?];
     let answer = match &args.verify {
@@ -121,7 +173,7 @@ fn judged(
     let mut judge = Judge {
         path: Vec::new(),
         source: path.display().to_string(),
-        about: args.about.about,
+        about: args.question.about,
     };
     for pair in pairs {
         pair.check_window()?;

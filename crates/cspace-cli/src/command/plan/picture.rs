@@ -6,7 +6,7 @@ use cspace_api::plan::{Place, Plan, Question};
 use cspace_draw::{ContactMark, PartsPicture, PictureFormat, parts};
 use cspace_plan::legs::Scene;
 
-use crate::args::PlanArgs;
+use super::PlanArgs;
 use crate::command::draw::at_configuration;
 use crate::failure::Failure;
 use crate::picture::{self, Plane};

@@ -11,7 +11,7 @@ use cspace_motion::{
     EventKind, PartCoordinates, Record, Report, Simulation, System, Trajectory, What,
 };
 
-use crate::args::SimulateArgs;
+use super::SimulateArgs;
 use crate::failure::Failure;
 use crate::picture::Plane;
 

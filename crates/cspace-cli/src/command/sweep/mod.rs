@@ -3,16 +3,57 @@
 mod picture;
 mod table;
 
+use std::path::PathBuf;
+
+use clap::Args;
 use cspace_api::Answer;
 use cspace_api::sweep::{Outcome, Question, Rows};
 
-use crate::args::SweepArgs;
+use crate::args::{ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
 use crate::output;
+use crate::picture::PictureArgs;
 use crate::wording::count;
 
 use table::{Kept, csv_of, kept, read};
+
+const HELP: &str = "\
+Examples:
+  cspace sweep models/ratchet_pawl.toml --vary tip=49.9:50.1:5
+  cspace sweep models/ratchet_pawl.toml --vary tip=49:50:5 --vary root=43:45:3
+  cspace sweep models/ratchet_pawl.toml --rows sizes.csv -o measured.csv
+
+A column for each name and each measure, and the column failure: an empty field
+has its reason there. Angles are in radians. -o OUT.csv or .json writes the
+table as well, -o OUT.svg, .png or .pdf a curve over what is varied last.
+Ctrl-C ends it and keeps the rows that are done.
+";
+
+/// Arguments of `cspace sweep`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct SweepArgs {
+    /// A model (.toml, .json)
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+    #[command(flatten)]
+    pub(crate) question: Question,
+    /// Rows of values in place of --vary: CSV with names in its first line
+    #[arg(long, value_name = "FILE.csv", conflicts_with_all = ["vary", "changes"])]
+    pub(crate) rows: Option<PathBuf>,
+    /// Keep the rows that the table OUT.csv of an interrupted sweep has, and compute those that it lacks; the model and the other
+    /// arguments must be the same
+    #[arg(long, conflicts_with = "changes")]
+    pub(crate) resume: bool,
+    #[command(flatten)]
+    pub(crate) result: ResultArgs,
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
+}
 
 pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     let output = (args.result).artefact(&["csv", "json", "svg", "png", "pdf"])?;
@@ -24,11 +65,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
     let subject = ask::read_again(&args.file, &args.values, args.threads)?;
     let host = Terminal::default();
     let question = Question {
-        vary: args.vary.clone(),
         rows: args.rows.as_deref().map(read).transpose()?,
-        measure: args.measure.clone(),
-        changes: args.changes,
-        known: Vec::new(),
+        ..args.question.clone()
     };
     let table = question.table(&subject, &host)?;
     if format.is_some() {
@@ -44,11 +82,11 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         }
     };
     // A picture has the values of all rows, also where changes are asked for.
-    let rows = match args.changes && format.is_none() {
+    let rows = match question.changes && format.is_none() {
         true => None,
         false => Some(table.rows(&subject, &host, &kept.cells())?),
     };
-    let changes = match args.changes {
+    let changes = match question.changes {
         true => Some(table.changes(&subject, &host)?),
         false => None,
     };

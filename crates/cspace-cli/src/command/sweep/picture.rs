@@ -6,7 +6,7 @@ use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_model::model::{Dimension, Target};
 use cspace_model::shown;
 
-use crate::args::SweepArgs;
+use super::SweepArgs;
 use crate::failure::Failure;
 use crate::picture::{Plane, strip_label};
 
@@ -14,7 +14,7 @@ use crate::picture::{Plane, strip_label};
 pub(super) fn check(args: &SweepArgs, table: &Table) -> Result<(), Failure> {
     /// Maximum number of curves in one strip.
     const MOST: usize = 12;
-    if args.vary.is_empty() {
+    if args.question.vary.is_empty() {
         return Err(
             Failure::new("a picture needs --vary, and the rows are those of a file")
                 .help("write CSV or JSON, or give --vary NAME=LO:HI:N"),
@@ -43,7 +43,7 @@ pub(super) fn drawn(
     if rows.outcome == Outcome::Interrupted {
         return Err(Failure::new("interrupted: a picture needs all rows"));
     }
-    let Some(across) = args.vary.last() else {
+    let Some(across) = args.question.vary.last() else {
         return Err(Failure::new("nothing is varied"));
     };
     let names = &table.values.names;

@@ -6,23 +6,23 @@ use cspace_api::Subject;
 use cspace_api::tolerances::allocation::{Allocation, Question};
 use cspace_design::Criterion;
 
+use super::TolerancesArgs;
 use super::text;
-use crate::args::TolerancesArgs;
 use crate::ask::Terminal;
 use crate::failure::Failure;
 
 pub(super) fn run(
     args: &TolerancesArgs,
-    criterion: Criterion,
+    allocation: &Question,
     subject: &Subject,
     host: &Terminal,
 ) -> Result<(), Failure> {
     let question = Question {
-        requirement: args.requirement.clone(),
-        allocate: criterion,
+        requirement: args.analysis.requirement.clone(),
         cost: args.cost.iter().cloned().collect(),
-        samples: args.samples,
-        seed: args.seed,
+        samples: args.analysis.samples,
+        seed: args.analysis.seed,
+        ..allocation.clone()
     };
     let answer = question.ask(subject, host)?;
     crate::command::tell(&args.result, &answer, |text, allocation| {

@@ -8,8 +8,8 @@ use cspace_api::{Subject, Vary};
 use cspace_draw::{Curve, CurveStrip, CurvesPicture, Scene};
 use cspace_model::model::Dimension;
 
+use super::TolerancesArgs;
 use super::text::number;
-use crate::args::TolerancesArgs;
 use crate::ask::Terminal;
 use crate::failure::Failure;
 use crate::picture::{Plane, strip_label};
@@ -17,14 +17,15 @@ use crate::wording::{degrees, length};
 
 pub(super) fn run(
     args: &TolerancesArgs,
-    vary: &Vary,
+    bands: &Question,
     subject: &Subject,
     host: &Terminal,
 ) -> Result<(), Failure> {
     let question = Question {
-        requirement: args.requirement.clone(),
-        along: vary.clone(),
+        requirement: args.analysis.requirement.clone(),
+        ..bands.clone()
     };
+    let vary = &question.along;
     let answer = question.ask(subject, host)?;
     let output = args.result.output.as_deref();
     if let Some(format) = crate::picture::format(output) {

@@ -9,7 +9,7 @@ use cspace_design::area;
 use cspace_draw::{Nominal, PictureOptions, ZonesPicture};
 use cspace_model::model::Coordinate;
 
-use crate::args::TolerancesArgs;
+use super::TolerancesArgs;
 use crate::ask::Terminal;
 use crate::failure::Failure;
 use crate::picture::Plane;
@@ -20,9 +20,8 @@ pub(super) fn run(
     host: &Terminal,
 ) -> Result<(), Failure> {
     let question = Question {
-        requirement: args.requirement.clone(),
-        at: args.at,
-        window: None,
+        requirement: args.analysis.requirement.clone(),
+        ..args.zone.clone()
     };
     let pair = question.pair(subject, host)?;
     let slice = match &pair.space {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cspace_api::scene::{DrawingSource, OpenedDrawing, model_name};
 
-use crate::args::ViewArgs;
+use super::ViewArgs;
 use crate::ask::Terminal;
 use crate::command::page;
 use crate::drawing;
@@ -16,10 +16,10 @@ use crate::view::{Page, Server};
 pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
     refuse_options_of_models(args)?;
     let page = page::bundled(Page::bundled())?;
-    let options = &args.drawing;
+    let (options, finding) = (&args.source, &args.finding);
     drawing::check_options(options, std::iter::once(path))?;
     let (drawn, data) = drawing::read_with_bytes(options, path)?;
-    let (lengths, host) = (drawing::lengths(options), Terminal::default());
+    let (lengths, host) = (&finding.lengths, Terminal::default());
     let unit = lengths.unit([&drawn], &host)?;
     let opened = OpenedDrawing {
         source: DrawingSource {
@@ -29,17 +29,17 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
             command: format!(
                 "cspace import {}{}",
                 quoted(path),
-                drawing::options(options)
+                drawing::options(options, finding)
             ),
             layers: options.layer.clone(),
             ids: options.id.clone(),
             colors: options.colors.iter().map(ToString::to_string).collect(),
             linetypes: options.linetype.clone(),
-            without_sheet: options.without_sheet,
+            without_sheet: finding.without_sheet,
             hatches: options.hatches,
             scale: lengths.factor(path, &drawn, unit.as_deref(), &host),
-            join: options.join,
-            fit: options.fit,
+            join: finding.join,
+            fit: finding.fit,
             unit,
         },
         drawing: drawn,
@@ -50,10 +50,10 @@ pub(super) fn server(args: &ViewArgs, path: &Path) -> Result<Server, Failure> {
 
 fn refuse_options_of_models(args: &ViewArgs) -> Result<(), Failure> {
     let given = [
-        ("--pair", args.pair.is_some()),
-        ("--window", args.window.window.is_some()),
+        ("--pair", args.which.named.pair.is_some()),
+        ("--window", args.which.window.is_some()),
         ("--with", !args.with.is_empty()),
-        ("--general", args.general),
+        ("--general", args.which.named.general),
         ("--snap", args.snap),
         ("--set", !args.values.set.is_empty()),
     ];

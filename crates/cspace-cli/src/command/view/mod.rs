@@ -2,8 +2,14 @@
 
 mod drawing;
 
+use std::path::PathBuf;
+
+use clap::Args;
+use cspace_api::Which;
+use cspace_api::import::Finding;
+
 use super::page;
-use crate::args::ViewArgs;
+use crate::args::{CacheArgs, Common, ResultArgs, SetArgs, SourceArgs, ThreadsArg};
 use crate::ask;
 use crate::drawing as drawings;
 use crate::failure::{Failure, note};
@@ -11,11 +17,96 @@ use crate::interrupt::until_interrupted;
 use crate::output;
 use crate::view::{Page, ServeError, Server};
 
+const HELP: &str = "\
+Examples:
+  cspace view latch.toml
+  cspace view models/ratchet_mechanism.toml --pair ratchet,pawl
+  cspace view models/geneva.toml --with run.json --port 8080 --no-open
+  cspace view plate.dxf
+
+The page shows the parts to scale, and beside them the contact space in x, y
+and theta, or the plane of two motions; drag either, and the other follows. It
+is served on this machine alone, at an address that is printed first and that
+nobody can guess; whoever has it may look. Pairs are computed when they are
+looked at. Parts can be edited: the space is computed again while they are
+dragged, and the edited model is saved by the browser; FILE stays as it is.
+
+Of a drawing the page shows the faces, which all lines, arcs and curves enclose
+together: a click makes a part of a face, Shift-click adds faces to it. The
+model is saved by the browser, or its contact spaces are shown at once. The
+options for drawings are those of `cspace import`. A model or a drawing that is
+dropped onto the page is opened in it, also in a page that was exported.
+
+--with has what `cspace plan`, `cspace disassemble` or `cspace simulate` wrote
+with -o OUT.json.
+Ctrl-C ends it. `cspace export FILE -o OUT.html` writes the page as a file.";
+
+/// Arguments of `cspace view`.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub(crate) struct ViewArgs {
+    /// A model (.toml, .json), a contact space saved by `cspace export FILE -o OUT.json`, or a drawing (.dxf, .svg), whose faces are
+    /// picked as parts; - is a model on standard input
+    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) values: SetArgs,
+
+    #[command(flatten)]
+    pub(crate) which: Which,
+
+    /// An answer of `cspace plan`, `disassemble` or `simulate` in JSON, to be played; may be given several times
+    #[arg(long, value_name = "RECORD.json")]
+    pub(crate) with: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) source: SourceArgs,
+
+    #[command(flatten)]
+    pub(crate) finding: Finding,
+
+    /// The port of this machine that is listened to; 0 for any that is free
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 0,
+        allow_negative_numbers = true
+    )]
+    pub(crate) port: u16,
+
+    /// Print the address, and open no browser
+    #[arg(long)]
+    pub(crate) no_open: bool,
+
+    /// Make lines and arcs tangent that miss tangency by less than 0.001 rad; a note reports how far points were moved
+    #[arg(long, hide_short_help = true)]
+    pub(crate) snap: bool,
+
+    #[command(flatten)]
+    pub(crate) cache: CacheArgs,
+
+    #[command(flatten)]
+    pub(crate) threads: ThreadsArg,
+}
+
+impl ViewArgs {
+    /// The options that it shares with the other commands that take a file; the others have their defaults.
+    pub(crate) fn common(&self) -> Common {
+        Common {
+            file: self.file.clone(),
+            values: self.values.clone(),
+            snap: self.snap,
+            result: ResultArgs::default(),
+            cache: self.cache,
+            threads: self.threads,
+        }
+    }
+}
+
 pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     if cspace_drawing::is_drawing(&args.file) {
         return show(drawing::server(args, &args.file)?, args);
     }
-    if let Some(option) = drawings::first_given(&args.drawing) {
+    if let Some(option) = drawings::first_given(&args.source, &args.finding) {
         return Err(
             Failure::new(format_args!("{option} is about drawings")).help(format_args!(
                 "leave {option} out: {} is a model",
@@ -27,14 +118,14 @@ pub(crate) fn run(args: &ViewArgs) -> Result<(), Failure> {
     let common = args.common();
     let (subject, host) = ask::open(&common)?;
     subject.warn(&host);
-    let chosen = subject.pairs(&ask::which(&common, args.window.window), &host)?;
-    if args.pair.is_some() {
+    let chosen = subject.pairs(&args.which, &host)?;
+    if args.which.named.pair.is_some() {
         for pair in &chosen {
             pair.check_window()?;
         }
     }
     let entries = page::entries(&chosen);
-    let mut opened = page::opened(subject, entries, &common)?;
+    let mut opened = page::opened(subject, entries, (&common, &args.which))?;
     opened.records = page::records(&args.with, &opened)?;
     show(
         Server::bind(opened, &page, args.port).map_err(failure)?,
