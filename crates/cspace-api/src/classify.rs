@@ -40,7 +40,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, value_name = "NAMES", value_parser = crate::command::words::<Column>(), value_delimiter = ',', default_value = "class", hide_short_help = true))]
     pub columns: Vec<Column>,
     /// How far apart features may be that touch, in the model's unit [default: the resolution]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::distance, allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::distance, allow_negative_numbers = true, hide_short_help = true))]
     pub touch: Option<f64>,
 }
 

@@ -30,10 +30,10 @@ pub struct Question {
     pub pair: Option<String>,
     /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts a tenth of the largest
     /// part's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::distance, allow_negative_numbers = true))]
     pub within: Option<f64>,
     /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::distance, allow_negative_numbers = true, hide_short_help = true))]
     pub touch: Option<f64>,
     /// A motion, by samples in order of time, between which coordinates have constant rates; the parts as drawn without.
     #[cfg_attr(feature = "command", arg(skip))]

@@ -1,9 +1,11 @@
-//! Enumerations as the values of a command's options.
+//! Values of a command's options: the words of enumerations, and numbers with what is true of them.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use schemars::{JsonSchema, schema_for};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+
+use crate::given;
 
 /// Reads one of the words of an enumeration. Its schema says which there are, and what they mean.
 pub(crate) fn words<T>() -> impl TypedValueParser<Value = T>
@@ -19,4 +21,45 @@ where
         Some(PossibleValue::new(text("const")?.to_owned()).help(meaning))
     });
     PossibleValuesParser::new(words).try_map(|word| serde_json::from_value(Value::String(word)))
+}
+
+/// A positive angle in radians, as [`angle`](given::angle) reads it.
+pub(crate) fn turn(text: &str) -> Result<f64, String> {
+    match given::angle(text)? {
+        turn if turn > 0.0 => Ok(turn),
+        _ => Err("give a positive angle".to_owned()),
+    }
+}
+
+/// A length of 0 or more, from text.
+pub(crate) fn distance(text: &str) -> Result<f64, String> {
+    given::number(text, |x| x >= 0.0, "give a length, 0 or more")
+}
+
+/// A length above 0, from text.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    given::number(text, |x| x > 0.0, "give a positive length")
+}
+
+/// A length of either sign by which parts become larger, from text.
+pub(crate) fn offset(text: &str) -> Result<f64, String> {
+    let advice = "give a length, below 0 to make parts smaller";
+    given::number(text, |_| true, advice)
+}
+
+/// An energy above 0, from text.
+pub(crate) fn energy(text: &str) -> Result<f64, String> {
+    given::number(text, |x| x > 0.0, "give a positive energy")
+}
+
+/// A time above 0 in seconds, from text.
+pub(crate) fn duration(text: &str) -> Result<f64, String> {
+    given::number(text, |x| x > 0.0, "give a positive time in seconds")
+}
+
+/// The coordinates of a point, or the components of a vector, from text such as `0,-9810`.
+pub(crate) fn point(text: &str) -> Result<[f64; 2], String> {
+    given::two(text)
+        .map(|(x, y)| [x, y])
+        .ok_or_else(|| "give two numbers, such as 0,-9810".to_owned())
 }

@@ -26,7 +26,7 @@ use crate::subject::Subject;
 #[serde(default, deny_unknown_fields)]
 pub struct Question {
     /// How far parts that touch are opened, in the model's unit [default: a millionth of the assembly's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::length, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::length, allow_negative_numbers = true))]
     pub gap: Option<f64>,
 }
 

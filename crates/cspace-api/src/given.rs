@@ -121,17 +121,6 @@ pub fn window(text: &str) -> Result<(f64, f64), String> {
     Ok((lo, hi))
 }
 
-/// A positive angle in radians, as [`angle`] reads it.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn turn(text: &str) -> Result<f64, String> {
-    match angle(text)? {
-        turn if turn > 0.0 => Ok(turn),
-        _ => Err("give a positive angle".to_owned()),
-    }
-}
-
 /// A finite number of which something is true, from text.
 ///
 /// # Errors
@@ -142,47 +131,6 @@ pub fn number(text: &str, is_right: impl Fn(f64) -> bool, advice: &str) -> Resul
     right.ok_or_else(|| advice.to_owned())
 }
 
-/// A length of 0 or more, from text.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn distance(text: &str) -> Result<f64, String> {
-    number(text, |x| x >= 0.0, "give a length, 0 or more")
-}
-
-/// A length above 0, from text.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn length(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "give a positive length")
-}
-
-/// A length of either sign by which parts become larger, from text.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn offset(text: &str) -> Result<f64, String> {
-    let advice = "give a length, below 0 to make parts smaller";
-    number(text, |_| true, advice)
-}
-
-/// An energy above 0, from text.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn energy(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "give a positive energy")
-}
-
-/// A time above 0 in seconds, from text.
-///
-/// # Errors
-/// If it is none; the message says what to give.
-pub fn duration(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "give a positive time in seconds")
-}
-
 /// A factor of lengths, from text.
 ///
 /// # Errors
@@ -190,16 +138,6 @@ pub fn duration(text: &str) -> Result<f64, String> {
 pub fn factor(text: &str) -> Result<f64, String> {
     let is_right = |x| (1e-9..=1e9).contains(&x);
     number(text, is_right, "give a number from 1e-9 to 1e9")
-}
-
-/// The coordinates of a point, or the components of a vector, from text such as `0,-9810`.
-///
-/// # Errors
-/// If they are none; the message says what to give.
-pub fn point(text: &str) -> Result<[f64; 2], String> {
-    two(text)
-        .map(|(x, y)| [x, y])
-        .ok_or_else(|| "give two numbers, such as 0,-9810".to_owned())
 }
 
 /// Two finite numbers with a comma between.

@@ -34,7 +34,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
     /// The point of the moving part, in its frame, that moves straight and about which the part turns.
-    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = given::point, allow_hyphen_values = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = crate::command::point, allow_hyphen_values = true, hide_short_help = true))]
     pub about: Option<[f64; 2]>,
     /// The configuration: x,y,theta, or u,v of a pair on fixed axes [default: as drawn, of every pair]
     #[cfg_attr(
@@ -49,7 +49,7 @@ pub struct Question {
     )]
     pub by: Option<Given>,
     /// How far apart features may be that are near, in the model's unit [default: a hundredth of the smaller part's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::distance, allow_negative_numbers = true))]
     pub touch: Option<f64>,
 }
 

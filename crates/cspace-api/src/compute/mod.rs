@@ -25,7 +25,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", command(flatten))]
     pub which: Which,
     /// The space in which the parts keep this clearance, in the model's unit: with the moving part grown by it all round.
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::length, allow_negative_numbers = true))]
     pub clearance: Option<f64>,
 }
 

@@ -37,10 +37,10 @@ pub struct Finding {
     #[cfg_attr(feature = "command", command(flatten))]
     pub lengths: Lengths,
     /// Ends nearer than this are one, after scaling [default: 1e-5 of the drawing's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::length, allow_negative_numbers = true))]
     pub join: Option<f64>,
     /// How far lines and arcs may be from curves and points that they are fitted to, after scaling [default: 1e-4 of the drawing's size]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::length, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::length, allow_negative_numbers = true))]
     pub fit: Option<f64>,
 }
 
@@ -63,7 +63,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, value_name = "SIDE", value_parser = crate::command::words::<FitSide>(), default_value = "both"))]
     pub fit_side: FitSide,
     /// Make every part larger by this all around, or smaller if it is below 0, after scaling and fitting.
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::given::offset, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::offset, allow_negative_numbers = true))]
     pub offset: Option<f64>,
     /// Let the offset divide a part: every piece is one.
     #[cfg_attr(feature = "command", arg(long, requires = "offset"))]

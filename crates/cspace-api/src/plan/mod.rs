@@ -37,7 +37,7 @@ pub struct Question {
     pub which: Which,
     /// The point of the moving part, in its frame, that moves straight and about which the part turns [default: its origin, or the middle of
     /// a part that is drawn beside its origin]
-    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = given::point, allow_hyphen_values = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = crate::command::point, allow_hyphen_values = true, hide_short_help = true))]
     pub about: Option<[f64; 2]>,
     /// The configuration to begin at, x,y,theta, or u,v of a pair on fixed axes; as drawn unless given.
     #[cfg_attr(
@@ -55,22 +55,22 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, conflicts_with = "clearance"))]
     pub widest: bool,
     /// A path with at least this clearance, in the model's unit [default: half of what is possible]
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::distance, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::distance, allow_negative_numbers = true))]
     pub clearance: Option<f64>,
     /// Property by which the path is chosen among those with that clearance.
     #[cfg_attr(feature = "command", arg(long, value_name = "WHAT", value_parser = crate::command::words::<Prefer>(), default_value = "legs", hide_short_help = true))]
     pub prefer: Prefer,
     /// No leg turns by more than this, in radians or such as 18deg.
-    #[cfg_attr(feature = "command", arg(long, value_name = "A", value_parser = given::turn, allow_hyphen_values = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "A", value_parser = crate::command::turn, allow_hyphen_values = true, hide_short_help = true))]
     pub turn: Option<f64>,
     /// No leg moves along a coordinate by more than this, in the model's unit.
-    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = given::length, allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "L", value_parser = crate::command::length, allow_negative_numbers = true, hide_short_help = true))]
     pub travel: Option<f64>,
     /// Prove it where there is no path.
     #[cfg_attr(feature = "command", arg(skip))]
     pub proof: bool,
     /// How deep the surface of a proof lies in blocked space, in the model's unit [default: as deep as can be]; it asks for a proof
-    #[cfg_attr(feature = "command", arg(long, value_name = "D", value_parser = given::length, allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "D", value_parser = crate::command::length, allow_negative_numbers = true, hide_short_help = true))]
     pub depth: Option<f64>,
 }
 

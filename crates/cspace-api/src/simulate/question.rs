@@ -12,10 +12,10 @@ use serde_json::Value;
 #[serde(deny_unknown_fields)]
 pub struct Question {
     /// How long, in seconds.
-    #[cfg_attr(feature = "command", arg(long, value_name = "T", value_parser = crate::given::duration, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "T", value_parser = crate::command::duration, allow_negative_numbers = true))]
     pub time: f64,
     /// The time between samples, in seconds [default: a 200th of the whole]
-    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::given::duration, allow_negative_numbers = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::command::duration, allow_negative_numbers = true))]
     #[serde(default)]
     pub every: Option<f64>,
     /// Whether inertia plays a part [default: dynamic if a part has a mass, otherwise kinematic]
@@ -27,7 +27,7 @@ pub struct Question {
     #[serde(default)]
     pub scheme: Scheme,
     /// The longest step of the scheme `stepping`, in seconds [default: a 10000th of the whole]
-    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::given::duration, allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "DT", value_parser = crate::command::duration, allow_negative_numbers = true, hide_short_help = true))]
     #[serde(default)]
     pub step: Option<f64>,
     /// Report the rates of all coordinates as well.
