@@ -23,7 +23,8 @@ use cspace_api::Given;
 use cspace_api::{Chosen, Subject};
 use cspace_design::pair_of;
 
-pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
+/// Writes the picture, and gives the unit of length.
+pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     let is_drawing = cspace_drawing::is_drawing(&common.file);
@@ -72,7 +73,8 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let options = args
         .picture
         .options(Plane::Positions, title, subject.unit())?;
-    picture::write(output, format, &parts(&drawn, &options))
+    picture::write(output, format, &parts(&drawn, &options))?;
+    Ok(subject.unit().map(str::to_owned))
 }
 
 /// Outlines are those of models, and written as SVG or DXF.
