@@ -8,8 +8,7 @@ use numpy::PyArray2;
 use pyo3::prelude::*;
 
 use crate::error::error;
-use crate::rows::numbers;
-use crate::space::matrix;
+use crate::rows::{matrix, numbers};
 
 /// The answer about one pair, and the path in rows that are free as they stand.
 pub(crate) struct Planned {

@@ -21,7 +21,7 @@ use crate::error::error;
 use crate::nest::{Loops, loops};
 use crate::part::Part;
 use crate::plan::{Planned, Told};
-use crate::rows::{Asked, asked, each, numbers, one, width};
+use crate::rows::{Asked, asked, each, matrix, numbers, one, width};
 use crate::work;
 
 /// After so many questions a space is prepared for millions: that takes about as long as so many of them.
@@ -584,16 +584,4 @@ impl Space {
             ),
         }
     }
-}
-
-/// Rows as an array; rows of no array have three columns.
-pub(crate) fn matrix<'py, T: numpy::Element>(
-    py: Python<'py>,
-    rows: Vec<Vec<T>>,
-) -> PyResult<Bound<'py, PyArray2<T>>> {
-    if rows.is_empty() {
-        let zero = PyArray2::zeros(py, [0, 3], false);
-        return Ok(zero);
-    }
-    PyArray2::from_vec2(py, &rows).map_err(error)
 }

@@ -288,7 +288,7 @@ fn an_orientation_of_zones_is_used_or_refused() {
     assert!(!Path::new(out).exists());
 }
 
-/// What is written has the unit of what it is made of: of a model, of a space that keeps its unit, of a drawing.
+/// Files that are written have the unit of what they are made of: of a model, of a space that keeps its unit, of a drawing.
 #[test]
 fn the_unit_of_what_is_written_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -102,7 +102,7 @@ impl Study<'_> {
         })
     }
 
-    /// What is found of each sample, by its number and its deviations, which are the same on any number of threads. `None` if the progress
+    /// Finds something of each sample, by its number and its deviations, which are the same on any number of threads. `None` if the progress
     /// ends the computation.
     fn each<T: Send>(
         &self,
