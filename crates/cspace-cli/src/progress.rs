@@ -15,19 +15,28 @@ use crate::interrupt::{self, Watched};
 /// Nothing is shown for work that is done by then.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// A bar on stderr with the stages, if stderr is a terminal and the work takes more than a second. It is kept up to date by a thread of its
-/// own, until it is dropped.
+/// A bar on stderr with the stages, or how many pieces are done, if stderr is a terminal and the work takes more than a second. It is kept up
+/// to date by a thread of its own, until it is dropped.
 pub(crate) struct Bar {
     shown: Arc<Shown>,
     ticker: Option<JoinHandle<()>>,
     _watched: Watched,
 }
 
+/// How far work has come.
+#[derive(Debug, Clone, Copy)]
+enum At {
+    /// It is in this stage.
+    Stage(Stage),
+    /// So many pieces of so many are done.
+    Pieces(u64, u64),
+}
+
 /// Text and stage that are shown.
 struct Shown {
     title: String,
     begin: Instant,
-    stage: Mutex<Option<Stage>>,
+    at: Mutex<Option<At>>,
     done: AtomicBool,
 }
 
@@ -37,7 +46,7 @@ impl Bar {
         let shown = Arc::new(Shown {
             title,
             begin: Instant::now(),
-            stage: Mutex::new(None),
+            at: Mutex::new(None),
             done: AtomicBool::new(false),
         });
         let ticking = Arc::clone(&shown);
@@ -90,9 +99,19 @@ impl Shown {
         if let Some(known) = lock(&KNOWN).take() {
             bar.println(known);
         }
-        if let Some(stage) = *lock(&self.stage) {
-            bar.set_position(stage as u64);
-            bar.set_message(name(stage));
+        let at = *lock(&self.at);
+        match at {
+            None => {}
+            Some(At::Stage(stage)) => {
+                bar.set_length(Stage::COUNT);
+                bar.set_position(stage as u64);
+                bar.set_message(name(stage));
+            }
+            Some(At::Pieces(done, of)) => {
+                bar.set_length(of);
+                bar.set_position(done);
+                bar.set_message(format!("{done} of {of}"));
+            }
         }
         bar.tick();
     }
@@ -159,11 +178,26 @@ impl Drop for Steps {
 
 impl Progress for Bar {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
-        *lock(&self.shown.stage) = Some(stage);
+        let mut at = lock(&self.shown.at);
+        // Each piece may have stages of its own.
+        if !matches!(*at, Some(At::Pieces(..))) {
+            *at = Some(At::Stage(stage));
+        }
+        drop(at);
         if interrupt::is_interrupted() {
             return Err(ComputeError::Interrupted);
         }
         Ok(())
+    }
+
+    fn pieces(&self, done: u64, of: u64) {
+        let mut at = lock(&self.shown.at);
+        match *at {
+            // Threads tell it in any order.
+            Some(At::Pieces(most, _)) if most >= done && done < of => {}
+            _ if done >= of => *at = None,
+            _ => *at = Some(At::Pieces(done, of)),
+        }
     }
 
     fn seconds(&self) -> f64 {

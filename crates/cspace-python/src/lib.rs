@@ -10,6 +10,7 @@ mod model;
 mod nest;
 mod part;
 mod picture;
+mod plan;
 mod questions;
 mod rows;
 mod space;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cspace::Progress;
 use cspace_api::subject::ModelFile;
-use cspace_api::{Error, Host, Question, Subject};
+use cspace_api::{Error, Host, Question, Subject, plan};
 use cspace_model::model::{Setting, Template};
 use cspace_model::{Document, Host as ReadHost, Mechanism, PairEntry};
 use pyo3::prelude::*;
@@ -13,6 +13,7 @@ use pyo3::types::PyDict;
 
 use crate::error::{error, internal, of_model, with_help};
 use crate::part::Part;
+use crate::plan::{Planned, Told};
 use crate::space::{Pair, Space};
 use crate::work;
 
@@ -99,10 +100,9 @@ impl Model {
     }
 
     /// The model with other values of its parameters: numbers, or expressions such as "18deg".
-    #[pyo3(signature = (**parameters))]
-    fn __call__(&self, parameters: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn __call__(&self, parameters: &Bound<'_, PyDict>) -> PyResult<Self> {
         let mut set = self.file()?.set.clone();
-        for (name, value) in parameters.into_iter().flatten() {
+        for (name, value) in parameters {
             let name: String = name.extract()?;
             let setting = if let Ok(x) = value.extract::<f64>() {
                 if !x.is_finite() {
@@ -232,6 +232,19 @@ impl Model {
             question.ask(&subject, &Asking { progress }).map_err(said)
         })?;
         pythonize::pythonize(py, &answer).map_err(error)
+    }
+
+    /// The answer to the question for a path of a pair, and the rows of the path.
+    fn _plan<'py>(&self, py: Python<'py>, arguments: &Bound<'py, PyDict>) -> PyResult<Told<'py>> {
+        let question: plan::Question = pythonize::depythonize(arguments.as_any())
+            .map_err(|e| error(format_args!("plan: {e}")))?;
+        let subject = Arc::clone(&self.subject);
+        let planned = work::run(py, move |progress| {
+            let host = Asking { progress };
+            let pair = subject.one_pair(&question.which, &host).map_err(said)?;
+            Planned::new(question.ask(&[pair]).map_err(said)?)
+        })?;
+        planned.told(py)
     }
 
     fn __repr__(&self) -> PyResult<String> {

@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::error;
-use crate::rows::{Asked, asked, each, numbers, one, width};
-use crate::space::{Space, matrix};
+use crate::rows::{Asked, asked, each, matrix, numbers, one, width};
+use crate::space::Space;
 use crate::work;
 
 /// The patch of a number.

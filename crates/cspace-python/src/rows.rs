@@ -4,7 +4,7 @@ use core::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
 use cspace::{Configuration, Coordinates, PairSpace, QueryError};
-use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use rayon::prelude::*;
@@ -141,4 +141,16 @@ pub(crate) fn each<T: Send>(
         };
     }
     Ok(all)
+}
+
+/// Rows as an array; rows of no array have three columns.
+pub(crate) fn matrix<'py, T: numpy::Element>(
+    py: Python<'py>,
+    rows: Vec<Vec<T>>,
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    if rows.is_empty() {
+        let zero = PyArray2::zeros(py, [0, 3], false);
+        return Ok(zero);
+    }
+    PyArray2::from_vec2(py, &rows).map_err(error)
 }

@@ -7,19 +7,21 @@ use cspace::{
     Classification, Classifier, ContactSpace, Coordinates, LinkKind, Location, Options, PairSpace,
     QueryError, Relation, Vector,
 };
+use cspace_api::plan::Plan;
+use cspace_api::{Answer, PairAnswer};
 use cspace_design::{Motion, displace, free_range, pair_of, texts};
 use cspace_model::model::Coordinate;
 use cspace_model::write::mesh::{Mesh, MeshOptions};
-use cspace_plan::{Clearance, Planner, Prefer, Verdict, Wishes, fits_exactly, straight, with_gap};
+use cspace_plan::{Clearance, Planner, Prefer, Wishes, fits_exactly, with_gap};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
 use crate::error::error;
 use crate::nest::{Loops, loops};
 use crate::part::Part;
-use crate::rows::{Asked, asked, each, numbers, one, width};
+use crate::plan::{Planned, Told};
+use crate::rows::{Asked, asked, each, matrix, numbers, one, width};
 use crate::work;
 
 /// After so many questions a space is prepared for millions: that takes about as long as so many of them.
@@ -446,7 +448,8 @@ impl Space {
         Ok((found, gap))
     }
 
-    /// A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary. An infinite clearance asks for the widest path.
+    /// A path from `start` to `goal` through free space, or out where there is none, or that there is none: the answer, and the rows of the
+    /// path. An infinite clearance asks for the widest path.
     #[pyo3(signature = (start, goal=None, clearance=None, about=None, prefer="legs"))]
     fn _plan<'py>(
         &self,
@@ -456,7 +459,7 @@ impl Space {
         clearance: Option<f64>,
         about: Option<(f64, f64)>,
         prefer: &str,
-    ) -> PyResult<Bound<'py, PyDict>> {
+    ) -> PyResult<Told<'py>> {
         let space = &self.known(py)?.space;
         let from = one(start, space, "start")?;
         let to = goal.map(|goal| one(goal, space, "goal")).transpose()?;
@@ -483,11 +486,11 @@ impl Space {
             ..Wishes::default()
         };
         let about = about.map(|(x, y)| Vector::new(x, y));
-        let asked = Arc::clone(&space);
-        let (answer, dense) = work::run(py, move |progress| {
+        let planned = work::run(py, move |progress| {
+            let begin = progress.seconds();
             let planner = match about {
-                Some(about) => Planner::with_about(&asked, about),
-                None => Planner::new(&asked),
+                Some(about) => Planner::with_about(&space, about),
+                None => Planner::new(&space),
             };
             let planner = planner.map_err(|e| e.to_string())?;
             let answer = match to {
@@ -495,61 +498,18 @@ impl Space {
                 None => (planner.plan_out(from, &wishes, progress)).map(|out| out.1),
             };
             let answer = answer.map_err(|e| e.to_string())?;
-            let rows = match &answer.verdict {
-                Verdict::Path(path) => {
-                    let scene = planner.scene().clone().with_about(path.about);
-                    let rows = straight(&scene, &path.configurations);
-                    rows.map_err(|e| e.to_string())?
-                }
-                _ => Vec::new(),
+            let seconds = progress.seconds() - begin;
+            let mut plan = Plan::planned(&space, (planner.scene(), None), to, answer, seconds);
+            plan.gap = gap;
+            let pair = PairAnswer {
+                fixed: space.fixed().name().to_owned(),
+                moving: space.moving().name().to_owned(),
+                outcome: plan.verdict,
+                content: plan,
             };
-            Ok((answer, rows))
+            Planned::new(Answer::of_pairs(None, vec![pair]))
         })?;
-        let told = PyDict::new(py);
-        let names = |p: &cspace_design::FeaturePair| texts(&space, *p);
-        if let Some(b) = answer.bottleneck {
-            told.set_item("bottleneck", (b.narrow.clearance, numbers(b.narrow.at)))?;
-            told.set_item(
-                "touching",
-                b.narrow.features.iter().map(names).collect::<Vec<_>>(),
-            )?;
-        }
-        let verdict = match answer.verdict {
-            Verdict::Path(path) => {
-                let is_planar = matches!(*space, PairSpace::Planar(_));
-                told.set_item("about", is_planar.then_some((path.about.x, path.about.y)))?;
-                let rows: Vec<Vec<f64>> = path.configurations.into_iter().map(numbers).collect();
-                told.set_item("legs", matrix(py, rows)?)?;
-                let rows = dense.into_iter().map(numbers).collect();
-                told.set_item("path", matrix(py, rows)?)?;
-                told.set_item("clearance", path.narrowest.clearance)?;
-                "path"
-            }
-            Verdict::NoPath(enclosed) => {
-                told.set_item("region", enclosed.region.index())?;
-                told.set_item(
-                    "touching",
-                    enclosed.features.iter().map(names).collect::<Vec<_>>(),
-                )?;
-                "no-path"
-            }
-            Verdict::TooNarrow => "too-narrow",
-            Verdict::FromBlocked(blocked) => {
-                told.set_item("depth", blocked.depth)?;
-                "from-blocked"
-            }
-            Verdict::ToBlocked(blocked) => {
-                told.set_item("depth", blocked.depth)?;
-                "to-blocked"
-            }
-            Verdict::Unknown(doubtful) => {
-                told.set_item("doubtful", doubtful)?;
-                "unknown"
-            }
-        };
-        told.set_item("verdict", verdict)?;
-        told.set_item("gap", gap)?;
-        Ok(told)
+        planned.told(py)
     }
 
     /// The boundary of free space at an orientation, as loops of (x, y, bulge), and whether it is in doubt.
@@ -628,16 +588,4 @@ impl Space {
             ),
         }
     }
-}
-
-/// Rows as an array; rows of no array have three columns.
-pub(crate) fn matrix<'py, T: numpy::Element>(
-    py: Python<'py>,
-    rows: Vec<Vec<T>>,
-) -> PyResult<Bound<'py, PyArray2<T>>> {
-    if rows.is_empty() {
-        let zero = PyArray2::zeros(py, [0, 3], false);
-        return Ok(zero);
-    }
-    PyArray2::from_vec2(py, &rows).map_err(error)
 }

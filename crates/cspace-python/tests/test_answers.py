@@ -103,6 +103,47 @@ def test_simulations_are_those_of_the_command(command, models):
         assert found.coordinates[name].tolist() == [s[name] for s in told["samples"]]
 
 
+def test_any_name_of_a_parameter_is_given():
+    """What is called as an argument, as a keyword, or as no word at all is given in a dictionary."""
+    text = """
+[parameter]
+self = 1
+set = 1
+measures = 1
+rows = 1
+value = 1
+vary = 1
+lambda = 1
+[[part]]
+name = "table"
+loops = [[[-9, -9], [9, -9], [9, 0], [-9, 0]]]
+[[part]]
+name = "coin"
+loops = [{ circle = "self + set + measures + rows + value + vary + lambda", at = [0, 0] }]
+[[requirement]]
+name = "apart"
+measure = "clearance"
+pair = ["table", "coin"]
+at = { y = 20 }
+"""
+    model = cs.Model.loads(text)
+    for name in model.parameters:
+        assert model({name: 3}).parameters[name] == model(set={name: 3}).parameters[name] == 3
+        assert np.allclose(model.sweep(vary={name: [1, 2]})["apart"], [13, 12])
+        assert model.solve("apart", "=", 12.5, vary={name: (1, 2)}).solutions == [{name: pytest.approx(1.5)}]
+    assert model({"rows": 3}, measures=2).parameters["measures"] == 2
+    assert cs.sweep(lambda map, rows: map * rows, vary={"map": [1, 2], "rows": 3})["value"].tolist() == [3, 6]
+    assert len(cs.monte_carlo(lambda seed, samples: samples, 5, vary={"samples": cs.normal(0, 1)})["samples"]) == 5
+    for wrong, said in (
+        (lambda: model(set=3), "`set` is 3: give a dictionary"),
+        (lambda: model({"rows": 3}, rows=3), "rows is given twice"),
+        (lambda: model.sweep(vary=[1]), "`vary` is .*: give a dictionary"),
+        (lambda: model.solve("apart", "=", 1, vary={3: (0, 1)}), "`vary` is"),
+    ):
+        with pytest.raises(cs.Error, match=said):
+            wrong()
+
+
 def test_plans_and_proofs(peg):
     space = peg.compute()
     inside, outside = (0, -15, 0), (0, 40, 0)

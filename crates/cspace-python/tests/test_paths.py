@@ -4,6 +4,7 @@ import concurrent.futures
 import importlib.util
 import math
 import pathlib
+import pickle
 import warnings
 
 import numpy as np
@@ -33,7 +34,7 @@ def test_rows_are_free_as_they_stand(space):
         plan = space.plan(start, goal)
         if not plan:
             continue
-        turned += plan.about != (0, 0)
+        turned += plan.about != [0, 0]
         assert (space.classify(straight(plan.path, 60)) != cs.BLOCKED).all()
         assert np.allclose(plan.path[0], start) and np.allclose(plan.path[-1], plan.legs[-1])
         assert (space.classify(plan.sample(300)) != cs.BLOCKED).all()
@@ -58,8 +59,37 @@ def test_places_along_a_path(space):
 
 
 def test_records_with_arrays_are_compared_as_objects(space):
-    plan = space.plan((-8, 0, 0), (8, 0, 0))
-    assert plan == plan and len({plan, plan}) == 1 and plan != space.plan((-8, 0, 0), (8, 0, 0))
+    contact = space.contact(0, (-8, 0, 0))
+    assert contact == contact and len({contact, contact}) == 1 and contact != space.contact(0, (-8, 0, 0))
+
+
+def test_a_model_and_a_space_plan_alike(space):
+    """One kind of answer: the command's, whose path is there in rows and in legs, with its places."""
+    text = """
+[[part]]
+name = "box"
+loops = [[[-5, -5], [5, -5], [5, 5], [-5, 5]]]
+[[part]]
+name = "bar"
+loops = [[[-1, -0.5], [1, -0.5], [1, 0.5], [-1, 0.5]]]
+"""
+    model, ends = cs.Model.loads(text), ((-8, 1, 0), (8, 0, 2.0))
+    for wishes in ({}, {"about": (0, 3)}, {"widest": True}, {"prefer": "length"}):
+        of_space, of_model = space.plan(*ends, **wishes), model.plan(*ends, **wishes)
+        for plan in (of_space, of_model):
+            assert type(plan) is cs.Plan and plan and plan.outcome == plan.verdict == plan["verdict"] == "path"
+            assert plan["path"] is plan.path and plan["legs"] is plan.legs and len(plan.path) >= len(plan.legs)
+            assert (space.classify(straight(plan.path, 60)) != cs.BLOCKED).all()
+            assert np.array_equal(plan.sample(len(plan.legs)), plan.legs) or np.allclose(plan.sample(len(plan.legs)), plan.legs)
+            again = pickle.loads(pickle.dumps(plan))
+            assert again == plan and np.array_equal(again.path, plan.path)
+            told = plan.to_dict()["pairs"][0]
+            assert [list(row.values()) for row in told["path"]] == plan.legs.tolist()
+        assert np.array_equal(of_space.path, of_model.path) and of_space.about == of_model.about
+        assert of_space.clearance == of_model.clearance and of_space.bottleneck == of_model.bottleneck
+    for blocked in (space.plan((0, 0, 0), (9, 0, 0)), model.plan((0, 0, 0), (9, 0, 0))):
+        assert blocked.verdict == "from-blocked" and not blocked and blocked.path is None and blocked.legs is None
+        assert blocked.blocked.depth > 0 and blocked.touching == []
 
 
 def test_what_is_blocked_is_in_no_region(space):

@@ -7,11 +7,21 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::frame::Content;
-use crate::outcome::Done;
+use crate::outcome::outcomes;
 
 impl Content for OperatingModes {
     const COMMAND: &'static str = "modes";
-    type Outcome = Done;
+    type Outcome = Outcome;
+}
+
+outcomes! {
+    /// Whether there are modes.
+    Outcome {
+        /// The modes are known.
+        Done = "done" is Yes,
+        /// There is none: no configuration of the three parts is free.
+        Blocked = "blocked" is No,
+    }
 }
 
 /// The operating modes of three parts on axes.

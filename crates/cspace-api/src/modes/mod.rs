@@ -14,11 +14,11 @@ use crate::error::Error;
 use crate::frame::Answer;
 use crate::given;
 use crate::host::Host;
-use crate::outcome::Done;
 use crate::subject::{ModelFile, Subject};
 
 pub use answer::{
-    Is, Letter, Mode, Motion, OperatingModes, Pair, Part, Reach, Requested, ThreeCoordinates,
+    Is, Letter, Mode, Motion, OperatingModes, Outcome, Pair, Part, Reach, Requested,
+    ThreeCoordinates,
 };
 
 /// The parts whose modes are asked for.
@@ -52,7 +52,11 @@ impl Question {
         let place = modes.locate(at).map_err(Error::new)?;
         let seconds = begin.elapsed().as_secs_f64();
         let found = OperatingModes::of(model, modes, (at, place), seconds);
-        Ok(Answer::new(model.unit.as_deref(), Done::Done, found))
+        let outcome = match found.modes.is_empty() {
+            true => Outcome::Blocked,
+            false => Outcome::Done,
+        };
+        Ok(Answer::new(model.unit.as_deref(), outcome, found))
     }
 
     /// The three parts that are named, or those that move on axes.

@@ -176,9 +176,14 @@ impl Table {
         for (values, row) in missing.iter().zip(measured(&sweep, missing, host)) {
             rows.push(table::cells(values, &self.measures, &row));
         }
+        let has_value = |row: &Row| {
+            let measured = row.cells.iter().skip(self.values.names.len());
+            (measured.take(self.measures.len())).any(|cell| *cell != Cell::None)
+        };
         let outcome = match rows.rows.len() < all.len() {
             true => Outcome::Interrupted,
-            false => Outcome::Done,
+            false if all.is_empty() || rows.rows.iter().any(has_value) => Outcome::Done,
+            false => Outcome::None,
         };
         Ok(Answer::new(subject.unit(), outcome, rows))
     }
@@ -202,6 +207,18 @@ impl Table {
                 rows.push(change_cells(change));
             }
             pieces.done(line.len());
+        }
+        // A line without a change is everywhere as its first row is.
+        if rows.rows.is_empty() && outcome == Outcome::Done {
+            let first = self.lines().filter_map(|line| line.first().cloned());
+            let found = sweep.rows(&first.collect::<Vec<_>>());
+            let mut measured = found.iter().flat_map(|row| &row.measured);
+            if let Some(Err(reason)) = measured.clone().next()
+                && measured.all(Result::is_err)
+            {
+                host.note(&format_args!("nothing is measured anywhere: {reason}"));
+                outcome = Outcome::None;
+            }
         }
         Ok(Answer::new(subject.unit(), outcome, rows))
     }

@@ -78,10 +78,12 @@ impl Values {
 }
 
 outcomes! {
-    /// How far the table has come.
+    /// How far the table has come, and whether it has values.
     Outcome {
-        /// All rows are there.
+        /// All rows are there, and something is measured somewhere.
         Done = "done" is Yes,
+        /// All rows are there, and nothing has a value in any of them.
+        None = "none" is No,
         /// It was interrupted: the first rows are there.
         Interrupted = "interrupted" is Open,
     }

@@ -108,6 +108,18 @@ impl Question {
             }
         };
         drop(progress);
+        if self.at.is_some() && matches!(space, PairSpace::FixedAxes(_)) {
+            let [fixed, moving] = [&parts.0, &parts.1].map(|part| part.name());
+            let at = host.option("at");
+            return Err(Error::new(format_args!(
+                "{at}: {fixed} and {moving} move on axes, and their zones are those of all u and v, without an orientation"
+            ))
+            .help(format_args!(
+                "leave {at} out; the ranges of u and v that are looked at are chosen by {} and {}",
+                host.option("u"),
+                host.option("v")
+            )));
+        }
         let mut pair = Pair {
             nominal,
             entry,

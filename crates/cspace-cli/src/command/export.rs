@@ -115,7 +115,8 @@ fn share(text: &str) -> Result<f64, String> {
     given::number(text, is_right, "give a number from 1e-6 to 0.5")
 }
 
-pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
+/// Writes the file, and gives the unit of length.
+pub(crate) fn run(args: &ExportArgs) -> Result<Option<String>, Failure> {
     let common = &args.common;
     let Some(path) = common.result.output.as_deref() else {
         return Err(Failure::new("export needs a file to write")
@@ -125,19 +126,22 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
     refuse_unused(args, kind, path)?;
     if kind == Kind::Page {
         let page = page::bundled(Page::bundled())?;
-        let file = page::file(&page, common, &args.which, &args.with)?;
-        return output::write(Some(path), &file);
+        let (file, unit) = page::file(&page, common, &args.which, &args.with)?;
+        output::write(Some(path), &file)?;
+        return Ok(unit);
     }
     let (subject, host) = ask::open(common)?;
     let pair = subject.one_pair(&args.which, &host)?;
+    let unit = subject.unit().map(str::to_owned);
     let mut said = None;
     let bytes = match kind {
         // Written above: it is of all pairs.
-        Kind::Page => return Ok(()),
+        Kind::Page => return Ok(unit),
         Kind::Json => pair.as_file()?.into_bytes(),
         Kind::Picture(format) => {
             let scene = picture(args, &pair)?;
-            return picture::write(Some(path), format, &scene);
+            picture::write(Some(path), format, &scene)?;
+            return Ok(unit);
         }
         Kind::Ply | Kind::Obj | Kind::Stl | Kind::Glb => {
             let options = MeshOptions {
@@ -175,7 +179,7 @@ pub(crate) fn run(args: &ExportArgs) -> Result<(), Failure> {
         // Where nobody listens nothing is lost.
         let _ = writeln!(std::io::stderr(), "{said}");
     }
-    Ok(())
+    Ok(unit)
 }
 
 /// Options that say nothing about what is written are a slip.

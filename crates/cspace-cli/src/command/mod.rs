@@ -69,14 +69,14 @@ fn tell_in<T: Content>(
     Failure::of(answer.outcome.is())
 }
 
-/// Runs a command whose answer is the file that it writes: as JSON, its name.
+/// Runs a command whose answer is the file that it writes: as JSON, its name. The command gives the unit of length of what it writes.
 pub(crate) fn writing<T: Content<Outcome = Done>>(
     result: &ResultArgs,
     answer: impl FnOnce(PathBuf) -> T,
-    run: impl FnOnce() -> Result<(), Failure>,
+    run: impl FnOnce() -> Result<Option<String>, Failure>,
 ) -> Result<(), Failure> {
     if result.format() == Format::Text {
-        return run();
+        return run().map(|_| ());
     }
     let output = result.output.as_deref();
     let Some(written) = output.filter(|path| *path != Path::new(output::STANDARD)) else {
@@ -86,8 +86,8 @@ pub(crate) fn writing<T: Content<Outcome = Done>>(
         ))
         .help("name a file: -o OUT"));
     };
-    run()?;
-    let answer = Answer::new(None, Done::Done, answer(written.to_owned()));
+    let unit = run()?;
+    let answer = Answer::new(unit.as_deref(), Done::Done, answer(written.to_owned()));
     output::write(None, &json(&answer)?)
 }
 

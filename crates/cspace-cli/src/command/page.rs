@@ -48,15 +48,16 @@ pub(super) fn entries(chosen: &[Chosen<'_>]) -> Vec<PairEntry> {
     chosen.iter().filter_map(Chosen::entry).collect()
 }
 
-/// The page as one file, with the spaces of all chosen pairs in it. A pair that cannot be computed says so there and in a
-/// warning; it is a failure if none can.
+/// The page as one file, with the spaces of all chosen pairs in it, and the unit of length. A pair that cannot be computed says so there
+/// and in a warning; it is a failure if none can.
 pub(super) fn file(
     page: &Page,
     common: &Common,
     which: &Which,
     with: &[PathBuf],
-) -> Result<Vec<u8>, Failure> {
+) -> Result<(Vec<u8>, Option<String>), Failure> {
     let (subject, host) = ask::open(common)?;
+    let unit = subject.unit().map(str::to_owned);
     // Before anything is computed.
     for record in with {
         output::before_reading(record)?;
@@ -78,9 +79,8 @@ pub(super) fn file(
             .map(|(entry, pair)| pair.unwrap_or_else(|error| opened.unknown(entry).failed(error)))
             .collect(),
     };
-    page.file(&opened.scene_with(pairs))
-        .map(String::into_bytes)
-        .map_err(Failure::new)
+    let file = page.file(&opened.scene_with(pairs)).map_err(Failure::new)?;
+    Ok((file.into_bytes(), unit))
 }
 
 /// All pairs with their spaces, or why they have none.

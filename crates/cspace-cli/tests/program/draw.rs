@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::helpers::{cspace, fails, model, printed};
+use crate::helpers::{cspace, fails, framed, model, printed};
 
 /// Every model that is shipped.
 fn models() -> Vec<String> {
@@ -254,6 +254,62 @@ fn tolerances_are_drawn() {
     ] {
         assert!(along.contains(said), "{said}");
     }
+}
+
+/// Two parts on axes have no orientation, and a motion has no zones: what is not used is refused.
+#[test]
+fn an_orientation_of_zones_is_used_or_refused() {
+    let lock = model("tolerances/geneva_lock");
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out.svg");
+    let out = out.to_str().unwrap();
+    let on_axes = [
+        "--at: driver and wheel move on axes",
+        "leave --at out",
+        "--u and --v",
+    ];
+    for args in [&["--zones"][..], &["-o", out]] {
+        let asked = [&["tolerances", &lock, "--at=10deg"], args].concat();
+        fails(cspace(&asked), 2, &on_axes);
+    }
+    let along = [
+        "tolerances",
+        &lock,
+        "--at=10deg",
+        "--along=u=0:1:2",
+        "-o",
+        out,
+    ];
+    fails(
+        cspace(&along),
+        2,
+        &["--at is the orientation of contact zones"],
+    );
+    assert!(!Path::new(out).exists());
+}
+
+/// Files that are written have the unit of what they are made of: of a model, of a space that keeps its unit, of a drawing.
+#[test]
+fn the_unit_of_what_is_written_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let peg = model("peg_hole");
+    let unit = |args: &[&str]| framed(args)["units"]["length"].clone();
+    let [space, outlines] = ["space.json", "outlines.dxf"].map(path);
+    for args in [
+        ["export", &peg, "-o", &space],
+        ["export", &space, "-o", &path("slices.svg")],
+        ["draw", &peg, "-o", &path("parts.svg")],
+        ["draw", &peg, "-o", &outlines],
+        ["draw", &outlines, "-o", &path("drawing.svg")],
+    ] {
+        assert_eq!(unit(&args), "mm", "{args:?}");
+    }
+    let mut saved: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(&space).unwrap()).unwrap();
+    saved.as_object_mut().unwrap().remove("unit");
+    std::fs::write(&space, saved.to_string()).unwrap();
+    assert!(unit(&["draw", &space, "-o", &path("none.svg")]).is_null());
 }
 
 /// Each feature has one label, called as in answers, or is counted as left out; a square has room for all of its own.

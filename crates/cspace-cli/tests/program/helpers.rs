@@ -139,14 +139,16 @@ pub(crate) fn printed(args: &[&str]) -> String {
 fn answered(args: &[&str]) -> Output {
     let output = cspace(args).output().unwrap();
     // These have answers that are a no; the others have values.
-    const ASKED: [&str; 8] = [
+    const ASKED: [&str; 10] = [
         "check",
         "clearance",
         "disassemble",
+        "modes",
         "plan",
         "play",
         "simulate",
         "solve",
+        "sweep",
         "tolerances",
     ];
     let most = i32::from(ASKED.contains(&args[0]));

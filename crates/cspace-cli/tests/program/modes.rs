@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::helpers::{cspace, fails, json, model, printed};
+use crate::helpers::{cspace, fails, framed, json, model, printed};
 
 fn written(text: &str) -> (tempfile::TempDir, String) {
     let dir = tempfile::tempdir().unwrap();
@@ -74,6 +74,25 @@ fn each_order_of_blocks_on_a_rail_is_a_mode() {
         "{said}"
     );
     assert!(said.contains("not considered: a and case"), "{said}");
+}
+
+#[test]
+fn parts_that_overlap_in_all_their_range_have_no_mode() {
+    let slide = |range: &str| {
+        format!("motion = {{ type = \"prismatic\", direction = [1, 0], range = {range} }}")
+    };
+    // The second block stays within a unit of the first, which is two long.
+    let motions = [slide("[4, 5]"), slide("[0, 1]"), slide("[-1, 1]")];
+    let (_dir, file) = blocks(motions.each_ref().map(String::as_str), "");
+    let answer = framed(&["modes", &file]);
+    assert_eq!(answer["outcome"], "blocked");
+    assert_eq!(answer["modes"], serde_json::json!([]));
+    let said = printed(&["modes", &file]);
+    assert!(
+        said.contains("blocked: no configuration of the three is free\n"),
+        "{said}"
+    );
+    cspace(&["modes", &file]).assert().code(1);
 }
 
 #[test]

@@ -261,6 +261,37 @@ fn sweeps_are_tables() {
 }
 
 #[test]
+fn a_sweep_without_a_value_says_so() {
+    let (folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
+    let outcome = |args: &[&str]| {
+        let mut output = cspace(&[&["sweep", &file, "--json"], args].concat());
+        let output = output.assert().get_output().clone();
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let rows = answer["rows"].as_array().unwrap().clone();
+        (output.status.code(), answer["outcome"].clone(), rows)
+    };
+    // The parts overlap where the play is negative: each row says so.
+    let (code, word, rows) = outcome(&["--vary", "play=-0.2:-0.1:2"]);
+    assert_eq!((code, word), (Some(1), "none".into()));
+    assert_eq!(rows.len(), 2);
+    assert!(rows.iter().all(|row| row["failure"].is_string()));
+    let (code, word, _) = outcome(&["--vary", "play=-0.2:0.1:2"]);
+    assert_eq!((code, word), (Some(0), "done".into()));
+    // Where something changes, nothing does, and there is nothing.
+    let changes = ["--vary", "play=-0.2:-0.1:2", "--changes"];
+    assert_eq!(outcome(&changes), (Some(1), "none".into(), Vec::new()));
+    let mut said = cspace(&[&["sweep", &file], &changes[..]].concat());
+    let said = String::from_utf8(said.assert().code(1).get_output().stderr.clone()).unwrap();
+    assert!(said.contains("nothing is measured anywhere: "), "{said}");
+    let out = folder.path().join("none.csv");
+    let out = out.to_str().unwrap();
+    let args = ["sweep", &file, "--vary", "play=-0.2:-0.1:2", "-o", out];
+    let text = cspace(&args).assert().code(1).get_output().clone();
+    assert_eq!(text.stdout, std::fs::read(out).unwrap());
+    assert!(text.stderr.is_empty());
+}
+
+#[test]
 fn sweeps_go_on_from_what_is_done() {
     let (folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));
     let out = folder.path().join("out.csv");

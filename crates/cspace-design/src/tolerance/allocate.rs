@@ -254,24 +254,25 @@ pub fn allocate(
         both.map(|(f, matters)| if *matters { (f * by).min(WIDEST) } else { 1.0 })
             .collect()
     };
+    let rounded = |by: f64| -> Vec<f64> {
+        let round = |(i, f): (usize, &f64)| match matters[i] {
+            true => given.rounded(i, *f),
+            false => 1.0,
+        };
+        scaled(by).iter().enumerate().map(round).collect()
+    };
     let by = match criterion {
         Criterion::Worst => {
             let found = analysis.of(&given.by(&scaled(1.0)))?;
             let margins = found.iter().filter_map(|t| t.margin.factor);
             margins.fold(f64::INFINITY, f64::min)
         }
-        Criterion::Yield(share) => analysis.largest_with(&given, &scaled, share, samples)?,
+        Criterion::Yield(share) => {
+            analysis.largest_with(&given, &scaled, (share, samples), true)?
+        }
     };
-    let factors: Vec<f64> = (scaled(by).iter().enumerate())
-        .map(|(i, f)| {
-            if matters[i] {
-                given.rounded(i, *f)
-            } else {
-                1.0
-            }
-        })
-        .collect();
-    let variations = given.by(&factors);
+    let mut factors = rounded(by);
+    let mut variations = given.by(&factors);
     let options = ToleranceOptions {
         samples,
         ..options.clone()
@@ -281,7 +282,15 @@ pub fn allocate(
         proves: true,
         ..analysis
     };
-    let tolerances = analysis.of(&variations)?;
+    let mut tolerances = analysis.of(&variations)?;
+    if let Criterion::Yield(share) = criterion
+        && !tolerances.iter().all(|of| has_yield(of, share))
+    {
+        // Some samples that were taken to meet it do not.
+        factors = rounded(analysis.largest_with(&given, &scaled, (share, samples), false)?);
+        variations = given.by(&factors);
+        tolerances = analysis.of(&variations)?;
+    }
     let cost = |f: &dyn Fn(usize) -> f64| groups.cost(costs, f);
     Ok(Allocation {
         cost: [cost(&|_| 1.0), cost(&|i| factors[i])],
@@ -292,27 +301,43 @@ pub fn allocate(
     })
 }
 
+/// Whether a share of the samples meets a requirement, if anything is required.
+fn has_yield(of: &Tolerances, share: f64) -> bool {
+    let is_required = of.nominal.requirement.target.is_some();
+    let sampled = of.monte_carlo.as_ref();
+    !is_required || sampled.is_none_or(|found| found.met >= share)
+}
+
 impl Analysis<'_> {
-    /// The largest factor at which a share of samples meets each requirement.
+    /// The largest factor at which a share of so many samples meets each requirement. Deviations grow with the factor, so that most samples
+    /// that meet it at two factors do so between them, and are not looked at there again if they are taken to be monotone.
     fn largest_with(
         &self,
         given: &Variations,
         scaled: &dyn Fn(f64) -> Vec<f64>,
-        share: f64,
-        samples: u64,
+        (share, samples): (f64, u64),
+        is_monotone: bool,
     ) -> Result<f64, Unallocated> {
         /// The factor is found to this, relative to it: samples know it no better.
         const RESOLUTION: f64 = 1e-3;
         const SMALLEST: f64 = 1e-3;
-        let fails = |by: f64| -> Result<Option<String>, Interrupted> {
+        let required = self.model.requirements.iter();
+        let required = required.filter(|r| r.target.is_some());
+        let mut looked_at: Vec<_> = required.map(|r| (r, Met::none(samples))).collect();
+        let mut fails = |by: f64| -> Result<Option<String>, Interrupted> {
             let variations = given.by(&scaled(by));
-            for requirement in &self.model.requirements {
-                if requirement.target.is_some() {
-                    let mut study = self.study(&variations, requirement);
-                    study.know();
-                    if self.sampled(&study, samples)?.met < share {
-                        return Ok(Some(requirement.name.clone()));
-                    }
+            for (requirement, met) in &mut looked_at {
+                let mut study = self.study(&variations, requirement);
+                study.know();
+                if !is_monotone {
+                    *met = Met::none(samples);
+                }
+                let found = study.meets(samples, self.options.seed, |i| met.at(i, by));
+                let found = found.ok_or(Interrupted)?;
+                met.learn(by, &found);
+                let count = found.iter().filter(|is| **is).count();
+                if (count as f64 / samples as f64) < share {
+                    return Ok(Some(requirement.name.clone()));
                 }
             }
             Ok(None)
@@ -340,6 +365,33 @@ impl Analysis<'_> {
             }
         }
         Ok(lo)
+    }
+}
+
+/// The largest factor at which each sample meets a requirement, and the smallest at which it does not, of those at which it was looked at.
+struct Met(Vec<[f64; 2]>);
+
+impl Met {
+    fn none(samples: u64) -> Self {
+        Self(vec![[0.0, f64::INFINITY]; samples as usize])
+    }
+
+    /// Whether a sample meets the requirement at a factor, where that is known.
+    fn at(&self, sample: usize, by: f64) -> Option<bool> {
+        match self.0[sample] {
+            [met, _] if by <= met => Some(true),
+            [_, not] if by >= not => Some(false),
+            _ => None,
+        }
+    }
+
+    fn learn(&mut self, by: f64, found: &[bool]) {
+        for ([met, not], is) in self.0.iter_mut().zip(found) {
+            match is {
+                true => *met = met.max(by),
+                false => *not = not.min(by),
+            }
+        }
     }
 }
 

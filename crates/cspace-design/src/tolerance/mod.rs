@@ -268,8 +268,7 @@ impl<'a> Analysis<'a> {
     }
 
     fn sampled(&self, study: &Study<'_>, samples: u64) -> Result<MonteCarlo, Interrupted> {
-        let between = |_| self.progress.stage(Stage::Graph).is_ok();
-        let found = study.sample(samples, self.options.seed, &between);
+        let found = study.sample(samples, self.options.seed);
         found.ok_or(Interrupted)
     }
 }

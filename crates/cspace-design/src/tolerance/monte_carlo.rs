@@ -1,6 +1,7 @@
 //! Yield by samples: each from the contacts that may come first anywhere in the tolerances, or by a configuration space where these are in doubt.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use cspace::parallel;
 use cspace_model::model::{Dimension, Target};
@@ -38,35 +39,15 @@ pub struct MonteCarlo {
     pub computed: f64,
 }
 
-/// Result of a sample.
-type Sample = (Result<f64, &'static str>, bool);
-
 impl Study<'_> {
-    /// Samples deviations by chance. The same numbers come out of any number of threads; `between` is asked after some samples whether to go on.
-    pub(super) fn sample(
-        &self,
-        samples: u64,
-        seed: u64,
-        between: &(dyn Fn(u64) -> bool + Sync),
-    ) -> Option<MonteCarlo> {
-        /// Blocks between two questions.
-        const TOGETHER: u64 = 64;
+    /// Samples deviations by chance; `None` if the progress ends the computation.
+    pub(super) fn sample(&self, samples: u64, seed: u64) -> Option<MonteCarlo> {
         let requirement = self.requirement_of(self.nominal);
-        let blocks = samples.div_ceil(BLOCK);
-        let mut all: Vec<Sample> = Vec::new();
-        let mut first = 0;
-        while first < blocks {
-            if !between(first * BLOCK) {
-                return None;
-            }
-            let last = (first + TOGETHER).min(blocks);
-            let together: Vec<u64> = (first..last).collect();
-            let some = parallel::map(&together, 1, |&block| {
-                self.block(seed, block, (samples - block * BLOCK).min(BLOCK))
-            });
-            all.extend(some.into_iter().flatten());
-            first = last;
-        }
+        let all = self.each(samples, seed, |_, deviations| {
+            let point = self.at(deviations);
+            let is_computed = point.hits.is_none();
+            (point.value.map_err(|failure| failure.kind), is_computed)
+        })?;
         let n = samples as f64;
         let values: Vec<f64> = all.iter().filter_map(|s| s.0.ok()).collect();
         let mut failures: BTreeMap<String, f64> = BTreeMap::new();
@@ -102,16 +83,59 @@ impl Study<'_> {
         })
     }
 
-    fn block(&self, seed: u64, block: u64, count: u64) -> Vec<Sample> {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(block);
-        (0..count)
-            .map(|_| {
-                let point = self.at(&self.variations.draw(&mut random));
-                let is_computed = point.hits.is_none();
-                (point.value.map_err(|failure| failure.kind), is_computed)
+    /// Which samples meet the requirement: what is `known` of one by its number is not measured again. `None` if the progress ends the
+    /// computation.
+    pub(super) fn meets(
+        &self,
+        samples: u64,
+        seed: u64,
+        known: impl Fn(usize) -> Option<bool> + Sync,
+    ) -> Option<Vec<bool>> {
+        let target = self.requirement_of(self.nominal).target;
+        self.each(samples, seed, |i, deviations| {
+            known(i).unwrap_or_else(|| match (self.at(deviations).value, target) {
+                (Err(_), _) => false,
+                (Ok(value), Some(Target::Limits(lo, hi))) => (lo..=hi).contains(&value),
+                (Ok(value), Some(Target::Equals(wanted))) => (value == 1.0) == wanted,
+                (Ok(_), None) => true,
             })
-            .collect()
+        })
+    }
+
+    /// Finds something of each sample, by its number and its deviations, which are the same on any number of threads. `None` if the progress
+    /// ends the computation.
+    fn each<T: Send>(
+        &self,
+        samples: u64,
+        seed: u64,
+        find: impl Fn(usize, &[f64]) -> T + Sync,
+    ) -> Option<Vec<T>> {
+        /// Blocks that are divided among threads at once.
+        const TOGETHER: u64 = 64;
+        let done = AtomicU64::new(0);
+        let block = |&block: &u64| -> Option<Vec<T>> {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream(block);
+            let numbers = block * BLOCK..samples.min((block + 1) * BLOCK);
+            let one = |i: u64| {
+                let deviations = self.variations.draw(&mut random);
+                let found = self.goes_on().then(|| find(i as usize, &deviations));
+                let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+                self.progress.pieces(done, samples);
+                found
+            };
+            numbers.map(one).collect()
+        };
+        let blocks = samples.div_ceil(BLOCK);
+        let mut all = Vec::new();
+        for first in (0..blocks).step_by(TOGETHER as usize) {
+            let together: Vec<u64> = (first..blocks.min(first + TOGETHER)).collect();
+            for some in parallel::map(&together, 1, block) {
+                all.extend(some?);
+            }
+        }
+        self.progress.pieces(samples, samples);
+        Some(all)
     }
 }
 

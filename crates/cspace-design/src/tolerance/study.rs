@@ -20,7 +20,7 @@ pub(super) struct Study<'a> {
     pub(super) set: &'a [Setting],
     pub(super) variations: &'a Variations,
     pub(super) nominal: &'a Model,
-    progress: &'a dyn Progress,
+    pub(super) progress: &'a dyn Progress,
     pub(super) requirement: Requirement,
     /// How many parts of a box are looked at, at most.
     most: usize,

@@ -1,11 +1,11 @@
 //! Tolerances of designs whose answers are known, and of random ones against configuration spaces.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use cspace::{ComputeError, Configuration, Progress, Relation, Silent, Stage, overlap_as_drawn};
 use cspace_design::{
-    Allocation, ChangeKind, Criterion, ToleranceOptions, Tolerances, Unmeasured, Value, Variations,
-    allocate, along, check, tolerances, tolerances_with, zones,
+    Allocation, ChangeKind, Criterion, ToleranceOptions, Tolerances, Unallocated, Unmeasured,
+    Value, Variations, allocate, along, check, tolerances, tolerances_with, zones,
 };
 use cspace_model::Host;
 use cspace_model::model::{Coordinate, Subject, Template};
@@ -839,6 +839,67 @@ fn flush_parts_need_no_space() {
         samples.computed == 0.0 && samples.failures.is_empty(),
         "{samples:?}"
     );
+}
+
+/// Progress that counts samples, and ends a computation after so many.
+struct Samples {
+    most: u64,
+    done: AtomicU64,
+    of: AtomicU64,
+}
+
+impl Samples {
+    fn new(most: u64) -> Self {
+        Self {
+            most,
+            done: AtomicU64::new(0),
+            of: AtomicU64::new(0),
+        }
+    }
+}
+
+impl Progress for Samples {
+    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
+        match self.done.load(Ordering::Relaxed) < self.most {
+            true => Ok(()),
+            false => Err(ComputeError::Interrupted),
+        }
+    }
+
+    fn pieces(&self, done: u64, of: u64) {
+        self.done.fetch_max(done, Ordering::Relaxed);
+        self.of.store(of, Ordering::Relaxed);
+    }
+}
+
+/// Each sample is told, and the one after which nobody wants more is the last of its thread.
+#[test]
+fn samples_are_counted_and_end_when_asked() {
+    let template = template(KEY);
+    let model = template.model(&Host::default()).unwrap();
+    let sampled = |progress: &Samples| {
+        let options = ToleranceOptions {
+            samples: 3000,
+            ..ToleranceOptions::default()
+        };
+        tolerances(&template, &[], &model, &options, progress).unwrap()
+    };
+    let whole = Samples::new(u64::MAX);
+    assert!(sampled(&whole)[0].monte_carlo.is_some());
+    assert_eq!(
+        [&whole.done, &whole.of].map(|n| n.load(Ordering::Relaxed)),
+        [3000; 2]
+    );
+    let cut = Samples::new(100);
+    let found = sampled(&cut);
+    assert!(found[0].interrupted && found[0].monte_carlo.is_none());
+    let cut = Samples::new(100);
+    let options = ToleranceOptions::default();
+    let wanted = (Criterion::Yield(0.9), &[1.0, 1.0][..]);
+    let none = allocate(&template, &[], &model, &options, wanted, &cut);
+    assert_eq!(none.err(), Some(Unallocated::Interrupted));
+    assert_eq!(cut.of.load(Ordering::Relaxed), 1000);
+    assert!(cut.done.load(Ordering::Relaxed) < 1000);
 }
 
 /// Progress that ends a computation once something is known.

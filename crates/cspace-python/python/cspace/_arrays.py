@@ -125,6 +125,18 @@ def column(name: str, values: Any) -> NDArray[np.float64]:
         raise Error(f"the values of {name} are no numbers: {error}") from None
 
 
+def named(name: str, given: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> dict[str, Any]:
+    """What is given by name in a dictionary, for any name, and as keyword arguments, for names that no argument has."""
+    if given is None:
+        return dict(keywords)
+    if not (isinstance(given, Mapping) and all(isinstance(key, str) for key in given)):
+        raise Error(f"`{name}` is {given!r}: give a dictionary by name, such as {{'{name}': 1}} for what is called {name}")
+    twice = sorted(given.keys() & keywords.keys())
+    if twice:
+        raise Error(f"{twice[0]} is given twice: in `{name}` and by itself")
+    return {**given, **keywords}
+
+
 def table(rows: Mapping[str, Any] | None, values: Mapping[str, Any]) -> tuple[list[str], list[tuple[Any, ...]]]:
     """Names and rows of what is varied: every combination of `values`, the last changing first, or the columns of `rows`."""
     if rows is not None and values:

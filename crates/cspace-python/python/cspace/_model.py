@@ -8,16 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _rust, answers
-from ._arrays import column, given, number, pair_names, position, table, window
+from ._arrays import column, given, named, number, pair_names, position, table, window
 from ._errors import Error
 from ._part import Part
 from ._record import plain as _plain
-from ._results import Check, Escape, Path, Simulation, Table, Tolerances
+from ._results import Check, Escape, Plan, Simulation, Table, Tolerances
 from ._space import ContactSpace
 
 def _number(name: str, value: Any) -> float | None:
     """A finite number of 0 or more, or None."""
     return None if value is None else number(name, value, 0.0)
+
+
+def _given(arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """The arguments that are not None, as plain data."""
+    return {name: _plain(value) for name, value in arguments.items() if value is not None}
 
 
 _RELATIONS = {"=": "equal", "==": "equal", "<=": "at-most", ">=": "at-least"}
@@ -26,7 +31,7 @@ _RELATIONS = {"=": "equal", "==": "equal", "<=": "at-most", ">=": "at-least"}
 class Model:
     """A model of parts, with values for its parameters.
 
-    `model(pin=6.02)` is the model with another value; values are numbers, or expressions such as "18deg".
+    `model(pin=6.02)` is the model with another value, as is `model({"pin": 6.02})`; values are numbers, or expressions such as "18deg".
     """
 
     __slots__ = ("_model",)
@@ -44,8 +49,9 @@ class Model:
         """The model in a text: TOML, or JSON where `name` ends in .json; errors call it by this name."""
         return cls(_rust.Model._loads(text, name, []))
 
-    def __call__(self, **parameters: float | str) -> "Model":
-        return Model(self._model(**parameters))
+    def __call__(self, /, set: Mapping[str, float | str] | None = None, **parameters: float | str) -> "Model":
+        """The model with other values for the `parameters`; in the dictionary `set` their names may be any."""
+        return Model(self._model(named("set", set, parameters)))
 
     @property
     def name(self) -> str:
@@ -85,9 +91,12 @@ class Model:
 
     def _ask(self, question: str, **arguments: Any) -> dict[str, Any]:
         """The answer to a question, of whose arguments those that are None are left out."""
-        given = {name: _plain(value) for name, value in arguments.items() if value is not None}
-        answer: dict[str, Any] = self._model._ask(question, given)
+        answer: dict[str, Any] = self._model._ask(question, _given(arguments))
         return answer
+
+    def _plan(self, **arguments: Any) -> Plan:
+        """The answer to the question for a path, whose arguments are as of `_ask`."""
+        return Plan(*self._model._plan(_given(arguments)))
 
     def info(self) -> answers.InfoAnswer:
         """The parts, joints and pairs of the model, with its masses, forces and drives."""
@@ -114,14 +123,19 @@ class Model:
         )
 
     def sweep(
-        self, measures: str | Iterable[str] | None = None, rows: Mapping[str, Any] | None = None, **values: Any
+        self,
+        /,
+        measures: str | Iterable[str] | None = None,
+        rows: Mapping[str, Any] | None = None,
+        vary: Mapping[str, Any] | None = None,
+        **values: Any,
     ) -> Table:
         """The requirements `measures` (all without) for values of parameters or coordinates: of every combination of `values`, the last
-        changing first, or of `rows`, a dictionary of columns.
+        changing first, or of `rows`, a dictionary of columns. In the dictionary `vary` the names of what has values may be any.
 
         >>> model.sweep(play=np.linspace(0.05, 0.25, 5))  # doctest: +SKIP
         """
-        names, varied = table(rows, values)
+        names, varied = table(rows, named("vary", vary, values))
         numbers = np.array([column(name, v) for name, v in zip(names, zip(*varied))])
         if not np.isfinite(numbers).all():
             raise Error("a value that is varied is not finite")
@@ -136,12 +150,21 @@ class Model:
         return Table(columns, failures)
 
     def solve(
-        self, requirement: str, relation: str, value: float | bool, samples: int = 65, **ranges: Sequence[float]
+        self,
+        /,
+        requirement: str,
+        relation: str,
+        value: float | bool,
+        samples: int = 65,
+        vary: Mapping[str, Sequence[float]] | None = None,
+        **ranges: Sequence[float],
     ) -> answers.SolveAnswer:
-        """Values of parameters, each from lo to hi, at which a requirement is `=`, `<=` or `>=` a value.
+        """Values of parameters, each from lo to hi, at which a requirement is `=`, `<=` or `>=` a value. In the dictionary `vary` the names
+        of what has `ranges` may be any.
 
         >>> model.solve("tilt", "=", 0.01, play=(0.01, 0.5)).solutions  # doctest: +SKIP
         """
+        ranges = named("vary", vary, ranges)
         try:
             vary = [{"parameter": name, "lo": float(lo), "hi": float(hi)} for name, (lo, hi) in ranges.items()]
         except (TypeError, ValueError):
@@ -173,18 +196,21 @@ class Model:
         widest: bool = False,
         clearance: float | None = None,
         proof: bool = False,
-    ) -> Path:
-        """A path of a pair from `start`, as drawn without one, to `goal`, or out, or that there is none; with `proof` a proof of that."""
-        asked = self._ask(
-            "plan",
+        about: Sequence[float] | None = None,
+        prefer: str = "legs",
+    ) -> Plan:
+        """A path of a pair from `start`, as drawn without one, to `goal`, or out, or that there is none; with `proof` a proof of that. The
+        other arguments are as of `ContactSpace.plan`."""
+        return self._plan(
             **{"from": given("start", start)},
             to=given("goal", goal),
             pair=pair_names(pair),
             widest=widest,
             clearance=_number("clearance", clearance),
             proof=proof,
+            about=None if about is None else position("about", about),
+            prefer=prefer,
         )
-        return Path(asked)
 
     def escape(
         self,

@@ -1,6 +1,6 @@
 """Answers as records."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -112,31 +112,50 @@ class Play:
         return self.upper - self.lower
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
-    """The answer to the question for a path.
+class Check(ByName, answers.CheckAnswer):
+    """The requirements of a model, measured: `check["tilt"].value`."""
 
-    `verdict` is "path", "no-path" (proved), "too-narrow", "from-blocked", "to-blocked" or "unknown". Rows of `path` are free as they
-    stand: between two of them all coordinates change evenly. `legs` are the same way in few rows, between which the point `about` of a
-    moving part in the plane goes straight; on them `clearance` is the smallest distance of the parts, and on `path` nine tenths of it are
-    left. `bottleneck` is the clearance and the configuration where the widest path is narrowest. `touching` are the features of the fixed and the moving part that are nearest at the
-    bottleneck, or that enclose a region which is not left.
+
+class Tolerances(ByName, answers.TolerancesAnswer):
+    """What tolerances do to the requirements of a model: `tolerances["tilt"].margin`."""
+
+
+class Plan(OfPair, answers.PlanAnswer):
+    """A path of a pair, or that there is none: `verdict` is "path", "no-path" (proved), "from-blocked", "to-blocked" or "unknown".
+
+    Rows of `path` are free as they stand: between two of them all coordinates change evenly. `legs`, the `path` of the command's JSON, are
+    the same way in few rows, between which the point `about` of a moving part in the plane goes straight; on them `clearance` is the
+    smallest distance of the parts, and on `path` nine tenths of it are left. Both are None where there is no path.
     """
 
-    verdict: str
-    path: NDArray[np.float64] | None = None
-    legs: NDArray[np.float64] | None = None
-    about: tuple[float, float] | None = None
-    clearance: float | None = None
-    bottleneck: tuple[Any, ...] | None = None
-    touching: list[Any] = field(default_factory=list)
-    region: int | None = None
-    depth: float | None = None
-    doubtful: list[Any] = field(default_factory=list)
-    gap: float | None = None
+    def __init__(self, values: Any = (), path: NDArray[np.float64] | None = None) -> None:
+        super().__init__(values)
+        vars(self)["_path"] = path
+
+    @property
+    def path(self) -> NDArray[np.float64] | None:
+        """Configurations from the start to the goal, between which x, y and theta, or u and v, change evenly."""
+        found: NDArray[np.float64] | None = vars(self)["_path"]
+        return found
+
+    @property
+    def legs(self) -> NDArray[np.float64] | None:
+        """Configurations from the start to the goal, between which the point `about` goes straight."""
+        found: NDArray[np.float64] = self.pairs[0]["path"]
+        return found if len(found) else None
+
+    @property
+    def touching(self) -> list[Any]:
+        """The features of the fixed and the moving part that are nearest at the bottleneck, or that enclose a region which is not left."""
+        if self.enclosed is not None:
+            return list(self.enclosed.touching)
+        return [self.bottleneck.touching] if self.bottleneck is not None and self.bottleneck.touching else []
+
+    def __missing__(self, key: str) -> Any:
+        return getattr(self, key) if key in ("path", "legs") else super().__missing__(key)
 
     def __bool__(self) -> bool:
-        return self.verdict == "path"
+        return bool(self.verdict == "path")
 
     def at(self, share: float) -> NDArray[np.float64]:
         """The configuration at a share of the path, from 0 to 1: each of `legs` counts alike."""
@@ -148,19 +167,6 @@ class Plan:
         if not (hasattr(count, "__index__") and count.__index__() > 0):
             raise Error(f"`count` is {count!r} where a whole number of 1 or more is expected")
         return _along(self, np.linspace(0.0, 1.0, count.__index__()))
-
-
-class Check(ByName, answers.CheckAnswer):
-    """The requirements of a model, measured: `check["tilt"].value`."""
-
-
-class Tolerances(ByName, answers.TolerancesAnswer):
-    """What tolerances do to the requirements of a model: `tolerances["tilt"].margin`."""
-
-
-class Path(OfPair, answers.PlanAnswer):
-    """A path of a pair, or that there is none: `answer.outcome` is "path", "no-path", …; `answer.path` has a configuration in each row,
-    between which the point `answer.about` of the part goes straight."""
 
 
 class Escape(OfPair, answers.EnergyAnswer):

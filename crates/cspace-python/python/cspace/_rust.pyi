@@ -17,7 +17,8 @@ class ContactSpace:
         """The contact patches: features of the fixed and of the moving part, the region and the orientations they bound, if any."""
 
     def _plan(self, start: Any, goal: Any = None, clearance: Any = None, about: Any = None, prefer: Any = 'legs') -> Any:
-        """A path from `start` to `goal` through free space, or out where there is none, or the proof that there is no path, as a dictionary. An infinite clearance asks for the widest path."""
+        """A path from `start` to `goal` through free space, or out where there is none, or that there is none: the answer, and the rows of the
+        path. An infinite clearance asks for the widest path."""
 
     def _play(self, q: Any) -> Any:
         """For each coordinate how far it goes down and up from a free configuration when it alone changes, and what touches at the two ends;
@@ -97,6 +98,9 @@ class Model:
     @staticmethod
     def _loads(text: Any, path: Any, set: Any) -> Any:
         """The model in a text, TOML unless the extension of `path` is .json."""
+
+    def _plan(self, arguments: Any) -> Any:
+        """The answer to the question for a path of a pair, and the rows of the path."""
 
     def _source(self) -> Any:
         """The source of the model: the text, the path, and the values that are set."""

@@ -196,7 +196,7 @@ class ContactSpace:
         if widest and clearance is not None:
             raise Error("`widest` and `clearance` are both given")
         least = None if clearance is None else number("clearance", clearance, 0.0)
-        return Plan(**self._space._plan(start, goal, math.inf if widest else least, about, prefer))
+        return Plan(*self._space._plan(start, goal, math.inf if widest else least, about, prefer))
 
     def slice(self, theta: float) -> Loops:
         """The boundary of free space at an orientation, as loops of (x, y, bulge) with the blocked side on the left."""

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._arrays import number
+from ._arrays import named, number
 from ._arrays import table as _table
 from ._errors import Error
 from ._results import Table
@@ -86,9 +86,11 @@ def sweep(
     function: Callable[..., Any],
     map: Callable[..., Iterable[Any]] | None = None,
     rows: Mapping[str, Any] | None = None,
+    vary: Mapping[str, Any] | None = None,
     **values: Any,
 ) -> Table:
-    """`function(**row)` for every combination of `values`, the last changing first, or for `rows`, a dictionary of columns.
+    """`function(**row)` for every combination of `values`, the last changing first, or for `rows`, a dictionary of columns. In the
+    dictionary `vary` the names of what has values may be any.
 
     `map` is any map(function, iterable): that of an executor of processes, of Dask (`client.get_executor().map`), of Ray
     (`ray.util.multiprocessing.Pool().map`); the built-in one without. The function is sent once with each block of rows, and kept by the
@@ -100,7 +102,7 @@ def sweep(
     """
     if not callable(function):
         raise Error(f"`function` is {function!r}, which cannot be called")
-    names, table = _table(rows, values)
+    names, table = _table(rows, named("vary", vary, values))
     if map is None or map is builtins.map:
         answers = _answers(function, names, table)
     else:
@@ -164,10 +166,11 @@ def monte_carlo(
     samples: int,
     seed: int = 0,
     map: Callable[..., Iterable[Any]] | None = None,
+    vary: Mapping[str, Any] | None = None,
     **values: Any,
 ) -> Table:
     """`function(**row)` for `samples` rows of random `values`: each is a `normal`, `uniform` or `triangular` distribution, or a number
-    that stays.
+    that stays. In the dictionary `vary` the names of what has values may be any.
 
     The rows depend on the seed alone: they are the same on one process and on a cluster, and each name has its own numbers whatever
     others there are. A function with an argument `seed` is given another whole number for each row. `map` and what is returned are as of
@@ -184,7 +187,7 @@ def monte_carlo(
     if not callable(function):
         raise Error(f"`function` is {function!r}, which cannot be called")
     rows: dict[str, Any] = {}
-    for name, value in values.items():
+    for name, value in named("vary", vary, values).items():
         if isinstance(value, Distribution):
             # Of its own: the name is part of the seed.
             rows[name] = value.draw(np.random.default_rng([seed, *name.encode()]), samples)

@@ -71,6 +71,8 @@ pub use drawn::{
     ContactValue, FeatureShape, Touching, TouchingPlace, contact_function, touching, touching_place,
 };
 pub use function::ContactFunction;
+#[cfg(feature = "fuzzing")]
+pub(crate) use locus::Locus;
 pub(crate) use orientation::Orientation;
 pub(crate) use overlap::{Body, overlap};
 pub use pair::overlap_as_drawn;

@@ -142,6 +142,9 @@ pub trait Progress: Sync {
     /// [`ComputeError::Interrupted`] if the computation is to be stopped.
     fn stage(&self, stage: Stage) -> Result<(), ComputeError>;
 
+    /// Called in work of many alike pieces, such as samples by chance: so many of so many are done. Where all are, other work follows.
+    fn pieces(&self, _done: u64, _of: u64) {}
+
     /// Reading of a clock in seconds, since any moment: the [`StageSeconds`](super::StageSeconds) of the space are differences of readings.
     /// The library has no clock of its own, since not all machines have one; without this method all stages take 0 s.
     fn seconds(&self) -> f64 {
@@ -164,6 +167,10 @@ pub struct Silent;
 impl<P: Progress + ?Sized> Progress for &P {
     fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
         (**self).stage(stage)
+    }
+
+    fn pieces(&self, done: u64, of: u64) {
+        (**self).pieces(done, of);
     }
 
     fn seconds(&self) -> f64 {

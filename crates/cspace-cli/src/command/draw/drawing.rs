@@ -12,13 +12,16 @@ use crate::input;
 use crate::picture::{self, Plane};
 use crate::wording::count;
 
-pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure> {
+/// Writes the picture, and gives the unit of length.
+pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<Option<String>, Failure> {
     let file: &Path = &args.common.file;
     let refused = |option: &str| {
-        Err(Failure::new(format_args!(
-            "{option} is about models, and this is a drawing"
-        ))
-        .help("make a model of it with `cspace import`"))
+        Err::<Option<String>, Failure>(
+            Failure::new(format_args!(
+                "{option} is about models, and this is a drawing"
+            ))
+            .help("make a model of it with `cspace import`"),
+        )
     };
     if args.at.is_some() {
         return refused("--at");
@@ -65,16 +68,14 @@ pub(super) fn run(args: &DrawArgs, format: PictureFormat) -> Result<(), Failure>
         is_drawing: true,
         ..PartsPicture::default()
     };
-    let options = (args.picture).options(
-        Plane::Positions,
-        drawing.name.clone(),
-        drawing.unit.map(|u| u.label()),
-    )?;
+    let unit = drawing.unit.map(|u| u.label());
+    let options = (args.picture).options(Plane::Positions, drawing.name.clone(), unit)?;
     picture::write(
         args.common.result.output.as_deref(),
         format,
         &parts(&picture, &options),
-    )
+    )?;
+    Ok(unit.map(str::to_owned))
 }
 
 /// The path of an entity, with curves as chords so short that a picture shows no difference.

@@ -62,7 +62,8 @@ pub(crate) struct DrawArgs {
     pub(crate) picture: PictureArgs,
 }
 
-pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
+/// Writes the picture, and gives the unit of length.
+pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     let is_drawing = cspace_drawing::is_drawing(&common.file);
@@ -111,7 +112,8 @@ pub(crate) fn run(args: &DrawArgs) -> Result<(), Failure> {
     let options = args
         .picture
         .options(Plane::Positions, title, subject.unit())?;
-    picture::write(output, format, &parts(&drawn, &options))
+    picture::write(output, format, &parts(&drawn, &options))?;
+    Ok(subject.unit().map(str::to_owned))
 }
 
 /// Outlines are those of models, and written as SVG or DXF.

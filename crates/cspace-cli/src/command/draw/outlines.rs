@@ -44,8 +44,8 @@ pub(crate) fn write(
     output::write(path, text.as_bytes())
 }
 
-/// The parts of a model, or a pair at a configuration.
-pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
+/// Writes the parts of a model, or a pair at a configuration, and gives the unit of length.
+pub(super) fn of_model(args: &DrawArgs) -> Result<Option<String>, Failure> {
     let common = &args.common;
     let output = common.result.output.as_deref();
     if let Some(option) = args.picture.given() {
@@ -70,5 +70,6 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<(), Failure> {
     let drawn: Vec<Drawn> = (picture.parts.iter())
         .map(|p| Drawn::part(p.part).moved(p.assembly_from_part))
         .collect();
-    write(output, &drawn, subject.unit(), args.dxf)
+    write(output, &drawn, subject.unit(), args.dxf)?;
+    Ok(subject.unit().map(str::to_owned))
 }

@@ -36,7 +36,10 @@ pub(super) fn describe(
         };
         writeln!(text, "{a}, {b}: {what}")?;
     }
-    writeln!(text, "{}", count(answer.modes.len(), "mode", "modes"))?;
+    match answer.modes.len() {
+        0 => writeln!(text, "blocked: no configuration of the three is free")?,
+        n => writeln!(text, "{}", count(n, "mode", "modes"))?,
+    }
     for (k, mode) in modes.list().iter().enumerate() {
         writeln!(text, "mode {k}")?;
         for (i, c) in coordinates.iter().enumerate() {

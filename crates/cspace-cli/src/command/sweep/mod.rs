@@ -100,7 +100,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         (Some(changes), _) => {
             written(args, &changes, &Kept::default())?;
             match changes.outcome {
-                Outcome::Done => Ok(()),
+                Outcome::Done | Outcome::None => Ok(()),
                 Outcome::Interrupted => Err(Failure::new(
                     "interrupted: the changes that were found are written",
                 )),
@@ -109,7 +109,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<(), Failure> {
         (None, Some(rows)) => {
             written(args, &rows, &kept)?;
             match rows.outcome {
-                Outcome::Done => Ok(()),
+                Outcome::Done | Outcome::None => Ok(()),
                 Outcome::Interrupted => Err(interrupted(args, rows.content.rows.len(), total)),
             }
         }
@@ -145,7 +145,7 @@ fn written(args: &SweepArgs, answer: &Answer<Rows>, kept: &Kept) -> Result<(), F
     });
     // Where it is interrupted the failure says so.
     match answer.outcome {
-        Outcome::Done => printed,
+        Outcome::Done | Outcome::None => printed,
         Outcome::Interrupted => Ok(()),
     }
 }

@@ -79,7 +79,8 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     }
     args.result.artefact(&["json", "svg", "png", "pdf"])?;
     output::check(args.result.output.as_deref())?;
-    if args.zone.at.is_some() && !args.zones && format.is_none() {
+    let has_zones = args.zones || format.is_some() && args.bands.is_none();
+    if args.zone.at.is_some() && !has_zones {
         return Err(Failure::new("--at is the orientation of contact zones")
             .help("give --zones or -o OUT.svg, or leave it out"));
     }
@@ -91,7 +92,7 @@ pub(crate) fn run(args: &TolerancesArgs) -> Result<(), Failure> {
     }
     let subject = ask::read_again(&args.file, &args.values, args.threads)?;
     let host = Terminal::default();
-    if args.zones || format.is_some() && args.bands.is_none() {
+    if has_zones {
         let printed = zones::run(args, &subject, &host);
         // Without --zones they are a picture beside the answer.
         if args.zones || printed.is_err() {
