@@ -332,7 +332,6 @@ impl Stages<'_> {
             coincidences,
             passings,
             splits,
-            pinches,
         } = Gathered::new(traced, on_sheet, &triples, &clusters);
         seconds.triple_events = clock.lap();
 
@@ -344,10 +343,9 @@ impl Stages<'_> {
             on_sheet: &on_sheet,
             passings: &passings,
             splits: &splits,
-            pinches: &pinches,
         };
         let mut cells = sweep.run(&candidates.sheets);
-        drop((on_sheet, passings, splits, pinches));
+        drop((on_sheet, passings, splits));
         seconds.cells = clock.lap();
 
         self.progress.stage(Stage::Shells)?;
