@@ -375,7 +375,6 @@ impl Stages<'_> {
                 passings: triples.isolated,
                 passings_by_places: triples.by_places,
                 orientations: clusters.len() as u64,
-                orientations_rough: clusters.rough().count() as u64,
                 overlaps: shells.overlaps.0,
                 overlaps_uncertain: shells.overlaps.1,
                 shells: shells.judged as u64,
