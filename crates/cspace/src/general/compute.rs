@@ -234,7 +234,7 @@ impl Computation<'_> {
             doubtful_orientations: graph.doubtful_orientations,
             statistics: Statistics { seconds, ..counts },
         };
-        ContactSpace::of(data, graph.walk, geometry.growths)
+        ContactSpace::of(data, graph.walk)
     }
 }
 
