@@ -192,7 +192,7 @@ pub(crate) const FACING_FAR: f64 = 1e-9;
 mod tests {
     use super::*;
 
-    /// What separates is larger than what it separates from, and smaller than what it must not reach.
+    /// Tolerances that separate are larger than what they separate from, and smaller than what they must not reach.
     #[test]
     fn tolerances_are_in_the_order_of_their_meanings() {
         let kink = 0.5 * SMOOTH * SMOOTH;
