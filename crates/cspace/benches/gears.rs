@@ -105,11 +105,10 @@ fn report(name: &str, fixed: &Part, moving: &Part, other: Option<f64>) {
     );
     let d = s.decisions;
     println!(
-        "  {} passings, {} by places; {} orientations, {} rough; {} overlaps, {} uncertain; {} shells, {} conflicts",
+        "  {} passings, {} by places; {} orientations; {} overlaps, {} uncertain; {} shells, {} conflicts",
         d.passings,
         d.passings_by_places,
         d.orientations,
-        d.orientations_rough,
         d.overlaps,
         d.overlaps_uncertain,
         d.shells,

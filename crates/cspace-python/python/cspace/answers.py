@@ -432,8 +432,6 @@ class Decisions(Record):
 
     orientations: int
     """Orientations at which something may change."""
-    orientations_rough: int
-    """Subset of `orientations` with an error above the narrowest band, or closer to another than that: nothing depends on the order of events there."""
     overlaps: int
     """Pieces of curve that two cells share at an orientation."""
     overlaps_uncertain: int

@@ -76,7 +76,7 @@ pub(crate) use locus::Locus;
 pub(crate) use orientation::Orientation;
 pub(crate) use overlap::{Body, overlap};
 pub use pair::overlap_as_drawn;
-pub(crate) use pair::{Bodies, Exact, Fit, Geometry, Placed, Precision, growths};
+pub(crate) use pair::{Bodies, Exact, Fit, Geometry, Placed, Precision};
 pub use placement::Placement;
 pub(crate) use sheet::{Seam, Sheet};
 pub use spiral::{Spiral, Swing};

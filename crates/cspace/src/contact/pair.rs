@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use crate::feature::tolerance::{
     GROWTH, MOVED_IN_ROOM, MOVING_GROWTH, MOVING_PERTURBATION, PERTURBATION, ROOM,
 };
-use crate::feature::{Growths, Outline, PairFrame, Perturbation, inscribed_disc};
+use crate::feature::{Outline, PairFrame, Perturbation, inscribed_disc};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::{LoopImage, Part};
 
@@ -33,8 +33,6 @@ pub(crate) struct Geometry {
     /// Folds of the parts about the origin, if they were made exactly symmetric.
     pub(crate) fixed_fold: u32,
     pub(crate) moving_fold: u32,
-    /// Largest growth of the sides of the fixed and of the moving part (length).
-    pub(crate) growths: (f64, f64),
     /// Length by which the moving part is smaller than drawn.
     pub(crate) room: f64,
     fixed_body: Arc<Body>,
@@ -265,52 +263,32 @@ struct Outlines {
     moving: Outline,
     fixed_fold: u32,
     moving_fold: u32,
-    growths: (f64, f64),
     room: f64,
     fixed_body: Body,
     moving_body: Body,
-}
-
-/// Largest growth of the sides of two parts, in the pair's frame.
-pub(crate) fn growths(fixed: &Part, moving: &Part) -> (f64, f64) {
-    Outlines::new(
-        Placed::as_drawn(fixed),
-        Placed::as_drawn(moving),
-        Fit::Overlaps,
-        0,
-    )
-    .growths
 }
 
 impl Outlines {
     /// Outlines with the perturbation of one of several attempts.
     fn new(fixed: Placed<'_>, moving: Placed<'_>, fit: Fit, attempt: u64) -> Self {
         let scale = PairFrame::scale_of([(fixed.part, fixed.center), (moving.part, moving.center)]);
-        let growths = if [fixed, moving].iter().all(|p| p.part.loops().len() == 1) {
-            Growths::alike()
-        } else {
-            let drawn = |p: Placed<'_>, growth| Outline::new(p.part, p.center, scale, growth);
-            Growths::new(&drawn(fixed, GROWTH), &drawn(moving, MOVING_GROWTH))
+        let (room, moved) = match fit {
+            Fit::Overlaps => (0.0, MOVING_PERTURBATION),
+            Fit::HasPlay => (ROOM, MOVED_IN_ROOM),
         };
-        let (growths, room, moved) = match fit {
-            Fit::Overlaps => (growths, 0.0, MOVING_PERTURBATION),
-            Fit::HasPlay => ((growths.0, growths.1.less(ROOM)), ROOM, MOVED_IN_ROOM),
-        };
-        let outline = |p: Placed<'_>, growths: &Growths, seed: u64, size: f64| {
+        let outline = |p: Placed<'_>, growth: f64, seed: u64, size: f64| {
             let perturbation = Perturbation {
                 size,
                 seed,
                 images: p.images,
                 fold: p.fold,
             };
-            let growth = |l| growths.of(l);
-            Outline::grown_by(p.part, p.center, scale, growth, Some(&perturbation))
+            Outline::perturbed(p.part, p.center, scale, growth, Some(&perturbation))
         };
         let seed = 2 * attempt + 1;
-        let a = outline(fixed, &growths.0, seed, PERTURBATION);
-        let b = outline(moving, &growths.1, seed + 1, moved);
+        let a = outline(fixed, GROWTH, seed, PERTURBATION);
+        let b = outline(moving, MOVING_GROWTH - room, seed + 1, moved);
         Self {
-            growths: (growths.0.greatest(), growths.1.greatest()),
             room,
             frame: PairFrame {
                 fixed_center: fixed.drawn_center,
@@ -343,7 +321,6 @@ impl Outlines {
             contacts,
             fixed_fold: self.fixed_fold,
             moving_fold: self.moving_fold,
-            growths: self.growths,
             room: self.room,
             fixed_body: Arc::new(self.fixed_body),
             moving_body: Arc::new(self.moving_body),

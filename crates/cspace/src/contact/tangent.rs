@@ -7,9 +7,10 @@ use super::cycle::Cycle;
 use super::sheet::Sheet;
 
 impl Sheet {
-    /// Whether two sheets have one circle or tangent ones as carriers at every orientation: arcs on one circle, equal sums of radii about
-    /// the same centres, halves of one disc against a side and the corner it ends at, or contacts of one feature with two others that
-    /// follow each other smoothly. Their curves do not cross, whatever the rounding.
+    /// Whether two sheets have one circle or tangent ones as carriers at every orientation, by construction: arcs on one circle, halves of
+    /// one disc against a side and the corner it ends at, or contacts of one feature with two others that follow each other smoothly. Their
+    /// curves do not cross, whatever the rounding. Circles that coincide in the drawing alone, as arcs with equal sums of radii about the
+    /// same centres, are moved apart (`feature/perturbation.rs`), and cross.
     ///
     /// The function that vanishes where two cycles are tangent ([`Cycle::apart`]) is α cos θ + β sin θ + γ: if it is 0 at three
     /// orientations far from each other, it is 0 everywhere. Two lines are not tangent.
@@ -17,15 +18,12 @@ impl Sheet {
         if self.is_line() && other.is_line() {
             return false;
         }
-        // A point that turns about a far centre has a larger error.
-        let pace = |s: &Self| {
-            if s.is_flat() {
-                s.locus.through.turning().length()
-            } else {
-                0.0
-            }
+        // The larger the circle, or the farther the centre about which a point turns, the larger its rounding.
+        let size = |s: &Self| match s.is_flat() {
+            true => s.locus.through.turning().length(),
+            false => s.locus.radius.abs(),
         };
-        let near = SAME_CARRIER * (pace(self) + pace(other)).max(1.0);
+        let near = SAME_CARRIER * (size(self) + size(other)).max(1.0);
         let tangent = |f: &Cycle, g: &Cycle| {
             let sum = f.total(g).abs() + f.between(g).length();
             2.0 * f.apart(g).abs() <= near * sum

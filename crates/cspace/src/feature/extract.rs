@@ -24,15 +24,15 @@ struct End {
 impl Outline {
     /// Features of a part, about `center` and scaled, then grown.
     pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
-        Self::grown_by(part, center, scale, |_| growth, None)
+        Self::perturbed(part, center, scale, growth, None)
     }
 
-    /// Features of a part with each loop grown by its own length, after the part was made generic.
-    pub(crate) fn grown_by(
+    /// As [`new`](Self::new), after the part was made generic.
+    pub(crate) fn perturbed(
         part: &Part,
         center: Point,
         scale: f64,
-        growth: impl Fn(u32) -> f64,
+        growth: f64,
         perturbation: Option<&Perturbation<'_>>,
     ) -> Self {
         let mut outline = Self {
@@ -52,9 +52,7 @@ impl Outline {
                 pieces = generic(&pieces, wishes).unwrap_or(pieces);
             }
             straightened(&mut pieces);
-            let loop_index = loop_index as u32;
-            let growth = growth(loop_index);
-            outline.add_loop(loop_index, &pieces, boundary.is_reversed(), growth);
+            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
         }
         outline
     }

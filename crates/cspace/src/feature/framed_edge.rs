@@ -1,6 +1,6 @@
 //! An edge of a part in the pair's frame, in double-double.
 
-use super::tolerance::{LARGEST_CIRCLE, SAME_CARRIER, SMOOTH, STRAIGHT};
+use super::tolerance::{LARGEST_CIRCLE, NEGLIGIBLE, SMOOTH, STRAIGHT};
 use super::types::Near;
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
@@ -38,7 +38,7 @@ impl FramedEdge {
         };
         let sweep = edge.sweep();
         let height = 0.5 * edge.bulge.abs() * edge.start.distance(edge.end);
-        if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < SAME_CARRIER) {
+        if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < NEGLIGIBLE) {
             edge.bulge = 0.0;
         }
         Self::of(edge, drawn, (start, end), Dd::from(edge.bulge))

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use super::framed_edge::FramedEdge;
-use super::tolerance::{MITRE, MOVED_PART, SAME_CARRIER, SMOOTH, STRAIGHT};
+use super::tolerance::{MITRE, MOVED_PART, NEGLIGIBLE, SMOOTH, STRAIGHT};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 
@@ -103,13 +103,13 @@ fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
 /// Whether two carriers that meet at a small angle may be replaced by a smooth joint at the place where they are parallel.
 ///
 /// With curvatures that differ by κ, they are parallel at δ/κ from a corner that turns by δ, where their distance is δ²/2κ, and cross again
-/// twice as far away. If that distance is below [`SAME_CARRIER`] there is no corner: rounding would not separate one crossing from the
+/// twice as far away. If that distance is below [`NEGLIGIBLE`] there is no corner: rounding would not separate one crossing from the
 /// other.
 fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
     let bend = (after.curvature() - before.curvature()).abs();
     let along = turn.abs() / bend;
     let shortest = before.edge.length().min(after.edge.length());
-    0.5 * turn.abs() * along <= SAME_CARRIER && along <= MOVED_PART * shortest
+    0.5 * turn.abs() * along <= NEGLIGIBLE && along <= MOVED_PART * shortest
 }
 
 /// The place where two edges that meet smoothly are tangent, and the normal there: the line's, if there is one, or that of both arcs.

@@ -18,16 +18,13 @@
 //! 2. Edges that are meant to meet smoothly are made smooth, to the last digit of double-double (`generic/`).
 //! 3. Every edge moves outward by g (`extract.rs`): fits without clearance then certainly overlap, and near-coincidences are decided. A
 //!    convex corner becomes an apex (`joining.rs`); nothing touches a concave one, and its edges are extended into the material, so that
-//!    contact curves cross there instead of sharing an end. Loops whose radii would still make two contacts coincide are grown by different
-//!    amounts (`concentric.rs`, `growth.rs`).
+//!    contact curves cross there instead of sharing an end.
 
 mod as_drawn;
-mod concentric;
 mod extract;
 mod frame;
 mod framed_edge;
 mod generic;
-mod growth;
 mod inscribed;
 mod joining;
 mod material;
@@ -37,7 +34,6 @@ mod types;
 
 pub(crate) use as_drawn::as_drawn;
 pub use frame::PairFrame;
-pub(crate) use growth::Growths;
 pub(crate) use inscribed::{SHARES, inscribed_disc, inscribed_discs};
 pub(crate) use perturbation::Perturbation;
 pub(crate) use types::{Feature, Near, Outline, Shape};

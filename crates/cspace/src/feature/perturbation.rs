@@ -6,6 +6,7 @@
 
 use core::f64::consts::TAU;
 
+use super::tolerance::LEAST_WISH;
 use crate::geometry::{Rotation, Vector};
 use crate::part::{LoopImage, Part};
 
@@ -65,7 +66,7 @@ impl Random {
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^= z >> 31;
         let part = (z >> 12) as f64 / (1u64 << 52) as f64;
-        let size = 0.25 + 0.75 * part;
+        let size = LEAST_WISH + (1.0 - LEAST_WISH) * part;
         if z & 1 == 0 { size } else { -size }
     }
 }

@@ -30,13 +30,6 @@ pub(crate) const ROOM: f64 = 1.0 / (1u64 << 30) as f64;
 /// places would have the same play in each, and its contacts would be tangent to each other.
 pub(crate) const MOVED_IN_ROOM: f64 = ROOM / 16.0;
 
-/// Difference in growth of two loops on consecutive levels (length, about 2.3e-13): twice [`SAME_CARRIER`], so that contacts of both are
-/// separated.
-///
-/// Levels are used where the radii of two loops of each part have equal sums, which growing them evenly does not change. The total is less
-/// than half of [`CONTACT`]: at most 1.75 [`GROWTH`] for the fixed part and 2.24 for the moving one.
-pub(crate) const LEVEL: f64 = GROWTH / 4.0;
-
 /// The longest mitre of a grown convex corner, in units of [`GROWTH`]; sharper corners are cut off there.
 ///
 /// It is the largest displacement of a contact at the corner, 9.3e-10, and included in the resolution of a pair.
@@ -57,6 +50,9 @@ pub(crate) const PERTURBATION: f64 = GROWTH / 8.0;
 
 /// Displacement of vertices of the moving part that makes it generic (length, about 5.4e-14).
 pub(crate) const MOVING_PERTURBATION: f64 = MOVING_GROWTH / 4.0;
+
+/// The smallest displacement of a vertex along an axis, as a fraction of the largest.
+pub(crate) const LEAST_WISH: f64 = 0.25;
 
 /// Ratio of the cost of moving a vertex laterally to that of sliding it by the same length.
 ///
@@ -93,14 +89,18 @@ pub(crate) const STRAIGHT: f64 = 1.0 / (1u64 << 32) as f64;
 /// Largest displacement of an end, as a fraction of its edge, where two edges are joined smoothly beside their vertex.
 pub(crate) const MOVED_PART: f64 = 1.0 / 1024.0;
 
-/// Distance of carriers, at every orientation, below which they are one (length and sine of an angle, 1.1e-13).
-///
-/// Tips of a gear computed with sines and cosines differ in the last digits; an eighth of [`GROWTH`] separates them from carriers that
-/// differ by growth.
-pub(crate) const SAME_CARRIER: f64 = GROWTH / 8.0;
+/// Length, or sine of an angle, that is nothing beside [`GROWTH`] (about 1.1e-13): an arc as high over its chord is the chord, and a
+/// corner where carriers part by as much is none.
+pub(crate) const NEGLIGIBLE: f64 = GROWTH / 8.0;
 
-/// Difference of lengths below which loops have equal length.
-pub(crate) const ONE_LENGTH: f64 = 1e-9;
+/// Distance of carriers, at every orientation, below which they are one, or tangent, by construction (length and sine of an angle, about
+/// 3.6e-15), times the radius if that is larger.
+///
+/// It is the rounding of f64, with a factor of two: centres, radii and normals are exact to 2⁻⁵³ of themselves; a centre is turned and moved
+/// by four more operations, and of two sheets each has one; their distance, and the sums of radii, take as many again. It is less than
+/// the perturbation of any vertex, which separates carriers that merely coincide in the drawing. On large circles both grow: the centre of
+/// an arc of radius r within the unit disc moves by at least 2 r² times what its middle moves.
+pub(crate) const SAME_CARRIER: f64 = 16.0 * f64::EPSILON;
 
 /// Radius above which circles are written by a point near them instead of by their centres (length).
 ///
@@ -187,3 +187,53 @@ pub(crate) const FACING: f64 = 1e-7;
 /// The corresponding bound as a fraction of the distance to the farthest end of a curve; at least [`LEAST_CLEARANCE`] if that is a size
 /// away: the space between them may have closed just there, and at a critical orientation they may have passed each other by so much.
 pub(crate) const FACING_FAR: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tolerances that separate are larger than what they separate from, and smaller than what they must not reach.
+    #[test]
+    fn tolerances_are_in_the_order_of_their_meanings() {
+        let kink = 0.5 * SMOOTH * SMOOTH;
+        let moved = LEAST_WISH * MOVING_PERTURBATION;
+        let far = LARGEST_CIRCLE * f64::EPSILON;
+        // From the rounding of f64 to growth: what is one by construction, what is moved apart, what both parts are grown by.
+        let apart = [
+            kink,
+            f64::EPSILON,
+            SAME_CARRIER,
+            moved,
+            MOVING_PERTURBATION,
+            MOVING_GROWTH,
+            GROWTH,
+        ];
+        // From growth to what a user sees: contacts, bands, clearances, angles.
+        let resolved = [
+            GROWTH,
+            WITHIN,
+            CONTACT,
+            SHORTEST_OVERLAP,
+            NARROWEST_BAND,
+            LEAST_CLEARANCE,
+            ROOM,
+            SMOOTH,
+        ];
+        let others = [
+            [SAME_CARRIER, OVERSHOOT_SEPARATION],
+            [SAME_CARRIER, NEGLIGIBLE],
+            [NEGLIGIBLE, MOVING_GROWTH],
+            // Moved vertices stay within the growth.
+            [MOST_WISHES * PERTURBATION, GROWTH],
+            [MOVING_PERTURBATION, PERTURBATION],
+            [far, NEGLIGIBLE],
+            [MOVED_IN_ROOM, ROOM],
+            [NARROWEST_BAND, STRAIGHT],
+        ];
+        let chains = [&apart[..], &resolved[..]];
+        let steps = chains.iter().flat_map(|c| c.windows(2));
+        for step in steps.chain(others.iter().map(|o| &o[..])) {
+            assert!(step[0] < step[1], "{step:?}");
+        }
+    }
+}

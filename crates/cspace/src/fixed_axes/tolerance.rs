@@ -2,7 +2,7 @@
 //!
 //! Lengths are in units of the pair's frame, in which both parts fit the unit disc. Bounds used by a single step are defined there.
 
-use crate::feature::tolerance::SAME_CARRIER;
+use crate::feature::tolerance::NEGLIGIBLE;
 
 /// The largest product of the parts' numbers of edges. Each pair of features is examined, at least for whether it can touch: about a
 /// minute.
@@ -13,8 +13,8 @@ pub(super) const MOST_EDGE_PAIRS: usize = 1 << 26;
 pub(super) const MOST_MEETINGS: usize = 1 << 23;
 
 /// Length, or sine of an angle, that is negligible: a condition that depends no more than this on a coordinate is independent of it (a
-/// cam's arc about its own pivot). An eighth of the fixed part's growth.
-pub(super) const INDEPENDENT: f64 = SAME_CARRIER;
+/// cam's arc about its own pivot). Outlines are grown here, and not perturbed.
+pub(super) const INDEPENDENT: f64 = NEGLIGIBLE;
 
 /// Distance by which a contact within the resolution may lie outside a cell's box: rounding of a root, and of crossings (radians or length
 /// of the frame).

@@ -234,7 +234,7 @@ impl Computation<'_> {
             doubtful_orientations: graph.doubtful_orientations,
             statistics: Statistics { seconds, ..counts },
         };
-        ContactSpace::of(data, graph.walk, geometry.growths)
+        ContactSpace::of(data, graph.walk)
     }
 }
 
@@ -332,7 +332,6 @@ impl Stages<'_> {
             coincidences,
             passings,
             splits,
-            pinches,
         } = Gathered::new(traced, on_sheet, &triples, &clusters);
         seconds.triple_events = clock.lap();
 
@@ -344,10 +343,9 @@ impl Stages<'_> {
             on_sheet: &on_sheet,
             passings: &passings,
             splits: &splits,
-            pinches: &pinches,
         };
         let mut cells = sweep.run(&candidates.sheets);
-        drop((on_sheet, passings, splits, pinches));
+        drop((on_sheet, passings, splits));
         seconds.cells = clock.lap();
 
         self.progress.stage(Stage::Shells)?;
@@ -377,7 +375,6 @@ impl Stages<'_> {
                 passings: triples.isolated,
                 passings_by_places: triples.by_places,
                 orientations: clusters.len() as u64,
-                orientations_rough: clusters.rough().count() as u64,
                 overlaps: shells.overlaps.0,
                 overlaps_uncertain: shells.overlaps.1,
                 shells: shells.judged as u64,

@@ -12,7 +12,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::contact::{Cycle, Exact, Orientation, Sheet};
-use crate::feature::tolerance::{ROOM, SAME_CARRIER};
+use crate::feature::tolerance::{NEGLIGIBLE, ROOM};
 use crate::feature::{FeatureName, Outline, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation};
 use crate::part::Part;
@@ -245,7 +245,7 @@ fn goes_on(before: &Cycle, after: &Cycle) -> bool {
         (false, false) => before.weight * after.weight > 0.0,
         _ => false,
     };
-    alike && before.is_one_with(after, SAME_CARRIER)
+    alike && before.is_one_with(after, NEGLIGIBLE)
 }
 
 /// Two pieces of one line or circle as one; `None` for a large circle.

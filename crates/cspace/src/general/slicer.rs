@@ -2,12 +2,10 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::contact::{ContactFunction, Fit, Geometry};
+use crate::contact::{Fit, Geometry};
 use crate::feature::PairFrame;
-use crate::feature::tolerance::SAME_CARRIER;
-use crate::geometry::{Point, Rotation, wrap};
 use crate::part::Part;
-use crate::slice::{CurveGeometry, Slice, SliceCurve};
+use crate::slice::{Slice, SliceCurve};
 use crate::space::{Patch, Silent, StageSeconds, Window};
 
 use crate::general::broad::discs::Cores;
@@ -157,7 +155,6 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
     let linked = stages.assembler(judged).link(chains);
     let mut slice = linked.slice(at, theta, &geometry.frame);
     let patches = linked.patches;
-    slice.doubtful |= lies_on_another(&slice, &patches, &geometry, at);
     let of_curve = |c: &mut SliceCurve| c.patch.take().map(|i| patches[i.index()]);
     let patches = slice.curves.iter_mut().filter_map(of_curve).collect();
     let sliced = Sliced {
@@ -166,60 +163,6 @@ fn slice_of(geometry: Geometry, cores: &Cores, at: f64, theta: f64) -> (Slice, O
         patches,
     };
     (slice, Some(sliced))
-}
-
-/// Whether an arc of a slice lies on another contact, circle on circle: then it is not known which is in front.
-///
-/// Contacts with equal sums of radii within one loop of each part are of this kind, and no crossing marks where one continues the other.
-fn lies_on_another(slice: &Slice, patches: &[Patch], geometry: &Geometry, theta: f64) -> bool {
-    /// Minimum overlap of two circles that do not just follow each other (radians).
-    const SHARED: f64 = 1e-9;
-    struct Arc<'a> {
-        function: &'a ContactFunction,
-        center: Point,
-        radius: f64,
-        /// Range of the normals: the middle one, and the angle to both ends (radians).
-        middle: f64,
-        half: f64,
-    }
-    let turn = Rotation::by(theta);
-    let arc = |c: &SliceCurve| {
-        let function = &patches[c.patch?.index()].function;
-        let CurveGeometry::Arc {
-            start_angle, sweep, ..
-        } = c.geometry
-        else {
-            return None;
-        };
-        let &ContactFunction::Circle { center, radius } = function else {
-            return None;
-        };
-        let behind = if radius < 0.0 { PI } else { 0.0 };
-        Some(Arc {
-            function,
-            center: center.at(turn),
-            radius,
-            middle: start_angle + 0.5 * sweep + behind,
-            half: 0.5 * sweep.abs(),
-        })
-    };
-    let mut arcs: Vec<Arc<'_>> = slice.curves.iter().filter_map(arc).collect();
-    arcs.sort_by(|a, b| a.center.x.total_cmp(&b.center.x));
-    let sheets = &geometry.contacts.sheets;
-    let mut circles = (sheets.iter()).filter(|s| s.is_circle() && s.lo <= theta && theta <= s.hi);
-    circles.any(|s| {
-        let center = s.locus.through.at(turn);
-        let (start, end) = (s.start_angle.at(theta), s.end_angle.at(theta));
-        let (middle, half) = (0.5 * (start + end), 0.5 * (start - end).abs());
-        let first = arcs.partition_point(|a| a.center.x < center.x - SAME_CARRIER);
-        let mut near = (arcs[first..].iter())
-            .take_while(|a| a.center.x <= center.x + SAME_CARRIER)
-            .filter(|a| a.center.distance(center) <= SAME_CARRIER)
-            .filter(|a| (a.radius - s.locus.radius).abs() <= SAME_CARRIER);
-        near.any(|a| {
-            wrap(a.middle - middle).abs() < a.half + half - SHARED && *a.function != s.function()
-        })
-    })
 }
 
 /// An orientation reduced to the turn that begins with [`FIRST`]; NaN if it is not finite.

@@ -3,8 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::boxes::Places;
-use crate::contact::{Bodies, Fit, growths};
+use crate::contact::{Bodies, Fit};
 use crate::feature::tolerance::{CONTACT, LEAST_CLEARANCE};
+use crate::feature::tolerance::{GROWTH, MOVING_GROWTH};
 use crate::geometry::Configuration;
 use crate::ids::PatchId;
 use crate::part::Part;
@@ -44,15 +45,13 @@ impl ContactSpace {
     /// If the data are of another format or version, refer to entries that do not exist, or do not fit the parts.
     pub fn from_data(data: SpaceData) -> Result<Self, DataError> {
         check(&data)?;
-        let growths = growths(&data.fixed, &data.moving);
         let walk = Walk::new(data.patches.len(), &data.side_links, &data.vertical_links);
-        Ok(Self::of(data, walk, growths))
+        Ok(Self::of(data, walk))
     }
 
-    /// The space of checked data and the walk of its links. `growths`: the largest growth of the sides of the two parts, in the pair's
-    /// frame.
-    pub(crate) fn of(data: SpaceData, walk: Walk, growths: (f64, f64)) -> Self {
-        let grown = (data.frame).grown((&data.fixed, growths.0), (&data.moving, growths.1));
+    /// The space of checked data and the walk of its links.
+    pub(crate) fn of(data: SpaceData, walk: Walk) -> Self {
+        let grown = (data.frame).grown((&data.fixed, GROWTH), (&data.moving, MOVING_GROWTH));
         Self {
             walk,
             grown,

@@ -42,9 +42,6 @@ pub struct Decisions {
     pub passings_by_places: u64,
     /// Orientations at which something may change.
     pub orientations: u64,
-    /// Subset of `orientations` with an error above the narrowest band, or closer to another than that: nothing depends on the order of
-    /// events there.
-    pub orientations_rough: u64,
     /// Pieces of curve that two cells share at an orientation.
     pub overlaps: u64,
     /// Subset of `overlaps` that may be shorter than the errors of their ends: these do not join shells.

@@ -1,6 +1,7 @@
 //! Measurements of one space that are certain.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use cspace::{ComputeError, ContactSpace, Options, Progress, Stage, Window};
@@ -45,6 +46,10 @@ pub struct Measured {
     pub regions: usize,
     /// Shells whose bounds and tests disagree.
     pub conflicts: u64,
+    /// Computations of the pair: more than one where an attempt is in conflict, or divides circles that are touched.
+    pub runs: u32,
+    /// Patches of the contact space.
+    pub patches: usize,
     /// Total width of doubtful orientations, radians.
     pub doubtful: f64,
     /// Bands narrower than 10⁻⁵ rad.
@@ -70,12 +75,27 @@ pub enum Flood {
     Wrong(Vec<String>),
 }
 
-/// Breaks off what takes too long.
-struct Deadline(Instant);
+/// Breaks off what takes too long, and counts computations by their first stage.
+struct Watch {
+    deadline: Instant,
+    runs: AtomicU32,
+}
 
-impl Progress for Deadline {
-    fn stage(&self, _: Stage) -> Result<(), ComputeError> {
-        if Instant::now() > self.0 {
+impl Watch {
+    fn new(patience: Duration) -> Self {
+        Self {
+            deadline: Instant::now() + patience,
+            runs: AtomicU32::new(0),
+        }
+    }
+}
+
+impl Progress for Watch {
+    fn stage(&self, stage: Stage) -> Result<(), ComputeError> {
+        if stage == Stage::Sheets {
+            self.runs.fetch_add(1, Ordering::Relaxed);
+        }
+        if Instant::now() > self.deadline {
             return Err(ComputeError::Interrupted);
         }
         Ok(())
@@ -101,8 +121,8 @@ fn measured(case: &Case, effort: Effort) -> Result<Measured, ComputeError> {
         window: case.window,
         ..Options::default()
     };
-    let deadline = Deadline(begin + effort.patience);
-    let space = ContactSpace::compute_with(&case.fixed, &case.moving, &options, &deadline)?;
+    let watch = Watch::new(effort.patience);
+    let space = ContactSpace::compute_with(&case.fixed, &case.moving, &options, &watch)?;
     let seconds = begin.elapsed().as_secs_f64();
     // Relative orientations of the inverse are the negative ones.
     let inverse = if effort.inverse {
@@ -110,8 +130,8 @@ fn measured(case: &Case, effort: Effort) -> Result<Measured, ComputeError> {
             window: case.window.map(|(lo, hi)| (-hi, -lo)),
             ..Options::default()
         };
-        let deadline = Deadline(Instant::now() + effort.patience);
-        let inverse = ContactSpace::compute_with(&case.moving, &case.fixed, &options, &deadline)?;
+        let watch = Watch::new(effort.patience);
+        let inverse = ContactSpace::compute_with(&case.moving, &case.fixed, &options, &watch)?;
         Some(inverse.free_regions().len())
     } else {
         None
@@ -123,6 +143,8 @@ fn measured(case: &Case, effort: Effort) -> Result<Measured, ComputeError> {
         features: (features.fixed, features.moving),
         regions: space.free_regions().len(),
         conflicts: space.statistics().conflicts,
+        runs: watch.runs.into_inner(),
+        patches: space.patches().len(),
         doubtful: doubtful.map(|(lo, hi)| hi - lo).sum(),
         narrow: bands.iter().filter(|b| b.hi - b.lo < NARROW).count(),
         seconds,

@@ -180,15 +180,14 @@ fn describe_axes(
 /// How many decisions were certain at once, and how the others were made.
 fn describe_certainty(text: &mut String, counts: &Counts) -> fmt::Result {
     let d = &counts.decisions;
-    let at_once = (d.passings - d.passings_by_places)
-        + (d.orientations - d.orientations_rough)
-        + (d.overlaps - d.overlaps_uncertain);
+    let at_once =
+        (d.passings - d.passings_by_places) + d.orientations + (d.overlaps - d.overlaps_uncertain);
     writeln!(
         text,
         "  certainty      {at_once} decisions at once, {} by enclosures, {} by tests of overlap, {} left to the resolution, {}",
         d.passings_by_places,
         d.shells,
-        d.orientations_rough + d.overlaps_uncertain,
+        d.overlaps_uncertain,
         count(counts.conflicts as usize, "conflict", "conflicts")
     )
 }

@@ -197,8 +197,8 @@ fn slice_from_scratch_beside_a_tie() {
     assert_eq!(before(1e-12), before(1e-4));
 }
 
-/// Half circles of one centre: contacts of two pairs of them are one curve. Slices that are open there are doubtful,
-/// and the parts themselves are asked.
+/// Half circles of one centre: contacts of two pairs of them are one curve but for the perturbation. Slices that are open there are
+/// doubtful, and the parts themselves are asked.
 #[test]
 fn spiral_with_itself() {
     let [fixed, moving] = parts("tests/regression/spiral_with_itself.json");

@@ -2,6 +2,7 @@
 
 use super::super::spiral::Spiral;
 use super::*;
+use crate::feature::tolerance::{LEAST_WISH, MOVING_PERTURBATION};
 use crate::geometry::{Point, Vector};
 
 fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
@@ -172,7 +173,22 @@ fn what_is_always_tangent_is_told() {
 #[test]
 fn one_circle_is_told_whatever_its_sign() {
     let f = round(0, (0.1, 0.2), (0.3, -0.1), 0.5);
+    // The least that a vertex is moved, and rounding.
+    let moved = LEAST_WISH * MOVING_PERTURBATION;
+    let rounded = 2.0 * f64::EPSILON;
     for (g, same) in [
+        (round(1, (0.1, 0.2), (0.3, -0.1), 0.5 + moved), false),
+        (round(1, (0.1 - moved, 0.2), (0.3, -0.1), 0.5), false),
+        (round(1, (0.1, 0.2), (0.3, -0.1 + moved), 0.5), false),
+        (
+            round(
+                1,
+                (0.1 + rounded, 0.2 - rounded),
+                (0.3, -0.1),
+                0.5 + rounded,
+            ),
+            true,
+        ),
         (round(1, (0.1, 0.2), (0.3, -0.1), 0.5), true),
         (round(1, (0.1, 0.2), (0.3, -0.1), -0.5), true),
         (round(1, (0.1, 0.2), (0.3, -0.1), 0.5 + 1e-9), false),

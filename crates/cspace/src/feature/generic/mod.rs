@@ -29,7 +29,7 @@ mod least;
 mod side;
 
 use crate::feature::tolerance::{
-    LARGEST_PART, MOST_WISHES, SAGITTA_PART, SAME_CARRIER, STRAIGHT, WISHED_PART,
+    LARGEST_PART, MOST_WISHES, NEGLIGIBLE, SAGITTA_PART, STRAIGHT, WISHED_PART,
 };
 use crate::geometry::Vector;
 use crate::number::Dd;
@@ -185,7 +185,7 @@ fn is_near(
     let longest = wish.iter().fold(0.0_f64, |longest, w| {
         longest.max(w[0].hypot(w[1])).max(w[2].abs())
     });
-    let allowed = MOST_WISHES * longest + SAME_CARRIER + bent_pieces(sides, knots);
+    let allowed = MOST_WISHES * longest + NEGLIGIBLE + bent_pieces(sides, knots);
     // Second-order change by sliding.
     let mut slides = vec![0.0; n];
     for i in 0..n {

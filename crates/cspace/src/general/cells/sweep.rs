@@ -7,11 +7,10 @@ use crate::parallel;
 use crate::general::broad::candidates::SheetRun;
 use crate::general::cells::active::Active;
 use crate::general::cells::cell::{Cell, VerticalContact};
-use crate::general::cells::extent::{CellExtents, Shared, Side};
+use crate::general::cells::extent::CellExtents;
 use crate::general::cells::gaps::Gaps;
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::pinches::{Pinch, pinches_of};
 
 /// Input of a sweep.
 pub(crate) struct Sweep<'a> {
@@ -23,8 +22,6 @@ pub(crate) struct Sweep<'a> {
     pub(crate) passings: &'a [(u32, u32)],
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
     pub(crate) splits: &'a [(u32, u32)],
-    /// Sheets of which a piece comes behind another sheet, sorted: cells in that piece end there.
-    pub(crate) pinches: &'a [Pinch],
 }
 
 /// The clusters listed for a sheet.
@@ -134,10 +131,6 @@ impl Sweep<'_> {
         splits.clear();
         splits.extend(listed(self.splits, run.sheet).filter(within));
         times.extend(&*splits);
-        let from = self.pinches.partition_point(|p| p.sheet < run.sheet);
-        let pinches = self.pinches[from..].iter();
-        let pinches = pinches.take_while(|p| p.sheet == run.sheet);
-        times.extend(pinches.map(|p| p.at).filter(within));
         times.sort_unstable();
         times.dedup();
 
@@ -155,21 +148,11 @@ impl Sweep<'_> {
             );
             keys.clear();
             keys.extend((0..=gaps.branches()).map(|gap| gaps.bounds(gap)));
+            let split = splits.binary_search(&t0).is_ok();
             let same = |c: u32, key: &(u32, u32)| {
                 let cell: &Cell = &out.cells[c as usize];
-                (cell.left, cell.right) == *key
+                !split && (cell.left, cell.right) == *key
             };
-            let split = splits.binary_search(&t0).is_ok();
-            let pinches = pinches_of(self.pinches, run.sheet, t0);
-            let moves = |c: u32| {
-                !pinches.is_empty() && {
-                    let extent = self
-                        .extents(run.sheet, t0)
-                        .of(&out.cells[c as usize], Side::Below);
-                    self.moves(pinches, 0.5 * (extent.lo + extent.hi))
-                }
-            };
-            let same = |c: u32, key: &(u32, u32)| !split && same(c, key) && !moves(c);
             let kept_before = open
                 .iter()
                 .zip(&*keys)
@@ -218,15 +201,6 @@ impl Sweep<'_> {
         drop_shut(out, (first_cell, first_contact), shut, moved, on_level);
     }
 
-    fn extents(&self, sheet: u32, at: u32) -> CellExtents<'_> {
-        CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at)
-    }
-
-    /// Whether a place of a sheet's curve comes behind another sheet, or out from behind it, given the sheet's pinches.
-    fn moves(&self, pinches: &[Pinch], place: f64) -> bool {
-        (pinches.iter()).any(|p| p.moves(self.geometry, self.clusters, place))
-    }
-
     /// Connects cells that end and cells that begin at one cluster, where they overlap.
     fn connect(
         &self,
@@ -245,14 +219,12 @@ impl Sweep<'_> {
         if closing.is_empty() || opening.is_empty() || !any_matters {
             return;
         }
-        let pinches = pinches_of(self.pinches, sheet, at);
-        let mut extents = self.extents(sheet, at);
+        let mut extents = CellExtents::new(self.geometry, self.clusters, self.branches, sheet, at);
         for &lower in closing {
             for upper in opening.clone() {
                 if matters(lower) || matters(upper) {
-                    let goes_on = |s: &Shared| !self.moves(pinches, 0.5 * (s.lo + s.hi));
                     let both = [lower, upper].map(|c| &cells[c as usize]);
-                    let shared = extents.shared(both[0], both[1]).filter(goes_on);
+                    let shared = extents.shared(both[0], both[1]);
                     vertical.extend(shared.map(|shared| VerticalContact {
                         lower,
                         upper,

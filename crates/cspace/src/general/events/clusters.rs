@@ -4,7 +4,6 @@
 //! here on orientations are counted in clusters, and structure is determined only half way between two of them, away from every event.
 
 use crate::contact::Exact;
-use crate::feature::tolerance::NARROWEST_BAND;
 use crate::geometry::Rotation;
 use crate::number::Event;
 use crate::parallel;
@@ -138,11 +137,6 @@ impl Clusters {
 
     pub(crate) fn len(&self) -> usize {
         self.lo.len()
-    }
-
-    /// Clusters wider than the narrowest band.
-    pub(crate) fn rough(&self) -> impl Iterator<Item = u32> + '_ {
-        (0..self.len() as u32).filter(|&i| self.width(i) > NARROWEST_BAND)
     }
 
     /// The cluster an orientation belongs to: the last that does not begin after it.

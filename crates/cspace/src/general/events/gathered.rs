@@ -4,7 +4,6 @@ use crate::grouped::Grouped;
 
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::Clusters;
-use crate::general::events::pinches::Pinch;
 use crate::general::events::trace::{Coincidence, Traced};
 use crate::general::events::triple::Triples;
 
@@ -19,8 +18,6 @@ pub(crate) struct Gathered {
     pub(crate) passings: Vec<(u32, u32)>,
     /// Sheets with the clusters at which another sheet lies on the same carrier, sorted: their cells end there.
     pub(crate) splits: Vec<(u32, u32)>,
-    /// Sheets of which a piece comes behind another sheet, sorted: cells in that piece end there.
-    pub(crate) pinches: Vec<Pinch>,
 }
 
 impl Gathered {
@@ -55,14 +52,9 @@ impl Gathered {
             .flat_map(|c| [(c.first, c.at), (c.second, c.at)])
             .chain(swallowed);
         let passings = (triples.events.iter()).map(|m| (m.sheet, clusters.index(m.event.theta)));
-        let pinches = (traced.pinches.into_iter()).map(|p| Pinch {
-            at: index(p.at),
-            ..p
-        });
         Self {
             splits: sorted(splits),
             passings: sorted(passings),
-            pinches: sorted(pinches),
             clusters,
             branches,
             on_sheet,

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! `coming.rs` finds where crossings of two sheets appear and disappear (roots of α cos θ + β sin θ + γ), and `trace.rs` follows the
-//! branches between, of which `buried.rs` drops those in blocked space. `triple.rs` and `passing.rs` find where branches pass each other.
+//! branches between, of which `buried.rs` drops those in blocked space; `swallowed.rs` tells which curve passes another with all its length. `triple.rs` and `passing.rs` find where branches pass each other.
 //! `clusters.rs` gathers events whose order is not known, `gathered.rs` collects everything that happens at them. `placing.rs` computes the
 //! place of a branch on its curve, and `order.rs` the order of branches.
 
@@ -20,7 +20,7 @@ pub(crate) mod gathered;
 pub(crate) mod meetings;
 pub(crate) mod order;
 pub(crate) mod passing;
-pub(crate) mod pinches;
 pub(crate) mod placing;
+pub(crate) mod swallowed;
 pub(crate) mod trace;
 pub(crate) mod triple;

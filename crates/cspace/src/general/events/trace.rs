@@ -8,7 +8,7 @@ use crate::general::broad::candidates::PairRun;
 use crate::general::events::branch::Branch;
 use crate::general::events::clusters::{Clusters, Moment};
 use crate::general::events::coming::PairEvents;
-use crate::general::events::pinches::{Pinch, pinched, swallowed, turns_beside};
+use crate::general::events::swallowed::swallowed;
 
 /// Two sheets whose curves lie on one carrier at one orientation, but not before and after.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,6 @@ pub(crate) struct Traced {
     pub(crate) coincidences: Vec<Coincidence>,
     /// Pairs (sheet, cluster): the sheet crosses another one completely within the cluster, so it must not be continued past it.
     pub(crate) swallowed: Vec<(u32, u32)>,
-    /// Sheets of which a piece passes behind another sheet within one cluster.
-    pub(crate) pinches: Vec<Pinch>,
     /// Encounters, sorted like the branches.
     pub(crate) meetings: Vec<SheetMeeting>,
 }
@@ -65,7 +63,6 @@ pub(crate) fn branches(
         all.branches.extend(f.branches);
         all.coincidences.extend(f.coincidences);
         all.swallowed.extend(f.swallowed);
-        all.pinches.extend(f.pinches);
         all.meetings.extend(f.meetings);
     }
     all
@@ -140,16 +137,9 @@ impl Tracer<'_> {
             };
             let before = core::mem::replace(&mut apart, now == [None; 2]);
             if before && apart && passing.binary_search(&w[0]).is_ok() {
-                let (at, beside) = (w[0], turns_beside(clusters, w[0]));
-                let both = (run.first, run.second);
-                let short = swallowed(self.geometry, both, &beside);
+                let (at, both) = (w[0], (run.first, run.second));
+                let short = swallowed(self.geometry, clusters, both, at);
                 self.found.swallowed.extend(short.map(|s| (s, at)));
-                let (f, g) = (run.first, run.second);
-                if short.is_none() && pinched(self.geometry, (f, g), &beside) {
-                    let both = [(f, g), (g, f)];
-                    let pinch = |(sheet, other)| Pinch { sheet, at, other };
-                    self.found.pinches.extend(both.map(pinch));
-                }
             }
             for (root, enters) in now.into_iter().enumerate() {
                 match (&mut open[root], enters) {

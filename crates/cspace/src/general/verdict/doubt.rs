@@ -1,7 +1,8 @@
 //! Doubtful orientations, at which the patches alone do not decide.
 //!
 //! Structure is determined between events, and events have errors; where many events occur at nearly one orientation, links may be wrong.
-//! Such orientations are known and reported, so that a query of one configuration can be answered by a test of the parts themselves.
+//! Such orientations show by what contradicts itself or ends without a reason. They are reported, so that a query of one configuration can
+//! be answered by a test of the parts themselves.
 
 use core::f64::consts::TAU;
 
@@ -17,17 +18,16 @@ use crate::space::{Patch, SideLink, Window, in_window, union};
 /// Width (radians) below which bands are doubtful: f64 does not resolve places on curves that cross there at as small an angle.
 const NARROW: f64 = 2.0 * NARROWEST_BAND;
 
-/// Orientations at which cells are doubtful: within clusters wider than the narrowest band, and where shells were in conflict.
+/// Orientations at which cells are doubtful: where shells were in conflict.
 pub(crate) fn doubtful(clusters: &Clusters, cells: &[Cell], shells: &Shells) -> Vec<(f64, f64)> {
-    let rough = clusters.rough().map(|i| (clusters.lo(i), clusters.hi(i)));
     let in_conflict = (cells.iter().zip(&shells.in_conflict))
         .filter(|(_, conflict)| **conflict)
         .map(|(c, _)| (clusters.lo(c.from), clusters.hi(c.to)));
-    union(rough.chain(in_conflict).collect())
+    union(in_conflict.collect())
 }
 
-/// Orientations at which the patches of a computation are doubtful: within clusters wider than the narrowest band, where shells were in
-/// conflict, in narrow bands, and where a patch has no successor.
+/// Orientations at which the patches of a computation are doubtful: where shells were in conflict, in narrow bands, and where a patch has
+/// no successor.
 pub(crate) fn doubts(
     doubtful: &[(f64, f64)],
     lifts: &Lifts<'_>,

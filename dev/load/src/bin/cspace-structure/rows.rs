@@ -13,7 +13,7 @@ pub(crate) fn titled(specimen: &Specimen) -> String {
 /// Heading of the columns.
 pub(crate) fn heading() -> String {
     format!(
-        "{:TITLE$} features regions expected conflicts   doubtful narrow   seconds",
+        "{:TITLE$} features regions expected conflicts runs patches   doubtful narrow   seconds",
         "pair"
     )
 }
@@ -37,8 +37,8 @@ pub(crate) fn row(specimen: &Specimen, outcome: &Outcome) -> String {
         radians => format!("{radians:.2e}"),
     };
     let mut row = format!(
-        "{title:TITLE$} {features:>8} {:7} {expected:>8} {:9} {doubtful:>10} {:6} {:9.3}",
-        m.regions, m.conflicts, m.narrow, m.seconds
+        "{title:TITLE$} {features:>8} {:7} {expected:>8} {:9} {:4} {:7} {doubtful:>10} {:6} {:9.3}",
+        m.regions, m.conflicts, m.runs, m.patches, m.narrow, m.seconds
     );
     if specimen.expected.is_some_and(|n| n != m.regions) {
         row += "  WRONG";
