@@ -1,4 +1,4 @@
-//! The output of `--format json` conforms to the schemas in `docs/answers/`.
+//! The output of `--json` conforms to the schemas in `docs/answers/`.
 
 use cspace_oracle::Schema;
 use serde_json::Value;

@@ -105,7 +105,7 @@ fn beside(space: &ContactSpace, region: &FreeRegion) -> Configuration {
 fn more(text: &mut String, regions: usize) -> fmt::Result {
     if regions > MOST_LISTED {
         let left = regions - MOST_LISTED;
-        writeln!(text, "    and {left} more: --format json has all")?;
+        writeln!(text, "    and {left} more: --json has all")?;
     }
     Ok(())
 }

@@ -60,7 +60,7 @@ pub(super) fn describe(text: &mut String, model: &Mechanism, motion: &Motion) ->
     }
     if motion.events.len() > MOST {
         let more = motion.events.len() - MOST;
-        writeln!(text, "  {more} more; --format json has all")?;
+        writeln!(text, "  {more} more; --json has all")?;
     }
     Ok(())
 }
