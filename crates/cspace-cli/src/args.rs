@@ -595,14 +595,14 @@ pub(crate) struct ClearanceArgs {
     /// This pair alone: names of its two parts
     #[arg(long, value_name = "FIRST,SECOND")]
     pub(crate) pair: Option<String>,
-    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of the parts as drawn
+    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of all that ranges allow
     #[arg(long, value_name = "RECORD")]
     pub(crate) along: Option<PathBuf>,
-    /// As drawn
+    /// All pairs as drawn, in place of over the ranges of their parts
     #[arg(long, conflicts_with = "along")]
     pub(crate) drawn: bool,
-    /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts a tenth of the
-    /// largest part's size]
+    /// List pairs nearer than this, in the model's unit, and count the others [default: all; of more than 200 parts, or 500 pairs over
+    /// their ranges, a tenth of the largest part's size]
     #[arg(long, value_name = "L", value_parser = distance, allow_negative_numbers = true)]
     pub(crate) within: Option<f64>,
     /// Parts touch that are nearer than this, or overlap by less, in the model's unit [default: 1e-11 of the larger part's size]
@@ -1469,22 +1469,29 @@ planes of the three pairs, in which the mode's projection is coloured.
 
 const CLEARANCE: &str = "\
 Examples:
-  cspace clearance models/peg_hole.toml
+  cspace clearance models/gears_on_shafts.toml
+  cspace clearance models/peg_hole.toml --drawn
   cspace clearance models/ratchet_mechanism.toml --within 2
   cspace simulate models/geneva.toml --time 2 -o run.csv
   cspace clearance models/geneva.toml --along run.csv --json
 
-Every two parts as they are drawn, the worst first. No contact space is
-computed.
+Every two parts, the worst first. Two that each turn, slide or stand still by
+their `motion` are looked at over all motions that their ranges allow: one that
+turns and has no range makes whole turns. Their contact space decides, so that
+nothing between two poses is missed. Others are looked at as drawn.
 
-  overlaps  with the depth: the length of the shortest translation of the
-            second part that separates the two, neither of them turned; and by
-            how much smaller it would be clear, where that is less
+  overlaps  as drawn; with the depth: the length of the shortest translation of
+            the second part that separates the two, neither of them turned; and
+            by how much smaller it would be clear, where that is less
+  touches   over their ranges, with what stops which part where; as drawn, the
+            gap or the depth is --touch or less
+  meshes    neither can turn without the other: how often one turns for the
+            other, and the least and the largest backlash over a turn
   meets     with --along: the boundaries meet between two samples at which the
             parts are apart
-  touches   the gap or the depth is --touch or less
-  clear     with the gap: the minimum distance
+  clear     with the gap: the minimum distance, and where it is
   joined    a joint connects the two, so they may overlap: they are not judged
+  undecided the contact space is in doubt, or cannot be computed
 
 Features and points are those that are nearest, in the assembly's frame; of an
 overlap those that touch after the translation, the point of the second part
@@ -1495,7 +1502,8 @@ With --along the gap is the minimum over the whole motion, with its time:
 between two samples all coordinates are taken to change at constant rates, and
 the gap is bounded there, not sampled. Depths are those at the samples.
 
-The exit code is 1 if parts overlap. See docs/clearance.md.";
+The exit code is 1 if parts overlap, or if one does not come to both ends of the
+range that the model gives it. See docs/clearance.md.";
 
 const SIMULATE: &str = "\
 Examples:
