@@ -138,6 +138,9 @@ pub struct Clearance {
     /// none where it goes on without end.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub reach: BTreeMap<String, [Option<f64>; 2]>,
+    /// Over their ranges, the gap by which the second part is smaller all around, where the parts fit exactly, so that there is room to move.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub room: Option<f64>,
     /// What stops a part before an end of its range, or of its turn.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub stopped: Vec<Stopped>,
@@ -309,6 +312,7 @@ impl Clearance {
             touching: None,
             at: None,
             reach: BTreeMap::new(),
+            room: None,
             stopped: Vec::new(),
             ratio: None,
             backlash: None,

@@ -183,6 +183,7 @@ fn touching(axes: [Option<Axis>; 2], parts: [&Part; 2], held: &Held) -> Clearanc
         touching: held.features.first().map(texts),
         at: held.at.map(|at| At::Place(place(at))),
         reach,
+        room: held.room,
         stopped: held.stopped.iter().map(stopped).collect(),
         ratio: held.ratio.map(|(v, u)| v as f64 / u as f64),
         backlash: held.backlash.map(|b| Backlash {

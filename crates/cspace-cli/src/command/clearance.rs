@@ -142,6 +142,9 @@ impl Words<'_> {
             let (least, most) = (degrees(play.least), degrees(play.most));
             write!(text, ", with a backlash of {least} to {most}")?;
         }
+        if let Some(room) = pair.room {
+            write!(text, "  with a gap of {room:.1e}{} all around", self.unit)?;
+        }
         for (i, stop) in pair.stopped.iter().enumerate() {
             text.push_str(if i == 0 { "  " } else { "; " });
             self.stop(text, stop, names)?;

@@ -283,4 +283,39 @@ fn what_lies_on_another_slides_along_it() {
     );
     assert!(pair.get("stopped").is_none(), "{pair}");
     assert_eq!(pair["reach"]["block"], serde_json::json!([null, null]));
+    assert!((0.0..1e-4).contains(&pair["room"].as_f64().unwrap()));
+}
+
+/// A pair whose space cannot be computed leaves the others their answers, and the question open.
+#[test]
+fn what_cannot_be_computed_is_undecided() {
+    let (_dir, file) = written(
+        r#"
+[[part]]
+name = "wall"
+loops = [[[-1, -1], [1, -1], [1, 1], [-1, 1]]]
+motion = { type = "fixed" }
+[[part]]
+name = "far"
+loops = [[[4, -1], [6, -1], [6, 1], [4, 1]]]
+motion = { type = "revolute", center = [9000, 0] }
+[[part]]
+name = "near"
+loops = [[[14, -1], [16, -1], [16, 1], [14, 1]]]
+motion = { type = "revolute", center = [15, 0] }
+"#,
+    );
+    let output = cspace(&["clearance", &file, "--json"]).assert().code(2);
+    let found: Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    assert_eq!(found["outcome"], "undecided");
+    assert_eq!(row(&found, "wall", "far")["outcome"], "undecided");
+    let near = row(&found, "wall", "near");
+    assert_eq!(near["outcome"], "clear");
+    is_near(&near["gap"], 14.0 - 2.0_f64.sqrt());
+    assert!(near["gap"].as_f64() >= near["least"].as_f64());
+    let said = String::from_utf8(output.get_output().stderr.clone()).unwrap();
+    assert!(
+        said.contains("far") && said.contains("the parts' size away"),
+        "{said}"
+    );
 }

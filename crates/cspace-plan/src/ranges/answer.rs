@@ -42,6 +42,8 @@ pub struct Held {
     pub ratio: Option<(i64, i64)>,
     /// The play of the moving part while the other is held, over a turn, where the parts turn together.
     pub backlash: Option<Backlash>,
+    /// The gap by which the moving part is smaller all around in all of this, where the parts fit exactly: else they had no room to move.
+    pub room: Option<f64>,
     /// A configuration of contact: that of the first stop if there is one.
     pub at: Option<(f64, f64)>,
     /// The features that touch there.

@@ -57,13 +57,13 @@ impl<'a> Pair<'a> {
         // Parts that fit exactly have no room: what a part can do is that of one that is smaller by a gap.
         let roomy = match fits_exactly(&drawn, at).unwrap_or(false) {
             true => match with_gap(self.parts[0], self.parts[1]) {
-                Some((smaller, _)) => Some(with(&smaller)?),
+                Some((smaller, gap)) => Some((with(&smaller)?, gap)),
                 None => None,
             },
             false => None,
         };
-        let fits = roomy.is_some();
-        let PairSpace::FixedAxes(space) = roomy.as_ref().unwrap_or(&drawn) else {
+        let room = roomy.as_ref().map(|r| r.1);
+        let PairSpace::FixedAxes(space) = roomy.as_ref().map_or(&drawn, |r| &r.0) else {
             return Ok(Verdict::Undecided("their motions are not on axes"));
         };
         if space.statistics().conflicts > 0 {
@@ -77,10 +77,10 @@ impl<'a> Pair<'a> {
                 "where they are is in no free region that could be found",
             ));
         }
-        if !fits && !is_bounded(space, &regions) {
+        if room.is_none() && !is_bounded(space, &regions) {
             return smallest(space, self.place, within, &with);
         }
-        self.held(space, &regions, fits, compute)
+        self.held(space, &regions, room, compute)
             .map(Verdict::Touches)
     }
 
@@ -88,7 +88,7 @@ impl<'a> Pair<'a> {
         &self,
         space: &FixedAxesSpace,
         regions: &[u32],
-        fits: bool,
+        room: Option<f64>,
         compute: &Compute<'_>,
     ) -> Result<Held, PairError> {
         let reach = reach(space, regions, self.place);
@@ -101,12 +101,13 @@ impl<'a> Pair<'a> {
         let nearest = || space.nearest_contact(place.0, place.1).map(|n| n.at);
         let at = match stopped.first() {
             Some(stop) => Some(stop.at),
-            None if fits => Some(place),
+            None if room.is_some() => Some(place),
             None => nearest().or_else(|| some_contact(space, regions)),
         };
         let scene = || Scene::new(self.parts[0], self.parts[1], Some(space.axes()));
         let points = at.and_then(|(u, v)| scene().nearest_points(coords([u, v])));
         Ok(Held {
+            room,
             points: points.map(|(p, q)| [p, q]),
             reach,
             ratio: mesh.as_ref().map(|m| m.ratio),

@@ -387,7 +387,7 @@ fn gears_with_ranges_mesh() {
         on(entry.part.clone(), axis.within(-by, by))
     };
     // A pitch of the gear is 30 degrees.
-    let found = held(&limited(&gear, 0.6), &limited(&pinion, 0.9));
+    let found = held(&limited(&gear, 0.6), &limited(&pinion, 0.725));
     assert_eq!(found.ratio, Some((-6, 5)));
     assert!(found.stopped.is_empty(), "{found:?}");
     let play = found.backlash.unwrap();
