@@ -10,6 +10,7 @@ use std::time::Instant;
 use cspace::{Coordinates, Part, Point};
 use cspace_model::Mechanism;
 use cspace_plan::clash::{Assembly, Clash, Clashes, Question as Limits, Sample, State};
+use cspace_plan::ranges::Pairs;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -259,7 +260,7 @@ impl Question {
 
     fn default_within(&self, model: &Mechanism) -> f64 {
         let is_over_ranges = self.along.is_none() && !self.drawn;
-        let is_many = || is_over_ranges && cspace_plan::ranges::count(model) > MANY_ON_AXES;
+        let is_many = || is_over_ranges && Pairs::of(model).count() > MANY_ON_AXES;
         if model.parts.len() <= MANY && !is_many() {
             return f64::INFINITY;
         }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use cspace::{Axis, AxisMotion, ComputeError, Coordinates, FeatureName, PairError, Part};
 use cspace_model::{Mechanism, PairEntry, PartPosition, shown};
 use cspace_plan::clash::{Assembly, Question as Limits, State};
-use cspace_plan::ranges::{self, Held, Pair, Stop, Tightest, Verdict};
+use cspace_plan::ranges::{self, Held, Pair, Pairs, Stop, Tightest, Verdict};
 
 use crate::error::Error;
 use crate::frame::PairAnswer;
@@ -22,7 +22,8 @@ pub(super) fn rows(
     limits: &Limits,
     host: &dyn Host,
 ) -> Result<(Vec<Row>, usize), Error> {
-    let on_axes = |pair: [usize; 2]| ranges::is_on_axes(model, pair);
+    let pairs = Pairs::of(model);
+    let on_axes = |pair: [usize; 2]| pairs.has(pair);
     let drawn = assembly.drawn_but(limits, on_axes);
     let (mut found, mut beyond) = super::rows(model, Over::Drawn, &drawn);
     let (asked, count) = match limits.pair {
@@ -31,7 +32,7 @@ pub(super) fn rows(
             let count = asked.len();
             (asked, count)
         }
-        None => (ranges::near(model, limits.within), ranges::count(model)),
+        None => (pairs.near(limits.within), pairs.count()),
     };
     beyond += count - asked.len();
     for pair in asked {

@@ -39,12 +39,11 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         drawn: args.drawn,
     };
     let answer = question.ask(&subject, &Terminal::new(CacheArgs::default()))?;
-    let is_over_ranges = question.along.is_none() && !question.drawn;
     super::tell(&args.result, &answer, |text, found| {
         let words = Words {
             model: &model.model.mechanism,
             unit: (subject.unit()).map_or(String::new(), |u| format!(" {}", shown::text(u))),
-            is_over_ranges,
+            is_over_ranges: found.pairs.iter().any(|p| p.content.over == Over::Ranges),
         };
         words.describe(text, found)
     })
@@ -55,7 +54,7 @@ struct Words<'a> {
     model: &'a Mechanism,
     /// The unit of length with a space before it.
     unit: String,
-    /// Whether pairs are over their ranges where they can be.
+    /// Whether some pairs are over their ranges.
     is_over_ranges: bool,
 }
 
@@ -98,7 +97,9 @@ impl Words<'_> {
             write!(text, "{:<8} {far:>14}  {a}, {b}", answer.outcome.word())?;
             match pair.over {
                 Over::Ranges => self.over_ranges(text, answer)?,
-                Over::Drawn if self.is_over_ranges => write!(text, "  as drawn")?,
+                Over::Drawn if self.is_over_ranges && answer.outcome != Outcome::Joined => {
+                    write!(text, "  as drawn")?;
+                }
                 Over::Drawn | Over::Record => {}
             }
             if let Some(At::Time(time)) = pair.at {

@@ -37,4 +37,4 @@ mod widths;
 
 pub use answer::{Backlash, End, Held, Limits, Stop, Tightest, Verdict};
 pub use pair::Pair;
-pub use swept::{count, is_on_axes, near};
+pub use swept::Pairs;

@@ -4,44 +4,78 @@ use cspace::part::Bounds;
 use cspace::{Axis, AxisMotion, Part, Point, Vector};
 use cspace_model::Mechanism;
 
-use crate::clash::{Boxed, near as near_boxes};
+use crate::clash::{Boxed, near};
 
-/// Every two parts on axes whose boxes over their ranges have a gap of less than `within`, by their numbers, the lower first: all others are
-/// farther apart wherever they are. Parts that a joint connects are left out, and two that both stand still.
-pub fn near(mechanism: &Mechanism, within: f64) -> Vec<[usize; 2]> {
-    let numbers: Vec<usize> = (0..mechanism.parts.len())
-        .filter(|&i| mechanism.parts[i].axis.is_some())
-        .collect();
-    let boxes = (numbers.iter())
-        .filter_map(|&i| {
-            let entry = &mechanism.parts[i];
-            entry.axis.map(|axis| around(&entry.part, axis))
-        })
-        .collect();
-    let mut found: Vec<[usize; 2]> = (near_boxes(&Boxed::new(boxes), within).into_iter())
-        .map(|pair| pair.map(|i| numbers[i]))
-        .filter(|&pair| is_on_axes(mechanism, pair))
-        .collect();
-    found.sort_unstable();
-    found
+/// The pairs of a mechanism that are looked at over their ranges.
+///
+/// Each part has an axis or stands still, one of them can move, and neither a joint nor a chain of joints connects them: parts of a linkage do not
+/// move independently of each other. Joints to parts that stand still are pivots, and connect nothing.
+#[derive(Debug)]
+pub struct Pairs<'a> {
+    mechanism: &'a Mechanism,
+    /// The linkage of each part, by the number of one of its parts.
+    linkages: Vec<usize>,
 }
 
-/// The number of pairs of parts on axes, near or not.
-pub fn count(mechanism: &Mechanism) -> usize {
-    let n = mechanism.parts.len();
-    let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
-    all.filter(|&pair| is_on_axes(mechanism, pair)).count()
-}
+impl<'a> Pairs<'a> {
+    /// The pairs of a mechanism.
+    pub fn of(mechanism: &'a Mechanism) -> Self {
+        let mut linkages: Vec<usize> = (0..mechanism.parts.len()).collect();
+        let stands = |i: usize| {
+            let axis = mechanism.parts[i].axis;
+            axis.is_some_and(|a| a.motion == AxisMotion::Fixed)
+        };
+        for joint in &mechanism.joints {
+            let (a, b) = joint.parts;
+            if !stands(a) && !stands(b) {
+                let (one, other) = (linkages[a], linkages[b]);
+                for of in &mut linkages {
+                    if *of == other {
+                        *of = one;
+                    }
+                }
+            }
+        }
+        Self {
+            mechanism,
+            linkages,
+        }
+    }
 
-/// Whether each of two parts has an axis or stands still, one of them can move, and no joint connects them.
-pub fn is_on_axes(mechanism: &Mechanism, [a, b]: [usize; 2]) -> bool {
-    let axis = |i: usize| mechanism.parts.get(i).and_then(|p| p.axis);
-    let (Some(first), Some(second)) = (axis(a), axis(b)) else {
-        return false;
-    };
-    let moves = |axis: Axis| axis.motion != AxisMotion::Fixed;
-    let is_joined = (mechanism.joints.iter()).any(|j| j.parts == (a, b) || j.parts == (b, a));
-    (moves(first) || moves(second)) && !is_joined
+    /// Whether two parts are looked at over their ranges.
+    pub fn has(&self, [a, b]: [usize; 2]) -> bool {
+        let axis = |i: usize| self.mechanism.parts.get(i).and_then(|p| p.axis);
+        let (Some(first), Some(second)) = (axis(a), axis(b)) else {
+            return false;
+        };
+        let moves = |axis: Axis| axis.motion != AxisMotion::Fixed;
+        let mut joints = self.mechanism.joints.iter();
+        (moves(first) || moves(second))
+            && self.linkages[a] != self.linkages[b]
+            && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
+    }
+
+    /// Their number.
+    pub fn count(&self) -> usize {
+        let n = self.mechanism.parts.len();
+        let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+        all.filter(|&pair| self.has(pair)).count()
+    }
+
+    /// Those whose boxes over their ranges have a gap of less than `within`, by the numbers of their parts, the lower first: all others are
+    /// farther apart wherever they are.
+    pub fn near(&self, within: f64) -> Vec<[usize; 2]> {
+        let axes = self.mechanism.parts.iter().enumerate();
+        let (numbers, boxes): (Vec<usize>, Vec<Bounds>) = axes
+            .filter_map(|(i, entry)| Some((i, around(&entry.part, entry.axis?))))
+            .unzip();
+        let mut found: Vec<[usize; 2]> = (near(&Boxed::new(boxes), within).into_iter())
+            .map(|pair| pair.map(|i| numbers[i]))
+            .filter(|&pair| self.has(pair))
+            .collect();
+        found.sort_unstable();
+        found
+    }
 }
 
 /// A box around all places that a part comes to on its axis.

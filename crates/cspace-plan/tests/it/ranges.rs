@@ -3,11 +3,12 @@
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use cspace::fixed_axes::AxesMotionOutcome;
+use cspace::pair::Joint;
 use cspace::{Axis, FixedAxesSpace, Part, Point, Silent, Vector, Vertex};
-use cspace_model::{Mechanism, PartEntry, compute_anew};
+use cspace_model::{JointEntry, Mechanism, PartEntry, compute_anew};
 use cspace_oracle::effort;
 use cspace_plan::legs::Scene;
-use cspace_plan::ranges::{self, End, Held, Pair, Tightest, Verdict};
+use cspace_plan::ranges::{End, Held, Pair, Pairs, Tightest, Verdict};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -164,9 +165,10 @@ fn what_is_beyond_is_counted() {
     );
     let mut mechanism = Mechanism::new("two");
     mechanism.parts = vec![wall, turning];
-    assert_eq!(ranges::near(&mechanism, 2.0), [[0, 1]]);
-    assert!(ranges::near(&mechanism, 1.9).is_empty());
-    assert_eq!(ranges::count(&mechanism), 1);
+    let pairs = Pairs::of(&mechanism);
+    assert_eq!(pairs.near(2.0), [[0, 1]]);
+    assert!(pairs.near(1.9).is_empty());
+    assert_eq!(pairs.count(), 1);
 }
 
 /// Random outlines on random axes: no pose is nearer than is told, and what is told is there.
@@ -416,4 +418,27 @@ fn gears_that_do_not_mesh() {
     let [gear, pinion] = gears(7.0);
     let found = held(&gear, &pinion);
     assert_eq!(found.ratio, None);
+}
+
+/// Parts of a linkage move together, and are not taken to move independently; joints to what stands still are pivots.
+#[test]
+fn parts_of_a_linkage_are_left_out() {
+    let bar = |x: f64| Part::rectangle("bar", (x, 0.0), 1.0, 0.5).unwrap();
+    let turning = |x: f64| PartEntry::revolute(bar(x), (x, 0.0));
+    let mut mechanism = Mechanism::new("linkage");
+    mechanism.parts = vec![
+        PartEntry::fixed(bar(0.0)),
+        turning(5.0),
+        PartEntry::planar(bar(10.0)),
+        turning(15.0),
+        turning(20.0),
+    ];
+    let joint = |a: usize, b: usize| JointEntry {
+        joint: Joint::Revolute { at: Point::ORIGIN },
+        parts: (a, b),
+    };
+    mechanism.joints = vec![joint(1, 2), joint(2, 3), joint(0, 1), joint(0, 4)];
+    let pairs = Pairs::of(&mechanism);
+    assert_eq!(pairs.near(f64::INFINITY), [[0, 3], [1, 4], [3, 4]]);
+    assert_eq!(pairs.count(), 3);
 }
