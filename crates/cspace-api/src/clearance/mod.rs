@@ -53,7 +53,7 @@ outcomes! {
         Done = "done" is Yes,
         /// They overlap.
         Overlaps = "overlaps" is No,
-        /// Of all pairs: none overlaps, and a part does not come to an end of its range.
+        /// No pair overlaps, and a part does not come to an end of its range: outcome of all pairs together.
         Stopped = "stopped" is No,
         /// It could not be decided.
         Undecided = "undecided" is Open,
@@ -142,14 +142,14 @@ pub struct Clearance {
     /// Over their ranges, the gap by which the second part is smaller all around, where the parts fit exactly, so that there is room to move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub room: Option<f64>,
-    /// What stops a part before an end of its range, or of its turn.
+    /// Ends of ranges, or of turns, to which parts do not come, and what stops them there.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub stopped: Vec<Stopped>,
-    /// Of parts that turn only together: turns of the second part for a turn of the first.
+    /// Turns of the second part for a turn of the first, where they turn only together.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<f64>,
-    /// Of parts that turn only together, how far the second goes while the first is held, over a turn of the first; none where something
-    /// within that play is passed on two sides.
+    /// Play of the second part while the first is held, over a turn of the first, where they turn only together; none where something within
+    /// that play is passed on two sides.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub backlash: Option<Backlash>,
 }
@@ -164,7 +164,7 @@ pub enum At {
     Place(Coordinates),
 }
 
-/// What stops a part.
+/// End of a range, or of a turn, to which a part does not come.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Stopped {
     /// The part.

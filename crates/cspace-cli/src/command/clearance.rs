@@ -127,7 +127,7 @@ impl Words<'_> {
         Ok(())
     }
 
-    /// What is told of a pair over its ranges.
+    /// Tells what is found of a pair over its ranges.
     fn over_ranges(&self, text: &mut String, answer: &PairAnswer<Clearance>) -> fmt::Result {
         let pair = &answer.content;
         let names = [&answer.fixed, &answer.moving];

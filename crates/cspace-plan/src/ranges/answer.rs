@@ -1,4 +1,4 @@
-//! What two parts are to each other over their ranges, as data.
+//! Answers about two parts over their ranges, as data.
 
 use cspace::{FeatureName, Point};
 
@@ -36,7 +36,7 @@ pub struct Tightest {
 pub struct Held {
     /// Least and greatest u and v in the region in which the parts are drawn.
     pub reach: [Limits; 2],
-    /// What stops a part before an end of its range, or of a turn.
+    /// Ends of ranges, or of turns, to which parts do not come, and what stops them.
     pub stopped: Vec<Stop>,
     /// If a part can turn only with the other: v per u, in whole numbers of turns (of v, of u).
     pub ratio: Option<(i64, i64)>,
@@ -70,7 +70,7 @@ pub enum End {
     Hi,
 }
 
-/// What stops a part before an end of its range or turn.
+/// End of a range or turn to which a part does not come, and what stops it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// The part: 0 the fixed, 1 the moving one.

@@ -42,11 +42,11 @@ impl<'a> Pair<'a> {
         self.place
     }
 
-    /// What the parts, which do not overlap where they are, are to each other over all motions that their ranges allow; spaces come from
-    /// `compute`. A smallest gap of `within` or more is not looked for.
+    /// Finds what the parts, which do not overlap where they are, are to each other over all motions that their ranges allow; spaces come
+    /// from `compute`. A smallest gap of `within` or more is not looked for.
     ///
     /// # Errors
-    /// What `compute` returns.
+    /// Errors of `compute`.
     pub fn over_ranges(&self, within: f64, compute: &Compute<'_>) -> Result<Verdict, PairError> {
         let [fixed, moving] = self.axes;
         let relation = Relation::Axes { fixed, moving };

@@ -72,7 +72,7 @@ fn unrolled((lo, hi): (f64, f64), axis: &Axis, place: f64) -> (f64, f64) {
     (lo - turns, hi - turns)
 }
 
-/// What keeps parts from the ends of their ranges, or from a whole turn.
+/// Contacts that keep parts from the ends of their ranges, or from a whole turn.
 pub(super) fn stops(
     space: &FixedAxesSpace,
     regions: &[u32],

@@ -62,7 +62,7 @@ impl<'a> Pairs<'a> {
         all.filter(|&pair| self.has(pair)).count()
     }
 
-    /// Those whose boxes over their ranges have a gap of less than `within`, by the numbers of their parts, the lower first: all others are
+    /// Pairs whose boxes over their ranges have a gap of less than `within`, by the numbers of their parts, the lower first: all others are
     /// farther apart wherever they are.
     pub fn near(&self, within: f64) -> Vec<[usize; 2]> {
         let axes = self.mechanism.parts.iter().enumerate();

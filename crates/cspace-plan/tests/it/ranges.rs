@@ -152,7 +152,7 @@ fn a_gap_that_stays_the_same() {
     is_proved(&found, 6.0);
 }
 
-/// What is farther apart than is asked for is not looked for, and what is nearer is found all the same.
+/// Pairs farther apart than is asked for are not looked for, and those that are nearer are found all the same.
 #[test]
 fn what_is_beyond_is_counted() {
     let bar = Part::rectangle("bar", (1.0, 0.0), 4.0, 0.5).unwrap();
@@ -405,6 +405,135 @@ fn gears_with_ranges_mesh() {
     assert!(
         little.at.0.abs() <= 0.05 && little.most - little.least < whole.most - whole.least - 1e-6
     );
+}
+
+/// Two discs of radius 0.2 at 2 from the origin, 0.5 rad to both sides of the x axis; and one on an arm of length 2 about (e, 0) between them.
+fn fork_and_hand(e: f64) -> [PartEntry; 2] {
+    let at = |angle: f64| Vector::from_angle(angle) * 2.0;
+    let circle = |c: Vector| {
+        vec![
+            Vertex::new(c.x + 0.2, c.y, 1.0),
+            Vertex::new(c.x - 0.2, c.y, 1.0),
+        ]
+    };
+    let fork = Part::new("fork", vec![circle(at(0.5)), circle(at(-0.5))]).unwrap();
+    let hand = disc(Point::new(e + 2.0, 0.0), 0.2);
+    [
+        PartEntry::revolute(fork, Point::ORIGIN),
+        PartEntry::revolute(hand, (e, 0.0)),
+    ]
+}
+
+/// The play of the hand in the fork that is turned by u, in closed form.
+fn play_of_hand(e: f64, u: f64) -> f64 {
+    let pivot = Vector::new(e, 0.0);
+    let side = |angle: f64| {
+        let to = Vector::from_angle(u + angle) * 2.0 - pivot;
+        let d = to.length();
+        (to, ((4.0 + d * d - 0.16) / (4.0 * d)).acos())
+    };
+    let ((p, a), (q, b)) = (side(0.5), side(-0.5));
+    q.cross(p).atan2(q.dot(p)) - a - b
+}
+
+/// The hand turns with the fork, with a play that is known; where both turn about one point it is the same all around.
+#[test]
+fn backlash_in_closed_form() {
+    for e in [0.0, 0.1, 0.25] {
+        let [fork, hand] = fork_and_hand(e);
+        let found = held(&fork, &hand);
+        assert_eq!(found.ratio, Some((1, 1)), "{found:?}");
+        let play = found.backlash.unwrap();
+        let least_of = |sign: f64| {
+            let of = |u: f64| sign * play_of_hand(e, u);
+            let n = 2000;
+            let best = (0..n)
+                .map(|k| TAU * f64::from(k) / f64::from(n))
+                .min_by(|&a, &b| of(a).total_cmp(&of(b)));
+            let (mut lo, mut hi) = (best.unwrap() - TAU / 1000.0, best.unwrap() + TAU / 1000.0);
+            for _ in 0..100 {
+                let (a, b) = (lo + (hi - lo) / 3.0, hi - (hi - lo) / 3.0);
+                match of(a) < of(b) {
+                    true => hi = b,
+                    false => lo = a,
+                }
+            }
+            sign * of(0.5 * (lo + hi))
+        };
+        let (least, most) = (least_of(1.0), least_of(-1.0));
+        assert!((play.least - least).abs() < 1e-9, "{play:?} {least}");
+        assert!((play.most - most).abs() < 1e-9, "{play:?} {most}");
+        assert!((play_of_hand(e, play.at.0) - play.least).abs() < 1e-9);
+    }
+}
+
+/// Random outlines whose ranges end in contact: the parts touch where they are told to stop, and no free place of the region is farther.
+#[test]
+fn no_place_is_farther() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    let mut stops = 0;
+    for _ in 0..effort(150, 1_500) {
+        let mut part = |x: f64| loop {
+            let loops = cspace_load::outline::outline(&mut rng);
+            let moved = |v: &Vertex| Vertex::new(v.x + x, v.y, v.bulge);
+            let loops = loops
+                .iter()
+                .map(|l| l.iter().map(moved).collect())
+                .collect();
+            if let Ok(part) = Part::new("random", loops) {
+                break part;
+            }
+        };
+        let a = part(0.0);
+        let far = 0.9 * a.size();
+        let b = part(far);
+        let mut axis = |x: f64| {
+            let axis = match rng.random_bool(0.6) {
+                true => Axis::revolute(Point::new(x, rng.random_range(-0.3..0.3))),
+                false => Axis::prismatic(Vector::from_angle(rng.random_range(-PI..PI))),
+            };
+            axis.within(-rng.random_range(0.5..3.0), rng.random_range(0.5..3.0))
+        };
+        let axes = (axis(0.0), axis(far));
+        let scene = Scene::new(&a, &b, Some(axes));
+        if scene.overlaps([0.0; 3]) {
+            continue;
+        }
+        let entries = [on(a.clone(), axes.0), on(b.clone(), axes.1)];
+        let Verdict::Touches(found) = verdict(&entries[0], &entries[1], f64::INFINITY) else {
+            continue;
+        };
+        let size = scene.size();
+        for stop in &found.stopped {
+            stops += 1;
+            let at = [stop.at.0, stop.at.1, 0.0];
+            assert!(scene.clearance(at) < 1e-8 * size, "{stop:?}");
+            assert!(!stop.features.is_empty() && stop.is_declared);
+            let limits = found.reach[stop.part];
+            let end = match stop.end {
+                End::Lo => limits.lo,
+                End::Hi => limits.hi,
+            };
+            assert!((at[stop.part] - end).abs() < 1e-12);
+        }
+        let space = FixedAxesSpace::compute(&a, axes.0, &b, axes.1).unwrap();
+        let Some(region) = space.region_at(0.0, 0.0) else {
+            // Outlines on a grid may touch as drawn, between two regions.
+            continue;
+        };
+        for _ in 0..effort(2_000, 20_000) {
+            let [u, v] = space.extent().map(|(lo, hi)| rng.random_range(lo..=hi));
+            if space.region_at(u, v) == Some(region) {
+                for (t, limits) in [u, v].into_iter().zip(found.reach) {
+                    assert!(
+                        (limits.lo - 1e-9..=limits.hi + 1e-9).contains(&t),
+                        "{u} {v} {found:?}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(stops >= 10, "{stops}");
 }
 
 /// Pulled apart by more than their teeth are high, they are clear, and do not turn each other.
