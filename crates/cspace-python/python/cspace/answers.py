@@ -305,7 +305,7 @@ class Backlash(Record):
 
 
 class Stopped(Record):
-    """What stops a part."""
+    """End of a range, or of a turn, to which a part does not come."""
 
     at: NDArray[np.float64]
     """The configuration in which it has come farthest."""
@@ -325,7 +325,7 @@ class ClearanceOfPair(Record):
     at: float | NDArray[np.float64] | None
     """When or where that is."""
     backlash: Backlash | None
-    """Of parts that turn only together, how far the second goes while the first is held, over a turn of the first; none where something within that play is passed on two sides."""
+    """Play of the second part while the first is held, over a turn of the first, where they turn only together; none where something within that play is passed on two sides."""
     depth: float | None
     """The length of the shortest translation of the second part that separates parts that overlap; none of others, and of parts with too many edges."""
     fixed: str
@@ -345,13 +345,13 @@ class ClearanceOfPair(Record):
     points: list[list[float]] | None
     """A point of each part in the assembly's frame: the nearest; of parts that overlap those that touch after the translation, the second where it is before."""
     ratio: float | None
-    """Of parts that turn only together: turns of the second part for a turn of the first."""
+    """Turns of the second part for a turn of the first, where they turn only together."""
     reach: dict[str, list[float | None]] | None
     """Over their ranges, of parts that touch: least and greatest motion of each part that moves, in the region in which the parts are drawn; none where it goes on without end."""
     room: float | None
     """Over their ranges, the gap by which the second part is smaller all around, where the parts fit exactly, so that there is room to move."""
     stopped: list[Stopped] | None
-    """What stops a part before an end of its range, or of its turn."""
+    """Ends of ranges, or of turns, to which parts do not come, and what stops them there."""
     touching: list[str] | None
     """The features of the two parts at these points."""
 
