@@ -9,7 +9,7 @@ use cspace_plan::ranges::{self, Held, Pair, Pairs, Stop, Tightest, Verdict};
 
 use crate::error::Error;
 use crate::frame::PairAnswer;
-use crate::host::{Host, spaces};
+use crate::host::{Host, is_interrupted, spaces};
 use crate::subject::{Subject, Which};
 
 use super::{At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, numbers, order, row};
@@ -84,7 +84,13 @@ fn over_ranges(
     }
     let title = format!("{},{}", names[0], names[1]);
     let progress = host.begin(&title);
-    let verdict = match moved.over_ranges(limits.within, &spaces(host, &*progress)) {
+    let interrupted = PairError::Compute(ComputeError::Interrupted);
+    // Spaces of two coordinates are computed without a pause in which to ask.
+    let found = match is_interrupted(&*progress) {
+        true => Err(interrupted.clone()),
+        false => moved.over_ranges(limits.within, &spaces(host, &*progress)),
+    };
+    let verdict = match found {
         Ok(verdict) => verdict,
         Err(error) => {
             let which = PairEntry {
@@ -92,10 +98,8 @@ fn over_ranges(
                 moving: pair[1],
                 window: None,
             };
-            let failure = subject
-                .pair_of(which, &Which::default(), host)
-                .failure(&error);
-            if error == PairError::Compute(ComputeError::Interrupted) {
+            let failure = (subject.pair_of(which, &Which::default(), host)).failure(&error);
+            if error == interrupted {
                 return Err(failure);
             }
             host.warn(&failure);
