@@ -23,6 +23,8 @@ const LONGEST: f64 = 0.25;
 const APART: f64 = 1e-6;
 /// A step is taken if the distance falls by this share of what the gradient promises.
 const ENOUGH: f64 = 1e-4;
+/// A step that promises less than this share of the parts' size gains nothing but rounding.
+const LEAST_GAIN: f64 = 1e-15;
 /// A step is halved so often before another direction is tried.
 const HALVINGS: u32 = 40;
 /// Slopes below this are none: a step of the size of the parts would gain as little as rounding.
@@ -156,6 +158,9 @@ impl<'a> Descent<'a> {
             }));
             let moved = [0, 1].map(|k| (there[k] - low.at[k]) * self.levers[k]);
             let promised = moved[0] * slope[0] + moved[1] * slope[1];
+            if promised > -LEAST_GAIN * self.scene.size() {
+                return None;
+            }
             let next = self.there(there);
             if next.distance < low.distance && next.distance <= low.distance + ENOUGH * promised {
                 return Some(next);

@@ -1,7 +1,9 @@
 //! The smallest gap of two parts that never touch: found by descent, proved by the space of a part that is grown.
 
+use core::f64::consts::TAU;
+
 use cspace::fixed_axes::BranchForm;
-use cspace::{AxisMotion, FixedAxesSpace, PairError, PairSpace, Part};
+use cspace::{Axis, AxisMotion, FixedAxesSpace, PairError, PairSpace, Part};
 
 use crate::legs::Scene;
 use crate::widest::grown;
@@ -72,6 +74,7 @@ pub(super) fn smallest(
         };
         best = next;
     }
+    let best = descent.there(in_one_turn(space, best.at));
     let at = coords(best.at);
     let features = scene.nearest(at).features.map(|(f, g)| [f, g]);
     Ok(Verdict::Clear(Tightest {
@@ -81,6 +84,18 @@ pub(super) fn smallest(
         features,
         points: scene.nearest_points(at).map(|(p, q)| [p, q]),
     }))
+}
+
+/// The configuration with the motions of parts that turn without limits within half a turn.
+fn in_one_turn(space: &FixedAxesSpace, at: [f64; 2]) -> [f64; 2] {
+    let (fixed, moving) = space.axes();
+    [0, 1].map(|k| match [fixed, moving][k] {
+        Axis {
+            motion: AxisMotion::Revolute { .. },
+            range: None,
+        } => at[k] - (at[k] / TAU).round() * TAU,
+        _ => at[k],
+    })
 }
 
 fn lower(a: Low, b: Low) -> Low {
