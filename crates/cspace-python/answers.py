@@ -24,7 +24,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ._record import Record, configuration, each_of
+from ._record import Record, configuration, each_of, number_or_configuration
 '''
 
 # Objects that are arrays here.
@@ -72,6 +72,8 @@ class Module:
             if key in schema:
                 found = [self.kind(one) for one in schema[key]]
                 reads = {read for kind, read in found if kind != "None"}
+                if reads == {None, "configuration"}:
+                    reads = {"number_or_configuration"}
                 return union([kind for kind, _ in found]), reads.pop() if len(reads) == 1 else None
         if isinstance(schema.get("type"), list):
             found = [self.kind({**schema, "type": one}) for one in schema["type"]]

@@ -26,6 +26,7 @@ mod path;
 mod planner;
 pub mod proof;
 mod push;
+pub mod ranges;
 mod route;
 pub mod slide;
 mod straight;

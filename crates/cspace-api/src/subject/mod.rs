@@ -337,7 +337,18 @@ impl Subject {
             Some(names) => vec![named_pair(path, model, names, host)?],
             None => model.pairs.clone(),
         };
-        let chosen = |pair: PairEntry| Chosen {
+        let chosen = |pair| self.pair_of(pair, which, host);
+        Ok(pairs.into_iter().map(chosen).collect())
+    }
+
+    /// A pair of the model, in the window that was asked for if there is one.
+    pub(crate) fn pair_of<'a>(
+        &'a self,
+        pair: PairEntry,
+        which: &Which,
+        host: &'a dyn Host,
+    ) -> Chosen<'a> {
+        Chosen {
             subject: self,
             host,
             general: which.named.general,
@@ -346,8 +357,7 @@ impl Subject {
                 window: which.window.or(pair.window),
                 ..pair
             }),
-        };
-        Ok(pairs.into_iter().map(chosen).collect())
+        }
     }
 
     /// The one pair that was named, or that the file has.

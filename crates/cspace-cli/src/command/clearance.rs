@@ -4,34 +4,42 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use cspace_api::Outcome as _;
-use cspace_api::clearance::{Clearances, Outcome, Question};
-use cspace_model::shown;
+use cspace::{AxisMotion, Coordinates};
+use cspace_api::clearance::{At, Clearance, Clearances, End, Outcome, Over, Question, Stopped};
+use cspace_api::{Outcome as _, PairAnswer};
+use cspace_model::{Mechanism, shown};
 
 use super::record;
 use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
-use crate::wording::{count, length};
+use crate::wording::{count, degrees, length};
 
 const HELP: &str = "\
 Examples:
-  cspace clearance models/peg_hole.toml
+  cspace clearance models/gears_on_shafts.toml
+  cspace clearance models/peg_hole.toml --drawn
   cspace clearance models/ratchet_mechanism.toml --within 2
   cspace simulate models/geneva.toml --time 2 -o run.csv
   cspace clearance models/geneva.toml --along run.csv --json
 
-Every two parts as they are drawn, the worst first. No contact space is
-computed.
+Every two parts, the worst first. Two that each turn, slide or stand still by
+their `motion` are looked at over all motions that their ranges allow: one that
+turns and has no range makes whole turns. Their contact space decides, so that
+nothing between two poses is missed. Others are looked at as drawn.
 
-  overlaps  with the depth: the length of the shortest translation of the
-            second part that separates the two, neither of them turned; and by
-            how much smaller it would be clear, where that is less
+  overlaps  as drawn; with the depth: the length of the shortest translation of
+            the second part that separates the two, neither of them turned; and
+            by how much smaller it would be clear, where that is less
+  touches   over their ranges, with what stops which part where; as drawn, the
+            gap or the depth is --touch or less
+  meshes    neither can turn without the other: how often one turns for the
+            other, and the least and the largest backlash over a turn
   meets     with --along: the boundaries meet between two samples at which the
             parts are apart
-  touches   the gap or the depth is --touch or less
-  clear     with the gap: the minimum distance
+  clear     with the gap: the minimum distance, and where it is
   joined    a joint connects the two, so they may overlap: they are not judged
+  undecided the contact space is in doubt, or cannot be computed
 
 Features and points are those that are nearest, in the assembly's frame; of an
 overlap those that touch after the translation, the point of the second part
@@ -42,7 +50,8 @@ With --along the gap is the minimum over the whole motion, with its time:
 between two samples all coordinates are taken to change at constant rates, and
 the gap is bounded there, not sampled. Depths are those at the samples.
 
-The exit code is 1 if parts overlap. See docs/clearance.md.";
+The exit code is 1 if parts overlap, or if one does not come to both ends of the
+range that the model gives it. See docs/clearance.md.";
 
 /// Arguments of `cspace clearance`.
 #[derive(Debug, Args)]
@@ -54,12 +63,9 @@ pub(crate) struct ClearanceArgs {
     pub(crate) values: SetArgs,
     #[command(flatten)]
     pub(crate) question: Question,
-    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of the parts as drawn
-    #[arg(long, value_name = "RECORD")]
+    /// Over the motion that `cspace simulate` wrote to this file with -o, CSV or JSON, in place of all that ranges allow
+    #[arg(long, value_name = "RECORD", conflicts_with = "drawn")]
     pub(crate) along: Option<PathBuf>,
-    /// As drawn
-    #[arg(long, conflicts_with = "along")]
-    pub(crate) drawn: bool,
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
@@ -67,10 +73,12 @@ pub(crate) struct ClearanceArgs {
 }
 
 /// In the order in which pairs are counted.
-const OUTCOMES: [Outcome; 5] = [
+const OUTCOMES: [Outcome; 7] = [
     Outcome::Overlaps,
+    Outcome::Undecided,
     Outcome::Meets,
     Outcome::Touches,
+    Outcome::Meshes,
     Outcome::Clear,
     Outcome::Joined,
 ];
@@ -88,65 +96,168 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
     };
     let answer = question.ask(&subject, &Terminal::new(CacheArgs::default()))?;
     super::tell(&args.result, &answer, |text, found| {
-        describe(text, subject.unit(), found)
+        let words = Words {
+            model: &model.model.mechanism,
+            unit: (subject.unit()).map_or(String::new(), |u| format!(" {}", shown::text(u))),
+            is_over_ranges: found.pairs.iter().any(|p| p.content.over == Over::Ranges),
+        };
+        words.describe(text, found)
     })
 }
 
-fn describe(text: &mut String, unit: Option<&str>, found: &Clearances) -> fmt::Result {
-    let unit = unit.map_or(String::new(), |u| format!(" {}", shown::text(u)));
-    let counts: Vec<String> = (OUTCOMES.iter())
-        .filter_map(|&outcome| {
-            let pairs = found.pairs.iter();
-            let n = pairs.filter(|p| p.outcome == outcome).count();
-            (n > 0).then(|| format!("{n} {}", outcome.word()))
-        })
-        .collect();
-    let pairs = found.pairs.len() + found.beyond;
-    let mut line = format!(
-        "{}, {}",
-        count(found.parts, "part", "parts"),
-        count(pairs, "pair", "pairs")
-    );
-    if !counts.is_empty() {
-        write!(line, ": {}", counts.join(", "))?;
-    }
-    if let (true, Some(within)) = (found.beyond > 0, found.within) {
-        let more = if counts.is_empty() { ": " } else { ", " };
-        let within = length(within);
-        write!(
-            line,
-            "{more}{} clear by {within}{unit} or more",
-            found.beyond
-        )?;
-    }
-    writeln!(text, "{line}")?;
-    for answer in &found.pairs {
-        let [a, b] = [&answer.fixed, &answer.moving].map(|name| shown::text(name));
-        let pair = &answer.content;
-        let far = match (pair.depth, pair.gap) {
-            (Some(l), _) | (None, Some(l)) => format!("{}{unit}", length(l)),
-            (None, None) => String::new(),
-        };
-        write!(text, "{:<8} {far:>14}  {a}, {b}", answer.outcome.word())?;
-        if let Some(time) = pair.at {
-            write!(text, "  t {}", length(time))?;
+/// The words for pairs of a model.
+struct Words<'a> {
+    model: &'a Mechanism,
+    /// The unit of length with a space before it.
+    unit: String,
+    /// Whether some pairs are over their ranges.
+    is_over_ranges: bool,
+}
+
+impl Words<'_> {
+    fn describe(&self, text: &mut String, found: &Clearances) -> fmt::Result {
+        let unit = &self.unit;
+        let counts: Vec<String> = (OUTCOMES.iter())
+            .filter_map(|&outcome| {
+                let pairs = found.pairs.iter();
+                let n = pairs.filter(|p| p.outcome == outcome).count();
+                (n > 0).then(|| format!("{n} {}", outcome.word()))
+            })
+            .collect();
+        let pairs = found.pairs.len() + found.beyond;
+        let mut line = format!(
+            "{}, {}",
+            count(found.parts, "part", "parts"),
+            count(pairs, "pair", "pairs")
+        );
+        if !counts.is_empty() {
+            write!(line, ": {}", counts.join(", "))?;
         }
-        if let (Some([f, g]), Some([p, q])) = (&pair.touching, pair.points) {
-            let at = |[x, y]: [f64; 2]| format!("({}, {})", length(x), length(y));
-            let (f, g) = (shown::text(f), shown::text(g));
-            write!(text, "  {f} at {}, {g} at {}", at(p), at(q))?;
-        }
-        // What a translation of the same length does need not be said.
-        if let (Some(offset), Some(depth)) = (pair.offset, pair.depth)
-            && offset < 0.999 * depth
-        {
+        if let (true, Some(within)) = (found.beyond > 0, found.within) {
+            let more = if counts.is_empty() { ": " } else { ", " };
+            let within = length(within);
             write!(
-                text,
-                "  clear if {b} is {}{unit} smaller all around",
-                length(offset)
+                line,
+                "{more}{} clear by {within}{unit} or more",
+                found.beyond
             )?;
         }
-        writeln!(text)?;
+        writeln!(text, "{line}")?;
+        for answer in &found.pairs {
+            let [a, b] = [&answer.fixed, &answer.moving].map(|name| shown::text(name));
+            let pair = &answer.content;
+            let far = match (pair.depth, pair.gap) {
+                (Some(l), _) | (None, Some(l)) => format!("{}{unit}", length(l)),
+                (None, None) => String::new(),
+            };
+            write!(text, "{:<8} {far:>14}  {a}, {b}", answer.outcome.word())?;
+            match pair.over {
+                Over::Ranges => self.over_ranges(text, answer)?,
+                Over::Drawn if self.is_over_ranges && answer.outcome != Outcome::Joined => {
+                    write!(text, "  as drawn")?;
+                }
+                Over::Drawn | Over::Record => {}
+            }
+            if let Some(At::Time(time)) = pair.at {
+                write!(text, "  t {}", length(time))?;
+            }
+            if let (Some([f, g]), Some([p, q])) = (&pair.touching, pair.points)
+                && pair.stopped.is_empty()
+            {
+                let at = |[x, y]: [f64; 2]| format!("({}, {})", length(x), length(y));
+                let (f, g) = (shown::text(f), shown::text(g));
+                write!(text, "  {f} at {}, {g} at {}", at(p), at(q))?;
+            }
+            // What a translation of the same length does need not be said.
+            if let (Some(offset), Some(depth)) = (pair.offset, pair.depth)
+                && offset < 0.999 * depth
+            {
+                write!(
+                    text,
+                    "  clear if {b} is {}{unit} smaller all around",
+                    length(offset)
+                )?;
+            }
+            writeln!(text)?;
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Tells what is found of a pair over its ranges.
+    fn over_ranges(&self, text: &mut String, answer: &PairAnswer<Clearance>) -> fmt::Result {
+        let pair = &answer.content;
+        let names = [&answer.fixed, &answer.moving];
+        let [a, b] = names.map(|name| shown::text(name));
+        if let Some(ratio) = pair.ratio {
+            write!(
+                text,
+                "  {b} turns {} times as {a} turns once",
+                shown::number(ratio)
+            )?;
+        }
+        if let Some(play) = pair.backlash {
+            let (least, most) = (degrees(play.least), degrees(play.most));
+            write!(text, ", with a backlash of {least} to {most}")?;
+        }
+        if let Some(room) = pair.room {
+            write!(text, "  with a gap of {room:.1e}{} all around", self.unit)?;
+        }
+        for (i, stop) in pair.stopped.iter().enumerate() {
+            text.push_str(if i == 0 { "  " } else { "; " });
+            self.stop(text, stop, names)?;
+        }
+        match pair.at {
+            Some(At::Place(at)) if pair.stopped.is_empty() => {
+                write!(text, "  at {}", self.place(at, names))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn stop(&self, text: &mut String, stop: &Stopped, names: [&String; 2]) -> fmt::Result {
+        let part = shown::text(&stop.part);
+        let shown = |x: f64| match stop.turns {
+            true => degrees(x),
+            false => format!("{}{}", length(x), self.unit),
+        };
+        let Coordinates::Axes { u, v } = stop.at else {
+            return Ok(());
+        };
+        let come = if &stop.part == names[0] { u } else { v };
+        let verb = match (stop.end, stop.of) {
+            (End::Hi, Some(_)) => "cannot pass",
+            (End::Lo, Some(_)) => "cannot go back past",
+            (End::Hi, None) => "stops at",
+            (End::Lo, None) => "going back stops at",
+        };
+        write!(text, "{part} {verb} {}", shown(come))?;
+        if let Some(of) = stop.of {
+            write!(text, " of {}", shown(of))?;
+        }
+        for (i, [f, g]) in stop.touching.iter().enumerate() {
+            let (f, g) = (shown::text(f), shown::text(g));
+            let [a, b] = names.map(|name| shown::text(name));
+            text.push_str(if i == 0 { ": " } else { ", " });
+            write!(text, "{g} of {b} touches {f} of {a}")?;
+        }
+        Ok(())
+    }
+
+    /// The motions of the parts that move.
+    fn place(&self, at: Coordinates, names: [&String; 2]) -> String {
+        let Coordinates::Axes { u, v } = at else {
+            return String::new();
+        };
+        let of = |(name, t): (&String, f64)| {
+            let part = self.model.parts.iter().find(|p| p.part.name() == name)?;
+            let shown = match part.axis?.motion {
+                AxisMotion::Fixed => return None,
+                AxisMotion::Revolute { .. } => degrees(t),
+                AxisMotion::Prismatic { .. } => format!("{}{}", length(t), self.unit),
+            };
+            Some(format!("{} {shown}", shown::text(name)))
+        };
+        let all: Vec<String> = (names.into_iter().zip([u, v])).filter_map(of).collect();
+        all.join(", ")
+    }
 }

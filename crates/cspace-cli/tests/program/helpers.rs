@@ -169,7 +169,7 @@ pub(crate) fn framed(args: &[&str]) -> Value {
 /// The answer of a run, whose exit code is 1 where the outcome is a no, and 0 elsewhere.
 #[track_caller]
 fn of_code(output: &Output) -> Value {
-    const NO: [&str; 12] = [
+    const NO: [&str; 13] = [
         "blocked",
         "cage",
         "fails",
@@ -181,6 +181,7 @@ fn of_code(output: &Output) -> Value {
         "none",
         "not-met",
         "overlaps",
+        "stopped",
         "to-blocked",
     ];
     let answer: Value = serde_json::from_slice(&output.stdout).unwrap();

@@ -3,12 +3,12 @@
 use cspace::part::Bounds;
 
 /// Boxes in the order of their left sides.
-pub(super) struct Boxed {
+pub(crate) struct Boxed {
     boxes: Vec<(usize, Bounds)>,
 }
 
 impl Boxed {
-    pub(super) fn new(boxes: Vec<Bounds>) -> Self {
+    pub(crate) fn new(boxes: Vec<Bounds>) -> Self {
         let mut boxes: Vec<(usize, Bounds)> = boxes.into_iter().enumerate().collect();
         boxes.sort_by(|a, b| a.1.min.x.total_cmp(&b.1.min.x).then(a.0.cmp(&b.0)));
         Self { boxes }
@@ -16,7 +16,7 @@ impl Boxed {
 }
 
 /// Every two boxes with a gap of no more than `within` along either axis, by their numbers, the lower first.
-pub(super) fn near(boxed: &Boxed, within: f64) -> Vec<[usize; 2]> {
+pub(crate) fn near(boxed: &Boxed, within: f64) -> Vec<[usize; 2]> {
     let boxes = &boxed.boxes;
     let mut found = Vec::new();
     for (place, (i, a)) in boxes.iter().enumerate() {

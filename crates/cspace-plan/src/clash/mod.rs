@@ -32,7 +32,7 @@ use cspace_model::Mechanism;
 
 use crate::legs::Body;
 pub use answer::{Clash, Clashes, Question, Sample, State};
-use broad::{Boxed, near};
+pub(crate) use broad::{Boxed, near};
 pub(crate) use depth::depth;
 use pair::Pair;
 
@@ -60,16 +60,26 @@ impl<'a> Assembly<'a> {
 
     /// Clashes of the parts as they are drawn, at zero motion.
     pub fn drawn(&self, question: &Question) -> Clashes {
+        self.drawn_but(question, |_| false)
+    }
+
+    /// As [`drawn`](Self::drawn), without the pairs that are passed over, which are not counted either; they are given by the numbers of their
+    /// parts.
+    pub fn drawn_but(
+        &self,
+        question: &Question,
+        is_passed_over: impl Fn([usize; 2]) -> bool,
+    ) -> Clashes {
         let boxes = self.bodies.iter().map(|b| b.part().bounds()).collect();
-        self.all(question, boxes, |pair| {
-            let here = [[0.0; 3]; 2];
-            let mut found = pair.there(here, question.within)?;
-            // Parts that have too many edges for the depth have too many for the offset.
-            if found.depth.is_some() {
-                found.offset = pair.offset(here);
-            }
-            Some(found)
+        self.all(question, boxes, is_passed_over, |pair| {
+            drawn(pair, [[0.0; 3]; 2], question.within)
         })
+    }
+
+    /// Two parts at motions on their axes; none if they are clear of each other by as much as is asked for.
+    pub fn on_axes(&self, parts: [usize; 2], at: [f64; 2], question: &Question) -> Option<Clash> {
+        let at = at.map(|t| [t, 0.0, 0.0]);
+        drawn(&self.pair(parts, question.touch), at, question.within)
     }
 
     /// Clashes of the parts over a motion that is given by samples in order of time: between two of them every
@@ -89,12 +99,17 @@ impl<'a> Assembly<'a> {
                     .unwrap_or_else(|| body.part().bounds())
             })
             .collect();
-        self.all(question, boxes, |pair| {
-            let way = samples
-                .iter()
-                .map(|s| (s.time, pair.parts.map(|i| at(s, i))));
-            along::along(pair, way, question.within)
-        })
+        self.all(
+            question,
+            boxes,
+            |_| false,
+            |pair| {
+                let way = samples
+                    .iter()
+                    .map(|s| (s.time, pair.parts.map(|i| at(s, i))));
+                along::along(pair, way, question.within)
+            },
+        )
     }
 
     /// Parts that a joint connects, which are apart as drawn, and come to overlap over a motion as in [`along`](Self::along): where they first
@@ -129,16 +144,22 @@ impl<'a> Assembly<'a> {
         &self,
         question: &Question,
         boxes: Vec<Bounds>,
+        is_passed_over: impl Fn([usize; 2]) -> bool,
         look: impl Fn(&Pair<'_>) -> Option<Clash>,
     ) -> Clashes {
         let n = self.bodies.len();
-        let (asked, count) = match question.pair {
-            Some(one) => (vec![one], 1),
+        let (mut asked, count) = match question.pair {
+            Some(one) => (vec![one], usize::from(!is_passed_over(one))),
             None => {
                 let boxed = Boxed::new(boxes);
-                (near(&boxed, question.within), n * n.saturating_sub(1) / 2)
+                let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+                (
+                    near(&boxed, question.within),
+                    all.filter(|&pair| !is_passed_over(pair)).count(),
+                )
             }
         };
+        asked.retain(|&pair| !is_passed_over(pair));
         let mut joined = Vec::new();
         let mut pairs = Vec::new();
         for parts in asked {
@@ -178,4 +199,14 @@ impl<'a> Assembly<'a> {
             pairs,
         }
     }
+}
+
+/// Two parts at a place, with all that is told of those that overlap; none if they are clear by `within` or more.
+fn drawn(pair: &Pair<'_>, at: [[f64; 3]; 2], within: f64) -> Option<Clash> {
+    let mut found = pair.there(at, within)?;
+    // Parts that have too many edges for the depth have too many for the offset.
+    if found.depth.is_some() {
+        found.offset = pair.offset(at);
+    }
+    Some(found)
 }

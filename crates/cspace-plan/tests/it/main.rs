@@ -6,5 +6,6 @@ mod clash;
 mod escape;
 mod modes;
 mod proof;
+mod ranges;
 mod slide;
 mod ways;

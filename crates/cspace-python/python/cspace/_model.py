@@ -237,9 +237,14 @@ class Model:
         `gap`."""
         return answers.DisassembleAnswer(self._ask("disassemble", gap=_number("gap", gap)))
 
-    def clearance(self, pair: str | Sequence[str] | None = None, within: float | None = None) -> answers.ClearanceAnswer:
-        """The smallest gap of every two parts as drawn, or by how much they overlap, the worst first; of pairs nearer than `within`."""
-        return answers.ClearanceAnswer(self._ask("clearance", pair=pair_names(pair), within=_number("within", within)))
+    def clearance(
+        self, pair: str | Sequence[str] | None = None, within: float | None = None, drawn: bool = False
+    ) -> answers.ClearanceAnswer:
+        """The smallest gap of every two parts, what stops them, or by how much they overlap, the worst first; of pairs nearer than `within`.
+        Two parts on axes are looked at over all motions that their ranges allow, unless all are to be as `drawn`."""
+        return answers.ClearanceAnswer(
+            self._ask("clearance", pair=pair_names(pair), within=_number("within", within), drawn=drawn)
+        )
 
     def modes(self, parts: Sequence[str] | None = None, at: Sequence[float] = (0, 0, 0)) -> answers.ModesAnswer:
         """The operating modes of three parts, by name, whose coordinates are u, v and w in that order; of those that move on axes without

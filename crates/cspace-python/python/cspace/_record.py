@@ -112,6 +112,11 @@ def configuration(value: dict[str, float]) -> NDArray[np.float64]:
     return np.array([value[key] for key in (("u", "v") if "u" in value else ("x", "y", "theta"))])
 
 
+def number_or_configuration(value: Any) -> Any:
+    """A number as it is, and a configuration as an array."""
+    return configuration(value) if isinstance(value, dict) else value
+
+
 def each_of(read: Callable[[Any], Any]) -> Callable[[dict[str, Any]], dict[str, Any]]:
     """Reads a dictionary of records by name."""
     return lambda values: {key: _each(read, value) for key, value in values.items()}

@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ._record import Record, configuration, each_of
+from ._record import Record, configuration, each_of, number_or_configuration
 
 
 class Allocated(Record):
@@ -293,27 +293,65 @@ class CheckAnswer(Record):
     """Version of the form of answers."""
 
 
+class Backlash(Record):
+    """Play over a turn."""
+
+    at: NDArray[np.float64]
+    """A configuration at which it is the least, in its middle."""
+    least: float
+    """The least (rad)."""
+    most: float
+    """The largest (rad)."""
+
+
+class Stopped(Record):
+    """End of a range, or of a turn, to which a part does not come."""
+
+    at: NDArray[np.float64]
+    """The configuration in which it has come farthest."""
+    end: Literal['lo', 'hi']
+    """The end to which it does not come."""
+    of: float | None
+    """How far it should go that way by its range; none if it has none."""
+    part: str
+    """The part."""
+    touching: list[list[str]]
+    """The features that touch there, of the first and of the second part."""
+
+
 class ClearanceOfPair(Record):
     """The answer for one pair."""
 
-    at: float | None
-    """Over a motion, when that is (s)."""
+    at: float | NDArray[np.float64] | None
+    """When or where that is."""
+    backlash: Backlash | None
+    """Play of the second part while the first is held, over a turn of the first, where they turn only together; none where something within that play is passed on two sides."""
     depth: float | None
     """The length of the shortest translation of the second part that separates parts that overlap; none of others, and of parts with too many edges."""
     fixed: str
     """Name of the fixed part."""
     gap: float | None
-    """The least distance, in the model's unit; 0 of boundaries that meet between samples, none of parts that overlap or are joined."""
+    """The least distance, in the model's unit; 0 of boundaries that meet, none of parts that overlap or are joined."""
+    least: float | None
+    """Over their ranges, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap, or 10⁻¹⁰ of the parts' size if that is more; 0 where it could not be proved."""
     moving: str
     """Name of the moving part."""
     offset: float | None
     """The smallest distance by which the second of two parts that overlap has to be made smaller all around so that they do not; none of others, over a motion, and where its edges are too small for it."""
-    outcome: Literal['done', 'overlaps', 'meets', 'touches', 'clear', 'joined']
+    outcome: Literal['done', 'overlaps', 'stopped', 'undecided', 'meets', 'touches', 'meshes', 'clear', 'joined']
     """How it came out."""
-    over: Literal['drawn', 'record']
+    over: Literal['ranges', 'drawn', 'record']
     """The motions over which it is."""
     points: list[list[float]] | None
     """A point of each part in the assembly's frame: the nearest; of parts that overlap those that touch after the translation, the second where it is before."""
+    ratio: float | None
+    """Turns of the second part for a turn of the first, where they turn only together."""
+    reach: dict[str, list[float | None]] | None
+    """Over their ranges, of parts that touch: least and greatest motion of each part that moves, in the region in which the parts are drawn; none where it goes on without end."""
+    room: float | None
+    """Over their ranges, the gap by which the second part is smaller all around, where the parts fit exactly, so that there is room to move."""
+    stopped: list[Stopped] | None
+    """Ends of ranges, or of turns, to which parts do not come, and what stops them there."""
     touching: list[str] | None
     """The features of the two parts at these points."""
 
@@ -327,7 +365,7 @@ class ClearanceAnswer(Record):
     """The command."""
     beyond: int
     """The number of pairs that are not listed: their gap is `within` or more."""
-    outcome: Literal['done', 'overlaps', 'meets', 'touches', 'clear', 'joined']
+    outcome: Literal['done', 'overlaps', 'stopped', 'undecided', 'meets', 'touches', 'meshes', 'clear', 'joined']
     """How it came out; of several pairs the worst."""
     pairs: list[ClearanceOfPair]
     """Pairs of parts, the worst first."""
@@ -1562,6 +1600,9 @@ Band._read = {'stations': Station}
 AlongAnswer._read = {'requirements': Band, 'units': Units}
 Requirement._read = {'at': configuration}
 CheckAnswer._read = {'requirements': Requirement, 'units': Units}
+Backlash._read = {'at': configuration}
+Stopped._read = {'at': configuration}
+ClearanceOfPair._read = {'at': number_or_configuration, 'backlash': Backlash, 'stopped': Stopped}
 ClearanceAnswer._read = {'pairs': ClearanceOfPair, 'units': Units}
 FreeRegion._read = {'sample': configuration}
 Counts._read = {'decisions': Decisions}

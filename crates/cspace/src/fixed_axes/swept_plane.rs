@@ -3,6 +3,7 @@
 //! It is used for combinations of several planes with a common coordinate: each plane is swept along the coordinate of the others.
 
 use crate::feature::tolerance::{NARROWEST_BAND, SHORTEST_OVERLAP};
+use crate::ids::{PatchId, RegionId};
 use crate::number::{Ball, Real};
 use crate::part::Part;
 
@@ -44,6 +45,8 @@ const ROUNDING: f64 = 1e-13;
 #[derive(Debug)]
 pub struct SweptPlane {
     space: FixedAxesSpace,
+    /// The patch of every cell.
+    patches: Vec<Option<PatchId>>,
 }
 
 /// An interval of x in which the order of the curves does not change.
@@ -84,7 +87,26 @@ impl SweptPlane {
         along: Role,
     ) -> Result<Self, AxesError> {
         let space = FixedAxesSpace::swept(fixed, moving, Some(along))?;
-        Ok(Self { space })
+        let mut patches = vec![None; space.data.cells.len()];
+        for branch in space.branches() {
+            patches[branch.cell as usize] = Some(branch.patch);
+        }
+        Ok(Self { space, patches })
+    }
+
+    /// The space whose plane it is.
+    pub fn space(&self) -> &FixedAxesSpace {
+        &self.space
+    }
+
+    /// The free region of a gap, an index into the space's regions; `None` if there is no such gap.
+    pub fn region(&self, gap: usize) -> Option<RegionId> {
+        self.space.data.gaps.get(gap).map(|g| RegionId(g.region))
+    }
+
+    /// The patch of a curve, an index into the space's patches; `None` of a curve that coincides with another, which has the patch.
+    pub fn patch(&self, curve: PlaneCurve) -> Option<PatchId> {
+        self.patches.get(curve.cell as usize).copied().flatten()
     }
 
     /// Number of contradictions in the partition: as [`AxesStatistics::conflicts`](super::AxesStatistics::conflicts).
