@@ -24,11 +24,7 @@ impl Finding {
     }
 
     pub(crate) fn about(self, fixed: &Part, moving: &Part, window: Option<(f64, f64)>) -> Self {
-        let entry = |part: &Part| PartEntry {
-            part: part.clone(),
-            axis: None,
-            symmetry: None,
-        };
+        let entry = |part: &Part| PartEntry::planar(part.clone());
         let model = Mechanism {
             name: "found by fuzzing".into(),
             parts: vec![entry(fixed), entry(moving)],

@@ -27,11 +27,7 @@ pub(crate) fn write(
     if said.len() > SHOWN {
         let _ = writeln!(text, "# … {} more", said.len() - SHOWN);
     }
-    let entry = |part: &cspace::Part| PartEntry {
-        part: part.clone(),
-        axis: None,
-        symmetry: None,
-    };
+    let entry = |part: &cspace::Part| PartEntry::planar(part.clone());
     let model = Mechanism {
         name: name.to_owned(),
         parts: vec![entry(&case.fixed), entry(&case.moving)],

@@ -130,12 +130,12 @@ fn replaced(old: &PartEntry, edit: &EditedPart) -> Result<PartEntry, EditError> 
     } else {
         with_names_of(drawn, &old.part).map_err(wrong)?
     };
-    let symmetry = old.symmetry.filter(|&fold| part.is_symmetric(fold));
-    Ok(PartEntry {
-        part,
-        axis: edit.motion.axis(),
-        symmetry,
-    })
+    // What is not edited stays.
+    let mut entry = old.clone();
+    entry.symmetry = old.symmetry.filter(|&fold| part.is_symmetric(fold));
+    entry.axis = edit.motion.axis();
+    entry.part = part;
+    Ok(entry)
 }
 
 /// The part with the other's names of features in loops that have as many vertices.

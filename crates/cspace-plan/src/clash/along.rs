@@ -85,11 +85,11 @@ fn on_the_way(
         return None;
     }
     let is_met = least.distance <= pair.touch;
-    let there = between.at(least.time);
+    let (features, points) = between.at(least.time).nearest().unzip();
     Some(Clash {
         gap: Some(if is_met { 0.0 } else { least.distance }),
-        features: least.features.map(|(a, b)| [a, b]),
-        points: there.nearest_points(),
+        features,
+        points,
         time: Some(earlier + (later - earlier) * least.time),
         ..pair.clash(if is_met { State::Meets } else { State::Clear })
     })

@@ -33,15 +33,18 @@ impl<'a> Pair<'a> {
         if self.overlaps(at, is_near) {
             return Some(self.overlap(at));
         }
-        (is_near || nearest.distance < within).then(|| Clash {
-            gap: Some(nearest.distance),
-            features: nearest.features.map(|(a, b)| [a, b]),
-            points: between.nearest_points(),
-            ..self.clash(if is_near {
-                State::Touching
-            } else {
-                State::Clear
-            })
+        (is_near || nearest.distance < within).then(|| {
+            let (features, points) = between.nearest().unzip();
+            Clash {
+                gap: Some(nearest.distance),
+                features,
+                points,
+                ..self.clash(if is_near {
+                    State::Touching
+                } else {
+                    State::Clear
+                })
+            }
         })
     }
 

@@ -1,7 +1,7 @@
 //! One of many parts of an assembly, each of which moves on its own.
 
 use cspace::part::Bounds;
-use cspace::{Axis, AxisMotion, Configuration, Part, Point, Vector};
+use cspace::{Axis, AxisMotion, Configuration, FeatureName, Part, Point, Vector};
 use cspace_model::PartEntry;
 
 use super::at::At;
@@ -123,9 +123,10 @@ impl Between<'_> {
         self.search().least_below(limit)
     }
 
-    /// The nearest points of the boundaries at the start, in the assembly's frame.
-    pub(crate) fn nearest_points(&self) -> Option<[Point; 2]> {
-        (self.search().nearest_points()).map(|(p, q)| [p, q])
+    /// The nearest features at the start, and their nearest points in the assembly's frame.
+    pub(crate) fn nearest(&self) -> Option<([FeatureName; 2], [Point; 2])> {
+        let ((a, b), (p, q)) = self.search().nearest()?;
+        Some(([a, b], [p, q]))
     }
 
     /// Whether the parts overlap at the start, where they do not just touch.

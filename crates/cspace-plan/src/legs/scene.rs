@@ -278,7 +278,7 @@ impl Scene {
 
     /// The points of the boundaries that are nearest, of the fixed and of the moving part, in the frame of the assembly.
     pub fn nearest_points(&self, at: Coords) -> Option<(Point, Point)> {
-        self.search(at, at).nearest_points()
+        (self.search(at, at).nearest()).map(|(_, points)| points)
     }
 
     /// The least distance of the boundaries along a leg, right to a millionth; where that would take long, as of arcs that turn about

@@ -163,17 +163,17 @@ impl<'a> Search<'a> {
         best.found
     }
 
-    /// The points of the boundaries that are nearest at the start, of the fixed and of the moving part, in the frame of the
+    /// The features that are nearest at the start, of the fixed and of the moving part, and their nearest points in the frame of the
     /// assembly; of boundaries that cross those that are nearest to a touch.
-    pub(super) fn nearest_points(&self) -> Option<(Point, Point)> {
+    pub(super) fn nearest(&self) -> Option<((FeatureName, FeatureName), (Point, Point))> {
         /// More than rounding.
         const SLACK: f64 = 1e-6;
         let distance = self.at(0.0).distance;
         let limit = distance * (1.0 + SLACK) + LEAST * self.rounding;
-        let mut nearest: Option<(Point, Point)> = None;
-        self.normals_within(limit, |_, (p, q)| {
-            if nearest.is_none_or(|(a, b)| p.distance(q) < a.distance(b)) {
-                nearest = Some((p, q));
+        let mut nearest: Option<((FeatureName, FeatureName), (Point, Point))> = None;
+        self.normals_within(limit, |features, (p, q)| {
+            if nearest.is_none_or(|(_, (a, b))| p.distance(q) < a.distance(b)) {
+                nearest = Some((features, (p, q)));
             }
         });
         nearest

@@ -166,12 +166,12 @@ class Model:
         """
         ranges = named("vary", vary, ranges)
         try:
-            vary = [{"parameter": name, "lo": float(lo), "hi": float(hi)} for name, (lo, hi) in ranges.items()]
+            varied = [{"parameter": name, "lo": float(lo), "hi": float(hi)} for name, (lo, hi) in ranges.items()]
         except (TypeError, ValueError):
             raise Error("a range is not two numbers (lo, hi)") from None
         if not isinstance(value, (bool, int, float, np.bool_, np.integer, np.floating)) or value != value:
             raise Error(f"`value` is {value!r} where a number, true or false is expected")
-        if not vary:
+        if not varied:
             raise Error("no parameter is varied: give a range, solve(..., play=(0.01, 0.5))")
         for name, (lo, hi) in ranges.items():
             if not lo < hi:
@@ -179,7 +179,7 @@ class Model:
         if relation not in _RELATIONS:
             raise Error(f"{relation!r} is not =, <= or >=")
         goal = {"requirement": requirement, "relation": _RELATIONS[relation], "value": value}
-        return answers.SolveAnswer(self._ask("solve", vary=vary, so_that=goal, samples=samples))
+        return answers.SolveAnswer(self._ask("solve", vary=varied, so_that=goal, samples=samples))
 
     def play(
         self, at: ArrayLike | None = None, by: ArrayLike | None = None, pair: str | Sequence[str] | None = None, touch: float | None = None

@@ -1064,7 +1064,7 @@ class ModesAnswer(Record):
     """Pairs of the model of one of the three parts and another part, which are not considered."""
     modes: list[Mode]
     """The modes: connected components of the free configurations."""
-    outcome: Literal['done']
+    outcome: Literal['done', 'blocked']
     """How it came out; of several pairs the worst."""
     pairs: list[Pair]
     """The pairs of u and v, of v and w, of u and w."""
@@ -1566,7 +1566,7 @@ class SweepAnswer(Record):
 
     answer: Literal['sweep']
     """The command."""
-    outcome: Literal['done', 'interrupted']
+    outcome: Literal['done', 'none', 'interrupted']
     """How it came out; of several pairs the worst."""
     rows: list[dict[str, float | bool | str | None]]
     """Values of what is varied and of what is measured, and `failure` where there is none; or where something changes, with the measure and what is so `before` and `after`: the value of each column, by its name."""

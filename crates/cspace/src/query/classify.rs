@@ -7,27 +7,13 @@ use crate::ids::{PatchId, RegionId};
 use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
-use super::Location;
+use super::{Classification, Location};
 
 /// Accuracy to which ends of curves are known (length of the pair's frame, about 1.9e-6): next to a tangency they move with the square root
 /// of rounding, and critical orientations are known to 1e-6 at worst.
 ///
 /// A ray that passes an end at a smaller distance is not used; neither is one that meets two curves closer together than this.
 pub(crate) const END_ERROR: f64 = 1.0 / (1u64 << 19) as f64;
-
-/// Class of a configuration: free, blocked or in contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
-pub enum Classification {
-    /// The parts do not overlap.
-    Free,
-    /// Their interiors meet.
-    Blocked,
-    /// They touch, within the resolution.
-    Contact,
-}
 
 impl ContactSpace {
     /// Classifies a configuration: contact if a contact curve of its slice is within 2⁻³⁷ of the size of the pair, otherwise by the side

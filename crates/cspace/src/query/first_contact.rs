@@ -4,7 +4,7 @@ use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
 use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
-use super::classify::Classification;
+use super::Classification;
 use super::path::{Approach, Path};
 use super::touch::{Search, Touch};
 

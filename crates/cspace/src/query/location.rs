@@ -1,7 +1,20 @@
-//! Location of a configuration: its free region, contact, blocked, or outside what was computed.
+//! Where a configuration is: its class, or its free region, contact, blocked, or outside what was computed.
 
-use super::Classification;
 use crate::ids::RegionId;
+
+/// Class of a configuration: free, blocked or in contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum Classification {
+    /// The parts do not overlap.
+    Free,
+    /// Their interiors meet.
+    Blocked,
+    /// They touch, within the resolution.
+    Contact,
+}
 
 /// Location of a configuration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

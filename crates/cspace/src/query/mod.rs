@@ -11,7 +11,6 @@ mod project;
 pub(crate) mod swept;
 mod touch;
 
-pub use classify::Classification;
 pub use contacts::NearestContact;
 pub use first_contact::{FirstContact, MotionError, MotionOutcome};
-pub use location::Location;
+pub use location::{Classification, Location};

@@ -7,7 +7,7 @@ use crate::ids::PatchId;
 use crate::number::{Ball, Dual, Real, halved};
 use crate::space::{ContactSpace, Patch};
 
-use super::classify::Classification;
+use super::Classification;
 use super::path::Path;
 use super::swept::{Orientations, Swept};
 

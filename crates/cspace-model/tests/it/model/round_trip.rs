@@ -19,9 +19,8 @@ fn entry(name: &str, x: f64, axis: Option<Axis>) -> PartEntry {
         Vertex::new(x + 1.0, 10.0 * third, -0.125),
     ];
     PartEntry {
-        part: Part::new(name, vec![outline]).unwrap(),
         axis,
-        symmetry: None,
+        ..PartEntry::planar(Part::new(name, vec![outline]).unwrap())
     }
 }
 
