@@ -17,7 +17,7 @@ pub(crate) struct Cli {
     pub(crate) quiet: bool,
     /// When to colour messages on standard error: auto (on a terminal), always or never; NO_COLOR is obeyed too. Of drawings, a colour such
     /// as red, #ff0000, or its number in AutoCAD's palette: what is drawn in it is read, and nothing else; may be given several times
-    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR", hide_short_help = true, display_order = AFTER_OWN)]
+    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR", hide_short_help = true, display_order = AFTER_OWN + 1)]
     pub(crate) color: Vec<Colored>,
 }
 

@@ -93,11 +93,12 @@ fn elsewhere(arguments: &[OsString], error: &clap::Error) -> Option<Failure> {
         let mut options = c.get_arguments().filter(|arg| !arg.is_hide_set());
         !c.is_hide_set() && options.any(|arg| arg.get_long() == Some(long))
     };
-    let owners: Vec<&str> = cli
+    let mut owners: Vec<&str> = cli
         .get_subcommands()
         .filter(has)
         .map(|c| c.get_name())
         .collect();
+    owners.sort_unstable();
     (!owners.is_empty()).then(|| {
         Failure::new(format_args!("`cspace {own}` has no option {given}")).help(format_args!(
             "leave it out: {given} is for {}; `cspace {own} --help` lists the options that there are",

@@ -1183,7 +1183,7 @@ fn refusals_say_what_to_give_instead() {
     fails(
         cspace(&["modes", &lock, "--window", "0,1"]),
         2,
-        &[named, "is for compute, slice"],
+        &[named, "is for classify, compute"],
     );
     for (option, range) in [
         ("--seed=-1", "from 0"),
