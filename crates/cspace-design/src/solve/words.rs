@@ -5,7 +5,7 @@ use cspace_model::model::Dimension;
 
 use super::problem::Problem;
 
-/// What the numbers of a problem with one parameter are.
+/// Kinds of the numbers of a problem with one parameter.
 pub(super) struct Words {
     dimension: Dimension,
     is_angle: bool,
