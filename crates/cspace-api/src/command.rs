@@ -57,9 +57,17 @@ pub(crate) fn duration(text: &str) -> Result<f64, String> {
     given::number(text, |x| x > 0.0, "give a positive time in seconds")
 }
 
-/// The coordinates of a point, or the components of a vector, from text such as `0,-9810`.
+/// The coordinates of a point, from text such as `10,2.5`.
 pub(crate) fn point(text: &str) -> Result<[f64; 2], String> {
-    given::two(text)
-        .map(|(x, y)| [x, y])
-        .ok_or_else(|| "give two numbers, such as 0,-9810".to_owned())
+    two(text, "give the two coordinates of a point, such as 10,2.5")
+}
+
+/// An acceleration, from text such as `0,-9810`.
+pub(crate) fn acceleration(text: &str) -> Result<[f64; 2], String> {
+    two(text, "give two components, such as 0,-9810")
+}
+
+fn two(text: &str, advice: &str) -> Result<[f64; 2], String> {
+    let (x, y) = given::two(text).ok_or(advice)?;
+    Ok([x, y])
 }

@@ -167,6 +167,15 @@ impl Question {
             {
                 Error::new("interrupted")
             }
+            AssemblyError::Gap { gap, least, most } => {
+                let option = host.option("gap");
+                let gap = shown::number(gap);
+                let what = format!("{option} {gap}: a gap of this size cannot be opened");
+                // Inward, so that what is said is taken.
+                let (least, most) = (two_digits(least, f64::ceil), two_digits(most, f64::floor));
+                file.error(what)
+                    .help(format_args!("give a length from {least} to {most}"))
+            }
             error => file.error(error),
         };
         let assembly = Assembly::new(model, self.gap).map_err(failed)?;
@@ -178,6 +187,15 @@ impl Question {
         let found = Disassembly::of(model, &assembly, taken, seconds);
         Ok(Answer::new(model.unit.as_deref(), found.verdict, found))
     }
+}
+
+/// A positive number to two digits, rounded as `to` says.
+fn two_digits(x: f64, to: fn(f64) -> f64) -> shown::Number {
+    let decimals = 1.0 - x.log10().floor();
+    let step = 10.0_f64.powf(-decimals);
+    // Through text, which is free of the rounding of the product.
+    let rounded = format!("{}e{}", to(x / step), -decimals);
+    shown::number(rounded.parse().unwrap_or(x))
 }
 
 impl Disassembly {

@@ -1,6 +1,7 @@
 //! Why a question has no answer.
 
 use std::fmt::{self, Display};
+use std::path::Path;
 
 use cspace_model::ModelError;
 use schemars::JsonSchema;
@@ -36,6 +37,15 @@ impl Error {
             file: None,
             line: None,
             column: None,
+        }
+    }
+
+    /// An error about a file, without advice.
+    pub(crate) fn in_file(path: &Path, message: impl Display) -> Self {
+        let file = path.display();
+        Self {
+            file: Some(file.to_string()),
+            ..Self::new(format_args!("{file}: {message}"))
         }
     }
 

@@ -33,7 +33,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(skip))]
     pub to: Option<Given>,
     /// For the least energy: the acceleration of gravity, unit/s², in place of the model's.
-    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = crate::command::point, allow_hyphen_values = true, requires = "energy", hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "X,Y", value_parser = crate::command::acceleration, allow_hyphen_values = true, requires = "energy", hide_short_help = true))]
     pub gravity: Option<[f64; 2]>,
     /// For the least energy: how near its bounds are brought, kg·unit²/s² [default: 3 % of it]
     #[cfg_attr(feature = "command", arg(long, value_name = "E", value_parser = crate::command::energy, allow_negative_numbers = true, requires = "energy", hide_short_help = true))]

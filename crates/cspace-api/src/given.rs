@@ -2,6 +2,8 @@
 
 use core::convert::Infallible;
 use core::fmt::Display;
+#[cfg(feature = "command")]
+use core::ops::RangeInclusive;
 use core::str::FromStr;
 
 use cspace_model::{LARGEST_ANGLE, shown};
@@ -129,6 +131,22 @@ pub fn number(text: &str, is_right: impl Fn(f64) -> bool, advice: &str) -> Resul
     let number = text.parse::<f64>().ok();
     let right = number.filter(|&x| x.is_finite() && is_right(x));
     right.ok_or_else(|| advice.to_owned())
+}
+
+/// Reads whole numbers of a range.
+#[cfg(feature = "command")]
+pub fn whole<T>(
+    range: RangeInclusive<u64>,
+) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static
+where
+    T: TryFrom<u64> + 'static,
+{
+    move |text| {
+        let number = text.parse().ok().filter(|n| range.contains(n));
+        let number = number.and_then(|n| T::try_from(n).ok());
+        let (least, most) = (range.start(), range.end());
+        number.ok_or_else(|| format!("give a whole number from {least} to {most}"))
+    }
 }
 
 /// A factor of lengths, from text.

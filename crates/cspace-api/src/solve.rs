@@ -32,7 +32,7 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, value_name = "MEASURE = VALUE", value_parser = goal, allow_hyphen_values = true))]
     pub so_that: Goal,
     /// One parameter: the number of values at which is measured before solutions are sought between them.
-    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = clap::value_parser!(u32).range(2..=100_000), allow_negative_numbers = true, hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = SAMPLES, value_parser = given::whole::<u32>(2..=100_000), allow_negative_numbers = true, hide_short_help = true))]
     #[serde(default = "usual_samples")]
     pub samples: u32,
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use cspace_api::given;
 use cspace_model::model::Setting;
 
 use crate::failure::Failure;
@@ -49,7 +50,7 @@ pub(crate) struct CacheArgs {
 #[derive(Debug, Clone, Copy, Default, Args)]
 pub(crate) struct ThreadsArg {
     /// Number of threads; 0 for one per processor. Results do not depend on it
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = threads(), allow_negative_numbers = true, hide_short_help = true)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = given::whole::<u16>(0..=1024), allow_negative_numbers = true, hide_short_help = true)]
     pub(crate) threads: u16,
 }
 
@@ -147,10 +148,6 @@ impl ResultArgs {
             )),
         })
     }
-}
-
-fn threads() -> clap::builder::RangedI64ValueParser<u16> {
-    clap::value_parser!(u16).range(..=1024)
 }
 
 /// Choice of what is read of drawings.

@@ -13,13 +13,16 @@ pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
     /// Say nothing on standard error but errors
-    #[arg(short, long, global = true, hide_short_help = true)]
+    #[arg(short, long, global = true, hide_short_help = true, display_order = AFTER_OWN)]
     pub(crate) quiet: bool,
     /// When to colour messages on standard error: auto (on a terminal), always or never; NO_COLOR is obeyed too. Of drawings, a colour such
     /// as red, #ff0000, or its number in AutoCAD's palette: what is drawn in it is read, and nothing else; may be given several times
-    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR", hide_short_help = true)]
+    #[arg(long, global = true, value_parser = colored, value_name = "WHEN|COLOR", hide_short_help = true, display_order = AFTER_OWN + 1)]
     pub(crate) color: Vec<Colored>,
 }
+
+/// Help lists options of all commands after those of the command itself, which are fewer.
+const AFTER_OWN: usize = 900;
 
 /// Commands by what they are for, in the order in which the help lists them.
 const GROUPS: [(&str, &[&str]); 5] = [

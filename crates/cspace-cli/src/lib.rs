@@ -21,6 +21,7 @@ mod wording;
 use std::ffi::OsString;
 
 use clap::FromArgMatches;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use cspace_model::shown;
 
 use cli::{Cli, ColorWhen, Colored};
@@ -66,11 +67,44 @@ fn usage(arguments: &[OsString], error: &clap::Error) -> u8 {
         .any(|a| a.to_string_lossy().contains(char::is_control))
         .then(|| parsed(arguments.iter().map(plain)).err())
         .flatten();
+    if let Some(failure) = elsewhere(arguments, again.as_ref().unwrap_or(error)) {
+        return finish(Err(failure));
+    }
     // Where nobody listens nothing can be done.
     let error = again.as_ref().unwrap_or(error);
     let _ = error.print();
     failure::tell(&error.to_string());
     failure::UNANSWERED
+}
+
+/// The error for an option that the command does not have, and others do.
+fn elsewhere(arguments: &[OsString], error: &clap::Error) -> Option<Failure> {
+    let given = match error.get(ContextKind::InvalidArg)? {
+        ContextValue::String(given) if error.kind() == ErrorKind::UnknownArgument => given,
+        _ => return None,
+    };
+    let long = given.strip_prefix("--")?;
+    let cli = cli::command();
+    let own = arguments
+        .iter()
+        .find_map(|name| cli.find_subcommand(name))?
+        .get_name();
+    let has = |c: &&clap::Command| {
+        let mut options = c.get_arguments().filter(|arg| !arg.is_hide_set());
+        !c.is_hide_set() && options.any(|arg| arg.get_long() == Some(long))
+    };
+    let mut owners: Vec<&str> = cli
+        .get_subcommands()
+        .filter(has)
+        .map(|c| c.get_name())
+        .collect();
+    owners.sort_unstable();
+    (!owners.is_empty()).then(|| {
+        Failure::new(format_args!("`cspace {own}` has no option {given}")).help(format_args!(
+            "leave it out: {given} is for {}; `cspace {own} --help` lists the options that there are",
+            owners.join(", ")
+        ))
+    })
 }
 
 fn run(cli: Cli) -> Result<(), Failure> {

@@ -24,9 +24,7 @@ pub(super) fn record(
     host: &dyn Host,
 ) -> Result<Record, Error> {
     let value = &earlier.answer;
-    let wrong = |what: &str, help: &str| {
-        Error::new(format_args!("{}: {what}", earlier.path.display())).help(help)
-    };
+    let wrong = |what: &str, help: &str| Error::in_file(&earlier.path, what).help(help);
     let bad = |what: &str| wrong(what, HELP);
     let system = System::new(model);
     let names: Vec<&str> = moving(model, &system).map(|(name, _)| name).collect();

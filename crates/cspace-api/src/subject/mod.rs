@@ -56,7 +56,7 @@ pub struct ModelFile {
 impl ModelFile {
     /// An error about the file.
     pub(crate) fn error(&self, message: impl Display) -> Error {
-        Error::new(format_args!("{}: {message}", self.path.display()))
+        Error::in_file(&self.path, message)
     }
 
     /// The model's text with the values that parameters are given.
@@ -193,7 +193,7 @@ impl Subject {
 
     /// An error about the file.
     pub(crate) fn error(&self, message: impl Display) -> Error {
-        Error::new(format_args!("{}: {message}", self.path().display()))
+        Error::in_file(self.path(), message)
     }
 
     /// The model, for a question that needs all of it; `why` says so of a saved space.

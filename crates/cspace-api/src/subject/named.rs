@@ -40,11 +40,8 @@ pub fn named_pair(
             .map(str::trim)
             .find(|n| model.part_index(n).is_none())
             .unwrap_or(names);
-        return Err(Error::new(format_args!(
-            "{}: there is no part {missing:?}",
-            path.display()
-        ))
-        .help(known()));
+        let what = format_args!("there is no part {missing:?}");
+        return Err(Error::in_file(path, what).help(known()));
     };
     if fixed == moving {
         return Err(Error::new(format_args!(

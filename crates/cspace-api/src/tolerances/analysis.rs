@@ -23,13 +23,10 @@ pub struct Question {
     #[cfg_attr(feature = "command", arg(long, conflicts_with_all = ["allocate", "along"]))]
     pub no_proof: bool,
     /// Measure the yield on this many samples by chance.
-    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(0..=100_000_000), hide_short_help = true))]
+    #[cfg_attr(feature = "command", arg(long, value_name = "N", default_value_t = 0, value_parser = crate::given::whole::<u64>(0..=100_000_000), allow_negative_numbers = true, hide_short_help = true))]
     pub samples: u64,
     /// Seed of the random samples: the same seed gives the same numbers, on any number of threads.
-    #[cfg_attr(
-        feature = "command",
-        arg(long, value_name = "S", default_value_t = 0, hide_short_help = true)
-    )]
+    #[cfg_attr(feature = "command", arg(long, value_name = "S", default_value_t = 0, value_parser = crate::given::whole::<u64>(0..=u64::MAX), allow_negative_numbers = true, hide_short_help = true))]
     pub seed: u64,
 }
 

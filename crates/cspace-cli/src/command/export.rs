@@ -78,7 +78,7 @@ pub(crate) struct ExportArgs {
     #[arg(long, hide_short_help = true)]
     pub(crate) ascii: bool,
     /// Pictures: the number of slices, at even steps of orientation [default: 12]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=400), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = given::whole::<u32>(1..=400), allow_negative_numbers = true)]
     pub(crate) slices: Option<u32>,
     /// Pages: an answer of `cspace plan`, `disassemble` or `simulate` in JSON, to be played; may be given several times
     #[arg(long, value_name = "RECORD.json")]

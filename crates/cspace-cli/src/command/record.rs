@@ -28,7 +28,7 @@ pub(super) fn json(file: &Path, model: &Mechanism, with_ways: bool) -> Result<Va
         ),
         false => (
             "`simulate`",
-            "give what `cspace simulate` writes with -o OUT.json or -o OUT.csv",
+            "give what `cspace simulate` writes with -o OUT.json",
         ),
     };
     let bytes = input::bytes(file, LARGEST, help)?;

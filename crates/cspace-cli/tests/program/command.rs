@@ -1174,3 +1174,71 @@ fn several_files_are_answered() {
             && told.contains(&format!("== {b}"))
     );
 }
+
+/// An option of other commands is refused with their names, numbers with what they may be, and an error about a file names it in JSON.
+#[test]
+fn refusals_say_what_to_give_instead() {
+    let (pawl, lock) = (model("ratchet_pawl"), model("tolerances/geneva_lock"));
+    let named = "`cspace modes` has no option --window";
+    fails(
+        cspace(&["modes", &lock, "--window", "0,1"]),
+        2,
+        &[named, "is for classify, compute"],
+    );
+    for (option, range) in [
+        ("--seed=-1", "from 0"),
+        ("--samples=x", "from 0 to 100000000"),
+    ] {
+        let refused = cspace(&["tolerances", &pawl, option]);
+        fails(refused, 2, &["give a whole number", range]);
+    }
+    fails(
+        cspace(&["plan", &pawl, "--about", "0"]),
+        2,
+        &["such as 10,2.5"],
+    );
+    for (command, words) in [
+        (vec!["modes", &lock], "modes are those of three parts"),
+        (
+            vec!["disassemble", &pawl, "--gap=1e9"],
+            "--gap 1000000000: ",
+        ),
+    ] {
+        let refused = cspace(&[&command[..], &["--json"]].concat())
+            .assert()
+            .code(2);
+        let told: Value = serde_json::from_slice(&refused.get_output().stdout).unwrap();
+        assert_eq!(told["error"]["file"], command[1], "{told}");
+        assert!(
+            told["error"]["message"].as_str().unwrap().contains(words),
+            "{told}"
+        );
+    }
+}
+
+/// Below the heading of pictures stand options of pictures alone, and options of all commands after those of one.
+#[test]
+fn help_lists_options_below_their_headings() {
+    for name in [
+        "modes",
+        "simulate",
+        "disassemble",
+        "plan",
+        "sweep",
+        "tolerances",
+        "slice",
+    ] {
+        let help = printed(&[name, "--help"]);
+        let (own, pictures) = help.split_once("\nPictures (").unwrap();
+        for option in ["--json", "--output", "--threads", "--color"] {
+            assert!(
+                own.contains(option) && !pictures.contains(&format!("{option} ")),
+                "{name}"
+            );
+        }
+        assert!(
+            own.rfind("\n      --").unwrap() <= own.find("--color <").unwrap(),
+            "{name}"
+        );
+    }
+}

@@ -155,7 +155,7 @@ fn pictures_have_a_row_for_each_mode() {
                 option,
             ]),
             2,
-            &[name, "unexpected argument"],
+            &[name, "`cspace modes` has no option", "is for"],
         );
     }
     fails(

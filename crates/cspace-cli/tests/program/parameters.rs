@@ -288,7 +288,7 @@ fn a_sweep_without_a_value_says_so() {
     let args = ["sweep", &file, "--vary", "play=-0.2:-0.1:2", "-o", out];
     let text = cspace(&args).assert().code(1).get_output().clone();
     assert_eq!(text.stdout, std::fs::read(out).unwrap());
-    assert!(text.stderr.is_empty());
+    assert!(String::from_utf8_lossy(&text.stderr).contains("no row has a value"));
 }
 
 #[test]
@@ -571,4 +571,28 @@ fn ranges_of_what_happens_in_a_motion_leave_no_gap() {
         .unwrap();
     let told = String::from_utf8(output.stdout).unwrap();
     assert!(!told.contains("closes: not-met"), "{told}");
+}
+
+/// Solutions and reasons have as many digits as are told of other answers, angles in degrees, and the outcome.
+#[test]
+fn solutions_are_told_as_other_answers_are() {
+    let lock = crate::helpers::model("tolerances/geneva_lock");
+    let solve = |goal: &str| {
+        let run = cspace(&["solve", &lock, "--vary", "r=19:20", "--so-that", goal]).assert();
+        String::from_utf8(run.get_output().stdout.clone()).unwrap()
+    };
+    let none = solve("dwell = 50deg");
+    assert!(
+        none.starts_with("none: in the range the quantity is between "),
+        "{none}"
+    );
+    assert!(
+        none.contains(" deg and ") && none.contains(" deg off the value"),
+        "{none}"
+    );
+    let longest = |text: &str| {
+        let digits = text.split(|c: char| !c.is_ascii_digit());
+        digits.map(str::len).max().unwrap()
+    };
+    assert!(longest(&none) <= 6, "{none}");
 }

@@ -10,6 +10,7 @@
 mod line;
 mod problem;
 mod several;
+mod words;
 
 use cspace::{Coordinates, Progress, parallel};
 use cspace_model::PairEntry;
@@ -22,6 +23,7 @@ use crate::measure::Value;
 use line::{Found, Line};
 use problem::{At, Problem};
 pub use problem::{Goal, Relation, Solved, Span};
+use words::Words;
 
 /// Values of one parameter between which nothing is resolved, relative to its range.
 const RESOLUTION: f64 = 1e-12;
@@ -193,7 +195,7 @@ impl Problem<'_> {
                 solutions: solutions.collect(),
                 ranges: wide.collect(),
                 undecided: self.undecided(span, &all, &known),
-                none: all.stretches.is_empty().then(|| nothing(&known, &all)),
+                none: all.stretches.is_empty().then(|| self.nothing(&known, &all)),
             };
         }
         let ranges = self.ranges(span, &all, &known, line.zero);
@@ -201,7 +203,7 @@ impl Problem<'_> {
             .map(|&(lo, hi)| given.clamp(lo, hi))
             .min_by(|a, b| (a - given).abs().total_cmp(&(b - given).abs()));
         Solved {
-            none: nearest.is_none().then(|| nothing(&known, &all)),
+            none: nearest.is_none().then(|| self.nothing(&known, &all)),
             solutions: nearest.into_iter().map(|p| vec![p]).collect(),
             undecided: self.undecided(span, &all, &known),
             ranges,
@@ -257,6 +259,44 @@ impl Problem<'_> {
             None => self.at(&[middle]),
         }
     }
+
+    /// Why nothing was found.
+    fn nothing(&self, known: &[(f64, At)], found: &Found) -> String {
+        let numbers = known.iter().filter_map(|(_, at)| match at {
+            At::Off(off, _) => Some(*off),
+            _ => None,
+        });
+        let words = Words::of(self);
+        let (lo, hi) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
+            (lo.min(x), hi.max(x))
+        });
+        if let Some((p, before, after)) = found.jumps.first() {
+            let (before, after) = (words.quantity(*before), words.quantity(*after));
+            let p = words.parameter(*p);
+            return format!(
+                "the quantity jumps over the value, from {before} off it to {after}, where the parameter is {p}"
+            );
+        }
+        let open = known
+            .iter()
+            .filter(|k| matches!(k.1, At::Undecided(_)))
+            .count();
+        if open > 0 {
+            return format!(
+                "it is so nowhere that could be decided; {open} of {} values could not",
+                known.len()
+            );
+        }
+        if lo > hi {
+            let reason = known.iter().find_map(|(_, at)| match at {
+                At::None(reason) => Some(reason.clone()),
+                _ => None,
+            });
+            return reason.unwrap_or_else(|| "it is so nowhere in the range".to_owned());
+        }
+        let (lo, hi) = (words.quantity(lo), words.quantity(hi));
+        format!("in the range the quantity is between {lo} and {hi} off the value")
+    }
 }
 
 /// The ranges between places of a span, and its ends.
@@ -272,38 +312,4 @@ fn add(ranges: &mut Vec<(f64, f64)>, (lo, hi): (f64, f64)) {
         Some(last) if last.1 >= lo => last.1 = last.1.max(hi),
         _ => ranges.push((lo, hi)),
     }
-}
-
-/// Why nothing was found.
-fn nothing(known: &[(f64, At)], found: &Found) -> String {
-    let numbers = known.iter().filter_map(|(_, at)| match at {
-        At::Off(off, _) => Some(*off),
-        _ => None,
-    });
-    let (lo, hi) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| {
-        (lo.min(x), hi.max(x))
-    });
-    if let Some((p, before, after)) = found.jumps.first() {
-        return format!(
-            "the quantity jumps over the value, from {before:+e} off it to {after:+e}, where the parameter is {p}"
-        );
-    }
-    let open = known
-        .iter()
-        .filter(|k| matches!(k.1, At::Undecided(_)))
-        .count();
-    if open > 0 {
-        return format!(
-            "it is so nowhere that could be decided; {open} of {} values could not",
-            known.len()
-        );
-    }
-    if lo > hi {
-        let reason = known.iter().find_map(|(_, at)| match at {
-            At::None(reason) => Some(reason.clone()),
-            _ => None,
-        });
-        return reason.unwrap_or_else(|| "it is so nowhere in the range".to_owned());
-    }
-    format!("in the range the quantity is between {lo:+e} and {hi:+e} off the value")
 }

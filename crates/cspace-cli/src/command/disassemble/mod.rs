@@ -57,9 +57,10 @@ pub(crate) struct DisassembleArgs {
     #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
-    pub(crate) picture: PictureArgs,
-    #[command(flatten)]
     pub(crate) threads: ThreadsArg,
+    // Last: what follows would stand below its heading.
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 pub(crate) fn run(args: &DisassembleArgs) -> Result<(), Failure> {

@@ -50,11 +50,12 @@ pub(crate) struct ModesArgs {
     #[command(flatten)]
     pub(crate) question: Question,
     #[command(flatten)]
-    pub(crate) picture: SheetArgs,
-    #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) threads: ThreadsArg,
+    // Last: what follows would stand below its heading.
+    #[command(flatten)]
+    pub(crate) picture: SheetArgs,
 }
 
 pub(crate) fn run(args: &ModesArgs) -> Result<(), Failure> {

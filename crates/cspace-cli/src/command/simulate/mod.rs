@@ -62,13 +62,14 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_name = "RECORD.json")]
     pub(crate) resume: Option<PathBuf>,
     #[command(flatten)]
-    pub(crate) picture: PictureArgs,
-    #[command(flatten)]
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) cache: CacheArgs,
     #[command(flatten)]
     pub(crate) threads: ThreadsArg,
+    // Last: what follows would stand below its heading.
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 pub(crate) fn run(args: &SimulateArgs) -> Result<(), Failure> {

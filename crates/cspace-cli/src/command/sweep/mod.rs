@@ -11,7 +11,7 @@ use cspace_api::sweep::{Outcome, Question, Rows};
 
 use crate::args::{ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
-use crate::failure::Failure;
+use crate::failure::{Failure, note};
 use crate::output;
 use crate::picture::PictureArgs;
 use crate::wording::count;
@@ -145,6 +145,11 @@ fn written(args: &SweepArgs, answer: &Answer<Rows>, kept: &Kept) -> Result<(), F
     });
     // Where it is interrupted the failure says so.
     match answer.outcome {
+        // Of changes the question itself gives the reason.
+        Outcome::None if !args.question.changes => {
+            note("no row has a value: the column failure has the reasons");
+            printed
+        }
         Outcome::Done | Outcome::None => printed,
         Outcome::Interrupted => Ok(()),
     }
