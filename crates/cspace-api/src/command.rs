@@ -64,7 +64,7 @@ pub(crate) fn point(text: &str) -> Result<[f64; 2], String> {
 
 /// An acceleration, from text such as `0,-9810`.
 pub(crate) fn acceleration(text: &str) -> Result<[f64; 2], String> {
-    two(text, "give two components, such as 0,-9810")
+    two(text, "give two numbers, such as 0,-9810")
 }
 
 fn two(text: &str, advice: &str) -> Result<[f64; 2], String> {

@@ -181,7 +181,7 @@ fn what_has_no_modes_is_rejected_by_name() {
     fails(
         cspace(&["modes", &file]),
         2,
-        &["2 such parts are here: a, c"],
+        &["of such parts this model has 2: a, c"],
     );
     let named = |names: &str, words: &[&str]| {
         fails(cspace(&["modes", &file, "--parts", names]), 2, words);

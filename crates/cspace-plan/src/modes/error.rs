@@ -22,7 +22,7 @@ pub enum ModesError {
     },
     /// A model has another number of parts that move on axes than three.
     #[error(
-        "modes are those of three parts that each turn or slide on an axis, and {} such parts are here{}",
+        "modes are those of three parts that each turn or slide on an axis; of such parts this model has {}{}",
         parts.len(),
         listed(parts)
     )]
