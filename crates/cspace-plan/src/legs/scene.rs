@@ -276,9 +276,12 @@ impl Scene {
         self.search(at, at).at_but(0.0, passed)
     }
 
-    /// The points of the boundaries that are nearest, of the fixed and of the moving part, in the frame of the assembly.
-    pub fn nearest_points(&self, at: Coords) -> Option<(Point, Point)> {
-        (self.search(at, at).nearest()).map(|(_, points)| points)
+    /// The features that are nearest, of the fixed and of the moving part, and their nearest points in the frame of the assembly.
+    pub fn nearest_places(
+        &self,
+        at: Coords,
+    ) -> Option<((FeatureName, FeatureName), (Point, Point))> {
+        self.search(at, at).nearest()
     }
 
     /// The least distance of the boundaries along a leg, right to a millionth; where that would take long, as of arcs that turn about

@@ -76,13 +76,13 @@ pub(super) fn smallest(
     }
     let best = descent.there(in_one_turn(space, best.at));
     let at = coords(best.at);
-    let features = scene.nearest(at).features.map(|(f, g)| [f, g]);
+    let (features, points) = scene.nearest_places(at).unzip();
     Ok(Verdict::Clear(Tightest {
         gap: best.distance,
         least,
         at: (best.at[0], best.at[1]),
-        features,
-        points: scene.nearest_points(at).map(|(p, q)| [p, q]),
+        features: features.map(|(f, g)| [f, g]),
+        points: points.map(|(p, q)| [p, q]),
     }))
 }
 

@@ -108,7 +108,7 @@ impl<'a> Pair<'a> {
             None => nearest().or_else(|| some_contact(space, regions)),
         };
         let scene = || Scene::new(self.parts[0], self.parts[1], Some(space.axes()));
-        let points = at.and_then(|(u, v)| scene().nearest_points(coords([u, v])));
+        let points = at.and_then(|(u, v)| Some(scene().nearest_places(coords([u, v]))?.1));
         Ok(Held {
             room,
             points: points.map(|(p, q)| [p, q]),

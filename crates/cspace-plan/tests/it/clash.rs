@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use cspace::pair::Joint;
-use cspace::{Configuration, Part, Point};
+use cspace::{Configuration, FeatureKind, Part, Point, Vertex};
 use cspace_model::{JointEntry, Mechanism, PartEntry};
 use cspace_oracle::Oracle;
 use cspace_plan::clash::{Assembly, Clash, Question, Sample, State};
@@ -323,4 +323,55 @@ fn gaps_are_told_in_the_assembly_when_the_first_part_is_turned() {
     // The one is 1 to either side of x = 0, the other begins at 1.2 - 0.5.
     let is_there = (p.x - 1.0).abs() < 1e-9 && (q.x - 0.7).abs() < 1e-9;
     assert!(is_there && (p.y - q.y).abs() < 1e-9, "{p:?} {q:?}");
+}
+
+/// A square in a square hole is equally near on four sides, and a disc of two arcs is near where both end: whichever features are told, the
+/// points lie on them.
+#[test]
+fn points_lie_on_the_features_that_are_told() {
+    let frame = |x: f64, y: f64, half: f64| {
+        let outline = |r: f64| [(-r, -r), (r, -r), (r, r), (-r, r)];
+        let outline = |r: f64| outline(r).map(|(a, b)| Vertex::line(x + a, y + b)).to_vec();
+        Part::new("frame", vec![outline(half + 2.0), outline(half)]).unwrap()
+    };
+    let pairs = [
+        (
+            frame(0.1, 0.3, 3.0),
+            square("block", (0.1, 0.3), (2.0, 2.0)),
+        ),
+        (
+            frame(0.0, 0.0, 1e-3),
+            square("block", (0.0, 0.0), (1e-3, 1e-3)),
+        ),
+        (
+            square("wall", (0.0, 0.0), (1.0, 9.0)),
+            disc("post", 4.0, 3.0, 1.0),
+        ),
+        (
+            square("wall", (0.0, 0.0), (1.0, 9.0)),
+            square("block", (3.0, -1.0), (3.0, 3.0)),
+        ),
+    ];
+    for (first, second) in pairs {
+        let clash = two(first.clone(), second.clone());
+        let told = clash
+            .features
+            .unwrap()
+            .into_iter()
+            .zip(clash.points.unwrap());
+        for ((feature, point), part) in told.zip([&first, &second]) {
+            let outline = &part.loops()[feature.loop_index as usize];
+            let away = match feature.kind {
+                FeatureKind::Vertex => {
+                    let vertex = outline.vertices()[feature.index as usize];
+                    Point::new(vertex.x, vertex.y).distance(point)
+                }
+                _ => outline
+                    .edge(feature.index as usize)
+                    .unwrap()
+                    .distance(point),
+            };
+            assert!(away < 1e-9 * part.size(), "{feature} {point:?} {away}");
+        }
+    }
 }

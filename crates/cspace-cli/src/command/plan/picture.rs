@@ -75,7 +75,7 @@ fn mark<'a>(
 ) -> Result<(), Failure> {
     drawn.swept.extend(at_configuration(pair, place.at).parts);
     let numbers = (scene.numbers(place.at)).map_err(|e| pair.unanswered("the path", &e))?;
-    if let Some((on_fixed, on_moving)) = scene.nearest_points(numbers) {
+    if let Some((_, (on_fixed, on_moving))) = scene.nearest_places(numbers) {
         drawn.contacts.push(ContactMark {
             at: on_fixed,
             normal: on_moving - on_fixed,
