@@ -1,6 +1,6 @@
 //! Branch and bound over pairs of discs and over time.
 
-use cspace::{FeatureName, Point};
+use cspace::{FeatureKind, FeatureName, Point};
 
 use super::apart::Apart;
 use super::meet::meet;
@@ -170,9 +170,21 @@ impl<'a> Search<'a> {
         const SLACK: f64 = 1e-6;
         let distance = self.at(0.0).distance;
         let limit = distance * (1.0 + SLACK) + LEAST * self.rounding;
+        // An end of an arc that goes on smoothly is a vertex, too: where a line or arc is as near, it is told.
+        let vertices = |(a, b): (FeatureName, FeatureName)| {
+            [a, b]
+                .map(|f| usize::from(f.kind == FeatureKind::Vertex))
+                .iter()
+                .sum::<usize>()
+        };
         let mut nearest: Option<((FeatureName, FeatureName), (Point, Point))> = None;
         self.normals_within(limit, |features, (p, q)| {
-            if nearest.is_none_or(|(_, (a, b))| p.distance(q) < a.distance(b)) {
+            let is_better = nearest.is_none_or(|(others, (a, b))| {
+                let nearer = a.distance(b) - p.distance(q);
+                nearer > self.rounding
+                    || nearer > -self.rounding && vertices(features) < vertices(others)
+            });
+            if is_better {
                 nearest = Some((features, (p, q)));
             }
         });
