@@ -28,20 +28,24 @@ pub(crate) fn degrees(radians: f64) -> String {
     format!("{} deg", zero_without_sign(&shown))
 }
 
-/// Digits of a length after the point: six, and more in a model whose parts are small in its unit.
-static DIGITS: AtomicUsize = AtomicUsize::new(LEAST_DIGITS);
-const LEAST_DIGITS: usize = 6;
+/// Digits of a length after the point: six, more in a model whose parts are small in its unit, and fewer where they are large.
+static DIGITS: AtomicUsize = AtomicUsize::new(USUAL_DIGITS);
+const USUAL_DIGITS: usize = 6;
 
-/// Lengths are told to a millionth of parts of this size, or of a tenth of the unit where that is larger.
+/// Lengths are told to a millionth of parts of this size, or of a tenth of the unit where that is larger; of large parts to 10⁻¹⁰ of their
+/// size, which is more than the resolution of their space and what their growth moves.
 pub(crate) fn tell_lengths_of(size: f64) {
-    /// The size from which on six digits do.
-    const LARGE: f64 = 0.1;
+    /// The sizes between which six digits do.
+    const USUAL: [f64; 2] = [0.1, 1e4];
     /// No length has more.
     const MOST: usize = 18;
-    let more = (LARGE / size).log10().ceil();
-    if more > 0.0 && size > 0.0 {
-        DIGITS.store((LEAST_DIGITS + more as usize).min(MOST), Ordering::Relaxed);
+    if !(size > 0.0 && size.is_finite()) {
+        return;
     }
+    let more = (USUAL[0] / size).log10().ceil().max(0.0) as usize;
+    let fewer = (size / USUAL[1]).log10().ceil().max(0.0) as usize;
+    let digits = (USUAL_DIGITS + more).saturating_sub(fewer).min(MOST);
+    DIGITS.store(digits, Ordering::Relaxed);
 }
 
 /// A length, or a coordinate, to as many digits after the point as [`tell_lengths_of`] asks for.

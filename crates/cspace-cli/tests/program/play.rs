@@ -146,6 +146,18 @@ fn every_pair_of_a_mechanism_is_told() {
     );
 }
 
+/// Lengths of large parts end above the resolution: a pin of a kilometre's radius in its hole, drawn in millimetres, goes 500 m.
+#[test]
+fn large_parts_have_fewer_digits() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pin.toml");
+    let text = "unit = \"mm\"\n[[part]]\nname = \"plate\"\nloops = [[[-4e6, -4e6], [4e6, -4e6], [4e6, 4e6], [-4e6, 4e6]], { circle = 1.5e6, at = [0, 0] }]\n\
+        [[part]]\nname = \"pin\"\nloops = [{ circle = 1e6, at = [0, 0] }]\n";
+    std::fs::write(&file, text).unwrap();
+    let said = printed(&["play", file.to_str().unwrap()]);
+    assert!(said.contains(" 500000.00 mm"), "{said}");
+}
+
 /// A pin of ten micrometres in its hole, drawn in metres: its play of 50 nm is seen.
 #[test]
 fn small_parts_have_more_digits() {
