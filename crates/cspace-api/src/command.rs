@@ -1,5 +1,8 @@
 //! Values of a command's options: the words of enumerations, and numbers with what is true of them.
 
+use std::ffi::OsStr;
+use std::marker::PhantomData;
+
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use schemars::{JsonSchema, schema_for};
 use serde::de::DeserializeOwned;
@@ -7,20 +10,57 @@ use serde_json::Value;
 
 use crate::given;
 
-/// Reads one of the words of an enumeration. Its schema says which there are, and what they mean.
+/// Reads one of the words of an enumeration. Its schema says which there are, and what they mean; it is made when one is read or listed,
+/// since all commands are declared whichever is run.
 pub(crate) fn words<T>() -> impl TypedValueParser<Value = T>
 where
     T: JsonSchema + DeserializeOwned + Clone + Send + Sync + 'static,
 {
-    let schema = schema_for!(T);
-    let variants = schema.get("oneOf").and_then(Value::as_array);
-    let words = variants.into_iter().flatten().filter_map(|variant| {
-        let text = |key| variant.get(key).and_then(Value::as_str);
-        let meaning = text("description").unwrap_or_default();
-        let meaning = meaning.trim_end_matches('.').replace('\n', " ");
-        Some(PossibleValue::new(text("const")?.to_owned()).help(meaning))
-    });
-    PossibleValuesParser::new(words).try_map(|word| serde_json::from_value(Value::String(word)))
+    Words(PhantomData)
+}
+
+struct Words<T>(PhantomData<fn() -> T>);
+
+impl<T> Clone for Words<T> {
+    fn clone(&self) -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<T: JsonSchema> Words<T> {
+    fn listed() -> Vec<PossibleValue> {
+        let schema = schema_for!(T);
+        let variants = schema.get("oneOf").and_then(Value::as_array);
+        let words = variants.into_iter().flatten().filter_map(|variant| {
+            let text = |key| variant.get(key).and_then(Value::as_str);
+            let meaning = text("description").unwrap_or_default();
+            let meaning = meaning.trim_end_matches('.').replace('\n', " ");
+            Some(PossibleValue::new(text("const")?.to_owned()).help(meaning))
+        });
+        words.collect()
+    }
+}
+
+impl<T> TypedValueParser for Words<T>
+where
+    T: JsonSchema + DeserializeOwned + Clone + Send + Sync + 'static,
+{
+    type Value = T;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        arg: Option<&clap::Arg>,
+        value: &OsStr,
+    ) -> Result<T, clap::Error> {
+        PossibleValuesParser::new(Self::listed())
+            .try_map(|word| serde_json::from_value(Value::String(word)))
+            .parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(Self::listed().into_iter()))
+    }
 }
 
 /// A positive angle in radians, as [`angle`](given::angle) reads it.

@@ -1,8 +1,7 @@
 //! Two parts on axes, and what they are to each other over their ranges.
 
 use cspace::{
-    Axis, Coordinates, FixedAxesSpace, Options, PairError, PairSpace, Part, PatchId, RegionId,
-    Relation,
+    Axis, Coordinates, FixedAxesSpace, Options, PairError, PairSpace, Part, RegionId, Relation,
 };
 use cspace_model::{Compute, PartEntry};
 
@@ -14,7 +13,7 @@ use super::descent::coords;
 use super::gap::smallest;
 use super::mesh::{Mesh, mesh, turn_not_alone};
 use super::reach::{reach, stops, touching};
-use super::region::{is_bounded, regions};
+use super::region::{bounding, is_bounded, regions};
 
 /// Two parts on axes and where they are.
 #[derive(Debug, Clone, Copy)]
@@ -105,7 +104,7 @@ impl<'a> Pair<'a> {
         let at = match stopped.first() {
             Some(stop) => Some(stop.at),
             None if room.is_some() => Some(place),
-            None => nearest().or_else(|| some_contact(space, regions)),
+            None => nearest().or_else(|| Some(bounding(space, regions).next()?.start)),
         };
         let scene = || Scene::new(self.parts[0], self.parts[1], Some(space.axes()));
         let points = at.and_then(|(u, v)| Some(scene().nearest_places(coords([u, v]))?.1));
@@ -141,14 +140,4 @@ impl<'a> Pair<'a> {
             _ => None,
         })
     }
-}
-
-/// A configuration on a curve that bounds some regions.
-fn some_contact(space: &FixedAxesSpace, regions: &[RegionId]) -> Option<(f64, f64)> {
-    let bounds = |patch: PatchId| {
-        let region = space.patches()[patch.index()].region;
-        region.is_some_and(|r| regions.contains(&r))
-    };
-    let branch = (space.branches().iter()).find(|b| bounds(b.patch))?;
-    Some(branch.start)
 }

@@ -5,6 +5,7 @@ use core::f64::consts::TAU;
 use cspace::{Axis, AxisMotion, FeatureName, FixedAxesSpace, RegionId};
 
 use super::answer::{End, Limits, Stop};
+use super::region::bounding;
 
 /// Difference of coordinates (radians, or shares of the parts' size) below which two are one: more than the ends of curves are rounded, and
 /// than the growth of parts takes.
@@ -133,11 +134,7 @@ fn farthest(
         }
         false => to - from,
     };
-    let ends = (space.branches().iter())
-        .filter(|b| {
-            let region = space.patches()[b.patch.index()].region;
-            region.is_some_and(|r| regions.contains(&r))
-        })
+    let ends = bounding(space, regions)
         .flat_map(|b| [b.start, b.end])
         .map(|(u, v)| {
             let at = [u, v];

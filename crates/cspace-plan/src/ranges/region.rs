@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use cspace::fixed_axes::AxesBranch;
 use cspace::{AxisMotion, FixedAxesSpace, PatchId, RegionId};
 
 /// Share of the parts' size within which contacts of parts that touch as drawn are looked for.
@@ -21,12 +22,20 @@ pub(super) fn regions(space: &FixedAxesSpace, [u, v]: [f64; 2]) -> Vec<RegionId>
     found
 }
 
+/// The branches of the curves that bound some regions.
+pub(super) fn bounding<'a>(
+    space: &'a FixedAxesSpace,
+    regions: &'a [RegionId],
+) -> impl Iterator<Item = &'a AxesBranch> + Clone {
+    space.branches().iter().filter(|b| {
+        let region = space.patches()[b.patch.index()].region;
+        region.is_some_and(|r| regions.contains(&r))
+    })
+}
+
 /// Whether any contact bounds some regions.
 pub(super) fn is_bounded(space: &FixedAxesSpace, regions: &[RegionId]) -> bool {
-    let patches = space.patches().iter();
-    patches
-        .filter_map(|p| p.region)
-        .any(|r| regions.contains(&r))
+    bounding(space, regions).next().is_some()
 }
 
 /// A closed curve of contacts around which both parts come back to where they were, after whole turns.

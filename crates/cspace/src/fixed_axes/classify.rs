@@ -43,17 +43,18 @@ impl FixedAxesSpace {
         if self.is_touching(x, y) {
             return Location::Contact;
         }
-        let gaps = self.gaps();
-        let free = match self.data.statistics.conflicts > 0 {
-            true => !self.setting.bodies.overlap(x, y),
-            false => gaps.hold(x, y),
-        };
-        if !free {
-            return Location::Blocked;
-        }
         // Beyond the window nothing touches: a straight motion leads to its border.
         let into = |t: f64, extent: &Extent| t.clamp(extent.lo, extent.hi);
-        let region = gaps.region_nearest(into(x, &self.setting.x), into(y, &self.setting.y));
+        let nearest = || {
+            let (x, y) = (into(x, &self.setting.x), into(y, &self.setting.y));
+            self.gaps().region_nearest(x, y)
+        };
+        let region = match self.data.statistics.conflicts > 0 {
+            true if self.setting.bodies.overlap(x, y) => None,
+            true => nearest(),
+            false if self.gaps().is_beyond(x, y) => nearest(),
+            false => self.gaps().region(x, y),
+        };
         region.map_or(Location::Blocked, |r| Location::Free(RegionId(r)))
     }
 

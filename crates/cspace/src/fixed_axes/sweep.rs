@@ -370,7 +370,8 @@ impl Gaps<'_> {
         self.is_beyond(x, y) || self.region(x, y).is_some()
     }
 
-    fn is_beyond(&self, x: f64, y: f64) -> bool {
+    /// Whether a configuration is outside the window, where nothing touches.
+    pub(super) fn is_beyond(&self, x: f64, y: f64) -> bool {
         let within = |t: f64, e: &Extent| (e.lo..=e.hi).contains(&t);
         let y_range = &self.graphs.y;
         !(y_range.is_circle() || within(x, &self.x) && within(y, y_range))
