@@ -133,7 +133,7 @@ pub use pair::{
     QueryError, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
-    ArcSize, AreaMoments, Direction, Edge, Loop, OutlineBuilder, OutlineError, Part, PartError,
+    ArcSize, AreaMoments, Direction, Edge, Layer, Loop, OutlineBuilder, OutlineError, Part, PartError,
     PartSymmetry, Vertex,
 };
 pub use query::{

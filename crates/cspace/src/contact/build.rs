@@ -5,6 +5,7 @@ use core::f64::consts::{PI, TAU};
 use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
+use crate::part::MeetingLoops;
 
 use super::carrier::SheetKind;
 use super::end_names::EndNames;
@@ -33,9 +34,12 @@ pub(super) fn sheets(
         moving_line: moving.line_of_joint(),
         sheets: Vec::new(),
     };
-    for a in 0..fixed.features.len() as u32 {
-        for b in 0..moving.features.len() as u32 {
-            builder.add(a, b);
+    let meeting = MeetingLoops::of(&fixed.heights, &moving.heights);
+    for (a, f) in (0..).zip(&fixed.features) {
+        for (b, m) in (0..).zip(&moving.features) {
+            if meeting.hold(f.name.loop_index, m.name.loop_index) {
+                builder.add(a, b);
+            }
         }
         if builder.sheets.len() > most {
             break;

@@ -4,21 +4,27 @@ use crate::boxes::Boxes;
 use crate::feature::Outline;
 use crate::feature::tolerance::{MOVING_GROWTH, WITHIN};
 use crate::geometry::{Point, Rotation};
-use crate::part::{Bounds, Inside, Part};
+use crate::part::{Bounds, Inside, Layer, Part};
 
 use super::crossing::crossing;
 use super::curve::Curve;
 use super::cycle::Cycle;
 
-/// A part prepared for overlap tests: its boundary as curves, and two points at every loop.
+/// A part prepared for overlap tests: each of its layers.
 #[derive(Debug)]
 pub(crate) struct Body {
-    curves: Vec<Curve>,
-    boxes: Boxes,
+    layers: Vec<LayerBody>,
     part: Part,
-    inside: Inside,
     center: Point,
     scale: f64,
+}
+
+/// A layer prepared for overlap tests: its boundary as curves, and two points at every loop.
+#[derive(Debug)]
+struct LayerBody {
+    curves: Vec<Curve>,
+    boxes: Boxes,
+    inside: Inside,
     samples: Vec<Point>,
 }
 
@@ -31,33 +37,39 @@ impl Body {
         scale: f64,
         room: f64,
     ) -> Self {
-        let curves: Vec<Curve> = outline
-            .features
-            .iter()
-            .filter(|f| !f.is_vertex())
-            .map(|f| {
-                let ends = [outline.start(f), outline.end(f)].map(|joint| joint.point);
-                Curve::new(Cycle::of(outline, f), ends, [f.lo, f.hi])
-            })
-            .collect();
+        let first = part.drawn_first();
         let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-        // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself; where the moving part
-        // is shrunk by `room`, inside by that amount.
-        let samples = (part.loops().iter())
-            .filter_map(|l| l.edges().next())
-            .flat_map(|e| {
-                let (on, outward) = (place(e.at(0.5)), e.direction_at(0.5).right());
-                [MOVING_GROWTH, -WITHIN].map(|out| on + outward * (out - room))
-            })
-            .collect();
+        let layer = |(index, layer): (usize, &Layer)| {
+            let mut is_own = vec![false; part.loops().len()];
+            layer.loops().for_each(|l| is_own[first[l]] = true);
+            let curves: Vec<Curve> = (outline.features.iter())
+                .filter(|f| !f.is_vertex() && is_own[f.name.loop_index as usize])
+                .map(|f| {
+                    let ends = [outline.start(f), outline.end(f)].map(|joint| joint.point);
+                    Curve::new(Cycle::of(outline, f), ends, [f.lo, f.hi])
+                })
+                .collect();
+            // Just outside as drawn, so that an exact fit is an overlap, and just inside, so that a part covers itself; where the moving
+            // part is shrunk by `room`, inside by that amount.
+            let samples = (part.loops()[layer.loops()].iter())
+                .filter_map(|l| l.edges().next())
+                .flat_map(|e| {
+                    let (on, outward) = (place(e.at(0.5)), e.direction_at(0.5).right());
+                    [MOVING_GROWTH, -WITHIN].map(|out| on + outward * (out - room))
+                })
+                .collect();
+            LayerBody {
+                boxes: Boxes::new(curves.iter().map(Curve::bounds)),
+                curves,
+                inside: Inside::of(&part.layer(index)),
+                samples,
+            }
+        };
         Self {
-            boxes: Boxes::new(curves.iter().map(Curve::bounds)),
-            curves,
+            layers: part.layers().iter().enumerate().map(layer).collect(),
             part: part.clone(),
-            inside: Inside::of(part),
             center,
             scale,
-            samples,
         }
     }
 
@@ -70,9 +82,13 @@ impl Body {
         self.center
     }
 
-    fn contains(&self, p: Point) -> bool {
-        self.inside
-            .contains(self.center + (p - Point::ORIGIN) * (1.0 / self.scale))
+    fn layers(&self) -> impl Iterator<Item = (&Layer, &LayerBody)> {
+        self.part.layers().iter().zip(&self.layers)
+    }
+
+    fn contains(&self, layer: &LayerBody, p: Point) -> bool {
+        let outer = self.center + (p - Point::ORIGIN) * (1.0 / self.scale);
+        layer.inside.contains(outer)
     }
 }
 
@@ -83,29 +99,26 @@ fn cross(f: &Curve, g: &Curve) -> bool {
     (0..2).any(|root| crossing(f, g, root).is_some_and(|c| is_on(f, c.point) && is_on(g, c.point)))
 }
 
-/// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one.
+/// Whether the moving body at position `p` and orientation `theta` overlaps the fixed one, at any height.
 ///
 /// The result is certain if the boundaries do not merely graze each other; the caller picks configurations away from contact.
 pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool {
-    let turn = Rotation::by(theta);
-    let shift = p.to_vector();
-    for g in &moving.curves {
-        let g = g.moved(shift, turn);
-        let around = g.bounds();
-        let meets = |b: &Bounds| !b.is_apart(around, 0.0);
-        if (fixed.boxes).any(meets, |f| cross(&fixed.curves[f as usize], &g)) {
-            return true;
-        }
-    }
+    let (turn, shift) = (Rotation::by(theta), p.to_vector());
     let back = turn.inverse();
-    moving
-        .samples
-        .iter()
-        .any(|&q| fixed.contains(turn * q + shift))
-        || fixed
-            .samples
-            .iter()
-            .any(|&q| moving.contains(back * (q - shift)))
+    let of = |f: &LayerBody, m: &LayerBody| {
+        let crosses = |g: &Curve| {
+            let g = g.moved(shift, turn);
+            let around = g.bounds();
+            let meets = |b: &Bounds| !b.is_apart(around, 0.0);
+            f.boxes.any(meets, |i| cross(&f.curves[i as usize], &g))
+        };
+        let in_fixed = |&q: &Point| fixed.contains(f, turn * q + shift);
+        let in_moving = |&q: &Point| moving.contains(m, back * (q - shift));
+        m.curves.iter().any(crosses)
+            || m.samples.iter().any(in_fixed)
+            || f.samples.iter().any(in_moving)
+    };
+    fixed.layers().any(|(a, f)| moving.layers().any(|(b, m)| a.meets(b) && of(f, m)))
 }
 
 #[cfg(test)]

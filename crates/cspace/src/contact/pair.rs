@@ -1,5 +1,6 @@
 //! All data of a pair of parts that do not depend on the orientation.
 
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use crate::feature::tolerance::{
@@ -27,7 +28,9 @@ pub(crate) struct Geometry {
     pub(crate) fixed: Arc<Outline>,
     pub(crate) moving: Arc<Outline>,
     pub(crate) contacts: Contacts,
-    /// A large disc inside each part, centre and radius; `None` if none is found.
+    /// The layers of the two parts that meet in which the largest discs are.
+    deep_layers: (usize, usize),
+    /// A large disc inside these layers, centre and radius; `None` if none is found.
     pub(crate) fixed_disc: Option<(Point, f64)>,
     pub(crate) moving_disc: Option<(Point, f64)>,
     /// Folds of the parts about the origin, if they were made exactly symmetric.
@@ -202,12 +205,13 @@ impl Geometry {
         }
     }
 
-    pub(crate) fn fixed_part(&self) -> &Part {
-        self.fixed_body.part()
-    }
-
-    pub(crate) fn moving_part(&self) -> &Part {
-        self.moving_body.part()
+    /// A layer of each part that meets the other: where discs inside them overlap, the parts do.
+    pub(crate) fn deep_layers(&self) -> (Cow<'_, Part>, Cow<'_, Part>) {
+        let (fixed, moving) = self.deep_layers;
+        (
+            self.fixed_body.part().layer(fixed),
+            self.moving_body.part().layer(moving),
+        )
     }
 
     /// The point of the fixed part, as computed, that is the origin.
@@ -307,15 +311,27 @@ impl Outlines {
     fn sheets(self, span: Span, period: Period, most: usize) -> Geometry {
         let contacts = Contacts::new(&self.fixed, &self.moving, span, period, most);
         let scale = self.frame.scale;
-        let disc = |body: &Body| {
-            let (center, radius) = inscribed_disc(body.part(), body.center(), scale)?;
-            (radius > self.room).then_some((center, radius - self.room))
+        let discs = |body: &Body| -> Vec<Option<(Point, f64)>> {
+            let part = body.part();
+            let disc = |layer| {
+                let (center, radius) = inscribed_disc(&part.layer(layer), body.center(), scale)?;
+                (radius > self.room).then_some((center, radius - self.room))
+            };
+            (0..part.layers().len()).map(disc).collect()
         };
+        let (fixed_discs, moving_discs) = (discs(&self.fixed_body), discs(&self.moving_body));
+        let sum = |&(i, j): &(usize, usize)| {
+            let radius = |disc: Option<(Point, f64)>| disc.map_or(0.0, |d| d.1);
+            radius(fixed_discs[i]) + radius(moving_discs[j])
+        };
+        let layers = (self.fixed_body.part()).meeting_layers(self.moving_body.part());
+        let deepest = (layers.into_iter()).max_by(|a, b| sum(a).total_cmp(&sum(b)));
         Geometry {
             exact: (contacts.sheets.iter()).map(|_| OnceLock::new()).collect(),
             frame: self.frame,
-            fixed_disc: disc(&self.fixed_body),
-            moving_disc: disc(&self.moving_body),
+            deep_layers: deepest.unwrap_or_default(),
+            fixed_disc: deepest.and_then(|(i, _)| fixed_discs[i]),
+            moving_disc: deepest.and_then(|(_, j)| moving_discs[j]),
             fixed: Arc::new(self.fixed),
             moving: Arc::new(self.moving),
             contacts,

@@ -12,7 +12,7 @@ use super::types::{
 };
 use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
-use crate::part::{Edge, Part};
+use crate::part::{Edge, LoopHeights, Part};
 
 /// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
 #[derive(Clone, Copy)]
@@ -40,6 +40,7 @@ impl Outline {
             joints: Vec::new(),
             exact_features: Vec::new(),
             exact_joints: Vec::new(),
+            heights: LoopHeights::of(part),
             feature_count: 0,
         };
         let mut wishes = perturbation.map(|p| p.wishes(part)).unwrap_or_default();

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Point, Vector};
 use crate::number::Dd;
+use crate::part::LoopHeights;
 
 /// Kind of a feature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -118,6 +119,8 @@ pub(crate) struct Outline {
     /// Features and joints in double-double; those above are the nearest f64 numbers.
     pub(crate) exact_features: Vec<ExactRound>,
     pub(crate) exact_joints: Vec<ExactJoint>,
+    /// The heights of the loops to which features belong.
+    pub(crate) heights: LoopHeights,
     /// Number of lines, arcs and vertices that are not smooth joints.
     pub(crate) feature_count: usize,
 }

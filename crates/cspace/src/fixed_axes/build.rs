@@ -10,8 +10,10 @@ use super::reach::reaches;
 use super::scene::Scene;
 use super::tolerance::{INDEPENDENT, SHORT};
 use crate::contact::Cycle;
+use crate::feature::Feature;
 use crate::feature::tolerance::SMALLEST_CIRCLE;
 use crate::parallel::prelude::*;
+use crate::part::MeetingLoops;
 use crate::union_find::UnionFind;
 use core::f64::consts::TAU;
 
@@ -72,6 +74,11 @@ impl SectionEnd {
 }
 
 pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
+    let meeting = {
+        let [first, second] = [&scene.first, &scene.second].map(|s| &s.outline.heights);
+        MeetingLoops::of(first, second)
+    };
+    let loop_of = |f: &Feature| f.name.loop_index;
     let first = reaches(&scene.first.outline.features, scene, true);
     let second = reaches(&scene.second.outline.features, scene, false);
     // One share of the work for each representative of the features of the first part, put together in order.
@@ -90,7 +97,10 @@ pub(super) fn build(scene: &Scene) -> (Vec<Pair>, Vec<Piece>) {
                 instances: Vec::new(),
             };
             for (ib, rb) in (0u32..).zip(&second) {
-                if scene.motions.may_meet(&first[ia as usize], rb) {
+                let loops = [scene.first_feature(ia), scene.second_feature(ib)].map(loop_of);
+                if meeting.hold(loops[0], loops[1])
+                    && scene.motions.may_meet(&first[ia as usize], rb)
+                {
                     builder.add(ia, ib);
                 }
             }

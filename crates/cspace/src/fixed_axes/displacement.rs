@@ -72,7 +72,7 @@ impl Displacement {
         };
         let loops = part.loops().iter();
         let loops = loops.map(|l| l.vertices().iter().map(vertex).collect());
-        Part::new(part.name(), loops.collect()).ok()
+        part.redrawn(loops.collect()).ok()
     }
 
     /// Largest displacement of a place of one part in the other's frame, for slides up to a given length.

@@ -475,7 +475,7 @@ pub(super) fn straightened(part: &Part) -> Option<(Part, f64)> {
     };
     let loops = part.loops().iter();
     let loops = loops.map(|l| l.vertices().iter().map(vertex).collect());
-    let straight = Part::new(part.name(), loops.collect()).ok()?;
+    let straight = part.redrawn(loops.collect()).ok()?;
     Some((straight, deviation))
 }
 

@@ -11,7 +11,7 @@ use crate::contact::{FeatureShape, Placement, Touching, touching_place};
 use crate::feature::tolerance::{SMOOTH, STRAIGHT};
 use crate::feature::{FeatureKind, FeatureName, PairFrame};
 use crate::geometry::{Configuration, Point, Rotation, Vector};
-use crate::part::{Bounds, Edge, Part};
+use crate::part::{Bounds, Edge, LoopHeights, MeetingLoops, Part};
 use crate::query::Classification;
 
 use super::locate::placed;
@@ -57,6 +57,7 @@ pub(super) fn near_features(
         Classification::Contact | Classification::Free => beyond,
     };
     let sought = Sought {
+        meeting: MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving)),
         within,
         deepest,
         beyond,
@@ -235,6 +236,7 @@ impl PlacedFeature {
 
 /// Limits of a search for near features.
 struct Sought {
+    meeting: MeetingLoops,
     within: f64,
     /// Maximum overlap of two features.
     deepest: f64,
@@ -251,7 +253,10 @@ impl Sought {
         for g in moving {
             let reaches = |b: &Bounds| !b.is_apart(g.bounds, self.within + self.beyond);
             boxes.any(reaches, |i| {
-                found.extend(self.pair(&fixed[i as usize], g));
+                let f = &fixed[i as usize];
+                if self.meeting.hold(f.name.loop_index, g.name.loop_index) {
+                    found.extend(self.pair(f, g));
+                }
                 false
             });
         }

@@ -2,10 +2,10 @@
 
 use crate::geometry::{Configuration, Point, Rotation};
 
-use super::{Edge, Part};
+use super::{Edge, LoopHeights, MeetingLoops, Part};
 
 /// Minimum distance of the boundaries of two parts that do not overlap, the moving one placed in the fixed one's frame, in the model's unit
-/// of length.
+/// of length; infinite if they do not meet at any height.
 ///
 /// For any two edges the minimum is between an end of one and the other, or along a line at right angles to both. Pairs of edges whose
 /// discs are farther apart than the minimum found so far are skipped.
@@ -17,18 +17,27 @@ pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration)
         end: place(e.end),
         ..e
     };
-    let with_disc = |e: Edge| (e, e.disc());
-    let first: Vec<_> = fixed.edges().map(with_disc).collect();
-    let second: Vec<_> = moving.edges().map(placed).map(with_disc).collect();
+    let loops = MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving));
+    let first: Vec<_> = numbered(fixed).map(|(l, e)| (l, e, e.disc())).collect();
+    let second: Vec<_> = (numbered(moving).map(|(l, e)| (l, placed(e))))
+        .map(|(l, e)| (l, e, e.disc()))
+        .collect();
     let mut least = f64::INFINITY;
-    for (a, (p, r)) in &first {
-        for (b, (q, s)) in &second {
-            if p.distance(*q) - r - s < least {
+    for (l, a, (p, r)) in &first {
+        for (m, b, (q, s)) in &second {
+            if p.distance(*q) - r - s < least && loops.hold(*l, *m) {
                 least = least.min(between(a, b));
             }
         }
     }
     least
+}
+
+/// All edges of a part, each with the number of its loop.
+fn numbered(part: &Part) -> impl Iterator<Item = (u32, Edge)> {
+    (0..)
+        .zip(part.loops())
+        .flat_map(|(l, of)| of.edges().map(move |e| (l, e)))
 }
 
 /// The distance of two edges that do not cross.

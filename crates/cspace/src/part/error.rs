@@ -24,6 +24,22 @@ pub enum PartError {
     #[error("the part has no loops: give at least one closed loop of vertices")]
     Empty,
 
+    /// A layer has no loop.
+    #[error("layer {layer} has no loops: give at least one closed loop of vertices")]
+    EmptyLayer {
+        /// The layer.
+        layer: usize,
+    },
+
+    /// The heights of a layer are not an interval.
+    #[error(
+        "layer {layer}: its heights are not two finite numbers of which the second is the larger: give z = [lowest, highest]"
+    )]
+    BadHeights {
+        /// The layer.
+        layer: usize,
+    },
+
     /// There are more vertices than the limit.
     #[error(
         "the part has {count} vertices, more than {MAX_VERTICES}: replace runs of short lines by arcs, or split the part"

@@ -7,7 +7,7 @@ use super::corner::check_corners;
 use super::nearness::check_vertices;
 use super::outline::Outline;
 use super::sweep::check_meetings;
-use super::{Bounds, Edge, PartError, PartFeature, Vertex};
+use super::{Bounds, Edge, Layer, PartError, PartFeature, Vertex};
 
 /// A closed loop of a part, as it was given.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,11 +17,12 @@ pub struct Loop {
     reversed: bool,
 }
 
-/// A planar part: the even-odd interior of its loops, in its own frame.
+/// A planar part, in its own frame: the even-odd interior of its loops, or a stack of layers, each the even-odd interior of its own loops.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
-    name: String,
-    loops: Vec<Loop>,
+    pub(super) name: String,
+    pub(super) loops: Vec<Loop>,
+    pub(super) layers: Vec<Layer>,
     /// Names of edges and vertices, in order.
     pub(super) names: Vec<(PartFeature, String)>,
     /// The box of the loops' edges; stored because it is used for every query.
@@ -88,29 +89,95 @@ impl Part {
     /// [`RESOLUTION`]: super::tolerance::RESOLUTION
     /// [`FLAT_BULGE`]: super::tolerance::FLAT_BULGE
     /// [`MAX_VERTICES`]: super::tolerance::MAX_VERTICES
-    pub fn new(name: impl Into<String>, mut loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
+    pub fn new(name: impl Into<String>, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
+        Self::layered(name, vec![(None, loops)])
+    }
+
+    /// A stack of layers: for each the lowest and the highest place, or `None` if it is at every height, and its loops.
+    ///
+    /// The loops of each layer are checked as those of a part; loops of different layers may cross. Loops are numbered through the part.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new), and if a height is not finite or the upper one is not above the lower one.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
+    /// let disc = |r: f64| vec![Part::circle("disc", (0.0, 0.0), r).unwrap().loops()[0].vertices().to_vec()];
+    /// // A wheel and a pinion on one arbor; another wheel beside it at the height of the pinion.
+    /// let arbor = Part::layered("arbor", vec![(Some([0.0, 4.0]), disc(9.0)), (Some([4.0, 10.0]), disc(2.0))])?;
+    /// let wheel = Part::layered("wheel", vec![(Some([5.0, 8.0]), disc(6.0))])?;
+    /// let space = PairSpace::compute(&arbor, &wheel, Relation::Planar, &Options::default())?;
+    /// let beside = space.clearance(Coordinates::Planar(Configuration::new(8.5, 0.0, 0.0)))?;
+    /// assert!((beside - 0.5).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn layered(
+        name: impl Into<String>,
+        layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)>,
+    ) -> Result<Self, PartError> {
+        let mut loops: Vec<Vec<Vertex>> = Vec::new();
+        let mut stack = Vec::with_capacity(layers.len());
+        for (layer, (z, outlines)) in layers.into_iter().enumerate() {
+            // Written so that NaN is rejected too.
+            let rises = z.is_none_or(|[lo, hi]| lo < hi && lo.is_finite() && hi.is_finite());
+            if !rises {
+                return Err(PartError::BadHeights { layer });
+            }
+            if outlines.is_empty() {
+                return Err(PartError::EmptyLayer { layer });
+            }
+            let first = loops.len();
+            loops.extend(outlines);
+            let loops = first..loops.len();
+            stack.push(Layer { z, loops });
+        }
         check_numbers(&mut loops)?;
         let bounds = check_extent(&loops)?;
-        let outline = Outline::new(&loops, bounds);
-        check_corners(&outline)?;
-        check_vertices(&outline, &loops)?;
-        let reversed = check_meetings(&outline)?;
-        let loops = loops
-            .into_iter()
-            .zip(reversed)
-            .map(|(vertices, reversed)| Loop { vertices, reversed })
-            .collect();
+        let mut reversed = Vec::with_capacity(loops.len());
+        for layer in &stack {
+            let outline = Outline::new(&loops[layer.loops()], layer.loops.start, bounds);
+            check_corners(&outline)?;
+            check_vertices(&outline, &loops)?;
+            reversed.extend(check_meetings(&outline)?);
+        }
+        let loops = loops.into_iter().zip(reversed);
         Ok(Self {
             name: name.into(),
-            loops,
+            loops: loops
+                .map(|(vertices, reversed)| Loop { vertices, reversed })
+                .collect(),
+            layers: stack,
             names: Vec::new(),
             bounds,
         })
     }
 
+    /// The part with other loops, as many in every layer, and without names of edges and vertices.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub fn redrawn(&self, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
+        let mut loops = loops.into_iter();
+        let layer = |l: &Layer| (l.z, loops.by_ref().take(l.loops.len()).collect());
+        Self::layered(self.name(), self.layers.iter().map(layer).collect())
+    }
+
+    /// A part of loops whose sides are known.
+    pub(super) fn checked(name: String, layers: Vec<Layer>, loops: Vec<Loop>) -> Self {
+        let edges = loops.iter().flat_map(Loop::edges);
+        Self {
+            name,
+            bounds: edges.fold(Bounds::EMPTY, |all, e| all.union(e.bounds())),
+            loops,
+            layers,
+            names: Vec::new(),
+        }
+    }
+
     /// Several parts, each moved by a configuration, as one part: they may touch, which is not checked.
     pub(crate) fn assembled(name: &str, placed: &[(&Self, Configuration)]) -> Self {
-        let moved = |(part, at): &(&Self, Configuration)| {
+        let (mut loops, mut layers) = (Vec::new(), Vec::<Layer>::new());
+        for (part, at) in placed {
             let vertex = |v: &Vertex| {
                 let p = at.fixed_from_moving(v.point());
                 Vertex::new(p.x, p.y, v.bulge)
@@ -119,19 +186,22 @@ impl Part {
                 vertices: l.vertices.iter().map(vertex).collect(),
                 reversed: l.reversed,
             };
-            part.loops.iter().map(moved).collect::<Vec<_>>()
-        };
-        let loops: Vec<Loop> = placed.iter().flat_map(moved).collect();
-        let edges = loops.iter().flat_map(Loop::edges);
-        Self {
-            name: name.to_owned(),
-            bounds: edges.fold(Bounds::EMPTY, |all, e| all.union(e.bounds())),
-            loops,
-            names: Vec::new(),
+            for layer in &part.layers {
+                let first = loops.len();
+                loops.extend(part.loops[layer.loops()].iter().map(moved));
+                match layers.last_mut() {
+                    Some(last) if last.z == layer.z => last.loops.end = loops.len(),
+                    _ => layers.push(Layer {
+                        z: layer.z,
+                        loops: first..loops.len(),
+                    }),
+                }
+            }
         }
+        Self::checked(name.to_owned(), layers, loops)
     }
 
-    /// The complement of the part within a rectangle that is larger than the part's box by `far` on every side.
+    /// The complement of the part within a rectangle that is larger than the part's box by `far` on every side, at the part's heights.
     pub(crate) fn framing(&self, far: f64) -> Self {
         let (lo, hi) = (self.bounds.min, self.bounds.max);
         let around = Loop {
@@ -147,17 +217,17 @@ impl Part {
             vertices: l.vertices.clone(),
             reversed: !l.reversed,
         };
-        let bounds = around
-            .edges()
-            .fold(Bounds::EMPTY, |all, e| all.union(e.bounds()));
-        Self {
-            name: self.name.clone(),
-            loops: core::iter::once(around)
-                .chain(self.loops.iter().map(out))
-                .collect(),
-            names: Vec::new(),
-            bounds,
+        let (mut loops, mut layers) = (Vec::new(), Vec::new());
+        for layer in &self.layers {
+            let first = loops.len();
+            loops.push(around.clone());
+            loops.extend(self.loops[layer.loops()].iter().map(out));
+            layers.push(Layer {
+                z: layer.z,
+                loops: first..loops.len(),
+            });
         }
+        Self::checked(self.name.clone(), layers, loops)
     }
 
     /// The part's name.

@@ -18,21 +18,28 @@ impl Part {
         self.bounds.diagonal()
     }
 
-    /// The area of the material. Always positive.
+    /// The area of the material; of several layers the mean over the height of the stack. Always positive.
     ///
     /// ```
     /// use cspace::{Part, Vertex};
     /// let circle = |r: f64| vec![Vertex::new(-r, 0.0, 1.0), Vertex::new(r, 0.0, 1.0)];
     /// let annulus = Part::new("annulus", vec![circle(1.0), circle(2.0)])?;
     /// assert!((annulus.area() - 3.0 * core::f64::consts::PI).abs() < 1e-14);
+    /// let stepped = Part::layered("stepped", vec![
+    ///     (Some([0.0, 1.0]), vec![circle(2.0)]),
+    ///     (Some([1.0, 4.0]), vec![circle(1.0)]),
+    /// ])?;
+    /// assert!((stepped.area() - 1.75 * core::f64::consts::PI).abs() < 1e-14);
     /// # Ok::<(), cspace::PartError>(())
     /// ```
     pub fn area(&self) -> f64 {
         let origin = self.bounds.center();
-        sum(self.edges().map(|edge| edge.area_swept(origin)))
+        sum(self
+            .weighted_edges()
+            .map(|(edge, share)| share * edge.area_swept(origin)))
     }
 
-    /// Whether a point lies in the material. On the boundary, up to rounding, the answer is undefined.
+    /// Whether a point lies in the material of any layer. On the boundary, up to rounding, the answer is undefined.
     ///
     /// Counts how often a ray from the point meets the boundary: the chords it meets, and for each
     /// arc once more when the point lies between chord and arc. Takes time in proportion to the
@@ -47,11 +54,16 @@ impl Part {
     /// # Ok::<(), cspace::PartError>(())
     /// ```
     pub fn contains(&self, p: Point) -> bool {
-        self.bounds.contains(p) && self.edges().filter(|edge| edge.toggles(p)).count() % 2 == 1
+        let is_inside = |loops: &[Loop]| {
+            let edges = loops.iter().flat_map(Loop::edges);
+            edges.filter(|edge| edge.toggles(p)).count() % 2 == 1
+        };
+        self.bounds.contains(p)
+            && (self.layers.iter()).any(|layer| is_inside(&self.loops[layer.loops()]))
     }
 }
 
-/// Spatial index of a part's edges for repeated point-in-part tests.
+/// Spatial index of the edges of a part of one layer for repeated point-in-part tests.
 #[derive(Debug)]
 pub(crate) struct Inside {
     bounds: Bounds,

@@ -59,7 +59,7 @@ impl AreaMoments {
 
 impl Part {
     /// Area, centroid and second moment of the material, exact up to rounding: arcs are integrated as arcs, holes count
-    /// as holes.
+    /// as holes. Of several layers they are the means over the height of the stack.
     ///
     /// Times a mass per area, the second moment is the moment of inertia about the centroid. Takes time in proportion to
     /// the number of edges.
@@ -88,7 +88,10 @@ impl Part {
 
     /// The moments, summed about a point.
     fn moments_from(&self, origin: Point) -> AreaMoments {
-        let all: Vec<Moments> = self.edges().map(|e| Moments::swept(&e, origin)).collect();
+        let all: Vec<Moments> = self
+            .weighted_edges()
+            .map(|(e, share)| Moments::swept(&e, origin).times(share))
+            .collect();
         let area = sum(all.iter().map(|m| m.area));
         let first = Vector::new(
             sum(all.iter().map(|m| m.first.x)),
@@ -112,6 +115,14 @@ struct Moments {
 }
 
 impl Moments {
+    fn times(self, share: f64) -> Self {
+        Self {
+            area: self.area * share,
+            first: self.first * share,
+            second: self.second * share,
+        }
+    }
+
     /// Moments, about `origin`, of the area swept by the segment from `origin` to a point that moves along the edge.
     fn swept(edge: &Edge, origin: Point) -> Self {
         let (a, b) = (edge.start - origin, edge.end - origin);

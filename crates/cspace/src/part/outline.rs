@@ -1,4 +1,4 @@
-//! All edges of a part's loops in one list, in the frame in which they are checked.
+//! All edges of the loops of a part's layer in one list, in the frame in which they are checked.
 
 use super::frame::Frame;
 use super::{Bounds, Edge, PartError, Vertex};
@@ -14,11 +14,13 @@ pub(super) struct Outline {
     next: Vec<usize>,
     /// The first edge of each loop.
     pub(super) first: Vec<usize>,
+    /// Number of the first loop in the part.
+    first_loop: usize,
 }
 
 impl Outline {
-    /// Lists the edges of loops that passed the checks of their numbers.
-    pub(super) fn new(loops: &[Vec<Vertex>], bounds: Bounds) -> Self {
+    /// Lists the edges of some of a part's loops, which passed the checks of their numbers.
+    pub(super) fn new(loops: &[Vec<Vertex>], first_loop: usize, bounds: Bounds) -> Self {
         let frame = Frame::new(bounds);
         let count = loops.iter().map(Vec::len).sum();
         let mut edges = Vec::with_capacity(count);
@@ -41,6 +43,7 @@ impl Outline {
             boxes,
             next,
             first,
+            first_loop,
         }
     }
 
@@ -64,10 +67,10 @@ impl Outline {
         self.boxes[a].is_apart(self.boxes[b], self.tolerance())
     }
 
-    /// The loop of an edge, and its number there.
+    /// The loop of an edge in the part, and its number there.
     pub(super) fn name(&self, edge: usize) -> (usize, usize) {
-        let loop_index = self.first.partition_point(|&first| first <= edge) - 1;
-        (loop_index, edge - self.first[loop_index])
+        let own = self.first.partition_point(|&first| first <= edge) - 1;
+        (self.first_loop + own, edge - self.first[own])
     }
 
     /// The error for two edges that meet.

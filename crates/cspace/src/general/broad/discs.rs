@@ -82,15 +82,16 @@ impl Cores {
         let turns = (contacts.span.hi - contacts.span.lo) / TAU;
         let in_turn = contacts.sheets.len() as f64 / turns;
         let most = 1 + (in_turn / SHEETS_PER_DISC) as usize;
+        let (fixed_part, moving_part) = geometry.deep_layers();
         let fixed = PartDiscs::new(
-            geometry.fixed_part(),
+            &fixed_part,
             (geometry.fixed_center(), geometry.frame.scale),
             geometry.fixed_disc,
             geometry.fixed_fold,
             (most, many),
         );
         let moving = PartDiscs::new(
-            geometry.moving_part(),
+            &moving_part,
             (geometry.moving_center(), geometry.frame.scale),
             geometry.moving_disc,
             geometry.moving_fold,
@@ -113,7 +114,7 @@ impl Cores {
         };
         let tables = many.then(|| table(fixed).zip(table(moving))).flatten();
         let tables = tables.map(|(fixed, moving)| DiscTables { fixed, moving });
-        let parts = [geometry.fixed_part(), geometry.moving_part()];
+        let parts = [&fixed_part, &moving_part];
         Self {
             pairs,
             tables,

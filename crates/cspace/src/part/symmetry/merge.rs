@@ -19,7 +19,7 @@ pub(super) fn merged(part: &Part) -> Option<Part> {
             merged
         })
         .collect();
-    fewer.then(|| Part::new(part.name(), loops).ok()).flatten()
+    fewer.then(|| part.redrawn(loops).ok()).flatten()
 }
 
 /// A loop in order of travel, with edges that continue each other merged.

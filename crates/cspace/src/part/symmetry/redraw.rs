@@ -81,7 +81,7 @@ impl Symmetrized {
             .zip(loops)
             .map(more)
             .collect::<Option<_>>()?;
-        let redrawn = Part::new(part.name(), vertices).ok()?;
+        let redrawn = part.redrawn(vertices).ok()?;
         // Drawn in order of travel, no loop is traversed backwards.
         let sound =
             redrawn.loops().iter().all(|l| !l.is_reversed()) && deviation <= 2.0 * trace.tolerance;

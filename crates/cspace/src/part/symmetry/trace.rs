@@ -24,6 +24,8 @@ pub(super) struct Trace {
     /// Distance below which places are one, in the part's unit.
     pub(super) tolerance: f64,
     round: bool,
+    /// The layer of each ring: a rotation leaves heights as they are.
+    layers: Vec<usize>,
     /// Vertices of the paths, by their first coordinate: loop and place in it.
     by_x: Vec<(f64, u32, u32)>,
 }
@@ -82,6 +84,9 @@ impl Trace {
             center,
             tolerance,
             round,
+            layers: (part.layers().iter().enumerate())
+                .flat_map(|(i, layer)| layer.loops().map(move |_| i))
+                .collect(),
             by_x,
         }
     }
@@ -136,10 +141,8 @@ impl Trace {
     /// The images of all loops under a turn by 2π/`fold`, if it maps the loops to each other.
     pub(super) fn images(&self, fold: u32) -> Option<Vec<LoopImage>> {
         let turn = Rotation::by(TAU / f64::from(fold));
-        let images: Vec<LoopImage> = self
-            .rings
-            .iter()
-            .map(|r| self.image(r, turn))
+        let images: Vec<LoopImage> = (self.rings.iter().zip(&self.layers))
+            .map(|(ring, layer)| self.image(ring, *layer, turn))
             .collect::<Option<_>>()?;
         let mut reached = vec![false; images.len()];
         for i in &images {
@@ -148,15 +151,17 @@ impl Trace {
         reached.iter().all(|&r| r).then_some(images)
     }
 
-    fn image(&self, ring: &Ring, turn: Rotation) -> Option<LoopImage> {
+    /// The image of a ring of a layer among the rings of that layer.
+    fn image(&self, ring: &Ring, layer: usize, turn: Rotation) -> Option<LoopImage> {
         match ring {
             Ring::Circle { center, radius } => {
                 let to = turn * *center;
-                let same = |r: &Ring| {
-                    matches!(r, Ring::Circle { center: c, radius: s }
+                let same = |(r, l): (&Ring, &usize)| {
+                    *l == layer
+                        && matches!(r, Ring::Circle { center: c, radius: s }
                         if (*c - to).length() <= self.tolerance && (radius - s).abs() <= self.tolerance)
                 };
-                let target = self.rings.iter().position(same)? as u32;
+                let target = self.rings.iter().zip(&self.layers).position(same)? as u32;
                 Some(LoopImage { target, shift: 0 })
             }
             Ring::Path(vertices) => {
@@ -166,6 +171,7 @@ impl Trace {
                     .iter()
                     .take_while(|v| v.0 <= to.x + self.tolerance)
                     .map(|&(_, target, shift)| LoopImage { target, shift })
+                    .filter(|image| self.layers[image.target as usize] == layer)
                     .find(|&image| self.maps(vertices, turn, image))
             }
         }

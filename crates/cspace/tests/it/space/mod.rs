@@ -3,6 +3,7 @@
 mod frames;
 mod graph;
 mod hard_cases;
+mod layers;
 mod large;
 mod oracle;
 mod random;
