@@ -133,8 +133,8 @@ pub use pair::{
     QueryError, Relation, SmoothMotion, SmoothOutcome,
 };
 pub use part::{
-    ArcSize, AreaMoments, Direction, Edge, Layer, Loop, OutlineBuilder, OutlineError, Part, PartError,
-    PartSymmetry, Vertex,
+    ArcSize, AreaMoments, Direction, Edge, Layer, Loop, OutlineBuilder, OutlineError, Part,
+    PartError, PartSymmetry, Vertex,
 };
 pub use query::{
     Classification, FirstContact, Location, MotionError, MotionOutcome, NearestContact,

@@ -118,7 +118,9 @@ pub(crate) fn overlap(fixed: &Body, moving: &Body, p: Point, theta: f64) -> bool
             || m.samples.iter().any(in_fixed)
             || f.samples.iter().any(in_moving)
     };
-    fixed.layers().any(|(a, f)| moving.layers().any(|(b, m)| a.meets(b) && of(f, m)))
+    fixed
+        .layers()
+        .any(|(a, f)| moving.layers().any(|(b, m)| a.meets(b) && of(f, m)))
 }
 
 #[cfg(test)]

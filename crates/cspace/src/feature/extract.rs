@@ -6,7 +6,7 @@ use super::framed_edge::FramedEdge;
 use super::generic::{ExactVertex, made_generic};
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
-use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
+use super::tolerance::{GROWTH, LAYER_STEP, LAYERS_GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
 use super::types::{
     ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
 };
@@ -43,8 +43,17 @@ impl Outline {
             heights: LoopHeights::of(part),
             feature_count: 0,
         };
-        let mut wishes = perturbation.map(|p| p.wishes(part)).unwrap_or_default();
+        let step = layer_step(part.layers().len(), growth, perturbation);
+        let wishes = perturbation.map(|p| match part.layers() {
+            [_] => p.wishes(part),
+            _ => p.within(step).wishes(part),
+        });
+        let mut wishes = wishes.unwrap_or_default();
         for (loop_index, boundary) in part.loops().iter().enumerate() {
+            let layer = part
+                .layers()
+                .partition_point(|l| l.loops().end <= loop_index);
+            let growth = growth + step * layer as f64;
             let mut pieces: Vec<FramedEdge> = boundary
                 .edges()
                 .map(|e| FramedEdge::new(&e, center, scale))
@@ -258,6 +267,13 @@ impl Outline {
             }
         }
     }
+}
+
+/// How much more each layer of a part is grown than the one before it, so that where their outlines are flush one covers the other.
+fn layer_step(layers: usize, growth: f64, perturbation: Option<&Perturbation<'_>>) -> f64 {
+    let most = if growth < 0.0 { -0.5 } else { LAYERS_GROWTH } * growth;
+    let step = perturbation.map_or(0.5 * growth, |p| LAYER_STEP * p.size);
+    step.min(most / layers as f64)
 }
 
 /// The edges of a loop moved slightly, so that it is generic and its smooth joints are exactly smooth; `None` if that requires larger

@@ -6,7 +6,7 @@
 
 use core::f64::consts::TAU;
 
-use super::tolerance::LEAST_WISH;
+use super::tolerance::{LAYER_STEP, LEAST_WISH};
 use crate::geometry::{Rotation, Vector};
 use crate::part::{LoopImage, Part};
 
@@ -24,6 +24,14 @@ pub(crate) struct Perturbation<'a> {
 }
 
 impl Perturbation<'_> {
+    /// The perturbation of a part whose layers are moved apart by a length.
+    pub(super) fn within(&self, step: f64) -> Self {
+        Self {
+            size: self.size.min(step / LAYER_STEP),
+            ..*self
+        }
+    }
+
     /// Requested displacements: for every loop, for every edge in order of travel, of its start along both axes and of its middle outward.
     pub(crate) fn wishes(&self, part: &Part) -> Vec<Vec<[f64; 3]>> {
         let mut wishes: Vec<Vec<Option<[f64; 3]>>> = (part.loops().iter())

@@ -48,6 +48,16 @@ pub(crate) const OVERSHOOT_SEPARATION: f64 = 1.0 / (1u64 << 46) as f64;
 /// still covers the part as drawn.
 pub(crate) const PERTURBATION: f64 = GROWTH / 8.0;
 
+/// How much more a layer of a part is grown than the one before it, in units of the displacement of its vertices.
+///
+/// Sides that are flush in the drawing are moved by at most one unit each, so that the side of the layer that is grown more covers the other
+/// by two units or more at every place.
+pub(crate) const LAYER_STEP: f64 = 4.0;
+
+/// How much more the last layer of a part may be grown than the first one, in units of the growth of the part: the sum for both parts stays
+/// below [`CONTACT`].
+pub(crate) const LAYERS_GROWTH: f64 = 5.0;
+
 /// Displacement of vertices of the moving part that makes it generic (length, about 5.4e-14).
 pub(crate) const MOVING_PERTURBATION: f64 = MOVING_GROWTH / 4.0;
 
@@ -191,6 +201,7 @@ pub(crate) const FACING_FAR: f64 = 1e-9;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::part::tolerance::MAX_LAYERS;
 
     /// Tolerances that separate are larger than what they separate from, and smaller than what they must not reach.
     #[test]
@@ -223,6 +234,12 @@ mod tests {
             [SAME_CARRIER, OVERSHOOT_SEPARATION],
             [SAME_CARRIER, NEGLIGIBLE],
             [NEGLIGIBLE, MOVING_GROWTH],
+            // Layers that are grown more stay within the resolution, and the displacement of vertices of the most layers above rounding.
+            [(1.0 + LAYERS_GROWTH) * (GROWTH + MOVING_GROWTH), CONTACT],
+            [
+                SAME_CARRIER,
+                LEAST_WISH * LAYERS_GROWTH * MOVING_GROWTH / (LAYER_STEP * MAX_LAYERS as f64),
+            ],
             // Moved vertices stay within the growth.
             [MOST_WISHES * PERTURBATION, GROWTH],
             [MOVING_PERTURBATION, PERTURBATION],

@@ -4,7 +4,9 @@ use crate::geometry::Point;
 
 use super::drawing::OutlineError;
 use super::part_feature::PartFeature;
-use super::tolerance::{FULL_BULGE, MAX_COORDINATE, MAX_OFFSET, MAX_VERTICES, MIN_SIZE};
+use super::tolerance::{
+    FULL_BULGE, MAX_COORDINATE, MAX_LAYERS, MAX_OFFSET, MAX_VERTICES, MIN_SIZE,
+};
 
 /// Reasons for which loops do not make a part. Loops, vertices and edges are counted from 0, as given; an edge has the number of the vertex
 /// at which it starts.
@@ -23,6 +25,13 @@ pub enum PartError {
     /// There is no loop.
     #[error("the part has no loops: give at least one closed loop of vertices")]
     Empty,
+
+    /// There are more layers than the limit.
+    #[error("the part has {count} layers, more than {MAX_LAYERS}: merge some, or split the part")]
+    TooManyLayers {
+        /// The number of layers.
+        count: usize,
+    },
 
     /// A layer has no loop.
     #[error("layer {layer} has no loops: give at least one closed loop of vertices")]

@@ -7,6 +7,7 @@ use super::corner::check_corners;
 use super::nearness::check_vertices;
 use super::outline::Outline;
 use super::sweep::check_meetings;
+use super::tolerance::MAX_LAYERS;
 use super::{Bounds, Edge, Layer, PartError, PartFeature, Vertex};
 
 /// A closed loop of a part, as it was given.
@@ -115,6 +116,10 @@ impl Part {
         name: impl Into<String>,
         layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)>,
     ) -> Result<Self, PartError> {
+        if layers.len() > MAX_LAYERS {
+            let count = layers.len();
+            return Err(PartError::TooManyLayers { count });
+        }
         let mut loops: Vec<Vec<Vertex>> = Vec::new();
         let mut stack = Vec::with_capacity(layers.len());
         for (layer, (z, outlines)) in layers.into_iter().enumerate() {

@@ -290,7 +290,7 @@ mod tests {
             let Ok(bounds) = check_numbers(&mut loops).and_then(|()| check_extent(&loops)) else {
                 continue;
             };
-            let outline = Outline::new(&loops, bounds);
+            let outline = Outline::new(&loops, 0, bounds);
             if check_corners(&outline)
                 .and_then(|()| check_vertices(&outline, &loops))
                 .is_err()

@@ -32,3 +32,7 @@ pub const MAX_OFFSET: f64 = (1_u64 << 30) as f64;
 /// The largest number of vertices of a part, all loops together. It bounds the time and memory for checking a part: some seconds, under a
 /// gigabyte.
 pub const MAX_VERTICES: usize = 1_000_000;
+
+/// The largest number of layers of a part. Layers are moved apart by parts of the growth, and vertices by a quarter of that, which must stay
+/// above the rounding of f64.
+pub const MAX_LAYERS: usize = 16;

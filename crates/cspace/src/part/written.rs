@@ -61,7 +61,11 @@ impl<'de> Deserialize<'de> for Part {
             let (z, loops) = (None, loops.len());
             layers.push(Height { z, loops });
         }
-        if layers.iter().try_fold(0, |n: usize, l| n.checked_add(l.loops)) != Some(loops.len()) {
+        if layers
+            .iter()
+            .try_fold(0, |n: usize, l| n.checked_add(l.loops))
+            != Some(loops.len())
+        {
             let message = format!("part {name:?}: its layers do not have as many loops as it has");
             return Err(Error::custom(message));
         }

@@ -1,8 +1,13 @@
 //! Contact spaces of parts with layers, compared with brute force on every two layers that meet.
 
-use cspace::{Axis, Classification, ContactSpace, FixedAxesSpace, Options, Part, Point, Rotation, Vector, Vertex};
 use cspace::fixed_axes::AxisMotion;
-use cspace_oracle::shapes::{random_part, random_ring, scaled, shifted, square};
+use cspace::{
+    Axis, Classification, ContactSpace, FixedAxesSpace, Options, Part, Point, Rotation, Vector,
+    Vertex,
+};
+use cspace_oracle::shapes::{
+    annulus, circle, random_part, random_ring, rectangle, regular_polygon, scaled, shifted, square,
+};
 use cspace_oracle::{Oracle, near_contact};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -18,11 +23,21 @@ fn loops(part: &Part) -> Vec<Vec<Vertex>> {
 fn stack(rng: &mut ChaCha8Rng, size: f64) -> Part {
     let mut layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)> = Vec::new();
     let mut height = f64::from(rng.random_range(0..4));
-    for _ in 0..rng.random_range(1..4) {
+    let (plain, most) = (rng.random_bool(0.3), rng.random_range(2..5));
+    for _ in 0..rng.random_range(1..most) {
         let top = height + f64::from(rng.random_range(1..3));
         let seed = rng.random_range(0..1_000_000);
         let (n, arcs) = (rng.random_range(3..8_usize), rng.random_range(0.0..1.0));
+        let whole = |rng: &mut ChaCha8Rng| f64::from(rng.random_range(1..4)) * 0.5 * size;
         let outline = match (rng.random_range(0..5), layers.last()) {
+            // Plates flush at several sides, and concentric discs, polygons and rings: symmetric stacks among them.
+            (0..2, _) if plain => {
+                let [w, h] = [0; 2].map(|_| whole(rng));
+                loops(&shifted(&rectangle(w, h), 0.5 * w, 0.5 * h))
+            }
+            (2, _) if plain => loops(&circle(whole(rng))),
+            (3, _) if plain => loops(&annulus(2.0 * size, whole(rng))),
+            (_, _) if plain => loops(&regular_polygon(6, whole(rng))),
             (0, Some(below)) => below.1.clone(),
             // A plate as large as another, moved along one of its sides: the sides lie on one line.
             (1, _) => {
@@ -128,12 +143,17 @@ fn on_axes_agree(count: u64) {
             },
             range: Some((-1.5, 1.5)),
         };
-        let axes = (axis(Point::ORIGIN, rng), axis(Point::ORIGIN + moving_center, rng));
+        let axes = (
+            axis(Point::ORIGIN, rng),
+            axis(Point::ORIGIN + moving_center, rng),
+        );
         let space = FixedAxesSpace::compute(&fixed, axes.0, &moving, axes.1).unwrap();
         let oracles = Oracles::new(&fixed, &moving);
         for _ in 0..200 {
             let [u, v] = [0; 2].map(|_| rng.random_range(-1.5..1.5));
-            let Some(class) = space.classify(u, v) else { continue };
+            let Some(class) = space.classify(u, v) else {
+                continue;
+            };
             let (free, margin) = oracles.judge(relative(axes, u, v));
             if margin > 1e-9 {
                 judged += 1;

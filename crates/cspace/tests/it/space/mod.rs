@@ -3,8 +3,8 @@
 mod frames;
 mod graph;
 mod hard_cases;
-mod layers;
 mod large;
+mod layers;
 mod oracle;
 mod random;
 mod regions;
