@@ -6,7 +6,9 @@ use super::framed_edge::FramedEdge;
 use super::generic::{ExactVertex, made_generic};
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
-use super::tolerance::{GROWTH, LAYER_STEP, LAYERS_GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
+use super::tolerance::{
+    CONTACT, GROWTH, LAYER_STEP, MITRE, MOVING_GROWTH, OVERSHOOT, OVERSHOOT_SEPARATION,
+};
 use super::types::{
     ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
 };
@@ -270,10 +272,15 @@ impl Outline {
 }
 
 /// How much more each layer of a part is grown than the one before it, so that where their outlines are flush one covers the other.
+///
+/// For both parts together, the growth of the last layers stays below the resolution of contacts.
 fn layer_step(layers: usize, growth: f64, perturbation: Option<&Perturbation<'_>>) -> f64 {
-    let most = if growth < 0.0 { -0.5 } else { LAYERS_GROWTH } * growth;
+    let most = match growth < 0.0 {
+        true => -0.5,
+        false => CONTACT / (GROWTH + MOVING_GROWTH) - 1.0,
+    };
     let step = perturbation.map_or(0.5 * growth, |p| LAYER_STEP * p.size);
-    step.min(most / layers as f64)
+    step.min(most * growth / layers as f64)
 }
 
 /// The edges of a loop moved slightly, so that it is generic and its smooth joints are exactly smooth; `None` if that requires larger

@@ -91,7 +91,7 @@ impl Part {
     /// [`FLAT_BULGE`]: super::tolerance::FLAT_BULGE
     /// [`MAX_VERTICES`]: super::tolerance::MAX_VERTICES
     pub fn new(name: impl Into<String>, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
-        Self::layered(name, vec![(None, loops)])
+        Self::layered(name, [(None, loops)])
     }
 
     /// A stack of layers: for each the lowest and the highest place, or `None` if it is at every height, and its loops.
@@ -105,8 +105,8 @@ impl Part {
     /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
     /// let disc = |r: f64| vec![Part::circle("disc", (0.0, 0.0), r).unwrap().loops()[0].vertices().to_vec()];
     /// // A wheel and a pinion on one arbor; another wheel beside it at the height of the pinion.
-    /// let arbor = Part::layered("arbor", vec![(Some([0.0, 4.0]), disc(9.0)), (Some([4.0, 10.0]), disc(2.0))])?;
-    /// let wheel = Part::layered("wheel", vec![(Some([5.0, 8.0]), disc(6.0))])?;
+    /// let arbor = Part::layered("arbor", [(Some([0.0, 4.0]), disc(9.0)), (Some([4.0, 10.0]), disc(2.0))])?;
+    /// let wheel = Part::layered("wheel", [(Some([5.0, 8.0]), disc(6.0))])?;
     /// let space = PairSpace::compute(&arbor, &wheel, Relation::Planar, &Options::default())?;
     /// let beside = space.clearance(Coordinates::Planar(Configuration::new(8.5, 0.0, 0.0)))?;
     /// assert!((beside - 0.5).abs() < 1e-12);
@@ -114,27 +114,27 @@ impl Part {
     /// ```
     pub fn layered(
         name: impl Into<String>,
-        layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)>,
+        layers: impl IntoIterator<Item = (Option<[f64; 2]>, Vec<Vec<Vertex>>)>,
     ) -> Result<Self, PartError> {
-        if layers.len() > MAX_LAYERS {
-            let count = layers.len();
-            return Err(PartError::TooManyLayers { count });
-        }
         let mut loops: Vec<Vec<Vertex>> = Vec::new();
-        let mut stack = Vec::with_capacity(layers.len());
+        let mut stack = Vec::new();
         for (layer, (z, outlines)) in layers.into_iter().enumerate() {
             // Written so that NaN is rejected too.
             let rises = z.is_none_or(|[lo, hi]| lo < hi && lo.is_finite() && hi.is_finite());
             if !rises {
                 return Err(PartError::BadHeights { layer });
             }
-            if outlines.is_empty() {
-                return Err(PartError::EmptyLayer { layer });
-            }
             let first = loops.len();
             loops.extend(outlines);
             let loops = first..loops.len();
             stack.push(Layer { z, loops });
+        }
+        if stack.len() > MAX_LAYERS {
+            return Err(PartError::TooManyLayers { count: stack.len() });
+        }
+        let empty = stack.iter().position(|l| l.loops.is_empty());
+        if let Some(layer) = empty.filter(|_| !loops.is_empty()) {
+            return Err(PartError::EmptyLayer { layer });
         }
         check_numbers(&mut loops)?;
         let bounds = check_extent(&loops)?;
@@ -164,7 +164,7 @@ impl Part {
     pub fn redrawn(&self, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
         let mut loops = loops.into_iter();
         let layer = |l: &Layer| (l.z, loops.by_ref().take(l.loops.len()).collect());
-        Self::layered(self.name(), self.layers.iter().map(layer).collect())
+        Self::layered(self.name(), self.layers.iter().map(layer))
     }
 
     /// A part of loops whose sides are known.

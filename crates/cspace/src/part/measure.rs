@@ -25,7 +25,7 @@ impl Part {
     /// let circle = |r: f64| vec![Vertex::new(-r, 0.0, 1.0), Vertex::new(r, 0.0, 1.0)];
     /// let annulus = Part::new("annulus", vec![circle(1.0), circle(2.0)])?;
     /// assert!((annulus.area() - 3.0 * core::f64::consts::PI).abs() < 1e-14);
-    /// let stepped = Part::layered("stepped", vec![
+    /// let stepped = Part::layered("stepped", [
     ///     (Some([0.0, 1.0]), vec![circle(2.0)]),
     ///     (Some([1.0, 4.0]), vec![circle(1.0)]),
     /// ])?;

@@ -13,6 +13,7 @@ mod drawing;
 mod edge;
 mod error;
 mod frame;
+mod heights;
 mod layer;
 mod loops;
 mod measure;
@@ -39,8 +40,8 @@ pub use drawing::{
 };
 pub use edge::Edge;
 pub use error::PartError;
+pub(crate) use heights::{LoopHeights, MeetingLoops};
 pub use layer::Layer;
-pub(crate) use layer::{LoopHeights, MeetingLoops};
 pub use loops::{Loop, Part};
 pub(crate) use measure::Inside;
 pub use moments::AreaMoments;

@@ -70,9 +70,7 @@ impl<'de> Deserialize<'de> for Part {
             return Err(Error::custom(message));
         }
         let mut loops = loops.into_iter();
-        let layers = (layers.into_iter())
-            .map(|l| (l.z, loops.by_ref().take(l.loops).collect()))
-            .collect();
+        let layers = (layers.into_iter()).map(|l| (l.z, loops.by_ref().take(l.loops).collect()));
         let part = Self::layered(name.clone(), layers).and_then(|part| {
             (names.into_iter()).try_fold(part, |part, (feature, of)| {
                 part.with_feature_name(feature, of)

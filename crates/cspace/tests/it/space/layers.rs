@@ -14,14 +14,16 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::cases;
 
-fn loops(part: &Part) -> Vec<Vec<Vertex>> {
+type Outline = Vec<Vec<Vertex>>;
+
+fn loops(part: &Part) -> Outline {
     part.loops().iter().map(|l| l.vertices().to_vec()).collect()
 }
 
 /// A stack of up to three layers between heights that are whole numbers, so that some only touch. Some layers have outlines, or a bore, of
 /// those below them.
 fn stack(rng: &mut ChaCha8Rng, size: f64) -> Part {
-    let mut layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)> = Vec::new();
+    let mut layers: Vec<(Option<[f64; 2]>, Outline)> = Vec::new();
     let mut height = f64::from(rng.random_range(0..4));
     let (plain, most) = (rng.random_bool(0.3), rng.random_range(2..5));
     for _ in 0..rng.random_range(1..most) {
