@@ -2,7 +2,8 @@
 //!
 //! A [`Proof`] is a surface of triangles in (x, y, θ). [`Proof::check`] verifies, by interval arithmetic and from the file alone:
 //!
-//! 1. Each *witness*, a disc in the moving part's frame and one in the fixed part's, lies within the parts' material.
+//! 1. Each *witness*, a disc in the moving part's frame and one in the fixed part's, lies within the parts' material, in layers that overlap
+//!    in height.
 //! 2. At **every** configuration of a triangle the two discs of its witness overlap, and so do the parts. With q the moving disc's
 //!    centre from the pivot and c the other's, the vector v = (x, y) + `R_θ` q − c differs by at most |q| Δθ²/8 from its linear
 //!    interpolation between the corners, Δθ the range of θ in the triangle, because |d²v/dθ²| = |q|. So |v| is at most its greatest
@@ -18,10 +19,11 @@ mod interval;
 mod part;
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use interval::{I, PI, exact};
-pub use part::Part;
 use part::norm;
+pub use part::{Layer, Part};
 use serde::{Deserialize, Serialize};
 
 /// A proof that no motion leads from start to goal. Angles are in radians.
@@ -124,13 +126,23 @@ impl Proof {
                 return Err(format!("triangle {i} names what there is not"));
             }
         }
+        let (fixed, moving) = (self.fixed.stack()?, self.moving.stack()?);
         for (i, &[qx, qy, r, cx, cy, s]) in self.witnesses.iter().enumerate() {
-            for (part, center, radius) in [(&self.moving, [qx, qy], r), (&self.fixed, [cx, cy], s)]
-            {
-                if radius.is_nan() || radius <= 0.0 || radius > part.room(center) {
-                    let name = &part.name;
-                    return Err(format!("witness {i}: its disc is not within {name}"));
+            // The layers that each disc is within.
+            let hold = |part: &Part, stack: &[(Layer, Range<usize>)], center, radius: f64| {
+                let within = |(_, loops): &&(Layer, Range<usize>)| {
+                    radius > 0.0 && radius <= part.room(loops.clone(), center)
+                };
+                let found: Vec<Layer> = stack.iter().filter(within).map(|l| l.0).collect();
+                match found[..] {
+                    [] => Err(format!("witness {i}: its disc is not within {}", part.name)),
+                    _ => Ok(found),
                 }
+            };
+            let of_moving = hold(&self.moving, &moving, [qx, qy], r)?;
+            let of_fixed = hold(&self.fixed, &fixed, [cx, cy], s)?;
+            if !(of_fixed.iter()).any(|f| of_moving.iter().any(|m| f.meets(m))) {
+                return Err(format!("witness {i}: its discs are at different heights"));
             }
         }
         let corners: Vec<Corner> = (self.vertices.iter())

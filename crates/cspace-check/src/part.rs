@@ -1,10 +1,12 @@
 //! A part, and certain tests of whether a disc lies within its material.
 
+use std::ops::Range;
+
 use serde::{Deserialize, Serialize};
 
 use crate::interval::{I, exact};
 
-/// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside.
+/// A part: closed loops of vertices x, y, bulge; the material is their even-odd inside, or that of the loops of each layer at its heights.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Part {
@@ -12,6 +14,29 @@ pub struct Part {
     pub name: String,
     /// The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line.
     pub loops: Vec<Vec<[f64; 3]>>,
+    /// The layers, which have all loops one after another; none of a part that is one outline at every height.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<Layer>,
+}
+
+/// A layer of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Layer {
+    /// The lowest and the highest place; none for every height.
+    pub z: Option<[f64; 2]>,
+    /// How many loops it has.
+    pub loops: usize,
+}
+
+impl Layer {
+    /// Whether two layers overlap in height by more than nothing.
+    pub fn meets(&self, other: &Self) -> bool {
+        match (self.z, other.z) {
+            (Some([a, b]), Some([c, d])) => a.max(c) < b.min(d),
+            _ => true,
+        }
+    }
 }
 
 type P = [I; 2];
@@ -91,19 +116,51 @@ fn crosses(p: [f64; 2], a: [f64; 3], b: [f64; 3], near: f64) -> Option<bool> {
 }
 
 impl Part {
-    /// Radius of a disc about a point that certainly lies within the material, about as large as possible; 0 if there
+    /// The layers, with the numbers of their loops; one at every height where none are given.
+    ///
+    /// # Errors
+    /// If they have not as many loops as the part.
+    pub fn stack(&self) -> Result<Vec<(Layer, Range<usize>)>, String> {
+        let (z, loops) = (None, self.loops.len());
+        let whole = [Layer { z, loops }];
+        let layers = match self.layers[..] {
+            [] => &whole,
+            _ => &self.layers[..],
+        };
+        let mut stack = Vec::with_capacity(layers.len());
+        let mut first = 0_usize;
+        for layer in layers {
+            let end = first.checked_add(layer.loops).filter(|&end| end <= loops);
+            let end = end.ok_or_else(|| self.wrong_layers())?;
+            stack.push((*layer, first..end));
+            first = end;
+        }
+        (first == loops)
+            .then_some(stack)
+            .ok_or_else(|| self.wrong_layers())
+    }
+
+    fn wrong_layers(&self) -> String {
+        format!(
+            "the layers of {} have not as many loops as it has",
+            self.name
+        )
+    }
+
+    /// Radius of a disc about a point that certainly lies within the material of some of the loops, about as large as possible; 0 if there
     /// is none.
     ///
     /// No edge is nearer to the centre than the radius. So an odd-even count with chords within half a radius of the
     /// arcs determines whether the centre is inside: between the arcs and these chords no loop passes the centre.
-    pub fn room(&self, center: [f64; 2]) -> f64 {
+    pub fn room(&self, loops: Range<usize>, center: [f64; 2]) -> f64 {
         /// Smallest radius that is tried, as a share of the part's extent: chords are rounded.
         const LEAST: f64 = 1e-12;
         let vertices = self.loops.iter().flatten();
         let extent = vertices.fold(0.0_f64, |m, v| m.max(v[0].abs() + v[1].abs()));
         let edges = || {
             let of = |l: &'_ [[f64; 3]], i: usize| (l[i], l[(i + 1) % l.len()]);
-            (self.loops.iter()).flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
+            (self.loops[loops.clone()].iter())
+                .flat_map(move |l| (0..l.len()).map(move |i| of(l, i)))
         };
         let apart = edges().map(|(a, b)| distance(center.map(exact), a, b));
         // A result that is not a number is kept.

@@ -54,5 +54,5 @@ pub(crate) fn inset(part: &Part, distance: f64) -> Result<Option<Part>, PartErro
         }
         loops.push(vertices);
     }
-    Part::new(part.name(), loops).map(Some)
+    part.redrawn(loops).map(Some)
 }

@@ -228,11 +228,18 @@ impl Units {
 /// Some parts as one.
 pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, AssemblyError> {
     let names: Vec<&str> = these.iter().map(|&i| parts[i].name()).collect();
-    let loops = (these.iter())
-        .flat_map(|&i| parts[i].loops())
-        .map(|l| l.vertices().to_vec())
-        .collect();
-    Ok(Part::new(names.join("+"), loops)?)
+    let mut layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)> = Vec::new();
+    for part in these.iter().map(|&i| &parts[i]) {
+        for layer in part.layers() {
+            let loops = part.loops()[layer.loops()].iter();
+            let loops = loops.map(|l| l.vertices().to_vec());
+            match layers.last_mut() {
+                Some((z, of)) if *z == layer.z() => of.extend(loops),
+                _ => layers.push((layer.z(), loops.collect())),
+            }
+        }
+    }
+    Ok(Part::layered(names.join("+"), layers)?)
 }
 
 /// A part elsewhere, its loops and vertices numbered as before.
@@ -244,7 +251,7 @@ pub(super) fn placed(part: &Part, at: Configuration) -> Result<Part, AssemblyErr
     let loops = (part.loops().iter())
         .map(|l| l.vertices().iter().map(moved).collect())
         .collect();
-    Ok(Part::new(part.name(), loops)?)
+    Ok(part.redrawn(loops)?)
 }
 
 /// The units of a set.

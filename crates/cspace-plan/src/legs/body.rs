@@ -31,7 +31,7 @@ impl<'a> Body<'a> {
 
     fn of(part: &'a Part, motion: Option<AxisMotion>) -> Self {
         let origin = motion.map_or(Vector::ZERO, origin);
-        let tree = Tree::new(Piece::all(part, origin));
+        let tree = Tree::new(part, origin);
         let far = |p: &Piece| p.middle.distance(Point::ORIGIN) + p.reach;
         Self {
             part,
@@ -53,7 +53,7 @@ impl<'a> Body<'a> {
 
     /// The size of the part: the diameter of a disc around it.
     pub(crate) fn size(&self) -> f64 {
-        self.tree.nodes.last().map_or(0.0, |n| 2.0 * n.reach)
+        self.tree.extent()
     }
 
     /// Where the part is: x, y and θ of a part in the plane, or its motion on an axis as the first of the numbers.

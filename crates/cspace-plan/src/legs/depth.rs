@@ -2,7 +2,8 @@
 
 use cspace::{Edge, Part, Point};
 
-use super::at::At;
+use super::at::{At, Layers, any_layers};
+use super::near::Near;
 use super::overlap::coincide;
 use super::search::Search;
 
@@ -18,10 +19,16 @@ const SHORTEST: f64 = 4.0;
 ///
 /// A boundary is deepest in a corner, on a common normal, of which `feet` are the ends, or where two places of the other boundary are
 /// equally near. The last are found if they are deep enough for pieces of the boundary to show it.
-pub(super) fn is_deep(a: &At<'_>, b: &At<'_>, feet: &[(Point, Point)], depth: f64) -> bool {
-    let of_a = feet.iter().map(|&(p, _)| p + a.origin);
-    let of_b = feet.iter().map(|&(_, q)| q + b.origin);
-    within(a, b, of_a, depth) || within(b, a, of_b, depth)
+pub(super) fn is_deep(a: &At<'_>, b: &At<'_>, feet: &[Near], depth: f64) -> bool {
+    any_layers(a, b, |Layers { a, b, loops }| {
+        let own = |near: &&Near| {
+            let (f, m) = near.features;
+            loops.0.contains(&(f.loop_index as usize)) && loops.1.contains(&(m.loop_index as usize))
+        };
+        let of_a = feet.iter().filter(own).map(|near| near.points.0 + a.origin);
+        let of_b = feet.iter().filter(own).map(|near| near.points.1 + b.origin);
+        within(a, b, of_a, depth) || within(b, a, of_b, depth)
+    })
 }
 
 /// Whether a point of the first part's boundary is deep in the second.
@@ -121,13 +128,15 @@ fn nearest(part: &Part, p: Point) -> Option<(f64, Edge)> {
 /// deep is always found.
 pub(super) fn overlaps_deeper(search: &Search<'_>, a: &At<'_>, b: &At<'_>, depth: f64) -> bool {
     // Where no boundaries cross, every edge is in the other part as a whole or not at all.
-    if coincide(a, b, depth) || coincide(b, a, depth) {
+    if any_layers(a, b, |l| {
+        coincide(&l.a, &l.b, depth) || coincide(&l.b, &l.a, depth)
+    }) {
         return true;
     }
     if !search.crosses() {
         return false;
     }
     let mut feet = Vec::new();
-    search.within(NORMALS * depth, |near| feet.push(near.points));
+    search.within(NORMALS * depth, |near| feet.push(near));
     is_deep(a, b, &feet, depth)
 }

@@ -2,12 +2,13 @@
 
 use cspace::{Part, Point};
 
-use super::at::At;
+use super::at::{At, Layers, any_layers};
 use super::search::Search;
 
 /// Whether the boundaries cross at the start of a search, or a loop of one part is within the other.
 pub(super) fn overlap(search: &Search<'_>, a: &At<'_>, b: &At<'_>) -> bool {
-    search.crosses() || within(a, b) || within(b, a)
+    let is_within = |l: &Layers<'_>| within(&l.a, &l.b) || within(&l.b, &l.a);
+    search.crosses() || any_layers(a, b, is_within)
 }
 
 /// Whether some loop of a part begins in the material of another.

@@ -12,7 +12,6 @@ use super::near::Near;
 use super::overlap::overlap;
 use super::pose::{Coords, Pose, origin};
 use super::search::{Nearest, RELATIVE, Search};
-use super::shape::Piece;
 use super::tree::Tree;
 
 const UNLIMITED: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -61,8 +60,8 @@ impl Scene {
         let parts = (fixed.clone(), moving.clone());
         let motions = axes.map(|(a, b)| (a.motion, b.motion));
         let origins = origins(motions);
-        let fixed = Tree::new(Piece::all(fixed, origins.0));
-        let moving = Tree::new(Piece::all(moving, origins.1));
+        let fixed = Tree::new(fixed, origins.0);
+        let moving = Tree::new(moving, origins.1);
         let lever = |motion: AxisMotion, tree: &Tree| match motion {
             AxisMotion::Fixed => 0.0,
             AxisMotion::Revolute { .. } => reach(tree),
@@ -82,9 +81,8 @@ impl Scene {
                 [a, b, (0.0, 0.0)]
             }
         };
-        let extent = |tree: &Tree| tree.nodes.last().map_or(0.0, |n| 2.0 * n.reach);
         Self {
-            size: extent(&fixed).max(extent(&moving)),
+            size: fixed.extent().max(moving.extent()),
             fixed,
             moving,
             motions,
@@ -101,7 +99,7 @@ impl Scene {
     pub fn with_about(mut self, about: Vector) -> Self {
         if self.motions.is_none() {
             self.about = about;
-            self.moving = Tree::new(Piece::all(&self.parts.1, about));
+            self.moving = Tree::new(&self.parts.1, about);
             self.levers[2] = reach(&self.moving);
         }
         self
@@ -153,7 +151,7 @@ impl Scene {
     pub fn overlaps_deeply(&self, at: Coords, depth: f64) -> bool {
         let (a, b) = self.placed(at);
         let mut feet = Vec::new();
-        (self.search(at, at)).within(NORMALS * depth, |near| feet.push(near.points));
+        (self.search(at, at)).within(NORMALS * depth, |near| feet.push(near));
         is_deep(&a, &b, &feet, depth)
     }
 

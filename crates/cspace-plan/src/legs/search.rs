@@ -103,8 +103,12 @@ impl<'a> Search<'a> {
         )
     }
 
-    fn roots(&self) -> (u32, u32) {
-        (self.fixed.root(), self.moving.root())
+    /// Goes through all layers that meet.
+    fn visit_all(&self, (lo, hi): (f64, f64), best: &mut Best) {
+        let over = self.over(lo, hi);
+        for roots in self.fixed.roots(self.moving) {
+            self.visit(&over, roots, best);
+        }
     }
 
     /// The distance at one time.
@@ -118,7 +122,7 @@ impl<'a> Search<'a> {
             relative: 0.0,
             ..Best::least(limit)
         };
-        self.visit(&self.over(time, time), self.roots(), &mut best);
+        self.visit_all((time, time), &mut best);
         best.found
     }
 
@@ -129,8 +133,7 @@ impl<'a> Search<'a> {
             relative: 0.0,
             ..Best::least(f64::INFINITY)
         };
-        let over = self.over(time, time);
-        self.visit(&over, self.roots(), &mut best);
+        self.visit_all((time, time), &mut best);
         best.found
     }
 
@@ -148,7 +151,7 @@ impl<'a> Search<'a> {
         if let Some(first) = first {
             best.take(first, self.rounding);
         }
-        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        self.visit_all((0.0, 1.0), &mut best);
         best.found
     }
 
@@ -159,7 +162,7 @@ impl<'a> Search<'a> {
             effort: EFFORT,
             ..Best::least(limit * (1.0 - RELATIVE))
         };
-        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        self.visit_all((0.0, 1.0), &mut best);
         best.found
     }
 
@@ -199,7 +202,7 @@ impl<'a> Search<'a> {
             effort,
             ..Best::least(limit.max(LEAST * self.rounding))
         };
-        self.visit(&self.over(0.0, 1.0), self.roots(), &mut best);
+        self.visit_all((0.0, 1.0), &mut best);
         !best.ended
     }
 
@@ -287,7 +290,7 @@ impl<'a> Search<'a> {
     /// Whether the boundaries cross at the start.
     pub(super) fn crosses(&self) -> bool {
         let over = self.over(0.0, 0.0);
-        let mut stack = vec![self.roots()];
+        let mut stack: Vec<(u32, u32)> = self.fixed.roots(self.moving).collect();
         while let Some(pair) = stack.pop() {
             if self.bound(&over, pair) > 0.0 {
                 continue;
@@ -335,7 +338,7 @@ impl<'a> Search<'a> {
         mut with: impl FnMut((FeatureName, FeatureName), (Point, Point)),
     ) {
         let over = self.over(0.0, 0.0);
-        let mut stack = vec![self.roots()];
+        let mut stack: Vec<(u32, u32)> = self.fixed.roots(self.moving).collect();
         while let Some(pair) = stack.pop() {
             if self.bound(&over, pair) >= distance {
                 continue;

@@ -1,6 +1,6 @@
 //! A tree of discs over the pieces of a part.
 
-use cspace::{Point, Vector};
+use cspace::{Layer, Part, Point, Vector};
 
 use super::shape::Piece;
 
@@ -21,29 +21,49 @@ pub(super) enum Holds {
     Nodes(u32, u32),
 }
 
-/// A part for measuring distances. The last node holds all.
+/// A part for measuring distances: a tree for each of its layers.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
     pub(super) pieces: Vec<Piece>,
     pub(super) nodes: Vec<Node>,
+    /// Each layer, with the node that holds all of it.
+    layers: Vec<(Layer, u32)>,
 }
 
 impl Tree {
-    pub(super) fn new(pieces: Vec<Piece>) -> Self {
+    /// The vertices and edges of a part, with an offset taken from every point.
+    pub(super) fn new(part: &Part, origin: Vector) -> Self {
+        let pieces = Piece::all(part, origin);
         let mut tree = Self {
             nodes: Vec::with_capacity(2 * pieces.len()),
             pieces,
+            layers: Vec::with_capacity(part.layers().len()),
         };
-        let mut order: Vec<u32> = (0..tree.pieces.len() as u32).collect();
-        if !order.is_empty() {
-            tree.build(&mut order);
+        for layer in part.layers() {
+            let loops = layer.loops();
+            let is_own = |i: &u32| {
+                let name = tree.pieces[*i as usize].name;
+                loops.contains(&(name.loop_index as usize))
+            };
+            let mut order: Vec<u32> = (0..tree.pieces.len() as u32).filter(is_own).collect();
+            let root = tree.build(&mut order);
+            tree.layers.push((layer.clone(), root));
         }
         tree
     }
 
-    /// The node that holds all.
-    pub(super) fn root(&self) -> u32 {
-        self.nodes.len() as u32 - 1
+    /// The nodes that hold layers of two parts that meet.
+    pub(super) fn roots(&self, other: &Self) -> impl Iterator<Item = (u32, u32)> {
+        self.layers.iter().flat_map(move |(layer, root)| {
+            let meets = other.layers.iter().filter(|(l, _)| layer.meets(l));
+            meets.map(move |(_, of)| (*root, *of))
+        })
+    }
+
+    /// The diameter of a disc around the largest layer.
+    pub(super) fn extent(&self) -> f64 {
+        let reach = |(_, root): &(Layer, u32)| self.nodes[*root as usize].reach;
+        2.0 * self.layers.iter().map(reach).fold(0.0, f64::max)
     }
 
     fn build(&mut self, order: &mut [u32]) -> u32 {

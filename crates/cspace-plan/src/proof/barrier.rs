@@ -57,7 +57,7 @@ fn centered(part: &Part, pivot: Point) -> Result<Part, cspace::PartError> {
                 .collect()
         })
         .collect();
-    Part::new(part.name(), loops)
+    part.redrawn(loops)
 }
 
 impl Barrier {

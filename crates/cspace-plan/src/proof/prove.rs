@@ -10,9 +10,17 @@ use crate::proof::witness::Materials;
 
 fn written(part: &Part) -> cspace_check::Part {
     let vertices = |l: &cspace::Loop| l.vertices().iter().map(|v| [v.x, v.y, v.bulge]).collect();
+    let layer = |l: &cspace::Layer| cspace_check::Layer {
+        z: l.z(),
+        loops: l.loops().len(),
+    };
     cspace_check::Part {
         name: part.name().to_owned(),
         loops: part.loops().iter().map(vertices).collect(),
+        layers: match part.has_heights() {
+            true => part.layers().iter().map(layer).collect(),
+            false => Vec::new(),
+        },
     }
 }
 
@@ -50,8 +58,8 @@ pub fn prove(
     let pivot = pivot(space.moving());
     let parts = [space.fixed(), space.moving()];
     let [fixed, moving] = parts.map(written);
-    let checked = [fixed.clone(), moving.clone()];
-    let materials = Materials::new(parts, checked, pivot, barrier.depth);
+    let layers = parts[0].meeting(parts[1]);
+    let materials = Materials::new(&layers, written, pivot, barrier.depth);
     let lever = 0.5 * space.moving().size();
     let witnesses = refine(&mut complex, &barrier, &materials, lever)?;
     let triangle = |t: &crate::proof::complex::Triangle| {

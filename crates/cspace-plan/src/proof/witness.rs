@@ -1,5 +1,7 @@
 //! Two discs of material that overlap at every configuration of a triangle.
 
+use std::borrow::Cow;
+
 use cspace::{Part, Point, Rotation, Touching, Vector};
 
 use crate::proof::disc::{Disc, Material};
@@ -78,33 +80,50 @@ impl Corners {
     }
 }
 
-/// Material of both parts in which discs may lie.
+/// Material of both parts in which discs may lie: that of every two layers that meet.
 pub(crate) struct Materials<'a> {
-    fixed: Material<'a>,
-    moving: Material<'a>,
-    /// Parts as the checker reads them, asked for the radii.
-    checked: [cspace_check::Part; 2],
+    layers: Vec<Layers<'a>>,
     pivot: Point,
     pub(crate) depth: f64,
     margin: f64,
 }
 
+/// Material of two layers that meet.
+struct Layers<'a> {
+    fixed: Material<'a>,
+    moving: Material<'a>,
+    /// The layers as the checker reads them, asked for the radii.
+    checked: [cspace_check::Part; 2],
+}
+
+impl Layers<'_> {
+    fn room(&self, side: usize, center: Point) -> f64 {
+        let part = &self.checked[side];
+        part.room(0..part.loops.len(), [center.x, center.y])
+    }
+}
+
 impl<'a> Materials<'a> {
     pub(crate) fn new(
-        [fixed, moving]: [&'a Part; 2],
-        checked: [cspace_check::Part; 2],
+        layers: &'a [(Cow<'a, Part>, Cow<'a, Part>)],
+        checked: impl Fn(&Part) -> cspace_check::Part,
         pivot: Point,
         depth: f64,
     ) -> Self {
-        let [fixed, moving] = [fixed, moving].map(|part| Material::new(part, depth));
-        let margin = MARGIN * depth + ROUNDING * fixed.extent.max(moving.extent);
+        let layers: Vec<Layers<'a>> = (layers.iter())
+            .map(|(fixed, moving)| Layers {
+                checked: [checked(fixed), checked(moving)],
+                fixed: Material::new(fixed, depth),
+                moving: Material::new(moving, depth),
+            })
+            .collect();
+        let extent =
+            (layers.iter()).fold(0.0_f64, |m, l| m.max(l.fixed.extent).max(l.moving.extent));
         Self {
-            fixed,
-            moving,
-            checked,
+            layers,
             pivot,
             depth,
-            margin,
+            margin: MARGIN * depth + ROUNDING * extent,
         }
     }
 
@@ -124,25 +143,32 @@ impl<'a> Materials<'a> {
         let back = Rotation::by(-theta);
         let on_moving = self.pivot + back * (touching.on_moving - Point::new(x, y));
         let (on_fixed, normal) = (touching.on_fixed, touching.normal);
-        let (mut of_moving, mut of_fixed) = (Vec::new(), Vec::new());
-        // Discs of the moving part hold the point by a margin, so that those of the fixed part need not.
-        self.moving
-            .inwards(on_moving, back * normal, -0.2 * self.depth, &mut of_moving);
-        self.fixed
-            .inwards(on_fixed, -normal, 0.8 * self.depth, &mut of_fixed);
-        let touch = [on_moving, on_fixed];
-        let found = self.most(corners, touch, &of_moving, &of_fixed);
-        if found.is_some() || corners.extent(lever) > SMALL * self.depth {
-            return found;
-        }
-        self.moving.between(on_moving, &mut of_moving);
-        self.fixed.between(on_fixed, &mut of_fixed);
-        self.most(corners, touch, &of_moving, &of_fixed)
+        let in_layers = |layers: &Layers<'_>| {
+            let (mut of_moving, mut of_fixed) = (Vec::new(), Vec::new());
+            // Discs of the moving part hold the point by a margin, so that those of the fixed part need not.
+            layers
+                .moving
+                .inwards(on_moving, back * normal, -0.2 * self.depth, &mut of_moving);
+            layers
+                .fixed
+                .inwards(on_fixed, -normal, 0.8 * self.depth, &mut of_fixed);
+            let touch = [on_moving, on_fixed];
+            let found = self.most(layers, corners, touch, &of_moving, &of_fixed);
+            if found.is_some() || corners.extent(lever) > SMALL * self.depth {
+                return found;
+            }
+            layers.moving.between(on_moving, &mut of_moving);
+            layers.fixed.between(on_fixed, &mut of_fixed);
+            self.most(layers, corners, touch, &of_moving, &of_fixed)
+        };
+        let overlap = |w: &Witness| corners.overlap(w);
+        (self.layers.iter().filter_map(in_layers)).max_by(|a, b| overlap(a).total_cmp(&overlap(b)))
     }
 
     /// The two that overlap most, if enough, of those that overlap most with a point each.
     fn most(
         &self,
+        layers: &Layers<'_>,
         corners: &Corners,
         [on_moving, on_fixed]: [Point; 2],
         of_moving: &[Disc],
@@ -176,8 +202,8 @@ impl<'a> Materials<'a> {
         }
         let (mut best, _) = best.filter(|&(_, overlap)| self.is_enough(overlap))?;
         let (p, c) = (self.pivot + best.moving.0, best.fixed.0);
-        best.moving = (p - self.pivot, self.checked[1].room([p.x, p.y]));
-        best.fixed.1 = self.checked[0].room([c.x, c.y]);
+        best.moving = (p - self.pivot, layers.room(1, p));
+        best.fixed.1 = layers.room(0, c);
         self.is_enough(corners.overlap(&best)).then_some(best)
     }
 }

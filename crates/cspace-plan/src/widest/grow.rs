@@ -19,17 +19,17 @@ use cspace::{CurveGeometry, Part, PartError, Slice, Vertex};
 /// ```
 pub fn grown(part: &Part, radius: f64) -> Result<Part, PartError> {
     let disc = Part::circle("disc", (0.0, 0.0), radius)?;
-    let slice = Slice::compute(part, &disc, 0.0);
-    let bounds = part.bounds();
-    let size = (bounds.max - bounds.min).length() + 2.0 * radius;
-    let loops = (slice.loops.iter())
-        .map(|l| {
+    let shortest = 2.0 * RESOLUTION * (part.size() + 2.0 * radius);
+    let around = |layer: &Part| -> Result<Vec<Vec<Vertex>>, PartError> {
+        let slice = Slice::compute(layer, &disc, 0.0);
+        let outline = |l: &Vec<u32>| {
             let curves = l.iter().map(|&i| slice.curves[i as usize].geometry);
-            outline(curves, 2.0 * RESOLUTION * size)
-        })
-        .filter(|l| l.len() > 1)
-        .collect();
-    Part::new(part.name(), loops)
+            outline(curves, shortest)
+        };
+        let loops = slice.loops.iter().map(outline);
+        Ok(loops.filter(|l| l.len() > 1).collect())
+    };
+    part.by_layers(around)?.ok_or(PartError::Empty)
 }
 
 /// The vertices of a closed loop of curves; those shorter than a length are left out.

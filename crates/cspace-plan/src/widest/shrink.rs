@@ -29,22 +29,20 @@ pub fn shrunk(part: &Part, radius: f64) -> Result<Option<Part>, PartError> {
         return Ok(None);
     }
     // A frame around the part, of which the part is the hole.
-    let mut loops: Vec<_> = (part.loops().iter())
-        .map(|l| l.vertices().to_vec())
-        .collect();
-    loops.push(polygon_loop(&[
+    let frame = polygon_loop(&[
         (min.x - around, min.y - around),
         (max.x + around, min.y - around),
         (max.x + around, max.y + around),
         (min.x - around, max.y + around),
-    ]));
-    let frame = grown(&Part::new(part.name(), loops)?, radius)?;
-    let inside = (frame.loops().iter())
-        .filter(|l| l.vertices().iter().all(|v| bounds.contains(v.point())))
-        .map(|l| l.vertices().to_vec())
-        .collect::<Vec<_>>();
-    if inside.is_empty() {
-        return Ok(None);
-    }
-    Part::new(part.name(), inside).map(Some)
+    ]);
+    part.by_layers(|layer| {
+        let mut loops: Vec<_> = (layer.loops().iter())
+            .map(|l| l.vertices().to_vec())
+            .collect();
+        loops.push(frame.clone());
+        let outside = grown(&Part::new(part.name(), loops)?, radius)?;
+        let inside = (outside.loops().iter())
+            .filter(|l| l.vertices().iter().all(|v| bounds.contains(v.point())));
+        Ok(inside.map(|l| l.vertices().to_vec()).collect())
+    })
 }

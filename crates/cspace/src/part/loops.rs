@@ -167,6 +167,27 @@ impl Part {
         Self::layered(self.name(), self.layers.iter().map(layer))
     }
 
+    /// The part with an outline that is made of each of its layers; layers of which nothing is left are left out. `None` if none is left.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new), and errors of `outline`.
+    pub fn by_layers<E: From<PartError>>(
+        &self,
+        mut outline: impl FnMut(&Self) -> Result<Vec<Vec<Vertex>>, E>,
+    ) -> Result<Option<Self>, E> {
+        let mut layers = Vec::with_capacity(self.layers.len());
+        for (i, layer) in self.layers.iter().enumerate() {
+            let loops = outline(&self.layer(i))?;
+            if !loops.is_empty() {
+                layers.push((layer.z, loops));
+            }
+        }
+        if layers.is_empty() {
+            return Ok(None);
+        }
+        Ok(Some(Self::layered(self.name(), layers)?))
+    }
+
     /// A part of loops whose sides are known.
     pub(super) fn checked(name: String, layers: Vec<Layer>, loops: Vec<Loop>) -> Self {
         let edges = loops.iter().flat_map(Loop::edges);
