@@ -12,7 +12,7 @@ mod region;
 
 use cspace::part::Loop;
 use cspace::{
-    AxisMotion, FeatureKind, FeatureName, FeatureShape, Part, Placement, Real, Relation,
+    AxisMotion, FeatureKind, FeatureName, FeatureShape, Layer, Part, Placement, Real, Relation,
     contact_function, touching_place,
 };
 
@@ -137,6 +137,8 @@ struct DrawnEdge<T> {
     /// Shape of the vertex; `None` if it is certainly concave, because such a vertex is never the first to touch.
     corner: Option<FeatureShape<T>>,
     circle: OfCircle,
+    /// The layer to which it belongs.
+    layer: Layer,
 }
 
 /// Role of an edge on its circle.
@@ -192,6 +194,10 @@ impl<T: Real> DrawnPair<T> {
         };
         let edges = [0, 1].map(|part| {
             let loops = (0..).zip(parts[part].loops());
+            let layer_of = |loop_index: usize| {
+                let layers = parts[part].layers();
+                &layers[layers.partition_point(|l| l.loops().end <= loop_index)]
+            };
             let edges = loops.flat_map(|(loop_index, outline)| {
                 let of = |vertex: usize, component: usize, x: f64| {
                     let of = DrawingNumber::Vertex {
@@ -206,7 +212,7 @@ impl<T: Real> DrawnPair<T> {
                         _ => x,
                     }
                 };
-                edges_of(outline, loop_index as u32, of)
+                edges_of(outline, (loop_index as u32, layer_of(loop_index)), of)
             });
             edges.collect()
         });
@@ -229,6 +235,7 @@ impl<T: Real> DrawnPair<T> {
                     vertex: e.vertex,
                     corner: e.corner.map(|c| c.map(|_, x| f(x))),
                     circle: e.circle,
+                    layer: e.layer.clone(),
                 });
                 edges.collect()
             }),
@@ -316,7 +323,8 @@ impl<T: Real> DrawnPair<T> {
             &self.edges[1][moving as usize],
         );
         let is_line = |e: &DrawnEdge<T>| e.name.kind == FeatureKind::Line;
-        let is = [f, m].map(|e| e.circle != OfCircle::Other);
+        let meet = f.layer.meets(&m.layer);
+        let is = [f, m].map(|e| meet && e.circle != OfCircle::Other);
         let edges = is[0] && is[1] && !(is_line(f) && is_line(m));
         let corners = [is[1] && f.corner.is_some(), is[0] && m.corner.is_some()];
         [
@@ -332,7 +340,7 @@ impl<T: Real> DrawnPair<T> {
 /// The edges of a loop traversed with material on the left.
 fn edges_of<T: Real>(
     outline: &Loop,
-    loop_index: u32,
+    (loop_index, layer): (u32, &Layer),
     number: impl Fn(usize, usize, f64) -> T,
 ) -> Vec<DrawnEdge<T>> {
     let (vertices, n) = (outline.vertices(), outline.vertices().len());
@@ -376,6 +384,7 @@ fn edges_of<T: Real>(
             vertex: name(FeatureKind::Vertex, corner),
             corner: (!is_concave).then_some(FeatureShape::Vertex { at: start }),
             circle: OfCircle::Piece,
+            layer: layer.clone(),
         }
     };
     // Two half circles on one chord are one circle, whatever the chord.

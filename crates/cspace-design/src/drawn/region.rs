@@ -1,6 +1,6 @@
 //! Contacts that are possible in a box of configurations, for all drawings that the numbers enclose.
 
-use cspace::{Dual, FeatureShape, Placement, contact_function, touching_place};
+use cspace::{Dual, FeatureShape, Layer, Placement, contact_function, touching_place};
 
 use super::{DrawnContact, DrawnEdge, DrawnPair, Enclosure, OfCircle, within_ends};
 
@@ -52,10 +52,11 @@ impl<T: Enclosure> DrawnPair<T> {
         found
     }
 
-    /// Places on the outline of a part: its vertices and the middles of its edges.
-    pub fn outline(&self, part: usize) -> impl Iterator<Item = Witness> {
-        let edges = 0..self.edges[part].len() as u32;
-        edges.flat_map(|edge| [Witness::Vertex(edge), Witness::Middle(edge)])
+    /// Places on the outline of a part: its vertices and the middles of its edges, each with its layer.
+    pub fn outline(&self, part: usize) -> impl Iterator<Item = (Witness, &Layer)> {
+        (0..).zip(&self.edges[part]).flat_map(|(i, edge)| {
+            [Witness::Vertex(i), Witness::Middle(i)].map(|witness| (witness, &edge.layer))
+        })
     }
 
     /// Position of a place of a part, in the part's frame.

@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use crate::drawn::{ConfigurationBox, DrawnContact, DrawnPair, Witness};
 use cspace::{
-    Configuration, Edge, Part, Point, Progress, Real, Relation, Vector, overlap_as_drawn, parallel,
+    Configuration, Edge, Layer, Part, Point, Progress, Real, Relation, Vector, overlap_as_drawn,
+    parallel,
 };
 use cspace_model::model::{Setting, Subject, Template};
 use cspace_model::{Model, PairEntry};
@@ -106,7 +107,17 @@ pub fn zones(
     let search = Search {
         study: &study,
         corners: corners.filter_map(point).collect(),
-        witnesses: [0, 1].map(|part| witnesses(drawn.part(part), drawn.of.deviation(part))),
+        witnesses: [0, 1].map(|part| {
+            let deviation = drawn.of.deviation(part);
+            let layers = drawn.layers[part].iter();
+            let of = |(layer, part): &(Layer, Part)| {
+                let found = witnesses(part, deviation).into_iter();
+                found
+                    .map(|(w, depth)| (w, depth, layer.clone()))
+                    .collect::<Vec<_>>()
+            };
+            layers.flat_map(of).collect()
+        }),
         parameters: variations.len(),
         is_planar: matches!(drawn.model.mechanism.relation(&pair), Relation::Planar),
         pieces: pieces.ok_or(NoZones::NotDrawn)?,
@@ -136,6 +147,8 @@ struct Drawn {
     model: Model,
     pair: PairEntry,
     of: DrawnPair<Enclosed>,
+    /// The layers of both parts in the middle.
+    layers: [Vec<(Layer, Part)>; 2],
 }
 
 impl Drawn {
@@ -143,7 +156,19 @@ impl Drawn {
         let (middle, half) = middle_and_half(ranges);
         let (model, all) = study.enclosures(&middle, Some(&half))?;
         let of = drawn_pair(&model, pair, all.first())?.map(|x| x.value);
-        Some(Self { model, pair, of })
+        let layers = [pair.fixed, pair.moving].map(|i| {
+            let part = &model.mechanism.parts[i].part;
+            let layers = part.layers().iter().enumerate();
+            layers
+                .map(|(i, layer)| (layer.clone(), part.layer(i).into_owned()))
+                .collect()
+        });
+        Some(Self {
+            model,
+            pair,
+            of,
+            layers,
+        })
     }
 
     fn part(&self, part: usize) -> &Part {
@@ -168,8 +193,8 @@ struct Search<'a> {
     corners: Vec<Drawn>,
     /// Within pieces of them.
     pieces: Vec<Drawn>,
-    /// Points inside both parts, and how deep they are in every drawing.
-    witnesses: [Vec<(Witness, f64)>; 2],
+    /// Points inside both parts, how deep they are in every drawing, and in which layer.
+    witnesses: [Vec<(Witness, f64, Layer)>; 2],
     /// How many parameters vary.
     parameters: usize,
     is_planar: bool,
@@ -435,12 +460,13 @@ impl Search<'_> {
         let placed = drawn.of.placed(within.middle.map(Real::constant));
         let mut inside = Vec::new();
         for (there, part) in [(placed.inverse(), 0), (placed, 1)] {
-            let other = drawn.part(1 - part);
-            let deep = self.witnesses[part].iter().copied();
-            for (witness, depth) in deep.chain(drawn.of.outline(part).map(|w| (w, f64::INFINITY))) {
+            let deep = (self.witnesses[part].iter()).map(|(w, depth, layer)| (*w, *depth, layer));
+            let outline = drawn.of.outline(part);
+            for (witness, depth, layer) in deep.chain(outline.map(|(w, l)| (w, f64::INFINITY, l))) {
                 let [x, y] = there.point(drawn.of.place(part, witness));
                 let at = Point::new(x.mid, y.mid);
-                if other.contains(at) {
+                let meeting = drawn.layers[1 - part].iter().filter(|l| layer.meets(&l.0));
+                for (_, other) in meeting.filter(|l| l.1.contains(at)) {
                     inside.push((depth.min(distance(other, at)), part, witness));
                 }
             }

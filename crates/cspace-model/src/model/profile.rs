@@ -195,8 +195,5 @@ pub(super) fn at_profile(part: Part, value: &Value<'_>) -> Result<Part> {
     let wrong = |e: cspace::PartError| {
         (value.error(format!("with the profile, {e}"))).with_help("give a smaller profile")
     };
-    let named = Part::new(part.name(), off).map_err(wrong)?;
-    (part.feature_names()).try_fold(named, |named, (feature, name)| {
-        named.with_feature_name(feature, name).map_err(wrong)
-    })
+    part.redrawn(off).map_err(wrong)
 }

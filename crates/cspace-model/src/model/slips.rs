@@ -162,7 +162,9 @@ fn two(a: &PartEntry, b: &PartEntry, assembled: bool, found: &mut Vec<Slip>) {
             message: format!("one is {ratio:.0} times as large as the other"),
             help: "draw both in one unit of length".into(),
         });
-    } else if assembled && encloses(&large.part, &small.part) {
+    } else if assembled
+        && (large.part.meeting(&small.part).iter()).any(|(large, small)| encloses(large, small))
+    {
         found.push(Slip {
             place,
             message: format!(

@@ -86,10 +86,7 @@ fn snap_part(part: &Part) -> Option<(Part, Snapped)> {
     if joints == 0 {
         return None;
     }
-    let mut snapped = Part::new(part.name(), loops).ok()?;
-    for (feature, name) in part.feature_names() {
-        snapped = snapped.with_feature_name(feature, name).ok()?;
-    }
+    let snapped = part.redrawn(loops).ok()?;
     let what = Snapped {
         part: part.name().to_owned(),
         joints,

@@ -1,5 +1,6 @@
 //! Units: parts that move as one.
 
+use cspace::part::Heights;
 use cspace::{Axis, AxisMotion, Configuration, Part, Vertex, pair::Joint};
 use cspace_model::Mechanism;
 
@@ -228,7 +229,7 @@ impl Units {
 /// Some parts as one.
 pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, AssemblyError> {
     let names: Vec<&str> = these.iter().map(|&i| parts[i].name()).collect();
-    let mut layers: Vec<(Option<[f64; 2]>, Vec<Vec<Vertex>>)> = Vec::new();
+    let mut layers: Vec<(Heights, Vec<Vec<Vertex>>)> = Vec::new();
     for part in these.iter().map(|&i| &parts[i]) {
         for layer in part.layers() {
             let loops = part.loops()[layer.loops()].iter();

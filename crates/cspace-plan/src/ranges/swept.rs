@@ -8,7 +8,7 @@ use crate::clash::{Boxed, near};
 
 /// The pairs of a mechanism that are looked at over their ranges.
 ///
-/// Each part has an axis or stands still, one of them can move, and neither a joint nor a chain of joints connects them: parts of a linkage do not
+/// Each part has an axis or stands still, one of them can move, they are at a common height, and neither a joint nor a chain of joints connects them: parts of a linkage do not
 /// move independently of each other. Joints to parts that stand still are pivots, and connect nothing.
 #[derive(Debug)]
 pub struct Pairs<'a> {
@@ -50,7 +50,9 @@ impl<'a> Pairs<'a> {
         };
         let moves = |axis: Axis| axis.motion != AxisMotion::Fixed;
         let mut joints = self.mechanism.joints.iter();
+        let parts = &self.mechanism.parts;
         (moves(first) || moves(second))
+            && parts[a].part.meets(&parts[b].part)
             && self.linkages[a] != self.linkages[b]
             && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
     }

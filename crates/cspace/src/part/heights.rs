@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::layer::{Layer, meet};
+use super::layer::{Heights, Layer, meet};
 use super::{Edge, Loop, Part};
 
 impl Part {
@@ -30,6 +30,11 @@ impl Part {
             }],
             loops,
         ))
+    }
+
+    /// Whether two parts are at a common height: others never touch.
+    pub fn meets(&self, other: &Self) -> bool {
+        (self.layers.iter()).any(|a| other.layers.iter().any(|b| a.meets(b)))
     }
 
     /// The pairs of layers of two parts that meet.
@@ -74,7 +79,7 @@ impl Part {
 /// For every loop of a part, the heights at which it is a boundary: those of all loops drawn like it at the first of them, and none at the
 /// others. `None` if the part is at every height.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LoopHeights(Option<Vec<Vec<Option<[f64; 2]>>>>);
+pub(crate) struct LoopHeights(Option<Vec<Vec<Heights>>>);
 
 impl LoopHeights {
     pub(crate) fn of(part: &Part) -> Self {
@@ -91,7 +96,7 @@ impl LoopHeights {
         Self(Some(heights))
     }
 
-    fn at(&self, l: usize) -> &[Option<[f64; 2]>] {
+    fn at(&self, l: usize) -> &[Heights] {
         (self.0.as_ref()).map_or(&[None], |heights| &heights[l])
     }
 

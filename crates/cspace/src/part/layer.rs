@@ -5,16 +5,19 @@
 
 use std::ops::Range;
 
+/// The lowest and the highest place of a layer, in the model's unit of length; `None` at every height.
+pub type Heights = Option<[f64; 2]>;
+
 /// An outline of a part, and the heights at which it is material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
-    pub(super) z: Option<[f64; 2]>,
+    pub(super) z: Heights,
     pub(super) loops: Range<usize>,
 }
 
 impl Layer {
-    /// The lowest and the highest place, in the model's unit of length; `None` if the layer is at every height.
-    pub const fn z(&self) -> Option<[f64; 2]> {
+    /// The heights at which the layer is.
+    pub const fn z(&self) -> Heights {
         self.z
     }
 
@@ -30,7 +33,7 @@ impl Layer {
 }
 
 /// Whether two intervals of heights overlap by more than nothing.
-pub(super) fn meet(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> bool {
+pub(super) fn meet(a: Heights, b: Heights) -> bool {
     match (a, b) {
         (Some([a, b]), Some([c, d])) => a.max(c) < b.min(d),
         _ => true,

@@ -8,7 +8,7 @@ use super::nearness::check_vertices;
 use super::outline::Outline;
 use super::sweep::check_meetings;
 use super::tolerance::MAX_LAYERS;
-use super::{Bounds, Edge, Layer, PartError, PartFeature, Vertex};
+use super::{Bounds, Edge, Heights, Layer, PartError, PartFeature, Vertex};
 
 /// A closed loop of a part, as it was given.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,7 +114,7 @@ impl Part {
     /// ```
     pub fn layered(
         name: impl Into<String>,
-        layers: impl IntoIterator<Item = (Option<[f64; 2]>, Vec<Vec<Vertex>>)>,
+        layers: impl IntoIterator<Item = (Heights, Vec<Vec<Vertex>>)>,
     ) -> Result<Self, PartError> {
         let mut loops: Vec<Vec<Vertex>> = Vec::new();
         let mut stack = Vec::new();
@@ -157,14 +157,20 @@ impl Part {
         })
     }
 
-    /// The part with other loops, as many in every layer, and without names of edges and vertices.
+    /// The part with other loops, as many in every layer; edges and vertices keep their names if every loop has as many as before.
     ///
     /// # Errors
     /// As for [`new`](Self::new).
     pub fn redrawn(&self, loops: Vec<Vec<Vertex>>) -> Result<Self, PartError> {
         let mut loops = loops.into_iter();
         let layer = |l: &Layer| (l.z, loops.by_ref().take(l.loops.len()).collect());
-        Self::layered(self.name(), self.layers.iter().map(layer))
+        let mut redrawn = Self::layered(self.name(), self.layers.iter().map(layer))?;
+        let count =
+            |part: &Self| -> Vec<usize> { part.loops.iter().map(|l| l.vertices.len()).collect() };
+        if count(&redrawn) == count(self) {
+            redrawn.names.clone_from(&self.names);
+        }
+        Ok(redrawn)
     }
 
     /// The part with an outline that is made of each of its layers; layers of which nothing is left are left out. `None` if none is left.

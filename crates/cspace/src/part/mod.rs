@@ -41,7 +41,7 @@ pub use drawing::{
 pub use edge::Edge;
 pub use error::PartError;
 pub(crate) use heights::{LoopHeights, MeetingLoops};
-pub use layer::Layer;
+pub use layer::{Heights, Layer};
 pub use loops::{Loop, Part};
 pub(crate) use measure::Inside;
 pub use moments::AreaMoments;
