@@ -1,15 +1,37 @@
 //! Outlines of parts and contact curves as paths.
 
-use cspace::{Configuration, CurveGeometry, Part, Point};
+use cspace::part::Loop;
+use cspace::{Configuration, CurveGeometry, Layer, Part, Point};
 
 use crate::plot::Plot;
 use crate::scene::{Dot, Path, Step};
 
 /// The loops of a part where it is placed.
 pub(crate) fn of_part(part: &Part, assembly_from_part: Configuration, plot: &Plot) -> Path {
+    of_loops(part.loops(), assembly_from_part, plot)
+}
+
+/// The layers of a part where it is placed, the lowest first, each with how high it is in the stack: from 0 of the lowest to 1.
+pub(crate) fn of_layers(
+    part: &Part,
+    assembly_from_part: Configuration,
+    plot: &Plot,
+) -> Vec<(f64, Path)> {
+    let low = |layer: &Layer| layer.z().map_or(f64::NEG_INFINITY, |z| z[0]);
+    let mut layers: Vec<&Layer> = part.layers().iter().collect();
+    layers.sort_by(|a, b| low(a).total_cmp(&low(b)));
+    let most = (layers.len() - 1).max(1) as f64;
+    let path = |layer: &Layer| of_loops(&part.loops()[layer.loops()], assembly_from_part, plot);
+    let numbered = layers.into_iter().enumerate();
+    numbered
+        .map(|(i, layer)| (i as f64 / most, path(layer)))
+        .collect()
+}
+
+fn of_loops(loops: &[Loop], assembly_from_part: Configuration, plot: &Plot) -> Path {
     let mut path = Path::new();
     let at = |p: Point| place(plot, assembly_from_part.fixed_from_moving(p));
-    for l in part.loops() {
+    for l in loops {
         let vertices = l.vertices();
         for (i, v) in vertices.iter().enumerate() {
             if i == 0 {

@@ -9,12 +9,15 @@ use crate::feature_labels::{self, Fitting};
 use crate::labels::Placed;
 use crate::legend::{Legend, Sign};
 use crate::options::{Labels, PictureOptions};
-use crate::outline::{extent, of_edges, of_part, place, points, with_margin};
+use crate::outline::{extent, of_edges, of_layers, of_part, place, points, with_margin};
 use crate::page::Page;
 use crate::placed_part::PlacedPart;
 use crate::plot::{AxisLabel, Plot};
 use crate::scene::{Area, Dot, Item, Path, Scene, Stroke};
 use crate::ticks::brief;
+
+/// How much of the way to the colour of its outline the highest layer of a part is filled.
+const DARKER: f64 = 0.35;
 
 /// Contact of two parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -181,7 +184,11 @@ pub(crate) fn draw(
         items.push(Item::drawn(path(p), colour, 0.04 * em));
     }
     for p in &picture.parts {
-        items.push(Item::filled(path(p), colours(p.number).0));
+        // Higher layers are darker.
+        for (height, path) in of_layers(p.part, p.assembly_from_part, plot) {
+            let (fill, line) = colours(p.number);
+            items.push(Item::filled(path, fill.towards(line, DARKER * height)));
+        }
     }
     // All outlines on top of all insides, so that parts that overlap are both seen.
     for p in &picture.parts {

@@ -4,6 +4,21 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
+impl Colour {
+    /// The colour that is a share of the way from this one to another.
+    pub fn towards(self, other: Self, share: f64) -> Self {
+        let between = |a: u8, b: u8| {
+            let mixed = f64::from(a) + (f64::from(b) - f64::from(a)) * share;
+            mixed.round() as u8
+        };
+        Self(
+            between(self.0, other.0),
+            between(self.1, other.1),
+            between(self.2, other.2),
+        )
+    }
+}
+
 /// A place on a picture, in dots from its upper left corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {

@@ -68,6 +68,8 @@ export interface ScenePart {
   name: string;
   /** As the model gives them; a loop is closed. */
   loops: SceneVertex[][];
+  /** The lowest first: heights, none at every height, and the numbers of loops. */
+  layers: { z: [number, number] | null; loops: number[] }[];
   /** The names the model gives to features, by what they are called without: `line 3 of loop 0`. */
   feature_names: Record<string, string>;
   motion: SceneMotion;

@@ -6,7 +6,7 @@ import type { Scene } from "../src/scene.js";
 import { readAddress, writeAddress } from "../src/ui/address.js";
 import type { State } from "../src/ui/state.js";
 
-const part = (name: string) => ({ name, loops: [], feature_names: {}, motion: { type: "planar" as const } });
+const part = (name: string) => ({ name, loops: [], layers: [], feature_names: {}, motion: { type: "planar" as const } });
 const pair = (fixed: number, moving: number) => ({ fixed, moving, class: "general" as const }) as Scene["pairs"][number];
 const HOSTILE = `a&b=c#d%20"<img>`;
 

@@ -46,7 +46,7 @@ describe("placements", () => {
 });
 
 describe("mechanisms", () => {
-  const part = (name: string, motion: SceneMotion) => ({ name, loops: [], feature_names: {}, motion });
+  const part = (name: string, motion: SceneMotion) => ({ name, loops: [], layers: [], feature_names: {}, motion });
   const scene = {
     format: "cspace-scene",
     version: 1,
@@ -129,7 +129,7 @@ describe("outlines", () => {
   });
 
   it("find features by the names that are printed, and by the model's own", () => {
-    const named = { name: "p", loops: [half], feature_names: { "convex arc 0 of loop 0": "nose" }, motion: { type: "planar" as const } };
+    const named = { name: "p", loops: [half], layers: [], feature_names: { "convex arc 0 of loop 0": "nose" }, motion: { type: "planar" as const } };
     assert.deepEqual(featurePlace(named, "nose"), { kind: "edge", loop: 0, index: 0 });
     assert.deepEqual(featurePlace(named, "vertex 1 of loop 0"), { kind: "vertex", loop: 0, index: 1 });
     assert.equal(featurePlace(named, "line 7 of loop 0"), null);

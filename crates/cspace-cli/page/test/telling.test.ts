@@ -108,7 +108,7 @@ describe("a step of a band", () => {
 describe("graphs", () => {
   const samples = Array.from({ length: 5001 }, (_, i) => ({ t: i / 1000, wheel: i === 2500 ? 9 : Math.sin(i / 100), rest: 1 }));
   const record = readRecord("run", { parts: ["wheel", "rest"], samples, events: [], status: "done" });
-  const [wheel, ...others] = seriesOf(record, [{ name: "wheel", loops: [], feature_names: {}, motion: { type: "revolute", center: { x: 0, y: 0 }, range: null } }], { fixed: "", moving: "" });
+  const [wheel, ...others] = seriesOf(record, [{ name: "wheel", loops: [], layers: [], feature_names: {}, motion: { type: "revolute", center: { x: 0, y: 0 }, range: null } }], { fixed: "", moving: "" });
   it("are of what changes, and keep extremes when they are thinned", () => {
     assert.ok(wheel && others.length === 0);
     assert.equal(wheel.kind, "angle");
@@ -142,7 +142,7 @@ describe("names and rims", () => {
 });
 
 describe("the first pair", () => {
-  const square = (x: number) => ({ name: "", feature_names: {}, motion: { type: "planar" as const }, loops: [[[x, 0], [x + 1, 0], [x + 1, 1]].map(([a = 0, b = 0]) => ({ x: a, y: b, bulge: 0 }))] });
+  const square = (x: number) => ({ name: "", layers: [], feature_names: {}, motion: { type: "planar" as const }, loops: [[[x, 0], [x + 1, 0], [x + 1, 1]].map(([a = 0, b = 0]) => ({ x: a, y: b, bulge: 0 }))] });
   const pair = (more: object): ScenePair => ({ fixed: 0, moving: 1, class: "general", space: null, error: null, regions: [regions[0]!], ...more }) as unknown as ScenePair;
   const scene = (pairs: ScenePair[]) => ({ parts: [square(0), square(1), square(9)], pairs }) as unknown as Scene;
   it("is one that matters", () => {

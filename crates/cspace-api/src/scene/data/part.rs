@@ -14,10 +14,21 @@ pub struct ScenePart {
     pub name: String,
     /// Loops, as in the model; a loop is closed.
     pub loops: Vec<Vec<Vertex>>,
+    /// The layers, the lowest first, with the numbers of their loops.
+    pub layers: Vec<SceneLayer>,
     /// Names given by the model to features, by their default names: `line 3 of loop 0`.
     pub feature_names: BTreeMap<String, String>,
     /// Motion relative to the ground.
     pub motion: SceneMotion,
+}
+
+/// A layer of a part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SceneLayer {
+    /// The lowest and the highest place; none at every height.
+    pub z: Option<[f64; 2]>,
+    /// Numbers of its loops.
+    pub loops: Vec<usize>,
 }
 
 /// Motion of a part relative to the ground.
@@ -51,12 +62,24 @@ impl ScenePart {
         Self {
             name: part.name().to_owned(),
             loops: part.loops().iter().map(|l| l.vertices().to_vec()).collect(),
+            layers: layers(part),
             feature_names: (part.feature_names())
                 .filter_map(|(feature, name)| Some((plain_name(part, feature)?, name.to_owned())))
                 .collect(),
             motion: SceneMotion::of(entry.axis),
         }
     }
+}
+
+fn layers(part: &Part) -> Vec<SceneLayer> {
+    let layer = |l: &cspace::Layer| SceneLayer {
+        z: l.z(),
+        loops: l.loops().collect(),
+    };
+    let mut layers: Vec<SceneLayer> = part.layers().iter().map(layer).collect();
+    let low = |l: &SceneLayer| l.z.map_or(f64::NEG_INFINITY, |z| z[0]);
+    layers.sort_by(|a, b| low(a).total_cmp(&low(b)));
+    layers
 }
 
 /// Name of a feature to which the model gives none.

@@ -28,7 +28,9 @@ const FITTED_STEPS = 60;
 interface Drawn {
   part: ScenePart;
   group: SVGGElement;
-  outline: SVGPathElement;
+  /** The outline of each layer, the lowest first. */
+  layers: SVGGElement;
+  grip: SVGPathElement;
   touching: SVGGElement;
 }
 
@@ -110,18 +112,25 @@ export class PartsView {
     state.parts.forEach((part, i) => {
       let drawn = this.#drawn[i];
       if (!drawn) {
-        const outline = svg("path", { class: "outline" });
+        const layers = svg("g", {});
         const grip = svg("path", { class: "grip" });
         const touching = svg("g", { class: "touching" });
-        const group = svg("g", { "data-part": i }, svg("title", {}, part.name), outline, grip, touching);
+        const group = svg("g", { "data-part": i }, svg("title", {}, part.name), layers, grip, touching);
         this.#parts.append(group);
-        drawn = { part, group, outline, touching };
+        drawn = { part, group, layers, grip, touching };
         this.#drawn[i] = drawn;
       }
-      if (drawn.part === part && drawn.outline.hasAttribute("d")) return;
+      if (drawn.part === part && drawn.grip.hasAttribute("d")) return;
       drawn.part = part;
-      const d = outlinePath(part.loops);
-      for (const path of drawn.group.querySelectorAll("path.outline, path.grip")) set(path, { d });
+      set(drawn.grip, { d: outlinePath(part.loops) });
+      const { layers } = drawn;
+      while (layers.children.length > part.layers.length) layers.lastChild?.remove();
+      part.layers.forEach(({ z, loops }, k) => {
+        const path = layers.children[k] ?? layers.appendChild(svg("path", {}, svg("title", {})));
+        const d = outlinePath(loops.map((l) => part.loops[l] ?? []));
+        set(path, { class: part.layers.length > 1 ? "outline layer" : "outline", d });
+        if (path.firstChild) path.firstChild.textContent = z ? `${part.name}, z ${z[0]} to ${z[1]}` : part.name;
+      });
     });
   }
 
