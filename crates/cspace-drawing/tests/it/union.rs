@@ -98,31 +98,28 @@ fn random_unions_enclose_what_any_outline_does() {
     assert!(parts > 80 && loops > 500, "{parts} {loops}");
 }
 
+/// Rectangles, plates with a rectangular hole, and discs, at whole numbers.
+fn whole_outline(rng: &mut ChaCha8Rng) -> Loops {
+    let mut corner = || (rng.random_range(-4..4), rng.random_range(1..4));
+    let ((x, w), (y, h)) = (corner(), corner());
+    let whole = |x: [i32; 2], y: [i32; 2]| rectangle(x.map(f64::from), y.map(f64::from));
+    match rng.random_range(0..4) {
+        0 => vec![circle(f64::from(x), f64::from(y), f64::from(w))],
+        1 => vec![
+            whole([x, x + w + 2], [y, y + h + 2]),
+            whole([x + 1, x + w + 1], [y + 1, y + h + 1]),
+        ],
+        _ => vec![whole([x, x + w], [y, y + h])],
+    }
+}
+
 #[test]
 fn whole_numbers_make_outlines_that_touch_and_overlap() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let mut parts = 0;
     for _ in 0..1000 {
-        let count = rng.random_range(1..7);
-        let outlines: Vec<Loops> = (0..count)
-            .map(|_| {
-                let mut corner = || (rng.random_range(-4..4), rng.random_range(1..4));
-                let ((x, w), (y, h)) = (corner(), corner());
-                match rng.random_range(0..4) {
-                    0 => vec![circle(f64::from(x), f64::from(y), f64::from(w))],
-                    1 => vec![
-                        rectangle([x, x + w + 2].map(f64::from), [y, y + h + 2].map(f64::from)),
-                        rectangle(
-                            [x + 1, x + w + 1].map(f64::from),
-                            [y + 1, y + h].map(f64::from),
-                        ),
-                    ],
-                    _ => vec![rectangle(
-                        [x, x + w].map(f64::from),
-                        [y, y + h].map(f64::from),
-                    )],
-                }
-            })
+        let outlines: Vec<Loops> = (0..rng.random_range(1..7))
+            .map(|_| whole_outline(&mut rng))
             .collect();
         let made = match union(&outlines) {
             Ok(made) => made.loops,
@@ -141,6 +138,40 @@ fn whole_numbers_make_outlines_that_touch_and_overlap() {
         }
     }
     assert!(parts > 600, "{parts}");
+}
+
+#[test]
+fn outlines_that_all_but_touch_are_right_or_refused() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let mut unclear = 0;
+    for _ in 0..1000 {
+        let mut outlines: Vec<Loops> = (0..rng.random_range(1..7))
+            .map(|_| whole_outline(&mut rng))
+            .collect();
+        let off = 10f64.powf(rng.random_range(-16.0..-6.0));
+        for v in outlines.iter_mut().flatten().flatten() {
+            v.x += rng.random_range(-off..off);
+            v.y += rng.random_range(-off..off);
+        }
+        let made = match union(&outlines) {
+            Ok(made) => made.loops,
+            Err(UnionError::Unclear) => {
+                unclear += 1;
+                continue;
+            }
+            Err(error) => panic!("{error} {outlines:?}"),
+        };
+        for _ in 0..1000 {
+            let p = Point::new(rng.random_range(-6.0..11.0), rng.random_range(-6.0..11.0));
+            let is_clear = [p.x, p.y].iter().all(|x| (x - x.round()).abs() > 1e-5);
+            let right = outlines.iter().any(|o| encloses(o, p));
+            assert!(
+                !is_clear || encloses(&made, p) == right,
+                "{p:?} {outlines:?} {made:?}"
+            );
+        }
+    }
+    assert!(unclear < 10, "{unclear}");
 }
 
 #[test]
