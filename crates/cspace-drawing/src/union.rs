@@ -133,7 +133,7 @@ pub fn union<T: Real>(outlines: &[Vec<Vec<Vertex<T>>>]) -> Result<Union<T>, Unio
     let size = bounds.diagonal();
     let near = NEAR * size + ROUNDING * farthest;
     let arrangement = split(&plain, near).map_err(|_| UnionError::TooMany)?;
-    let touches = given.touches(&arrangement);
+    let mut touches = given.touches(&arrangement);
     let faces = Faces::of(arrangement);
     let set_of: Vec<u32> = given.names.iter().map(|n| n.outline as u32).collect();
     let is_inside = enclosed(&faces, &set_of).ok_or(UnionError::Unclear)?;
@@ -143,7 +143,9 @@ pub fn union<T: Real>(outlines: &[Vec<Vec<Vertex<T>>>]) -> Result<Union<T>, Unio
         return Err(UnionError::Nothing);
     }
     let mut made = Union {
-        loops: found.iter().map(|l| given.vertices(l, near)).collect(),
+        loops: (found.iter())
+            .map(|l| given.vertices(l, near, &mut touches))
+            .collect(),
         edges: (found.iter())
             .map(|l| l.iter().map(|e| given.names[e.edge as usize]).collect())
             .collect(),
@@ -206,14 +208,13 @@ impl<T: Real> Given<T> {
     fn spread(&self) -> f64 {
         let of = |e: &Edge<T>| {
             let bend = e.bulge.spread() * value(e).length();
-            e.start.x.spread().max(e.start.y.spread()).max(bend)
+            // That of an enclosure of all reals may be no number, which a sum keeps.
+            match e.start.x.spread() + e.start.y.spread() + bend {
+                wide if wide.is_finite() => wide,
+                _ => f64::INFINITY,
+            }
         };
-        // An enclosure of all reals may be no number.
-        let widest = self.edges.iter().map(of);
-        widest.fold(
-            0.0,
-            |a, b| if b.is_nan() { f64::INFINITY } else { a.max(b) },
-        )
+        self.edges.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The gaps of edges that run along each other.
@@ -224,28 +225,44 @@ impl<T: Real> Given<T> {
             for other in arrangement.edges_along(piece).skip(1) {
                 let other = other as usize;
                 // Lines and circles that have three places in common are one.
-                let (a, b) = (&self.edges[first], &self.edges[other]);
-                let ends = [b.start, b.end].map(|p| level(a, p).off);
-                let middle = constant(value(b).at(0.5));
-                let [on_a, on_b] = [a, b].map(|e| level(e, middle));
-                let between = match on_a.normal.dot(on_b.normal).value() < 0.0 {
-                    true => on_a.off + on_b.off,
-                    false => on_a.off - on_b.off,
-                };
-                touches.extend(ends.into_iter().chain([between]).map(|gap| Touch {
-                    edges: [self.names[first], self.names[other]],
-                    gap,
-                }));
+                let along = &self.edges[other];
+                let middle = value(along).at(0.5);
+                for p in [plain(along.start), middle, plain(along.end)] {
+                    touches.push(self.touch([first, other], p));
+                }
             }
         }
         touches
     }
 
-    /// The vertices of a loop of the boundary.
-    fn vertices(&self, found: &[BoundaryEdge], near: f64) -> Vec<Vertex<T>> {
+    /// The gap at a place between edges that have one direction there.
+    fn touch(&self, edges: [usize; 2], place: Point) -> Touch<T> {
+        let [one, two] = edges.map(|e| level(&self.edges[e], constant(place)));
+        let gap = match one.normal.dot(two.normal).value() < 0.0 {
+            true => one.off + two.off,
+            false => one.off - two.off,
+        };
+        let edges = edges.map(|e| self.names[e]);
+        Touch { edges, gap }
+    }
+
+    /// The vertices of a loop of the boundary. Where edges of one direction meet, that is noted.
+    fn vertices(
+        &self,
+        found: &[BoundaryEdge],
+        near: f64,
+        touches: &mut Vec<Touch<T>>,
+    ) -> Vec<Vertex<T>> {
         let count = found.len();
         let at: Vec<(Point<T>, Option<usize>)> = (0..count)
-            .map(|i| self.vertex(&found[(i + count - 1) % count], &found[i], near))
+            .map(|i| {
+                let pair = [found[(i + count - 1) % count], found[i]];
+                self.vertex(pair, near).unwrap_or_else(|| {
+                    let place = found[i].start;
+                    touches.push(self.touch(pair.map(|e| e.edge as usize), place));
+                    (constant(place), None)
+                })
+            })
             .collect();
         (0..count)
             .map(|i| {
@@ -256,43 +273,35 @@ impl<T: Real> Given<T> {
             .collect()
     }
 
-    /// The vertex at which one edge arrives and another leaves, and its number if it is one that was given.
-    fn vertex(
-        &self,
-        arrives: &BoundaryEdge,
-        leaves: &BoundaryEdge,
-        near: f64,
-    ) -> (Point<T>, Option<usize>) {
-        let place = leaves.start;
-        let ends = [arrives, leaves].map(|e| self.ends(e.edge as usize));
-        let is_there = |v: &usize| plain(self.edges[*v].start) == place;
-        let [of_first, of_second] = ends.map(|ends| ends.into_iter().find(is_there));
-        if let (Some(first), Some(second)) = (of_first, of_second)
-            && first == second
-        {
-            return (self.edges[first].start, Some(first));
+    /// The vertex at which one edge arrives and another leaves, and its number if it is one that was given; `None` if edges that have one
+    /// direction there do not determine it.
+    fn vertex(&self, pair: [BoundaryEdge; 2], near: f64) -> Option<(Point<T>, Option<usize>)> {
+        let place = pair[1].start;
+        let [of_first, of_second] = pair.map(|e| {
+            let mut ends = self.ends(e.edge as usize).into_iter();
+            ends.find(|&v| plain(self.edges[v].start).distance(place) <= near)
+        });
+        if of_first.is_some() && of_first == of_second {
+            return of_first.map(|v| (self.edges[v].start, of_first));
         }
-        let [first, second] = [arrives, leaves].map(|e| &self.edges[e.edge as usize]);
-        let [one, two] = [first, second].map(|e| level(e, constant(place)));
-        let sine = one.normal.cross(two.normal).value();
-        if sine.abs() > PARALLEL
+        let [one, two] = pair.map(|e| level(&self.edges[e.edge as usize], constant(place)));
+        let sine = one.normal.cross(two.normal).value().abs();
+        let end = of_first.or(of_second);
+        if sine > PARALLEL
             && let Some(way) = meeting(one, two)
-            && plain(Point::new(way.x, way.y)).to_vector().length() <= 4.0 * near / sine.abs()
+            && way.length_squared().value().sqrt() <= 4.0 * near / sine
         {
             let found = constant(place) + way;
-            // One that lies on the other edge keeps the digits that it was given with.
-            let kept = match of_first.or(of_second) {
-                Some(_) => place,
-                None => plain(found),
+            // The end of one edge that lies on the other keeps the digits that it was given with.
+            let kept = match end {
+                Some(v) if plain(self.edges[v].start) == place => place,
+                _ => plain(found),
             };
             let back = kept - plain(found);
-            return (found + Vector::new(back.x, back.y).map(T::constant), None);
+            return Some((found + Vector::new(back.x, back.y).map(T::constant), None));
         }
-        // Edges of one direction: the end of one of them is between.
-        match of_first.or(of_second) {
-            Some(v) => (self.edges[v].start, Some(v)),
-            None => (constant(place), None),
-        }
+        // Where edges of one direction follow each other, one of them ends.
+        end.map(|v| (self.edges[v].start, end))
     }
 
     /// The vertices at the ends of an edge, by the edges that leave them.
