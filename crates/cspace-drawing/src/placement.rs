@@ -30,7 +30,7 @@ impl Mirror {
     }
 }
 
-/// What is done with an outline: it is mirrored, then turned about the origin, then moved.
+/// Place of an outline: it is mirrored, then turned about the origin, then moved.
 ///
 /// ```
 /// use cspace::Part;

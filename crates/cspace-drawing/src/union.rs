@@ -37,7 +37,7 @@ pub struct UnitedEdge {
     pub vertex: usize,
 }
 
-/// What any of several outlines encloses.
+/// Outline of what any of several outlines encloses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Union<T = f64> {
     /// Its loops, material on the left.

@@ -9,7 +9,7 @@ use serde::Deserialize;
 
 use crate::error::Error;
 
-/// What is done with all parts, in the words of a model's `place`: they are mirrored, then turned about the origin, then moved.
+/// Place of all parts, in the words of a model's `place`: they are mirrored, then turned about the origin, then moved.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Place {

@@ -244,7 +244,7 @@ fn parts_are_put_elsewhere() {
     );
     let model = folder.path().join("bar.toml");
     let out = model.to_str().unwrap();
-    cspace(&[
+    printed(&[
         "import",
         path,
         "--place",

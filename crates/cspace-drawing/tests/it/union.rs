@@ -163,7 +163,9 @@ fn outlines_that_all_but_touch_are_right_or_refused() {
         };
         for _ in 0..1000 {
             let p = Point::new(rng.random_range(-6.0..11.0), rng.random_range(-6.0..11.0));
-            let is_clear = [p.x, p.y].into_iter().all(|x: f64| (x - x.round()).abs() > 1e-5);
+            let is_clear = [p.x, p.y]
+                .into_iter()
+                .all(|x: f64| (x - x.round()).abs() > 1e-5);
             let right = outlines.iter().any(|o| encloses(o, p));
             assert!(
                 !is_clear || encloses(&made, p) == right,

@@ -15,7 +15,7 @@ use super::union::Entries;
 use super::value::Value;
 use crate::mechanism::Mechanism;
 
-/// What to do where there are no derivatives.
+/// Advice where there are no derivatives.
 const HELP: &str = "vary the parameter with `sweep` to see what it does";
 
 /// Derivatives of a model's numbers by one of its parameters; or, of another type, enclosures of the numbers with theirs.
