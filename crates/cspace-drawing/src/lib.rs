@@ -24,6 +24,7 @@
 mod affine;
 mod arrange;
 mod color;
+mod corner;
 mod curve;
 mod drawing;
 mod dxf;
@@ -34,12 +35,14 @@ mod nest;
 mod offset;
 mod outlines;
 mod path_map;
+mod placement;
 mod points;
 mod profile;
 mod read;
 mod shown;
 mod source;
 mod svg;
+mod union;
 mod unit;
 mod write;
 
@@ -53,8 +56,10 @@ pub use outlines::{
     Apart, DEFAULT_FIT, DEFAULT_JOIN, DrawnFace, DrawnFaces, FitSide, FittedReport, Outlines, Pick,
     Reading, SHEET, Settings, Survey, Traced,
 };
+pub use placement::{Mirror, Placement};
 pub use profile::{ProfileError, profile};
 pub use read::{Format, bytes_of, from_bytes, is_drawing, named, read};
 pub use source::Source;
+pub use union::{Touch, Union, UnionError, UnitedEdge, union};
 pub use unit::{Conversion, Unit};
 pub use write::{Drawn, DxfVersion, dxf, svg};

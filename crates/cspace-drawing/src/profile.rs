@@ -7,13 +7,14 @@
 //! n·x + k (|x|² − d²) / 2 = d.
 //! ```
 //!
-//! The two of a corner give the new vertex x: they are linear in x and q = |x|², so that x = a + b q, and q is the root of
-//! |a + b q|² = q that is 0 for d = 0.
+//! The two of a corner give the new vertex x.
 
 use core::fmt;
 
 use cspace::part::PartFeature;
 use cspace::{Edge, Part, Real, Vector, Vertex};
+
+use crate::corner::{Level, meeting};
 
 /// Two edges join smoothly where they turn by less (radians): they have no corner that both determine.
 const SMOOTH: f64 = 1e-3;
@@ -163,21 +164,16 @@ fn corner<T: Real>(
             false => Err(ProfileError::Smooth { edges: names() }),
         };
     }
-    let half = T::constant(0.5);
-    let [k, l] = [arrives, leaves].map(|edge| edge.curvature() * half);
-    // n·x = f and m·x = g.
-    let solve =
-        |f: T, g: T| Vector::new(f * m.y - g * n.y, g * n.x - f * m.x) * (T::constant(1.0) / turn);
-    let a = solve(*d + k * *d * *d, *e + l * *e * *e);
-    let b = solve(-k, -l);
-    let linear = T::constant(1.0) - a.dot(b) * T::constant(2.0);
-    let constant = a.length_squared();
-    let inner = linear * linear - constant * b.length_squared() * T::constant(4.0);
-    if inner.value() <= 0.0 || linear.value() <= 0.0 {
-        return Err(ProfileError::Apart { edges: names() });
-    }
-    let q = constant * T::constant(2.0) / (linear + inner.sqrt());
-    Ok(a + b * q)
+    let level = |edge: &Edge<T>, normal: Vector<T>, by: T| {
+        let half = edge.curvature() * T::constant(0.5);
+        Level {
+            normal,
+            off: by + half * by * by,
+            bend: -half,
+        }
+    };
+    meeting(level(arrives, n, *d), level(leaves, m, *e))
+        .ok_or_else(|| ProfileError::Apart { edges: names() })
 }
 
 /// The bulge of an edge that is off by a distance, with its ends off by these; `None` if it vanishes.

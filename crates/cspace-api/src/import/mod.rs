@@ -1,6 +1,7 @@
 //! A model made of drawings.
 
 mod lengths;
+mod place;
 mod refusal;
 mod report;
 
@@ -21,6 +22,7 @@ use crate::host::Host;
 use crate::outcome::Done;
 
 pub use lengths::Lengths;
+pub use place::Place;
 pub use refusal::Refusal;
 pub use report::{Apart, Entity, Fitted, Gap, Imported, PartReport, Removed};
 
@@ -68,6 +70,10 @@ pub struct Question {
     /// Let the offset divide a part: every piece is one.
     #[cfg_attr(feature = "command", arg(long, requires = "offset"))]
     pub split: bool,
+    /// Put every part elsewhere, after scaling and fitting: mirrored at an axis (x turns y around, y turns x around), then turned about the
+    /// origin, then moved; as in at=10,5,turn=30deg,mirror=x, or some of these.
+    #[cfg_attr(feature = "command", arg(long, value_name = "PLACE", value_parser = place::place, allow_hyphen_values = true))]
+    pub place: Option<Place>,
     /// Make one part of this name of all loops.
     #[cfg_attr(feature = "command", arg(long, value_name = "NAME"))]
     pub part: Option<String>,
@@ -182,6 +188,9 @@ impl Question {
         }
         if let Some(by) = self.offset {
             self.offset(path, &mut outlines, by, host)?;
+        }
+        if let Some(place) = self.place {
+            place.put(path, &mut outlines)?;
         }
         Ok(outlines)
     }

@@ -209,6 +209,67 @@ fn units_are_told_apart() {
     );
 }
 
+/// As in a model with the same `place`, before and after offsets, and of an outline that is written in the model itself.
+#[test]
+fn parts_are_put_elsewhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bar.svg");
+    let body = "<path d=\"M0 0H10V4L0 1Z\"/>";
+    let head = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 4\">";
+    fs::write(&path, format!("{head}{body}</svg>")).unwrap();
+    let path = path.to_str().unwrap();
+    let imported = |args: &[&str]| {
+        let report = json_beside_notes(&[&["import", path][..], args].concat());
+        report["parts"][0]["bounds"].clone()
+    };
+    assert_eq!(
+        imported(&["--place", "at=20,-3"]),
+        serde_json::json!([20.0, -3.0, 30.0, 1.0])
+    );
+    assert_eq!(
+        imported(&["--place", "turn=90deg"]),
+        serde_json::json!([-4.0, 0.0, 0.0, 10.0])
+    );
+    let all = imported(&["--place", "at=20,-3,turn=90deg,mirror=x", "--offset", "1"]);
+    assert_eq!(all, serde_json::json!([19.0, -4.0, 25.0, 8.0]));
+    fails(
+        cspace(&["import", path, "--place", "turn=up"]),
+        2,
+        &["--place", "\"up\" is no angle"],
+    );
+    fails(
+        cspace(&["import", path, "--place", "20,-3"]),
+        2,
+        &["at=X,Y"],
+    );
+    let model = folder.path().join("bar.toml");
+    let out = model.to_str().unwrap();
+    printed(&[
+        "import",
+        path,
+        "--place",
+        "at=20,-3,turn=90deg,mirror=x",
+        "-o",
+        out,
+    ]);
+    let info = |keys: &str| {
+        let text = format!("[[part]]\nname = \"bar\"\n{keys}\n");
+        let model = folder.path().join("other.toml");
+        fs::write(&model, text).unwrap();
+        json_beside_notes(&["info", model.to_str().unwrap()])["parts"][0].clone()
+    };
+    let place = "place = { at = [20, -3], turn = \"90deg\", mirror = \"x\" }";
+    let drawn = info(&format!("svg = \"bar.svg\"\n{place}"));
+    assert_eq!(drawn, json_beside_notes(&["info", out])["parts"][0]);
+    // The y axis of SVG points down.
+    let loops = "loops = [[[0, 4], [10, 4], [10, 0], [0, 3]]]";
+    let written = info(&format!("{loops}\n{place}"));
+    assert_eq!(
+        (&drawn["bounds"], &drawn["area"]),
+        (&written["bounds"], &written["area"])
+    );
+}
+
 /// A plate with a slot: as larger or smaller parts, and in pieces.
 #[test]
 fn parts_are_offset() {

@@ -13,13 +13,17 @@ pub(crate) struct BoundaryEdge {
     pub(crate) bulge: f64,
     /// The edge that was given, by number.
     pub(crate) edge: u32,
+    /// Whether it is travelled from its end to its start.
+    pub(crate) is_backward: bool,
 }
 
 /// The loops around the union of faces, with the faces on the left; pieces of one edge that follow each other are one again.
 pub(crate) fn boundary(of: &Faces, chosen: &[usize]) -> Vec<Vec<BoundaryEdge>> {
-    let is_chosen = |half: Half| {
-        of.face_of[half as usize].is_some_and(|face| chosen.contains(&(face as usize)))
-    };
+    let mut is_in = vec![false; of.faces.len()];
+    for &face in chosen {
+        is_in[face] = true;
+    }
+    let is_chosen = |half: Half| of.face_of[half as usize].is_some_and(|face| is_in[face as usize]);
     let arrangement = &of.arrangement;
     let count = 2 * arrangement.pieces.len() as Half;
     let bounds: Vec<Half> = (0..count)
@@ -86,7 +90,7 @@ fn merged(of: &Faces, mut halves: Vec<Half>) -> Vec<BoundaryEdge> {
                 .map(|&h| curve(arrangement, h).bulge.atan())
                 .sum();
             let start = |half: Half| arrangement.vertices[origin(arrangement, half) as usize];
-            let edge = piece(run[0]).edge;
+            let (edge, is_backward) = (piece(run[0]).edge, run[0] % 2 == 1);
             let ends = [start(run[0]), start(run[run.len() - 1] ^ 1)];
             let whole = BoundaryEdge {
                 start: ends[0],
@@ -95,6 +99,7 @@ fn merged(of: &Faces, mut halves: Vec<Half>) -> Vec<BoundaryEdge> {
                     _ => quarters.tan(),
                 },
                 edge,
+                is_backward,
             };
             // An arc that ends where it starts is no edge: its pieces are.
             match ends[0] == ends[1] {
@@ -104,6 +109,7 @@ fn merged(of: &Faces, mut halves: Vec<Half>) -> Vec<BoundaryEdge> {
                         start: start(half),
                         bulge: curve(arrangement, half).bulge,
                         edge,
+                        is_backward,
                     })
                     .collect(),
             }

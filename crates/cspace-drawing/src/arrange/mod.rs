@@ -6,16 +6,19 @@
 //!
 //! [`split`] cuts edges where they cross, touch or overlap, and takes places within a tolerance as one vertex.
 //! [`cycles`] orders the pieces around each vertex, removes those that bound nothing, and follows the boundaries.
-//! [`faces`] finds which cycles lie within which, and the face at a point; [`boundary`] makes loops of chosen faces.
+//! [`faces`] finds which cycles lie within which, and the face at a point; [`enclosed`] by which closed curves a face is enclosed;
+//! [`boundary`] makes loops of chosen faces.
 
 mod boundary;
 mod cycles;
+mod enclosed;
 mod faces;
 mod split;
 
 pub(crate) use boundary::{BoundaryEdge, around, boundary};
+pub(crate) use enclosed::enclosed;
 pub(crate) use faces::Faces;
-pub(crate) use split::split;
+pub(crate) use split::{Arrangement, split};
 
 #[cfg(test)]
 mod tests;

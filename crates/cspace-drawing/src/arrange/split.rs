@@ -24,6 +24,8 @@ pub(crate) struct Piece {
     /// The edge that it is of, by number, and from which fraction of its length to which.
     pub(crate) edge: u32,
     pub(crate) span: [f64; 2],
+    /// The other edges that run along it: a number in [`Arrangement::along`].
+    pub(super) also: u32,
 }
 
 /// Vertices, and pieces of edges between them.
@@ -31,6 +33,8 @@ pub(crate) struct Piece {
 pub(crate) struct Arrangement {
     pub(crate) vertices: Vec<Point>,
     pub(crate) pieces: Vec<Piece>,
+    /// Edges, by number, that run along a piece of another one and have no piece there; none in the first list.
+    along: Vec<Vec<u32>>,
 }
 
 /// Edges that meet at more than [`MOST_MEETINGS`] places, or at more than [`MOST_PLACES`] with those at their ends.
@@ -42,6 +46,12 @@ impl Arrangement {
     pub(crate) fn curve(&self, piece: &Piece) -> Edge {
         let [start, end] = piece.ends.map(|v| self.vertices[v as usize]);
         Edge::between(start, end, piece.bulge)
+    }
+
+    /// The edges that run along a piece, its own first.
+    pub(crate) fn edges_along(&self, piece: &Piece) -> impl Iterator<Item = u32> {
+        let others = self.along.get(piece.also as usize).into_iter().flatten();
+        core::iter::once(piece.edge).chain(others.copied())
     }
 }
 
@@ -57,6 +67,7 @@ pub(crate) fn split(edges: &[Edge], near: f64) -> Result<Arrangement, TooMany> {
             bulge: edge.bulge,
             edge: i as u32,
             span: [0.0, 1.0],
+            also: 0,
         };
         // An arc of more than half a turn may return to where it starts.
         if edge.bulge.abs() > 1.0 {
@@ -66,10 +77,12 @@ pub(crate) fn split(edges: &[Edge], near: f64) -> Result<Arrangement, TooMany> {
             pieces.push(whole);
         }
     }
+    let mut along = vec![Vec::new()];
     for _ in 0..MOST_PASSES {
         let mut arrangement = Arrangement {
             vertices: core::mem::take(&mut vertices.points),
             pieces,
+            along,
         };
         arrangement.remove_repeated(near);
         let curves: Vec<Edge> = (arrangement.pieces.iter())
@@ -98,10 +111,12 @@ pub(crate) fn split(edges: &[Edge], near: f64) -> Result<Arrangement, TooMany> {
             rest = &rest[count..];
             cut(piece, &mut own, &mut pieces);
         }
+        along = arrangement.along;
     }
     let mut arrangement = Arrangement {
         vertices: vertices.points,
         pieces,
+        along,
     };
     arrangement.remove_repeated(near);
     Ok(arrangement)
@@ -130,12 +145,18 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
         others.sort_unstable();
         for other in others {
             let other_curve = &curves[other as usize];
+            let mut kept: Vec<Point> = Vec::new();
             for place in curve.meetings(other_curve, near) {
                 compared += 1;
-                if is_end(curve, place) && is_end(other_curve, place) {
+                let ends = [is_end(curve, place), is_end(other_curve, place)];
+                let is_one = |&at: &Point| run_together(curve, other_curve, [at, place], near);
+                if ends == [false, false] && kept.iter().any(is_one) {
                     continue;
                 }
-                meetings.extend([(i as u32, place), (other, place)]);
+                kept.push(place);
+                if ends != [true, true] {
+                    meetings.extend([(i as u32, place), (other, place)]);
+                }
             }
         }
         if meetings.len() > MOST_MEETINGS || compared > MOST_PLACES {
@@ -143,6 +164,13 @@ fn meetings(curves: &[Edge], near: f64) -> Result<Vec<(u32, Point)>, TooMany> {
         }
     }
     Ok(meetings)
+}
+
+/// Whether two curves stay near each other between two places at which they meet. Then they meet once: where curves are tangent, rounding
+/// lets them cross some way off.
+fn run_together(curve: &Edge, other: &Edge, places: [Point; 2], near: f64) -> bool {
+    let [from, to] = places.map(|p| curve.fraction_at(p));
+    other.distance(curve.at(0.5 * (from + to))) <= near
 }
 
 fn is_end(curve: &Edge, place: Point) -> bool {
@@ -170,13 +198,14 @@ fn cut(piece: &Piece, at: &mut [(f64, u32)], pieces: &mut Vec<Piece>) {
             },
             edge: piece.edge,
             span: [start.0, end.0].map(|u: f64| from + u * (to - from)),
+            also: piece.also,
         });
         start = end;
     }
 }
 
 impl Arrangement {
-    /// Removes pieces that are one with another to within `near`; the first is kept.
+    /// Removes pieces that are one with another to within `near`; the first is kept, and notes the edges of the others.
     fn remove_repeated(&mut self, near: f64) {
         let mut order: Vec<([u32; 2], u32)> = (self.pieces.iter().enumerate())
             .map(|(i, p)| {
@@ -189,19 +218,31 @@ impl Arrangement {
         order.sort_unstable();
         let mut is_repeated = vec![false; self.pieces.len()];
         for group in order.chunk_by(|a, b| a.0 == b.0).filter(|g| g.len() > 1) {
-            let mut kept: Vec<Point> = Vec::new();
+            let mut kept: Vec<(Point, u32)> = Vec::new();
             for &(_, i) in group {
                 let middle = self.curve(&self.pieces[i as usize]).at(0.5);
                 // Pieces with both ends in common are as far apart in the middle as anywhere; ends are moved by up to `near`.
-                if kept.iter().any(|k| k.distance(middle) <= 2.0 * near) {
-                    is_repeated[i as usize] = true;
-                } else {
-                    kept.push(middle);
+                match kept.iter().find(|k| k.0.distance(middle) <= 2.0 * near) {
+                    Some(&(_, first)) => {
+                        is_repeated[i as usize] = true;
+                        self.note(first, i);
+                    }
+                    None => kept.push((middle, i)),
                 }
             }
         }
         let mut repeated = is_repeated.iter();
         self.pieces.retain(|_| repeated.next() != Some(&true));
+    }
+
+    /// Notes that the edges along a piece run along another one, too.
+    fn note(&mut self, first: u32, repeated: u32) {
+        let [kept, removed] = [first, repeated].map(|i| self.pieces[i as usize]);
+        let all: Vec<u32> = (self.edges_along(&kept).skip(1))
+            .chain(self.edges_along(&removed))
+            .collect();
+        self.pieces[first as usize].also = self.along.len() as u32;
+        self.along.push(all);
     }
 }
 

@@ -10,3 +10,4 @@ mod hostile;
 mod offset;
 mod ordinary;
 mod sources;
+mod union;

@@ -31,6 +31,9 @@ pub(super) struct Setting<'a> {
     pub(super) notes: Vec<ModelError>,
 }
 
+/// Keys of a part that hold its outline.
+const DRAWN_HERE: [&str; 2] = ["loops", "union"];
+
 /// Keys of a part that name a file with its outline.
 pub(super) const DRAWINGS: [&str; 3] = ["dxf", "svg", "points"];
 
@@ -49,9 +52,9 @@ pub(super) const OF_DRAWINGS: [(&str, &[&str]); 11] = [
     ("fit", &["dxf", "svg", "points"]),
 ];
 
-/// The key that names a drawing; none of a part with loops. A part has one outline, and keys that go with it.
+/// The key that names a drawing; none of a part whose outline is in the model. A part has one outline, and keys that go with it.
 pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
-    let given: Vec<&'static str> = (["loops"].into_iter())
+    let given: Vec<&'static str> = (DRAWN_HERE.into_iter())
         .chain(DRAWINGS)
         .filter(|key| table.has(key))
         .collect();
@@ -62,7 +65,10 @@ pub(super) fn source(table: &Table<'_>) -> Result<Option<&'static str>> {
             "a part has one outline: keep `{first}` or `{second}`, and remove the other"
         )));
     }
-    let source = given.first().copied().filter(|key| *key != "loops");
+    let source = given
+        .first()
+        .copied()
+        .filter(|key| !DRAWN_HERE.contains(key));
     for (key, of) in OF_DRAWINGS {
         if table.has(key) && !source.is_some_and(|s| of.contains(&s)) {
             let message = format!("`{key}` is given without a drawing that it is of");

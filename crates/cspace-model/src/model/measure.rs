@@ -2,7 +2,7 @@
 
 use cspace::{Axis, AxisMotion};
 
-use super::scope::Result;
+use super::scope::{Result, Scalar};
 use super::value::Value;
 use crate::LARGEST_ANGLE;
 use crate::shown;
@@ -53,21 +53,21 @@ impl Measure {
     }
 
     /// The number in the value of a key, or in a part of it.
-    pub(super) fn read(self, key: &str, value: &Value<'_>) -> Result<f64> {
+    pub(super) fn read<T: Scalar>(self, key: &str, value: &Value<'_>) -> Result<T> {
         let read = match self {
             Self::Number => value.number()?,
-            Self::Angle | Self::AngleRate => value.angle()?,
+            Self::Angle | Self::AngleRate => value.read_angle()?.map(T::of),
         };
-        let Some(number) = read.filter(|x| x.is_finite()) else {
+        let Some(number) = read.filter(|x| x.value().is_finite()) else {
             let (found, expected) = (value.node.describe(), self.expected());
             let message = format!("`{key}` has {found} where {expected} is expected");
             let help = format!("write it as {}", self.example());
             return Err(value.error(message).with_help(help));
         };
-        if self == Self::Angle && number.abs() > LARGEST_ANGLE {
+        if self == Self::Angle && number.value().abs() > LARGEST_ANGLE {
             let message = format!(
                 "`{key}` has the angle {} rad, more than {LARGEST_ANGLE:e} rad from 0",
-                shown::number(number)
+                shown::number(number.value())
             );
             return Err(value.error(message).with_help("take off whole turns"));
         }

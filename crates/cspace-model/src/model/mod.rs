@@ -24,6 +24,7 @@ mod part_dynamics;
 mod parts;
 mod pattern;
 mod place;
+mod placement;
 mod profile;
 mod read;
 mod relations;
@@ -41,6 +42,7 @@ mod to_toml;
 mod tolerance;
 mod toml_dynamics;
 mod toml_values;
+mod union;
 mod value;
 
 pub use error::ModelError;

@@ -31,7 +31,7 @@ pub(super) fn read_outline(
 }
 
 /// The error, with loops, vertices and edges counted as the entries of the file are; the loops come each with its number in the file.
-fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
+pub(super) fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
     for (loop_index, vertices) in places(&mut error).into_iter().flatten() {
         if let Some((number, drawn)) = loops.get(*loop_index) {
             for vertex in vertices.into_iter().flatten() {
@@ -44,7 +44,7 @@ fn in_entries(mut error: PartError, loops: &[(usize, DrawnLoop)]) -> PartError {
 }
 
 /// Error for invalid loops, at the loop and vertex concerned.
-fn no_part(loops: &Place, mut error: PartError) -> ModelError {
+pub(super) fn no_part(loops: &Place, mut error: PartError) -> ModelError {
     // Every message about a part ends in what to do, after its last colon.
     let text = error.to_string();
     let [first, _] = places(&mut error);
@@ -60,10 +60,10 @@ fn no_part(loops: &Place, mut error: PartError) -> ModelError {
 }
 
 /// A loop of an error, and vertices or edges of it.
-type InLoop<'e> = (&'e mut usize, [Option<&'e mut usize>; 2]);
+pub(super) type InLoop<'e> = (&'e mut usize, [Option<&'e mut usize>; 2]);
 
 /// The places that an error is about, that at which it is told first.
-fn places(error: &mut PartError) -> [Option<InLoop<'_>>; 2] {
+pub(super) fn places(error: &mut PartError) -> [Option<InLoop<'_>>; 2] {
     match error {
         PartError::TooFewVertices { loop_index, .. } => [Some((loop_index, [None, None])), None],
         PartError::RepeatedLoop {

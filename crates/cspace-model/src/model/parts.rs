@@ -9,9 +9,11 @@ use super::keys::{Key, Keys, Kind, Kinds};
 use super::names::with_names;
 use super::outline::read_outline;
 use super::part_dynamics::read_part_dynamics;
+use super::placement::at_place;
 use super::profile::at_profile;
 use super::scope::Result;
 use super::table::Table;
+use super::union::{Entries, UNION};
 use super::value::Value;
 use crate::mechanism::{MechanismError, PartDynamics, PartEntry};
 use crate::shown::quoted;
@@ -25,6 +27,7 @@ pub(super) const PART: Keys = Keys::new(
     &[
         Key::new("name", "part_name", "The part's name, unlike that of any other part.").needed("name = \"pawl\""),
         Key::new("loops", "loops", "The outline: closed loops, in either direction. Material is what an odd number of them enclose.").like(LOOPS),
+        Key::new("union", "outlines", "In place of `loops`: outlines that may overlap, each a list of loops. Material is what any of them encloses, each by an odd number of its own loops.").like(UNION),
         Key::new("dxf", "dxf", "A DXF file that shows the outline, relative to the model's file."),
         Key::new("svg", "svg", "An SVG file that shows the outline, relative to the model's file."),
         Key::new("points", "csv", "A CSV file of points around the part, relative to the model's file: the columns x and y."),
@@ -42,6 +45,7 @@ pub(super) const PART: Keys = Keys::new(
         Key::new("scale", "positive", "A factor for all lengths of the drawing. Default: from the drawing's unit to the model's; 1 where one of them names none."),
         Key::new("join", "positive", "Ends of the drawing nearer than this are one. Default: 1e-5 of the drawing's size."),
         Key::new("fit", "positive", "How far lines and arcs may be from the curves or points that they are fitted to. Default: 1e-4 of the drawing's size."),
+        Key::new("place", "place", "Where the outline is put: mirrored, then turned about its origin, then moved. What else is given of the part is given as it is then. Default: as drawn."),
         Key::new("offset", "number", "How far the outline is moved out of the material, all around; below 0 into it. Default: 0."),
         Key::new("split", "bool", "Whether the offset may divide the part. Default: false."),
         Key::new("profile", "profiles", "How far the outline may be off along its normals, either way (a number is a tolerance, an expression a deviation); or edges by their names."),
@@ -106,14 +110,16 @@ fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry,
         let error = table.error("name", "the name is empty");
         return Err(error.with_help("give every part a name, such as name = \"pawl\""));
     }
-    let mut part = match source(table)? {
-        Some(key) => read_drawing(table, name, key, setting)?,
-        None => {
+    let mut part = match (source(table)?, table.get("union")) {
+        (Some(key), _) => read_drawing(table, name, key, setting)?,
+        (None, Some(union)) => Entries::read(&union)?.part(name)?,
+        (None, None) => {
             let loops = table.nodes("loops", &format!("give it as {LOOPS}"))?;
             let loops = table.needed("loops", loops)?;
             read_outline(name, &table.place.key("loops"), loops, table.scope)?
         }
     };
+    part = at_place(table, part)?;
     part = at_offset(table, part, setting)?;
     if let Some(names) = table.get("names") {
         part = with_names(part, &names)?;

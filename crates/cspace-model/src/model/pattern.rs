@@ -4,12 +4,14 @@
 use core::f64::consts::TAU;
 
 use cspace::{Point, Rotation, Vector, Vertex};
+use cspace_drawing::Mirror;
 
 use super::entry::{Arc, Entry, read_entry};
 use super::error::ModelError;
 use super::keys::{Key, Keys};
 use super::node::Node;
 use super::place::Place;
+use super::placement::AXES;
 use super::scope::{Result, Scalar, Scope};
 use super::table::Table;
 use super::value::Value;
@@ -109,8 +111,7 @@ fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
     if path.is_empty() {
         return Err(table.error("path", "the path is empty").with_help(COPIED));
     }
-    let help = "give mirror = \"x\", which turns y around, or mirror = \"y\", which turns x around";
-    let reflection = table.choice("mirror", "axis", &reflections(), help)?;
+    let reflection = table.choice("mirror", "axis", &Mirror::ALL, AXES)?;
     match (table.count("repeat")?, reflection) {
         (Some(count), None) => {
             let about = table.needed("about", table.point("about")?)?;
@@ -126,7 +127,7 @@ fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
                 })
                 .collect())
         }
-        (None, Some(flip)) => {
+        (None, Some(mirror)) => {
             if table.has("about") {
                 let error = table.error_at_key("about", "`about` is given without `repeat`");
                 return Err(
@@ -134,7 +135,7 @@ fn copies<T: Scalar>(value: Value<'_>) -> Result<Vec<(bool, Entry<T>)>> {
                 );
             }
             too_many(&table, "mirror", 2, path.len())?;
-            mirrored(&path, flip).ok_or_else(|| {
+            mirrored(&path, mirror).ok_or_else(|| {
                 table
                     .error(
                         "path",
@@ -177,16 +178,6 @@ fn turn<T: Scalar>(k: usize, count: usize) -> Rotation<T> {
     }
 }
 
-type Map<T> = fn(Point<T>) -> Point<T>;
-
-/// Reflections of points, by the axis through the origin.
-fn reflections<T: Scalar>() -> [(&'static str, Map<T>); 2] {
-    [
-        ("x", |p| Point::new(p.x, -p.y)),
-        ("y", |p| Point::new(-p.x, p.y)),
-    ]
-}
-
 /// A corner of a path: where it is, its fillet, and the edge that leaves it.
 struct Corner<T> {
     at: Point<T>,
@@ -198,7 +189,7 @@ struct Corner<T> {
 /// A path and its mirror image, travelled back. `None` if the path has no vertex to begin with.
 ///
 /// Mirroring and travelling back each exchange left and right: bulges and directions of arcs stay.
-fn mirrored<T: Scalar>(path: &[Entry<T>], flip: Map<T>) -> Option<Vec<(bool, Entry<T>)>> {
+fn mirrored<T: Scalar>(path: &[Entry<T>], mirror: Mirror) -> Option<Vec<(bool, Entry<T>)>> {
     let zero = T::constant(0.0);
     let mut corners: Vec<Corner<T>> = Vec::with_capacity(path.len());
     for entry in path {
@@ -231,9 +222,12 @@ fn mirrored<T: Scalar>(path: &[Entry<T>], flip: Map<T>) -> Option<Vec<(bool, Ent
         .collect();
     for (k, corner) in corners.iter().enumerate().rev() {
         let before = k.checked_sub(1).map(|b| &corners[b]);
-        let arc = corner.arc.filter(|_| k < last).map(|arc| arc.mapped(&flip));
+        let arc = corner
+            .arc
+            .filter(|_| k < last)
+            .map(|arc| arc.mapped(&|p| mirror.point(p)));
         let bulge = before.filter(|b| b.arc.is_none()).map_or(zero, |b| b.bulge);
-        let to = flip(corner.at);
+        let to = mirror.point(corner.at);
         // A corner on the axis is its own image, and has its fillet already.
         let fillet = corner.fillet.filter(|_| !is_one(to, corner.at));
         let entry = Entry::To {

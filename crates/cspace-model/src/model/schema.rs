@@ -10,6 +10,7 @@ use super::keys::{Key, Keys, Kind, Kinds};
 use super::loops::{CIRCLE, PATH};
 use super::parts::{MOTION, PART};
 use super::pattern::{COPIES, PATTERN};
+use super::placement::PLACE;
 use super::read::FILE;
 use super::relations::{JOINT, PAIR};
 use super::requirements::{AXES, PLANAR, REQUIREMENT};
@@ -19,7 +20,7 @@ use super::tolerance::PARAMETER;
 const BESIDE: &str = include_str!("schema.json");
 
 /// The tables, by the names of their definitions; an entry and a loop may be written in several ways.
-const TABLES: [(&str, &[&Keys]); 13] = [
+const TABLES: [(&str, &[&Keys]); 14] = [
     ("coordinates", &[&PLANAR, &AXES]),
     ("drive", &[&DRIVE]),
     ("entry", &[&ENTRY, &COPIES]),
@@ -30,6 +31,7 @@ const TABLES: [(&str, &[&Keys]); 13] = [
     ("pair", &[&PAIR]),
     ("part", &[&PART]),
     ("pattern", &[&PATTERN]),
+    ("place", &[&PLACE]),
     ("requirement", &[&REQUIREMENT]),
     ("spring", &[&SPRING]),
     ("toleranced", &[&PARAMETER]),

@@ -3,14 +3,20 @@
 use std::collections::BTreeMap;
 
 use cspace::{Part, Real, Vertex};
+use cspace_drawing::{Placement, Touch};
 
 use super::loops::read_loops;
 use super::node::Node;
+use super::placement::read_placement;
 use super::profile::Profile;
 use super::requirements::Coordinate;
 use super::scope::{Number, Result, Scalar, Varied};
+use super::union::Entries;
 use super::value::Value;
 use crate::mechanism::Mechanism;
+
+/// Advice where there are no derivatives.
+const HELP: &str = "vary the parameter with `sweep` to see what it does";
 
 /// Derivatives of a model's numbers by one of its parameters; or, of another type, enclosures of the numbers with theirs.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,14 +97,40 @@ fn has_text(node: &Node) -> bool {
     }
 }
 
-/// The loops of a part's outline; none if they do not depend on anything that varies.
+/// The loops of a part's outline, as it is drawn; none if they do not depend on anything that varies.
 fn outline(part: &Value<'_>) -> Result<Vec<Vec<Vertex<Varied>>>> {
-    let Some(loops) = part.get("loops").filter(|loops| has_text(loops.node)) else {
+    let written = |key| part.get(key).filter(|outline| has_text(outline.node));
+    // Enclosures of what does not vary might be too wide to draw by, for nothing.
+    if let Some(loops) = written("loops") {
+        let (_, moves) = part.scope.moves_in(|| drawn::<f64>(&loops))?;
+        return if moves { drawn(&loops) } else { Ok(Vec::new()) };
+    }
+    let Some(union) = written("union") else {
         return Ok(Vec::new());
     };
-    // Enclosures of what does not vary might be too wide to draw by, for nothing.
-    let (_, moves) = part.scope.moves_in(|| drawn::<f64>(&loops))?;
-    if moves { drawn(&loops) } else { Ok(Vec::new()) }
+    let (_, moves) = (part.scope).moves_in(|| Entries::<f64>::read(&union))?;
+    if moves {
+        united(&union)
+    } else {
+        Ok(Vec::new())
+    }
+}
+
+/// The loops of a union.
+fn united(union: &Value<'_>) -> Result<Vec<Vec<Vertex<Varied>>>> {
+    /// Derivatives of a gap that are rounding.
+    const ROUNDING: f64 = 1e-9;
+    let entries = Entries::read(union)?;
+    let united = entries.united()?;
+    let opens = |touch: &&Touch<Varied>| touch.gap.slope[0].mid.abs() > ROUNDING;
+    if let Some(touch) = united.touches.iter().find(opens) {
+        let [a, b] = touch.edges.map(|edge| entries.edge(edge).0);
+        let message = format!(
+            "{a} and {b} lie on each other at this value of the parameter alone, and the outline has no derivatives"
+        );
+        return Err(union.error(message).with_help(HELP));
+    }
+    Ok(united.loops)
 }
 
 fn drawn<T: Scalar>(loops: &Value<'_>) -> Result<Vec<Vec<Vertex<T>>>> {
@@ -112,8 +144,54 @@ fn drawn<T: Scalar>(loops: &Value<'_>) -> Result<Vec<Vec<Vertex<T>>>> {
     Ok(outlines)
 }
 
+/// The loops of a part that is put where its `place` says, off by its profile; none if they do not depend on anything that varies.
+fn outlines(value: &Value<'_>, of: &Part) -> Result<Vec<Vec<Vertex<Varied>>>> {
+    let drawn = outline(value)?;
+    let is_drawn = !drawn.is_empty();
+    if let Some(offset) = value.get("offset").filter(|_| is_drawn) {
+        let message = "the part has an offset, of which there are no derivatives";
+        return Err(offset.error(message).with_help(HELP));
+    }
+    let place = value.get("place");
+    let read = || place.map_or_else(|| Ok(Placement::none()), read_placement);
+    let (placement, is_moved) = value.scope.moves_in(read)?;
+    let mut outlines = match (is_drawn, is_moved) {
+        (true, _) => placement.loops(&drawn),
+        // The part's own are where they were put.
+        (false, true) => placement.beyond().loops(&own(of)),
+        (false, false) => Vec::new(),
+    };
+    let Some(given) = value.get("profile") else {
+        return Ok(outlines);
+    };
+    let read = || Profile::<Varied>::read(&given, of);
+    let (mut profile, moves) = value.scope.moves_in(read)?;
+    if !is_drawn {
+        if !moves {
+            return Ok(outlines);
+        }
+        // The part's own are off by the values already.
+        profile = profile.beyond();
+        if outlines.is_empty() {
+            outlines = own(of);
+        }
+    }
+    profile.loops(&given.place, of, &outlines)
+}
+
+/// The loops of a part as they are.
+fn own(part: &Part) -> Vec<Vec<Vertex<Varied>>> {
+    let given = |v: &Vertex| {
+        let [x, y, bulge] = [v.x, v.y, v.bulge].map(Varied::constant);
+        Vertex::new(x, y, bulge)
+    };
+    let loops = part.loops().iter();
+    loops
+        .map(|l| l.vertices().iter().map(given).collect())
+        .collect()
+}
+
 fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {
-    const HELP: &str = "vary the parameter with `sweep` to see what it does";
     // Derivatives of parts that are offset or drawn elsewhere are unknown; only whether they depend on it is known.
     for key in ["offset", "scale", "join"] {
         let Some(value) = value.get(key) else {
@@ -129,31 +207,7 @@ fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {
         axis: None,
         range: None,
     };
-    let mut outlines = outline(value)?;
-    if let Some(offset) = value.get("offset").filter(|_| !outlines.is_empty()) {
-        let message = "the part has an offset, of which there are no derivatives";
-        return Err(offset.error(message).with_help(HELP));
-    }
-    if let Some(given) = value.get("profile") {
-        let read = || Profile::<Varied>::read(&given, of);
-        let (mut profile, moves) = value.scope.moves_in(read)?;
-        if outlines.is_empty() && moves {
-            // The part's own are off by the values already.
-            profile = profile.beyond();
-            let given = |v: &Vertex| {
-                let [x, y, bulge] = [v.x, v.y, v.bulge].map(Varied::constant);
-                Vertex::new(x, y, bulge)
-            };
-            let loops = of.loops().iter();
-            outlines = loops
-                .map(|l| l.vertices().iter().map(given).collect())
-                .collect();
-        }
-        if !outlines.is_empty() {
-            outlines = profile.loops(&given.place, of, &outlines)?;
-        }
-    }
-    for outline in outlines {
+    for outline in outlines(value, of)? {
         let number = |v: &Vertex<Varied>| [v.x, v.y, v.bulge].map(T::from_number);
         slopes.loops.push(outline.iter().map(number).collect());
     }

@@ -5,6 +5,7 @@ mod dynamics;
 mod errors;
 mod fits;
 mod names;
+mod outlines;
 mod paper;
 mod profile;
 mod round_trip;
