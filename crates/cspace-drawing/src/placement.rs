@@ -101,10 +101,7 @@ impl Placement {
     pub fn part(&self, part: &Part) -> Result<Part, PartError> {
         let loops = part.loops().iter().map(|l| l.vertices().to_vec());
         let loops: Vec<Vec<Vertex>> = loops.collect();
-        let placed = Part::new(part.name(), self.loops(&loops))?;
-        (part.feature_names()).try_fold(placed, |placed, (feature, name)| {
-            placed.with_feature_name(feature, name)
-        })
+        part.redrawn(self.loops(&loops))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The keys of a table of the file: what the reader takes, what its messages suggest, and what the schema says.
 
 /// A key of a table.
+#[derive(Clone, Copy)]
 pub(super) struct Key {
     pub(super) name: &'static str,
     /// How its value is written: the name of a definition of the schema, `[name]` for a list of such, `a|b` for one of these texts, or `kind`.
@@ -37,6 +38,20 @@ impl Key {
             ..self.like(example)
         }
     }
+}
+
+/// The keys of two tables in one.
+pub(super) const fn joined<const A: usize, const B: usize, const N: usize>(
+    first: [Key; A],
+    second: [Key; B],
+) -> [Key; N] {
+    let mut all = [first[0]; N];
+    let mut i = 1;
+    while i < N {
+        all[i] = if i < A { first[i] } else { second[i - A] };
+        i += 1;
+    }
+    all
 }
 
 /// Kind of a table: its keys beside those that all kinds have.

@@ -1,13 +1,15 @@
 //! Parts from a file's tree of values.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
-use cspace::{Axis, Part, Point, Vector};
+use cspace::{Axis, Part, PartError, Point, Vector, Vertex};
+use cspace_drawing::OffsetError;
 
 use super::drawings::{Setting, read_drawing, source};
-use super::keys::{Key, Keys, Kind, Kinds};
+use super::keys::{Key, Keys, Kind, Kinds, joined};
 use super::names::with_names;
-use super::outline::read_outline;
+use super::outline::{no_part, read_outline};
 use super::part_dynamics::read_part_dynamics;
 use super::placement::at_place;
 use super::profile::at_profile;
@@ -18,22 +20,24 @@ use super::value::Value;
 use crate::mechanism::{MechanismError, PartDynamics, PartEntry};
 use crate::shown::quoted;
 
+/// How layers are written.
+const LAYERS: &str =
+    "layers = [ { z = [0, 4], loops = [...] }, { z = [4, 10], dxf = \"pinion.dxf\" } ]";
+
 /// How outlines are written.
 const LOOPS: &str = "loops = [ [[x, y, bulge], [x, y], ...], ... ]";
 
+/// Number of keys of an outline, and of a part.
+const OF_OUTLINE: usize = 18;
+const OF_PART: usize = OF_OUTLINE + 14;
+
 #[rustfmt::skip]
-pub(super) const PART: Keys = Keys::new(
-    "a part is a table with keys such as name = \"pawl\" and loops = [ [[x, y, bulge], [x, y], ...], ... ]",
-    &[
-        Key::new("name", "part_name", "The part's name, unlike that of any other part.").needed("name = \"pawl\""),
+const OUTLINE_KEYS: [Key; OF_OUTLINE] = [
         Key::new("loops", "loops", "The outline: closed loops, in either direction. Material is what an odd number of them enclose.").like(LOOPS),
         Key::new("union", "outlines", "In place of `loops`: outlines that may overlap, each a list of loops. Material is what any of them encloses, each by an odd number of its own loops.").like(UNION),
         Key::new("dxf", "dxf", "A DXF file that shows the outline, relative to the model's file."),
         Key::new("svg", "svg", "An SVG file that shows the outline, relative to the model's file."),
         Key::new("points", "csv", "A CSV file of points around the part, relative to the model's file: the columns x and y."),
-        Key::new("names", "names", "What features are called in all output, by what is printed without a name: { \"line 3 of loop 0\" = \"tip\" }."),
-        Key::new("motion", "motion", "How the part moves relative to the ground. Default: { type = \"planar\" }, freely."),
-        Key::new("symmetry", "count", "How many times a turn about its own centre maps the outline to itself. Found anyway; refused when it is not true."),
         Key::new("layer", "texts", "The layer, or layers, of the DXF file that show the outline. Default: all that are drawn."),
         Key::new("id", "texts", "The id, or ids, of the SVG elements that show the outline. Default: the whole drawing."),
         Key::new("linetype", "texts", "The line type, or types, of the DXF file that show the outline. Default: all but those of centre lines, hidden edges and the like."),
@@ -46,6 +50,16 @@ pub(super) const PART: Keys = Keys::new(
         Key::new("join", "positive", "Ends of the drawing nearer than this are one. Default: 1e-5 of the drawing's size."),
         Key::new("fit", "positive", "How far lines and arcs may be from the curves or points that they are fitted to. Default: 1e-4 of the drawing's size."),
         Key::new("place", "place", "Where the outline is put: mirrored, then turned about its origin, then moved. What else is given of the part is given as it is then. Default: as drawn."),
+        Key::new("z", "heights", "Its lowest and its highest place. Features of two parts meet where these overlap by more than nothing. Default: at every height."),
+];
+
+#[rustfmt::skip]
+const PART_KEYS: [Key; OF_PART - OF_OUTLINE] = [
+        Key::new("name", "part_name", "The part's name, unlike that of any other part.").needed("name = \"pawl\""),
+        Key::new("layers", "layers", "In place of one outline: outlines at different heights, each with the keys that an outline has. Loops are numbered through all of them.").like(LAYERS),
+        Key::new("names", "names", "What features are called in all output, by what is printed without a name: { \"line 3 of loop 0\" = \"tip\" }."),
+        Key::new("motion", "motion", "How the part moves relative to the ground. Default: { type = \"planar\" }, freely."),
+        Key::new("symmetry", "count", "How many times a turn about its own centre maps the outline to itself. Found anyway; refused when it is not true."),
         Key::new("offset", "number", "How far the outline is moved out of the material, all around; below 0 into it. Default: 0."),
         Key::new("split", "bool", "Whether the offset may divide the part. Default: false."),
         Key::new("profile", "profiles", "How far the outline may be off along its normals, either way (a number is a tolerance, an expression a deviation); or edges by their names."),
@@ -55,8 +69,15 @@ pub(super) const PART: Keys = Keys::new(
         Key::new("center_of_mass", "point", "In the part's frame. Default: the centroid of the outline."),
         Key::new("start", "start", "Where the part is at the start: [x, y, theta], or one number for a part that turns or slides. Default: at zero motion."),
         Key::new("rate", "rate", "How fast the part moves at the start, per second: [vx, vy, omega], or one number for a part that turns or slides. Default: it rests."),
-    ],
+];
+
+pub(super) const PART: Keys = Keys::new(
+    "a part is a table with keys such as name = \"pawl\" and loops = [ [[x, y, bulge], [x, y], ...], ... ]",
+    &joined::<{ OF_PART - OF_OUTLINE }, OF_OUTLINE, OF_PART>(PART_KEYS, OUTLINE_KEYS),
 );
+
+/// A layer of a part: an outline with its heights.
+pub(super) const LAYER: Keys = Keys::new(LAYERS, &OUTLINE_KEYS);
 
 #[rustfmt::skip]
 pub(super) const MOTION: Keys = Keys {
@@ -110,16 +131,10 @@ fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry,
         let error = table.error("name", "the name is empty");
         return Err(error.with_help("give every part a name, such as name = \"pawl\""));
     }
-    let mut part = match (source(table)?, table.get("union")) {
-        (Some(key), _) => read_drawing(table, name, key, setting)?,
-        (None, Some(union)) => Entries::read(&union)?.part(name)?,
-        (None, None) => {
-            let loops = table.nodes("loops", &format!("give it as {LOOPS}"))?;
-            let loops = table.needed("loops", loops)?;
-            read_outline(name, &table.place.key("loops"), loops, table.scope)?
-        }
+    let mut part = match table.get("layers") {
+        Some(layers) => at_place(table, read_layers(table, name, &layers, setting)?)?,
+        None => read_layer(table, name, setting)?,
     };
-    part = at_place(table, part)?;
     part = at_offset(table, part, setting)?;
     if let Some(names) = table.get("names") {
         part = with_names(part, &names)?;
@@ -139,6 +154,60 @@ fn read_part(table: &Table<'_>, setting: &mut Setting<'_>) -> Result<(PartEntry,
     Ok((entry, dynamics))
 }
 
+/// The part of one outline, at its heights.
+fn read_layer(table: &Table<'_>, name: &str, setting: &mut Setting<'_>) -> Result<Part> {
+    let part = match (source(table)?, table.get("union")) {
+        (Some(key), _) => read_drawing(table, name, key, setting)?,
+        (None, Some(union)) => Entries::read(&union)?.part(name)?,
+        (None, None) => {
+            let loops = table.nodes("loops", &format!("give it as {LOOPS}"))?;
+            let loops = table.needed("loops", loops)?;
+            read_outline(name, &table.place.key("loops"), loops, table.scope)?
+        }
+    };
+    let part = at_place(table, part)?;
+    let Some((lo, hi)) = table.interval("z", false)? else {
+        return Ok(part);
+    };
+    let layer = (Some([lo, hi]), loops_of(&part, 0..part.loops().len()));
+    Part::layered(name, [layer]).map_err(|e| no_part(&table.place.key("z"), e))
+}
+
+/// The part whose layers these are.
+fn read_layers(
+    table: &Table<'_>,
+    name: &str,
+    layers: &Value<'_>,
+    setting: &mut Setting<'_>,
+) -> Result<Part> {
+    let beside = OUTLINE_KEYS.iter().map(|key| key.name);
+    if let Some(key) = { beside }.find(|key| *key != "place" && table.has(key)) {
+        let error = table.error_at_key(key, format!("`{key}` is given beside `layers`"));
+        return Err(error.with_help(format!(
+            "a part has one outline or layers: move `{key}` into a layer, or remove it"
+        )));
+    }
+    let items = layers.items().filter(|items| !items.is_empty());
+    let Some(items) = items else {
+        let found = layers.node.describe();
+        let error = layers.error(format!("{found} where a list of layers is expected"));
+        return Err(error.with_help(format!("give it as {LAYERS}")));
+    };
+    let mut stack = Vec::with_capacity(items.len());
+    for (i, item) in items.into_iter().enumerate() {
+        let layer = Table::new(item.further(&format!("layer {i}")), &LAYER)?;
+        let part = read_layer(&layer, name, setting)?;
+        let layers = part.layers().iter();
+        stack.extend(layers.map(|l| (l.z(), loops_of(&part, l.loops()))));
+    }
+    Part::layered(name, stack).map_err(|e| no_part(&table.place.key("layers"), e))
+}
+
+fn loops_of(part: &Part, these: Range<usize>) -> Vec<Vec<Vertex>> {
+    let loops = part.loops()[these].iter();
+    loops.map(|l| l.vertices().to_vec()).collect()
+}
+
 /// Part at the distance given in the table. Changes of its topology are noted.
 fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result<Part> {
     let split = table.flag("split")?;
@@ -149,13 +218,34 @@ fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result
         }
         return Ok(part);
     };
-    let made = cspace_drawing::offset(&part, by, split)
-        .map_err(|e| table.error("offset", e.to_string()).with_help(e.help()))?;
-    for change in made.changes {
+    let wrong = || table.error("offset", "nothing of the part is left");
+    let mut notes = Vec::new();
+    let off = part.by_layers(|layer| {
+        let made = cspace_drawing::offset(layer, by, split).map_err(Unmade::Offset)?;
+        notes.extend(made.changes);
+        Ok(loops_of(&made.part, 0..made.part.loops().len()))
+    });
+    let off = off.map_err(|e| match e {
+        Unmade::Offset(e) => table.error("offset", e.to_string()).with_help(e.help()),
+        Unmade::Part(e) => no_part(&table.place.key("offset"), e),
+    })?;
+    for change in notes {
         let note = format!("with the offset, {change}");
         setting.notes.push(table.error("offset", note));
     }
-    Ok(made.part)
+    off.ok_or_else(wrong)
+}
+
+/// Why there is no part at a distance.
+enum Unmade {
+    Offset(OffsetError),
+    Part(PartError),
+}
+
+impl From<PartError> for Unmade {
+    fn from(error: PartError) -> Self {
+        Self::Part(error)
+    }
 }
 
 /// Checks a declared symmetry: symmetry is found from the outline anyway, and a declaration must not contradict it.

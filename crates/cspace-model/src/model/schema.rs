@@ -8,7 +8,7 @@ use super::expression::taken_names;
 use super::forces::{DRIVE, LOAD, SPRING};
 use super::keys::{Key, Keys, Kind, Kinds};
 use super::loops::{CIRCLE, PATH};
-use super::parts::{MOTION, PART};
+use super::parts::{LAYER, MOTION, PART};
 use super::pattern::{COPIES, PATTERN};
 use super::placement::PLACE;
 use super::read::FILE;
@@ -20,11 +20,12 @@ use super::tolerance::PARAMETER;
 const BESIDE: &str = include_str!("schema.json");
 
 /// The tables, by the names of their definitions; an entry and a loop may be written in several ways.
-const TABLES: [(&str, &[&Keys]); 14] = [
+const TABLES: [(&str, &[&Keys]); 15] = [
     ("coordinates", &[&PLANAR, &AXES]),
     ("drive", &[&DRIVE]),
     ("entry", &[&ENTRY, &COPIES]),
     ("joint", &[&JOINT]),
+    ("layer", &[&LAYER]),
     ("load", &[&LOAD]),
     ("loop", &[&PATH, &CIRCLE]),
     ("motion", &[&MOTION]),
@@ -58,7 +59,9 @@ pub fn schema() -> String {
             .iter()
             .map(|drawing| json!({"required": [drawing]}));
         let given: Vec<Value> = given.collect();
-        definitions["part"]["dependencies"][key] = json!({"anyOf": given});
+        for table in ["part", "layer"] {
+            definitions[table]["dependencies"][key] = json!({"anyOf": given});
+        }
     }
     file["definitions"] = definitions;
     let mut text = serde_json::to_string_pretty(&file).unwrap_or_default();

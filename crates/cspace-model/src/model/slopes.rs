@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use cspace::part::Loop;
 use cspace::{Part, Real, Vertex};
 use cspace_drawing::{Placement, Touch};
 
@@ -146,19 +147,20 @@ fn drawn<T: Scalar>(loops: &Value<'_>) -> Result<Vec<Vec<Vertex<T>>>> {
 
 /// The loops of a part that is put where its `place` says, off by its profile; none if they do not depend on anything that varies.
 fn outlines(value: &Value<'_>, of: &Part) -> Result<Vec<Vec<Vertex<Varied>>>> {
-    let drawn = outline(value)?;
+    let drawn = match value.get("layers") {
+        Some(layers) => stacked(value, &layers, of)?,
+        None => outline(value)?,
+    };
     let is_drawn = !drawn.is_empty();
     if let Some(offset) = value.get("offset").filter(|_| is_drawn) {
         let message = "the part has an offset, of which there are no derivatives";
         return Err(offset.error(message).with_help(HELP));
     }
-    let place = value.get("place");
-    let read = || place.map_or_else(|| Ok(Placement::none()), read_placement);
-    let (placement, is_moved) = value.scope.moves_in(read)?;
+    let (placement, is_moved) = placement(value)?;
     let mut outlines = match (is_drawn, is_moved) {
         (true, _) => placement.loops(&drawn),
         // The part's own are where they were put.
-        (false, true) => placement.beyond().loops(&own(of)),
+        (false, true) => placement.beyond().loops(&own(of.loops())),
         (false, false) => Vec::new(),
     };
     let Some(given) = value.get("profile") else {
@@ -173,19 +175,61 @@ fn outlines(value: &Value<'_>, of: &Part) -> Result<Vec<Vec<Vertex<Varied>>>> {
         // The part's own are off by the values already.
         profile = profile.beyond();
         if outlines.is_empty() {
-            outlines = own(of);
+            outlines = own(of.loops());
         }
     }
     profile.loops(&given.place, of, &outlines)
 }
 
-/// The loops of a part as they are.
-fn own(part: &Part) -> Vec<Vec<Vertex<Varied>>> {
+/// Where a part or a layer is put, and whether that depends on anything that varies.
+fn placement(value: &Value<'_>) -> Result<(Placement<Varied>, bool)> {
+    let place = value.get("place");
+    let read = || place.map_or_else(|| Ok(Placement::none()), read_placement);
+    value.scope.moves_in(read)
+}
+
+/// The loops of all layers of a part, as they are put before the part is; none if they do not depend on anything that varies.
+fn stacked(value: &Value<'_>, layers: &Value<'_>, of: &Part) -> Result<Vec<Vec<Vertex<Varied>>>> {
+    let mut stack = Vec::with_capacity(of.loops().len());
+    let (mut varies, mut stays) = (false, None);
+    let items = layers.items().unwrap_or_default();
+    for (layer, drawn_as) in items.iter().zip(of.layers()) {
+        let (drawn, (placement, is_moved)) = (outline(layer)?, placement(layer)?);
+        varies |= is_moved || !drawn.is_empty();
+        if drawn.is_empty() {
+            // The part's own are where they were put, and also where the part was.
+            let own = own(&of.loops()[drawn_as.loops()]);
+            stack.extend(match is_moved {
+                true => placement.beyond().loops(&own),
+                false => own,
+            });
+            stays = Some(layer);
+        } else {
+            stack.extend(placement.loops(&drawn));
+        }
+    }
+    let beside = ["place", "profile"]
+        .into_iter()
+        .find(|key| value.get(key).is_some());
+    match (varies, stays, beside) {
+        (false, ..) => Ok(Vec::new()),
+        (true, Some(layer), Some(key)) => {
+            let message = format!(
+                "other layers depend on the parameter, and the part has a `{key}`: there are no derivatives"
+            );
+            Err(layer.error(message).with_help(HELP))
+        }
+        _ => Ok(stack),
+    }
+}
+
+/// Loops of a part as they are.
+fn own(loops: &[Loop]) -> Vec<Vec<Vertex<Varied>>> {
     let given = |v: &Vertex| {
         let [x, y, bulge] = [v.x, v.y, v.bulge].map(Varied::constant);
         Vertex::new(x, y, bulge)
     };
-    let loops = part.loops().iter();
+    let loops = loops.iter();
     loops
         .map(|l| l.vertices().iter().map(given).collect())
         .collect()
@@ -193,13 +237,15 @@ fn own(part: &Part) -> Vec<Vec<Vertex<Varied>>> {
 
 fn part<T: Slope>(value: &Value<'_>, of: &Part) -> Result<PartSlopes<T>> {
     // Derivatives of parts that are offset or drawn elsewhere are unknown; only whether they depend on it is known.
-    for key in ["offset", "scale", "join"] {
-        let Some(value) = value.get(key) else {
-            continue;
-        };
-        if value.read_number()?.is_some_and(|x| x.varied.is_some()) {
-            let message = format!("`{key}` depends on the parameter, and has no derivatives");
-            return Err(value.error(message).with_help(HELP));
+    for key in ["offset", "scale", "join", "z"] {
+        let layers = value.get("layers").and_then(|layers| layers.items());
+        let all = layers.into_iter().flatten().chain([value.clone()]);
+        let values = all.filter_map(|v| v.get(key));
+        for value in values.flat_map(|v| v.items().unwrap_or_else(|| vec![v.clone()])) {
+            if value.read_number()?.is_some_and(|x| x.varied.is_some()) {
+                let message = format!("`{key}` depends on the parameter, and has no derivatives");
+                return Err(value.error(message).with_help(HELP));
+            }
         }
     }
     let mut slopes = PartSlopes {

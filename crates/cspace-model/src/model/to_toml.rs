@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use cspace::pair::Joint;
-use cspace::{Axis, AxisMotion};
+use cspace::part::Loop;
+use cspace::{Axis, AxisMotion, Layer};
 
 use super::toml_dynamics::{of_pair, of_part, of_whole, written_apart};
 use super::toml_values::{lines, list, point, text, two, vector};
@@ -45,9 +46,11 @@ pub fn to_toml(mechanism: &Mechanism) -> String {
     out + &written_apart(dynamics, &name)
 }
 
-fn part(entry: &PartEntry) -> String {
+/// Some loops of a part.
+fn outlines(loops: &[Loop]) -> String {
+    let of = loops;
     let mut loops = String::from("[\n");
-    for outline in entry.part.loops() {
+    for outline in of {
         loops.push_str("  [\n");
         for v in outline.vertices() {
             // Writing to a string cannot fail. A bulge of −0 is distinguished from 0, so that it is read back unchanged.
@@ -59,13 +62,28 @@ fn part(entry: &PartEntry) -> String {
         loops.push_str("  ],\n");
     }
     loops.push(']');
+    loops
+}
+
+fn part(entry: &PartEntry) -> String {
+    let (all, layers) = (entry.part.loops(), entry.part.layers());
+    let layer = |l: &Layer| {
+        let loops = outlines(&all[l.loops()]);
+        match l.z() {
+            Some([lo, hi]) => format!("{{ z = [{lo:?}, {hi:?}], loops = {loops} }}"),
+            None => format!("{{ loops = {loops} }}"),
+        }
+    };
+    let layers = (entry.part.has_heights()).then(|| list(layers.iter().map(layer)));
+    let loops = layers.is_none().then(|| outlines(all));
     let names: Vec<String> = (entry.part.feature_names())
         .map(|(feature, name)| format!("\"{feature}\" = {}", text(name)))
         .collect();
     let names = (!names.is_empty()).then(|| format!("{{ {} }}", names.join(", ")));
     let keys = [
         ("name", Some(text(entry.part.name()))),
-        ("loops", Some(loops)),
+        ("loops", loops),
+        ("layers", layers),
         ("names", names),
         ("motion", entry.axis.map(motion)),
         ("symmetry", entry.symmetry.map(|fold| fold.to_string())),

@@ -49,6 +49,14 @@ union = [
   [ [["hub + 0.5", -1], [12, -0.75, 0.5], [12, 0.75], ["hub + 0.5", 1]] ],
   [ [[11, -6], [11.5, -6], [11.5, 6], [11, 6]] ],
 ]
+
+[[part]]
+name = "arbor"
+layers = [
+  { z = [0, 4], place = { turn = "lift" }, loops = [ [["hub + 9", 0], [0, 10], [-10, -10]], { circle = "hub", at = [0, 0] } ] },
+  { z = [4, 10], place = { at = ["distance/10", 0] }, dxf = "washer.dxf" },
+  { z = [9, 12], loops = [ { circle = 2, at = [0, 0] } ] },
+]
 "#;
 
 /// A circle and an arm.
@@ -146,7 +154,7 @@ fn places_and_unions_have_the_derivatives_of_differences() {
             let slopes = gears.template.slopes(&host, &model, name).unwrap();
             let step = 1e-6;
             let [after, before] = [step, -step].map(|by| gears.at(&[(name, value + by)]));
-            let mut moved = [0; 4];
+            let mut moved = [0; 5];
             for (p, part) in slopes.parts.iter().enumerate() {
                 let outlines = [&model, &after, &before].map(|m| m.mechanism.parts[p].part.loops());
                 assert!(part.loops.is_empty() || part.loops.len() == outlines[0].len());
@@ -168,9 +176,9 @@ fn places_and_unions_have_the_derivatives_of_differences() {
             }
             let is_moved = moved.map(|n| n > 0);
             let right = match name {
-                "distance" | "lift" => [false, true, true, true],
-                "hub" => [true, true, false, true],
-                _ => [false, false, false, true],
+                "distance" | "lift" => [false, true, true, true, true],
+                "hub" => [true, true, false, true, true],
+                _ => [false, false, false, true, false],
             };
             assert_eq!(is_moved, right, "{name}");
         }
@@ -410,4 +418,95 @@ fn what_is_wrong_is_told_where_it_is() {
         ),
         "{e}"
     );
+}
+
+#[test]
+fn layers_are_read_and_written() {
+    let model = Gears::new().at(&[]);
+    let arbor = &model.mechanism.parts[4].part;
+    let z: Vec<_> = arbor.layers().iter().map(|l| l.z().unwrap()).collect();
+    assert_eq!(z, [[0.0, 4.0], [4.0, 10.0], [9.0, 12.0]]);
+    let counts: Vec<_> = arbor.layers().iter().map(|l| l.loops()).collect();
+    assert_eq!(counts, [0..2, 2..3, 3..4]);
+    let written = to_toml(&model.mechanism);
+    assert_eq!(from_toml(&written, "m.toml").unwrap(), model.mechanism);
+    let json = cspace_model::model::to_json(&model.mechanism);
+    let read = cspace_model::model::from_json(&json, "m.json").unwrap();
+    assert_eq!(read, model.mechanism);
+    // Heights beside loops, with parameters; and an offset, a profile and a place of all layers.
+    let square = "[[[0, 0], [2, 0], [2, 2], [0, 2]]]";
+    let one = part(&format!("z = [\"1 - 2\", 3]\nloops = {square}")).unwrap();
+    assert_eq!(one.layers()[0].z(), Some([-1.0, 3.0]));
+    let all = part(&format!(
+        "layers = [{{ z = [0, 1], loops = {square} }}, {{ z = [1, 2], place = {{ at = [1, 1] }}, loops = {square} }}]\n\
+         place = {{ at = [10, 0] }}\noffset = 0.5\nnames = {{ \"line 0 of loop 1\" = \"flank\" }}"
+    ))
+    .unwrap();
+    let bounds = [0, 1].map(|i| all.layer(i).bounds());
+    assert_eq!((bounds[0].min.x, bounds[0].max.y), (9.5, 2.5));
+    assert_eq!((bounds[1].min.x, bounds[1].max.y), (10.5, 3.5));
+    assert_eq!(all.feature_names().count(), 1);
+}
+
+#[test]
+fn bad_layers_are_refused_at_their_places() {
+    let square = "[[[0, 0], [2, 0], [2, 2], [0, 2]]]";
+    let cases = [
+        (
+            "layers = []".to_owned(),
+            "layers",
+            "an empty list where a list of layers",
+        ),
+        (
+            format!("layers = {square}"),
+            "layer 0",
+            "where a table is expected",
+        ),
+        (
+            format!("layers = [{{ z = [0, 1], loops = {square} }}]\nz = [0, 1]"),
+            "z",
+            "`z` is given beside `layers`",
+        ),
+        (
+            format!("layers = [{{ z = [0, 1] }}]\nloops = {square}"),
+            "loops",
+            "`loops` is given beside `layers`",
+        ),
+        (format!("z = [1, 1]\nloops = {square}"), "z", "from 1 to 1"),
+        (format!("z = [2, 1]\nloops = {square}"), "z", "from 2 to 1"),
+        (
+            format!("z = 3\nloops = {square}"),
+            "z",
+            "where two numbers are expected",
+        ),
+        (
+            "layers = [{ z = [0, 1] }]".to_owned(),
+            "layer 0",
+            "`loops` is missing",
+        ),
+        (
+            "layers = [{ z = [0, 1], loops = [[[0, 0], [2, 0], [2, 2], [1, -1]]] }]".to_owned(),
+            "layer 0, loop 0",
+            "crosses",
+        ),
+        (
+            format!("layers = [{{ z = [0, 1], name = \"b\", loops = {square} }}]"),
+            "layer 0",
+            "unknown key \"name\"",
+        ),
+    ];
+    for (text, place, message) in cases {
+        let e = part(&text).unwrap_err();
+        let told = e.to_string();
+        assert!(
+            told.contains(place) && told.contains(message),
+            "{text}: {told}"
+        );
+        assert!(e.help().is_some(), "{text}: {told}");
+    }
+    let many: Vec<String> = (0..17)
+        .map(|i| format!("{{ z = [{i}, {}], loops = {square} }}", i + 1))
+        .collect();
+    let e = part(&format!("layers = [{}]", many.join(", "))).unwrap_err();
+    assert!(e.to_string().contains("17 layers, more than 16"), "{e}");
 }
