@@ -325,54 +325,32 @@ along = [0, -40, 0]
 /// An arm of a hub and a bar, drawn about 0, 0 and turned away, strikes a pin that is put at a distance: on either side of the pin it has
 /// asin((half width + radius) / distance) less than half a turn.
 #[test]
-fn outlines_vary_with_where_they_are_put_and_with_what_is_united() {
-    let model = |width: &str| {
-        format!(
-            r#"
+fn outlines_vary_with_where_they_are_put() {
+    let model = r#"
 [parameter]
-d = {{ value = 10, tol = 0.1 }}
-a = {{ value = "30deg", tol = "1deg" }}
-w = {width}
+d = { value = 10, tol = 0.1 }
 [[part]]
 name = "pin"
-motion = {{ type = "fixed" }}
-place = {{ at = ["d*cos(a)", "d*sin(a)"], mirror = "x" }}
-loops = [{{ circle = 1, at = [0, 0] }}]
+motion = { type = "fixed" }
+place = { at = ["d", 0], mirror = "x" }
+loops = [{ circle = 1, at = [0, 0] }]
 [[part]]
 name = "arm"
-motion = {{ type = "revolute", center = [0, 0] }}
-place = {{ turn = "a + 180deg" }}
-union = [ [{{ circle = 3, at = [0, 0] }}], [[[0, "-w"], [20, "-w"], [20, "w"], [0, "w"]]] ]
+motion = { type = "revolute", center = [0, 0] }
+place = { turn = "180deg" }
+union = [ [{ circle = 3, at = [0, 0] }], [[[0, -0.5], [20, -0.5], [20, 0.5], [0, 0.5]]] ]
 [[requirement]]
 name = "swing"
 measure = "play"
 of = "v"
-limits = [5, 6]
-"#
-        )
-    };
-    let swing = |d: f64, w: f64| core::f64::consts::TAU - 2.0 * ((w + 1.0) / d).asin();
-    let placed = analysed(&template(model("0.5")), 0);
-    let [lo, hi] = ends(&placed);
-    near(lo, swing(9.9, 0.5), 1e-9);
-    near(hi, swing(10.1, 0.5), 1e-9);
-    let united = analysed(&template(model("{ value = 0.5, tol = 0.05 }")), 0);
-    let linear = united.linear.clone().unwrap();
-    let by = |name: &str| {
-        let mut all = linear.parameters.iter();
-        all.find(|p| p.parameter == name).unwrap().derivative[1]
-    };
-    let root = (100f64 - 1.5 * 1.5).sqrt();
-    near(by("d"), 2.0 * 1.5 / (10.0 * root), 1e-9);
-    near(by("w"), -2.0 / root, 1e-9);
-    near(by("a"), 0.0, 1e-9);
-    let [lo, hi] = united.exact.clone().unwrap();
-    near(lo.value.unwrap(), swing(9.9, 0.55), 1e-9);
-    near(hi.value.unwrap(), swing(10.1, 0.45), 1e-9);
-    assert!(
-        !lo.certified && !hi.certified,
-        "nothing is proved of a union that varies"
-    );
+"#;
+    let swing = |d: f64| core::f64::consts::TAU - 2.0 * (1.5 / d).asin();
+    let found = analysed(&template(model), 0);
+    let derivative = found.linear.clone().unwrap().parameters[0].derivative[1];
+    near(derivative, 3.0 / (10.0 * (100f64 - 2.25).sqrt()), 1e-9);
+    let [lo, hi] = ends(&found);
+    near(lo, swing(9.9), 1e-9);
+    near(hi, swing(10.1), 1e-9);
 }
 
 /// The zone of a point is a disc: the largest offset is along the slope, not at a corner of the square.

@@ -131,6 +131,11 @@ fn united(union: &Value<'_>) -> Result<Vec<Vec<Vertex<Varied>>>> {
         );
         return Err(union.error(message).with_help(HELP));
     }
+    let mut vertices = united.loops.iter().flatten();
+    if vertices.any(|v| !v.x.spread().is_finite()) {
+        let message = "over a range of the parameter other edges of the union may cross, and it has no derivatives";
+        return Err(union.error(message).with_help(HELP));
+    }
     Ok(united.loops)
 }
 

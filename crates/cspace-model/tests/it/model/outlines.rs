@@ -186,7 +186,7 @@ fn places_and_unions_have_the_derivatives_of_differences() {
 }
 
 #[test]
-fn enclosures_of_places_are_tight_and_those_of_unions_say_nothing() {
+fn places_have_tight_enclosures_and_unions_that_vary_none() {
     let gears = Gears::new();
     let model = gears.at(&[]);
     let of = |name: &str, by: f64| {
@@ -206,8 +206,14 @@ fn enclosures_of_places_are_tight_and_those_of_unions_say_nothing() {
     assert!((0.05..0.0501).contains(&width(&placed.parts[1])));
     // The lever's union is as it is, wherever it is put.
     assert!((0.05..0.0501).contains(&width(&placed.parts[3])));
-    let united = of("hub", 0.01);
-    assert_eq!(width(&united.parts[3]), f64::INFINITY);
+    let range = [("hub".to_owned(), -0.01, 0.01)];
+    let united = (gears.template).enclosures(&Host::default(), &model, "hub", &range);
+    assert!(
+        united
+            .unwrap_err()
+            .message()
+            .contains("over a range of the parameter")
+    );
     let point = of("hub", 0.0);
     assert!(width(&point.parts[3]) < 1e-11);
 }
