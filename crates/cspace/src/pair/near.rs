@@ -14,7 +14,6 @@ use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::{Bounds, Edge, Part};
 use crate::query::Classification;
 
-use super::locate::placed;
 use super::{Coordinates, FeatureId, PairSpace, QueryError};
 
 /// Angle below which directions are equal (radians): edges that are drawn flush differ by the rounding of their coordinates and
@@ -35,49 +34,73 @@ pub struct NearFeatures {
     pub touching: Touching,
 }
 
-pub(super) fn near_features(
-    space: &PairSpace,
-    at: Coordinates,
-    within: f64,
-) -> Result<Vec<NearFeatures>, QueryError> {
-    let class = space.classify(at)?;
-    space.refuse_lower()?;
-    // Accuracy to which parts in contact are placed.
-    let known = match class {
-        Classification::Contact => space.resolution(),
-        Classification::Free | Classification::Blocked => 0.0,
-    };
-    let (fixed, moving) = (space.fixed(), space.moving());
-    let placed = placed(space, at)?;
-    let frame = PairFrame::new(fixed, moving);
-    let slack = rounding(&frame, placed);
-    let beyond = known + slack;
-    let deepest = match class {
-        Classification::Blocked => within + slack,
-        Classification::Contact | Classification::Free => beyond,
-    };
-    let sought = Sought {
-        within,
-        deepest,
-        beyond,
-        slack,
-    };
-    // Parts may be drawn far away: all is computed relative to the fixed part's centre.
-    let center = frame.fixed_center.to_vector();
-    let mut found = sought.among(
-        &features(fixed, frame.fixed_center, Configuration::default()),
-        &features(moving, frame.moving_center, about_centers(&frame, placed)),
-    );
-    for near in &mut found {
-        near.touching.on_fixed += center;
-        near.touching.on_moving += center;
+impl PairSpace {
+    /// The pairs of features that face each other at a configuration with a distance, or a depth of overlap, of at most `within` (model
+    /// length); the nearest first.
+    ///
+    /// While the parts do not overlap, the distance of the first pair is that of the parts ([`clearance`](Self::clearance)). Both points of
+    /// a pair lie on its features: on line segments, arcs and convex vertices, not on their extensions. Patches are not used, so critical
+    /// and doubtful orientations make no difference.
+    ///
+    /// # Errors
+    /// If the configuration is in the coordinates of another class, or outside; and for lower pairs, which are in permanent contact.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
+    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+    /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
+    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
+    /// // Beside the table's corner (2, 2): 5 − 1 from it, and beyond the ends of both sides.
+    /// let near = space.near_features(Coordinates::Planar(Configuration::new(5.0, 6.0, 0.0)), 10.0)?;
+    /// assert_eq!(near[0].fixed.name.to_string(), "vertex 2 of loop 0");
+    /// assert!((near[0].distance - 4.0).abs() < 1e-12);
+    /// assert!((near[0].touching.normal.x - 0.6).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn near_features(
+        &self,
+        at: Coordinates,
+        within: f64,
+    ) -> Result<Vec<NearFeatures>, QueryError> {
+        let class = self.classify(at)?;
+        self.refuse_lower()?;
+        // Accuracy to which parts in contact are placed.
+        let known = match class {
+            Classification::Contact => self.resolution(),
+            Classification::Free | Classification::Blocked => 0.0,
+        };
+        let (fixed, moving) = (self.fixed(), self.moving());
+        let placed = self.by_class(at)?.placed();
+        let frame = PairFrame::new(fixed, moving);
+        let slack = rounding(&frame, placed);
+        let beyond = known + slack;
+        let deepest = match class {
+            Classification::Blocked => within + slack,
+            Classification::Contact | Classification::Free => beyond,
+        };
+        let sought = Sought {
+            within,
+            deepest,
+            beyond,
+            slack,
+        };
+        // Parts may be drawn far away: all is computed relative to the fixed part's centre.
+        let center = frame.fixed_center.to_vector();
+        let mut found = sought.among(
+            &features(fixed, frame.fixed_center, Configuration::default()),
+            &features(moving, frame.moving_center, about_centers(&frame, placed)),
+        );
+        for near in &mut found {
+            near.touching.on_fixed += center;
+            near.touching.on_moving += center;
+        }
+        found.sort_by(|a, b| {
+            let nearer = a.distance.abs().total_cmp(&b.distance.abs());
+            let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
+            nearer.then(names(a).cmp(&names(b)))
+        });
+        Ok(found)
     }
-    found.sort_by(|a, b| {
-        let nearer = a.distance.abs().total_cmp(&b.distance.abs());
-        let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
-        nearer.then(names(a).cmp(&names(b)))
-    });
-    Ok(found)
 }
 
 /// Bound of the rounding error of points of the two parts, in the model's unit of length.
