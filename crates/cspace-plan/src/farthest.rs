@@ -18,13 +18,6 @@ pub fn farthest(part: &Part, direction: Vector) -> f64 {
         Point::new(v.dot(direction), v.dot(direction.left()))
     };
     (part.edges())
-        .map(|edge| {
-            let turned = Edge {
-                start: turned(edge.start),
-                end: turned(edge.end),
-                ..edge
-            };
-            turned.bounds().max.x
-        })
+        .map(|edge| edge.placed(turned).bounds().max.x)
         .fold(f64::NEG_INFINITY, f64::max)
 }

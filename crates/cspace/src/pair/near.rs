@@ -134,84 +134,48 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
     let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
     for (loop_index, outline) in (0u32..).zip(part.loops()) {
-        let edges: Vec<Edge> = (outline.edges())
-            .map(|e| Edge {
-                start: place(e.start),
-                end: place(e.end),
-                ..e
-            })
-            .collect();
-        for (i, edge) in edges.iter().enumerate() {
+        let named = |kind, index: usize| FeatureName {
+            kind,
+            loop_index,
+            index: index as u32,
+        };
+        let edges: Vec<Edge> = outline.edges().map(|e| e.placed(place)).collect();
+        for (i, &edge) in edges.iter().enumerate() {
+            let ends = [edge.start_direction(), edge.end_direction()];
+            let first = ends[usize::from(edge.bulge < 0.0)];
+            features.push(PlacedFeature {
+                name: named(FeatureKind::of_edge(edge.bulge), edge.index),
+                shape: edge.into(),
+                edge: Some(edge),
+                normals: (first.right().angle(), edge.sweep().abs()),
+                bounds: edge.bounds(),
+            });
             let next = &edges[(i + 1) % edges.len()];
-            let named = |kind, index: usize| FeatureName {
-                kind,
-                loop_index,
-                index: index as u32,
+            let (before, after) = (ends[1], next.start_direction());
+            let turns_by = before.cross(after).atan2(before.dot(after));
+            let smooth = match edge.is_line() && next.is_line() {
+                true => 2.0 * STRAIGHT,
+                false => SMOOTH,
             };
-            features.push(PlacedFeature::of_edge(edge, |kind| named(kind, edge.index)));
-            let turns_by = turn_between(edge, next);
-            if turns_by > smooth(edge, next) {
+            if turns_by > smooth {
                 // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
-                let index = if outline.is_reversed() { edge } else { next }.index;
-                let name = named(FeatureKind::Vertex, index);
-                features.push(PlacedFeature::of_vertex(edge, turns_by, name));
+                let reversed = outline.is_reversed();
+                let index = if reversed { edge.index } else { next.index };
+                let at = edge.end;
+                features.push(PlacedFeature {
+                    name: named(FeatureKind::Vertex, index),
+                    shape: FeatureShape::Vertex { at: [at.x, at.y] },
+                    edge: None,
+                    normals: (before.right().angle(), turns_by),
+                    bounds: Bounds::of(at, at),
+                });
             }
         }
     }
     features
 }
 
-/// Angle by which travel turns to the left from an edge to the next one (radians).
-fn turn_between(before: &Edge, after: &Edge) -> f64 {
-    let (d1, d2) = (before.end_direction(), after.start_direction());
-    d1.cross(d2).atan2(d1.dot(d2))
-}
-
-/// The angle up to which two edges are joined smoothly.
-fn smooth(before: &Edge, after: &Edge) -> f64 {
-    if before.is_line() && after.is_line() {
-        2.0 * STRAIGHT
-    } else {
-        SMOOTH
-    }
-}
-
 impl PlacedFeature {
-    fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
-        let kind = match edge.bulge {
-            b if b > 0.0 => FeatureKind::ConvexArc,
-            b if b < 0.0 => FeatureKind::ConcaveArc,
-            _ => FeatureKind::Line,
-        };
-        let first = if edge.bulge < 0.0 {
-            edge.end_direction()
-        } else {
-            edge.start_direction()
-        };
-        Self {
-            name: named(kind),
-            shape: FeatureShape::Edge {
-                start: [edge.start.x, edge.start.y],
-                end: [edge.end.x, edge.end.y],
-                bulge: edge.bulge,
-            },
-            edge: Some(*edge),
-            normals: (first.right().angle(), edge.sweep().abs()),
-            bounds: edge.bounds(),
-        }
-    }
-
-    fn of_vertex(before: &Edge, turns_by: f64, name: FeatureName) -> Self {
-        let at = before.end;
-        Self {
-            name,
-            shape: FeatureShape::Vertex { at: [at.x, at.y] },
-            edge: None,
-            normals: (before.end_direction().right().angle(), turns_by),
-            bounds: Bounds::of(at, at),
-        }
-    }
-
     /// Signed radius: 0 for a vertex, negative for a concave arc, infinite for a line.
     fn radius(&self) -> f64 {
         (self.edge).map_or(0.0, |e| e.radius() * if e.bulge < 0.0 { -1.0 } else { 1.0 })

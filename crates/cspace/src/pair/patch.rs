@@ -90,16 +90,11 @@ impl PairPatch<'_> {
     }
 
     fn names(&self) -> Result<(FeatureName, FeatureName), QueryError> {
+        let i = self.id.index();
         match self.space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
-            PairSpace::FixedAxes(space) => {
-                let p = &space.patches()[self.id.index()];
-                Ok((p.fixed, p.moving))
-            }
-            PairSpace::Planar(space) => {
-                let p = &space.patches()[self.id.index()];
-                Ok((p.fixed, p.moving))
-            }
+            PairSpace::FixedAxes(s) => Ok((s.patches()[i].fixed, s.patches()[i].moving)),
+            PairSpace::Planar(s) => Ok((s.patches()[i].fixed, s.patches()[i].moving)),
         }
     }
 
@@ -400,11 +395,6 @@ impl Part {
             let v = outline.vertices().get(index)?;
             return Some(FeatureShape::Vertex { at: [v.x, v.y] });
         }
-        let edge = outline.edge(index)?;
-        Some(FeatureShape::Edge {
-            start: [edge.start.x, edge.start.y],
-            end: [edge.end.x, edge.end.y],
-            bulge: edge.bulge,
-        })
+        outline.edge(index).map(FeatureShape::from)
     }
 }

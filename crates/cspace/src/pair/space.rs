@@ -292,10 +292,7 @@ impl PairSpace {
 
     /// Number of bands; 1 for a space without orientations.
     pub fn band_count(&self) -> usize {
-        match self {
-            Self::Planar(space) => space.bands().len(),
-            _ => 1,
-        }
+        self.bands().map_or(1, |bands| bands.len())
     }
 
     /// The space as plain data.

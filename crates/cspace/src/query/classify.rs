@@ -70,7 +70,9 @@ impl ContactSpace {
         /// pair's frame).
         const CLEAR: f64 = 2.0 * END_ERROR;
         self.places.made()?;
-        if self.doubts().hold(self.settled(c.theta)) {
+        let surface = self.surface();
+        let settled = surface.settled(c.theta);
+        if surface.doubts().hold(settled) {
             return None;
         }
         let clear = self.data.frame.outer_length(CLEAR);
@@ -98,7 +100,7 @@ impl ContactSpace {
             return Some(Location::Contact);
         }
         let patch = &self.data.patches[patch.index()];
-        let curve = self.curve(patch, self.alive(patch, self.settled(c.theta))?);
+        let curve = surface.curve(patch, surface.alive(patch, settled)?);
         let ends = [0.0, 1.0].map(|s| curve.point(s));
         if next <= distance + clear || ends.iter().any(|e| e.distance(q) <= clear) {
             return None;

@@ -63,12 +63,9 @@ impl ContactSpace {
         duration: f64,
     ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
         let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
-        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
-        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
-        if self.classify(from).is_none() {
+        let start = [from.x, from.y, from.theta];
+        MotionError::check(&[&start, &rates, &[about.x, about.y]], duration)?;
+        if !self.covers(from) {
             return Err(MotionError::StartsOutside);
         }
         let path = Path::new(self, from, Vector::new(dx, dy), about, turning);

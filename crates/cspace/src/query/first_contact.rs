@@ -66,6 +66,16 @@ pub enum MotionError {
     TurnsTooFar,
 }
 
+impl MotionError {
+    /// Checks that the numbers of a motion, and its duration, are valid.
+    pub(crate) fn check(numbers: &[&[f64]], duration: f64) -> Result<(), Self> {
+        let has_square = |n: &f64| (n * n).is_finite();
+        let valid = numbers.iter().copied().flatten().all(has_square);
+        let lasts = has_square(&duration) && duration >= 0.0;
+        (valid && lasts).then_some(()).ok_or(Self::NotFinite)
+    }
+}
+
 impl MotionOutcome {
     /// The outcome with times counted from `time` earlier.
     fn later_by(self, time: f64) -> Self {
@@ -162,11 +172,8 @@ impl ContactSpace {
         duration: f64,
     ) -> Result<MotionOutcome, MotionError> {
         let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
-        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
-        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
+        let start = [from.x, from.y, from.theta];
+        MotionError::check(&[&start, &rates, &[about.x, about.y]], duration)?;
         let starts_in_contact = match self.classify(from) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),

@@ -34,7 +34,7 @@ impl ContactSpace {
                 let near = images(from.theta, (patch.lo, patch.hi))
                     .map(|theta| {
                         let t = theta.clamp(patch.lo, patch.hi);
-                        let q = self.curve(patch, t).nearest(from.position());
+                        let q = self.surface().curve(patch, t).nearest(from.position());
                         q.distance(from.position())
                             .hypot(length_per_radian * (t - theta))
                     })
@@ -108,7 +108,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// The nearest point of the curve at an orientation of the patch, as a position.
     fn nearest(&self, t: f64) -> Point {
-        let curve = self.space.curve(self.patch, t);
+        let curve = self.space.surface().curve(self.patch, t);
         curve.nearest(self.from.position())
     }
 
