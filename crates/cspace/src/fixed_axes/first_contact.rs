@@ -105,7 +105,7 @@ impl FixedAxesSpace {
         if !(depth >= 0.0 && depth.is_finite()) {
             return Err(MotionError::NotFinite);
         }
-        MotionError::check(&[&[from.0, from.1, rates.0, rates.1]], duration)?;
+        MotionError::check([from.0, from.1, rates.0, rates.1], duration)?;
         let depth = depth * self.setting.map.frame.scale;
         let touches = match self.classify(from.0, from.1) {
             None => return Err(MotionError::StartsOutside),
@@ -156,7 +156,7 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
-        MotionError::check(&[&[from.0, from.1, rates.0, rates.1]], duration)?;
+        MotionError::check([from.0, from.1, rates.0, rates.1], duration)?;
         if !self.covers(from.0, from.1) {
             return Err(MotionError::StartsOutside);
         }

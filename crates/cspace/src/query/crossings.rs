@@ -4,8 +4,7 @@ use crate::geometry::{Configuration, Vector};
 use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
-use super::first_contact::MotionError;
-use super::path::{Approach, Path};
+use super::path::{Approach, MotionError, Path};
 use super::touch::Search;
 
 impl ContactSpace {
@@ -62,13 +61,10 @@ impl ContactSpace {
         about: Vector,
         duration: f64,
     ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
-        let [dx, dy, turning] = rates;
-        let start = [from.x, from.y, from.theta];
-        MotionError::check(&[&start, &rates, &[about.x, about.y]], duration)?;
+        let path = Path::new(self, from, rates, about, duration)?;
         if !self.covers(from) {
             return Err(MotionError::StartsOutside);
         }
-        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
         let end = path
             .time_in_window(self.window())
             .map_or(duration, |t| t.min(duration));

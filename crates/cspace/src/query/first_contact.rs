@@ -1,11 +1,11 @@
 //! The first contact along a motion of constant rates.
 
-use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
+use crate::geometry::{Configuration, Vector};
 use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 use super::Classification;
-use super::path::{Approach, Path};
+use super::path::{Approach, MotionError, Path};
 use super::touch::{Search, Touch};
 
 /// First contact along a motion.
@@ -43,36 +43,6 @@ impl MotionOutcome {
             Self::Contact(contact) => Some(contact),
             _ => None,
         }
-    }
-}
-
-/// Reasons for which a motion cannot be followed.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MotionError {
-    /// A coordinate, a rate or the duration is not finite, or its square is not; or the duration is negative.
-    #[error("the motion is not described by finite numbers, or lasts less than no time")]
-    NotFinite,
-    /// The parts overlap where the motion begins.
-    #[error("the parts overlap where the motion begins")]
-    StartsBlocked,
-    /// The motion begins at an orientation outside the window of the space.
-    #[error("the motion begins outside the orientations of the space")]
-    StartsOutside,
-    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is still possible, before any contact.
-    #[error(
-        "the motion turns to more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns, or divide the motion"
-    )]
-    TurnsTooFar,
-}
-
-impl MotionError {
-    /// Checks that the numbers of a motion, and its duration, are valid.
-    pub(crate) fn check(numbers: &[&[f64]], duration: f64) -> Result<(), Self> {
-        let has_square = |n: &f64| (n * n).is_finite();
-        let valid = numbers.iter().copied().flatten().all(has_square);
-        let lasts = has_square(&duration) && duration >= 0.0;
-        (valid && lasts).then_some(()).ok_or(Self::NotFinite)
     }
 }
 
@@ -171,15 +141,12 @@ impl ContactSpace {
         about: Vector,
         duration: f64,
     ) -> Result<MotionOutcome, MotionError> {
-        let [dx, dy, turning] = rates;
-        let start = [from.x, from.y, from.theta];
-        MotionError::check(&[&start, &rates, &[about.x, about.y]], duration)?;
+        let path = Path::new(self, from, rates, about, duration)?;
         let starts_in_contact = match self.classify(from) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
             Some(class) => class == Classification::Contact,
         };
-        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
         let (end, leaves) = match path.time_in_window(self.window()) {
             Some(time) if time < duration => (time, true),
             _ => (duration, false),
