@@ -1,6 +1,6 @@
 //! How far a part reaches in a direction.
 
-use cspace::{Edge, Part, Point, Vector};
+use cspace::{Part, Point, Vector};
 
 /// max p · d over the points p of a part, for a direction d of unit length: how far the part reaches along d from the origin of its frame,
 /// in the model's unit.

@@ -1,6 +1,5 @@
 //! Location of a configuration: its free region, blocked, or outside the computed range; the clearance of the parts, and their contacts.
 
-use crate::contact::ContactFunction;
 use crate::ids::PatchId;
 use crate::part::distance_of;
 use crate::query::{Classification, Location};
@@ -88,12 +87,10 @@ impl PairSpace {
         tolerance: f64,
     ) -> Result<Vec<(PatchId, f64)>, QueryError> {
         Ok(match self.covered(at)? {
-            ByClass::Lower(pair, c) => {
-                let off = |f: &ContactFunction| f.value(c.position(), c.theta).abs();
-                let all = (0..).map(PatchId).zip(pair.contacts());
-                let all = all.map(|(i, contact)| (i, off(&contact.function)));
-                all.filter(|&(_, off)| off <= tolerance).collect()
-            }
+            ByClass::Lower(pair, c) => ((0..).map(PatchId).zip(pair.contacts()))
+                .map(|(i, contact)| (i, contact.function.value(c.position(), c.theta).abs()))
+                .filter(|&(_, off)| off <= tolerance)
+                .collect(),
             ByClass::Axes(space, u, v) => space.contacts(u, v, tolerance),
             ByClass::Planar(space, c) => space.contacts(c, tolerance),
         })

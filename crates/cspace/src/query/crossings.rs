@@ -65,9 +65,8 @@ impl ContactSpace {
         if !self.covers(from) {
             return Err(MotionError::StartsOutside);
         }
-        let end = path
-            .time_in_window(self.window())
-            .map_or(duration, |t| t.min(duration));
+        let leaves = path.time_in_window(self.window());
+        let end = leaves.map_or(duration, |t| t.min(duration));
         match path.approach() {
             Approach::Near => {}
             Approach::At(time) if time < end => {

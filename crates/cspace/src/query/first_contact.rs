@@ -147,9 +147,12 @@ impl ContactSpace {
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
             Some(class) => class == Classification::Contact,
         };
-        let (end, leaves) = match path.time_in_window(self.window()) {
-            Some(time) if time < duration => (time, true),
-            _ => (duration, false),
+        let leaves = path.time_in_window(self.window());
+        let leaves = leaves.filter(|&time| time < duration);
+        let end = leaves.unwrap_or(duration);
+        let without_contact = match leaves {
+            Some(time) => MotionOutcome::LeavesWindow { time },
+            None => MotionOutcome::Free,
         };
         match path.approach() {
             Approach::Near => {}
@@ -158,10 +161,7 @@ impl ContactSpace {
                 let outcome = self.first_contact_about(from, rates, about, duration - time)?;
                 return Ok(outcome.later_by(time));
             }
-            Approach::At(_) | Approach::Never if leaves => {
-                return Ok(MotionOutcome::LeavesWindow { time: end });
-            }
-            Approach::At(_) | Approach::Never => return Ok(MotionOutcome::Free),
+            Approach::At(_) | Approach::Never => return Ok(without_contact),
         }
         let found = Search::new(self, path, starts_in_contact).first(end);
         if found.is_none() && path.turns_too_far(end) {
@@ -174,15 +174,13 @@ impl ContactSpace {
                 patch,
             }));
         }
-        Ok(match found {
-            Some(touch) => MotionOutcome::Contact(FirstContact {
+        Ok(found.map_or(without_contact, |touch| {
+            MotionOutcome::Contact(FirstContact {
                 time: touch.time,
                 configuration: path.outer_at(touch.time),
                 patch: touch.patch,
-            }),
-            None if leaves => MotionOutcome::LeavesWindow { time: end },
-            None => MotionOutcome::Free,
-        })
+            })
+        }))
     }
 
     /// Whether a motion that starts in contact enters blocked space there although it crosses no patch: where all contacts at a position
