@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::tolerance::GROWTH;
 use crate::fixed_axes::{Axis, AxisMotion};
-use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::geometry::{Configuration, Point, Rotation, Vector, wrap};
 use crate::part::Part;
 use crate::query::{Classification, Location};
 
@@ -199,8 +199,7 @@ impl LowerPair {
                 Joint::Revolute { .. } => self.configuration(c.theta),
                 _ => nearest,
             };
-            let turned = c.theta - nearest.theta;
-            let turned = turned - TAU * (turned / TAU).round();
+            let turned = wrap(c.theta - nearest.theta);
             // The orientation is checked first, because its error displaces the position, too.
             turned.abs() <= angular && there.position().distance(c.position()) <= resolution
         });

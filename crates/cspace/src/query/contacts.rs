@@ -67,6 +67,7 @@ impl ContactSpace {
     }
 
     /// Distance of a configuration from the contact curve of a patch at its orientation; `None` if the patch does not exist there.
+    // The classifier's loop seldom comes here.
     #[cold]
     pub(crate) fn distance_to(&self, patch: PatchId, c: Configuration) -> Option<f64> {
         let (surface, p) = (self.surface(), c.position());
