@@ -110,11 +110,7 @@ fn features<'a>(p: &'a PlacedPart<'_>, plot: &'a Plot) -> impl Iterator<Item = L
             let n = edges.len();
             let mut found = Vec::with_capacity(2 * n);
             for (i, edge) in edges.iter().enumerate() {
-                let kind = match edge.bulge {
-                    0.0 => FeatureKind::Line,
-                    b if b > 0.0 => FeatureKind::ConvexArc,
-                    _ => FeatureKind::ConcaveArc,
-                };
+                let kind = FeatureKind::of_edge(edge.bulge);
                 let places =
                     [0.5, 0.3, 0.7].map(|t| (dot(edge.at(t)), direction(outward(edge, t))));
                 found.push(Labelled {

@@ -373,11 +373,7 @@ fn edges_of<T: Real>(
         let goes = direction(start, end, -bulge);
         let turn = comes[0] * goes[1] - comes[1] * goes[0];
         let is_concave = turn.value() + turn.spread() < 0.0;
-        let kind = match bulge.value() {
-            b if b > 0.0 => FeatureKind::ConvexArc,
-            b if b < 0.0 => FeatureKind::ConcaveArc,
-            _ => FeatureKind::Line,
-        };
+        let kind = FeatureKind::of_edge(bulge.value());
         DrawnEdge {
             name: name(kind, i),
             shape: FeatureShape::Edge { start, end, bulge },

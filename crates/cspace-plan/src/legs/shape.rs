@@ -46,11 +46,7 @@ impl Piece {
         for (loop_index, boundary) in (0u32..).zip(part.loops()) {
             let count = boundary.vertices().len();
             for e in boundary.edges() {
-                let moved = Edge {
-                    start: e.start - origin,
-                    end: e.end - origin,
-                    ..e
-                };
+                let moved = e.placed(|p| p - origin);
                 let name = |kind, index: usize| FeatureName {
                     kind,
                     loop_index,
@@ -61,13 +57,7 @@ impl Piece {
                 } else {
                     e.index
                 };
-                let kind = if e.is_line() {
-                    FeatureKind::Line
-                } else if e.bulge > 0.0 {
-                    FeatureKind::ConvexArc
-                } else {
-                    FeatureKind::ConcaveArc
-                };
+                let kind = FeatureKind::of_edge(e.bulge);
                 all.push(Self {
                     shape: Shape::Circle {
                         center: moved.start,

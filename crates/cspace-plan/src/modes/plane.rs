@@ -77,13 +77,8 @@ impl Plane {
 
     /// The interval of y that a gap is; `None` of a full turn.
     pub(crate) fn span(&self, gap: usize) -> Option<Span<'_>> {
-        let PlaneGap { lower, upper } = self.swept.as_ref().map_or(
-            PlaneGap {
-                lower: None,
-                upper: None,
-            },
-            |s| s.gap(gap),
-        );
+        let found = self.swept.as_ref().map(|s| s.gap(gap));
+        let PlaneGap { lower, upper } = found.unwrap_or_default();
         if self.y.circle && (lower.is_none() || upper.is_none()) {
             return None;
         }

@@ -60,6 +60,7 @@ impl Nearby {
         let (first, end) = self.slots[slot].doubts;
         first < end
             && space
+                .surface()
                 .doubts()
                 .hold_among(theta, first as usize..end as usize)
     }

@@ -3,6 +3,7 @@
 use core::ops::Deref;
 
 use crate::geometry::{Configuration, Point, Rotation};
+use crate::ids::PatchId;
 use crate::parallel;
 use crate::query::Classification;
 use crate::space::ContactSpace;
@@ -176,7 +177,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
             (Rotation::by(home.theta), self.slab.position(p, home))
         };
         let settled = if critical {
-            self.space.settled(home.theta)
+            self.space.surface().settled(home.theta)
         } else {
             home.theta
         };
@@ -184,7 +185,7 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         for &i in patches {
             let off = off_cycle(&self.space.patches()[i as usize], turn, p);
             if off <= self.grid.margin
-                && let Some(distance) = self.distance(c, self.slab.image(i, home))
+                && let Some(distance) = self.space.distance_to(PatchId(self.slab.image(i, home)), c)
             {
                 if distance <= self.space.contact_distance() {
                     return Some(Classification::Contact);
@@ -215,14 +216,5 @@ impl<S: Deref<Target = ContactSpace>> Classifier<S> {
         let frame = &self.space.data().frame;
         let drawn = turn * frame.moving_center.to_vector();
         Point::ORIGIN + ((c.position() - frame.fixed_center) + drawn) * frame.scale
-    }
-
-    /// Distance of a configuration from the curve of a patch (model length); `None` if the patch does not exist at its orientation.
-    #[cold]
-    fn distance(&self, c: Configuration, patch: u32) -> Option<f64> {
-        let patch = &self.space.patches()[patch as usize];
-        let alive = self.space.alive(patch, self.space.settled(c.theta))?;
-        let curve = self.space.curve_as_at(patch, alive, c.theta);
-        Some(curve.nearest(c.position()).distance(c.position()))
     }
 }

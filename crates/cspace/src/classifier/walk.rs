@@ -40,6 +40,7 @@ pub(super) fn from_cell<'a>(
     direction: AxisDirection,
     content: impl Fn(usize, usize) -> Content<'a>,
 ) -> Option<bool> {
+    let surface = space.surface();
     loop {
         let patches = match content(column, row) {
             Content::Pure { free } => return Some(free),
@@ -56,7 +57,7 @@ pub(super) fn from_cell<'a>(
         let mut other = f64::INFINITY;
         for &i in patches {
             let patch = &space.patches()[i as usize];
-            if space.alive(patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
+            if surface.alive(patch, theta).is_none() || !may_meet(patch, turn, p, direction, wall) {
                 continue;
             }
             match Local::new(patch, turn, p).meet(direction) {

@@ -16,6 +16,7 @@
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
+use crate::part::Edge;
 
 use super::cycle::Cycle;
 use super::placement::Placement;
@@ -40,6 +41,16 @@ pub enum FeatureShape<T> {
         /// Position of the vertex.
         at: [T; 2],
     },
+}
+
+impl From<Edge> for FeatureShape<f64> {
+    fn from(edge: Edge) -> Self {
+        Self::Edge {
+            start: [edge.start.x, edge.start.y],
+            end: [edge.end.x, edge.end.y],
+            bulge: edge.bulge,
+        }
+    }
 }
 
 /// Points where two features touch, or would touch if they were moved together along their normal, in the fixed part's frame.

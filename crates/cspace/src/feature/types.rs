@@ -33,6 +33,17 @@ pub struct FeatureName {
     pub index: u32,
 }
 
+impl FeatureKind {
+    /// The kind of an edge that is traversed with material on the left, by its bulge.
+    pub fn of_edge(bulge: f64) -> Self {
+        match bulge {
+            b if b > 0.0 => Self::ConvexArc,
+            b if b < 0.0 => Self::ConcaveArc,
+            _ => Self::Line,
+        }
+    }
+}
+
 impl core::fmt::Display for FeatureKind {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(match self {

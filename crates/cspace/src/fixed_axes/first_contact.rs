@@ -86,7 +86,7 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<AxesMotionOutcome, MotionError> {
-        self.first_below(from, rates, duration, 0.0)
+        self.first_contact_below(from, rates, duration, 0.0)
     }
 
     /// The first contact, where contact is defined as the contact function falling to −`depth` (model length): so that a motion along
@@ -105,17 +105,7 @@ impl FixedAxesSpace {
         if !(depth >= 0.0 && depth.is_finite()) {
             return Err(MotionError::NotFinite);
         }
-        self.first_below(from, rates, duration, depth)
-    }
-
-    fn first_below(
-        &self,
-        from: (f64, f64),
-        rates: (f64, f64),
-        duration: f64,
-        depth: f64,
-    ) -> Result<AxesMotionOutcome, MotionError> {
-        check(from, rates, duration)?;
+        MotionError::check([from.0, from.1, rates.0, rates.1], duration)?;
         let depth = depth * self.setting.map.frame.scale;
         let touches = match self.classify(from.0, from.1) {
             None => return Err(MotionError::StartsOutside),
@@ -166,8 +156,8 @@ impl FixedAxesSpace {
         rates: (f64, f64),
         duration: f64,
     ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
-        check(from, rates, duration)?;
-        if self.setting.placed(from.0, from.1).is_none() {
+        MotionError::check([from.0, from.1, rates.0, rates.1], duration)?;
+        if !self.covers(from.0, from.1) {
             return Err(MotionError::StartsOutside);
         }
         let way = self.way(from, rates);
@@ -313,25 +303,12 @@ impl FixedAxesSpace {
     }
 
     fn touches_at(&self, way: &Way, cell: u32, time: f64) -> bool {
-        let (u, v) = self
-            .setting
-            .map
-            .outer(way.x + way.dx * time, way.y + way.dy * time);
+        let (x, y) = way.at(time);
+        let (u, v) = self.setting.map.outer(x, y);
         let distance = self.setting.inner_contact_distance();
         self.setting.placed(u, v).is_some_and(|(x, y)| {
             self.in_box(cell, x, y, NEAR) && self.on_own_root(cell, x, y, distance)
         })
-    }
-}
-
-/// Checks that the numbers of a motion are valid.
-fn check(from: (f64, f64), rates: (f64, f64), duration: f64) -> Result<(), MotionError> {
-    let numbers = [from.0, from.1, rates.0, rates.1, duration];
-    let finite = numbers.iter().all(|n| (n * n).is_finite());
-    if finite && duration >= 0.0 {
-        Ok(())
-    } else {
-        Err(MotionError::NotFinite)
     }
 }
 
@@ -344,6 +321,13 @@ pub(super) struct Way {
     pub(super) y: f64,
     pub(super) dx: f64,
     pub(super) dy: f64,
+}
+
+impl Way {
+    /// The place at a time.
+    fn at(&self, t: f64) -> (f64, f64) {
+        (self.x + self.dx * t, self.y + self.dy * t)
+    }
 }
 
 /// A condition along a motion.
@@ -376,7 +360,7 @@ impl<'a> Along<'a> {
 
     /// The contact function and its derivative by time.
     pub(super) fn distance(&self, t: f64) -> (f64, f64) {
-        let (x, y) = (self.way.x + self.way.dx * t, self.way.y + self.way.dy * t);
+        let (x, y) = self.way.at(t);
         let (by_x, by_y) = self.condition.gradient(x, y);
         (
             self.condition.value(x, y),
@@ -391,8 +375,8 @@ impl<'a> Along<'a> {
     /// ω has |w′| ≤ ω R and |w″| ≤ ω² R, with R the distance of the point from the pivot; one that slides has no acceleration.
     fn smooth(&self, lo: f64, hi: f64) -> (f64, f64, f64) {
         let mid = 0.5 * (lo + hi);
-        let Way { x, y, dx, dy } = *self.way;
-        let (x, y) = (x + dx * mid, y + dy * mid);
+        let Way { dx, dy, .. } = *self.way;
+        let (x, y) = self.way.at(mid);
         let motions = self.condition.motions;
         let (first, second) = (motions.first, motions.second);
         let rate = |m: Motion, d: f64| if m.turns() { d.abs() } else { 0.0 };

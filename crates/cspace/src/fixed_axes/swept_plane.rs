@@ -68,7 +68,7 @@ pub struct PlaneCurve {
 }
 
 /// The curves that bound a gap; `None` at a limit of y, and for a full turn that is free.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct PlaneGap {
     /// The curve below.
     pub lower: Option<PlaneCurve>,
@@ -153,16 +153,11 @@ impl SweptPlane {
     /// The curves that bound a gap. `None` in both if there is no such gap.
     pub fn gap(&self, gap: usize) -> PlaneGap {
         let curve = |cell: Option<u32>, turns| cell.map(|cell| PlaneCurve { cell, turns });
-        self.space.data.gaps.get(gap).map_or(
-            PlaneGap {
-                lower: None,
-                upper: None,
-            },
-            |g| PlaneGap {
-                lower: curve(g.lower, g.turns.0),
-                upper: curve(g.upper, g.turns.1),
-            },
-        )
+        let found = self.space.data.gaps.get(gap).map(|g| PlaneGap {
+            lower: curve(g.lower, g.turns.0),
+            upper: curve(g.upper, g.turns.1),
+        });
+        found.unwrap_or_default()
     }
 
     /// Ends of a gap at an x of its band; for a full turn that is free, minimum and maximum y.

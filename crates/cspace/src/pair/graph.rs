@@ -1,10 +1,10 @@
 //! Elements of a pair's space: patches, the links between them, bands and free regions.
 
-use crate::fixed_axes::{AxesPatch, AxesRegion};
+use crate::fixed_axes::AxesRegion;
 use crate::ids::{LinkId, PatchId, RegionId};
-use crate::space::{SideLink, VerticalLink};
+use crate::space::Band;
 
-use super::{Coordinates, Neighbours, PairSpace};
+use super::{Coordinates, Neighbours, PairPatch, PairSpace, QueryError};
 
 /// Two patches that are neighbours on the boundary of free space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,85 +49,109 @@ pub struct PairRegion {
     pub unbounded: bool,
 }
 
-pub(super) fn links(space: &PairSpace) -> Vec<PairLink> {
-    let mut links: Vec<(PatchId, PatchId, LinkKind)> = Vec::new();
-    match space {
-        PairSpace::Lower(_) => {}
-        PairSpace::FixedAxes(space) => {
-            let next = |(i, p): (PatchId, &AxesPatch)| Some((i, p.next?, LinkKind::Side));
-            links.extend((0..).map(PatchId).zip(space.patches()).filter_map(next));
-        }
-        PairSpace::Planar(space) => {
-            let side = |l: &SideLink| {
-                let (lo, hi) = (l.lo, l.hi);
-                (l.before, l.after, LinkKind::SideOver { lo, hi })
-            };
-            let vertical = |l: &VerticalLink| {
-                let theta = l.theta;
-                (l.lower, l.upper, LinkKind::Vertical { theta })
-            };
-            links.extend(space.side_links().iter().map(side));
-            links.extend(space.vertical_links().iter().map(vertical));
-        }
+/// Neighbours, bands and free regions.
+impl PairSpace {
+    /// The neighbours of a patch. Permanent contacts have none.
+    ///
+    /// # Errors
+    /// If there is no such patch.
+    pub fn neighbours(&self, patch: PatchId) -> Result<Neighbours, QueryError> {
+        self.patch(patch).map(|p| p.neighbours())
     }
-    (0..)
-        .zip(links)
-        .map(|(i, (first, second, kind))| PairLink {
-            id: LinkId(i),
-            first,
-            second,
-            kind,
-        })
-        .collect()
-}
 
-pub(super) fn neighbours(space: &PairSpace, patch: PatchId) -> Neighbours {
-    let sorted = |list: &mut dyn Iterator<Item = PatchId>| {
-        let mut list: Vec<PatchId> = list.collect();
-        list.sort_unstable();
-        list.dedup();
-        list
-    };
-    match space {
-        PairSpace::Lower(_) => Neighbours::default(),
-        PairSpace::FixedAxes(space) => {
-            let p = &space.patches()[patch.index()];
-            Neighbours {
-                before: p.previous.into_iter().collect(),
-                after: p.next.into_iter().collect(),
-                ..Neighbours::default()
+    /// The links between patches, in the order of their numbers. Permanent contacts have none.
+    pub fn links(&self) -> Vec<PairLink> {
+        let mut links = Vec::new();
+        let mut add = |first, second, kind| {
+            let id = LinkId(links.len() as u32);
+            links.push(PairLink {
+                id,
+                first,
+                second,
+                kind,
+            });
+        };
+        match self {
+            Self::Lower(_) => {}
+            Self::FixedAxes(space) => {
+                for (first, patch) in (0..).map(PatchId).zip(space.patches()) {
+                    (patch.next.iter()).for_each(|&second| add(first, second, LinkKind::Side));
+                }
+            }
+            Self::Planar(space) => {
+                for l in space.side_links() {
+                    let (lo, hi) = (l.lo, l.hi);
+                    add(l.before, l.after, LinkKind::SideOver { lo, hi });
+                }
+                for l in space.vertical_links() {
+                    let theta = l.theta;
+                    add(l.lower, l.upper, LinkKind::Vertical { theta });
+                }
             }
         }
-        PairSpace::Planar(space) => Neighbours {
-            before: sorted(&mut space.links_before(patch).map(|l| l.before)),
-            after: sorted(&mut space.links_after(patch).map(|l| l.after)),
-            below: sorted(&mut space.links_below(patch).map(|l| l.lower)),
-            above: sorted(&mut space.links_above(patch).map(|l| l.upper)),
-        },
+        links
+    }
+
+    /// The bands: intervals between critical orientations, in which only lengths change.
+    ///
+    /// # Errors
+    /// If the pair has no orientation as a coordinate: lower pairs and pairs with fixed axes.
+    pub fn bands(&self) -> Result<Vec<Band>, QueryError> {
+        Ok(self.oriented()?.bands())
+    }
+
+    /// The connected components of free space, in the order of their numbers. A lower pair has none.
+    pub fn regions(&self) -> Vec<PairRegion> {
+        let regions: Vec<(Coordinates, bool)> = match self {
+            Self::Lower(_) => Vec::new(),
+            Self::FixedAxes(space) => {
+                let region = |r: AxesRegion| {
+                    let (u, v) = r.sample;
+                    let open = [r.open_u, r.open_v].iter().any(|o| o.0 || o.1);
+                    (Coordinates::Axes { u, v }, open || r.around_u || r.around_v)
+                };
+                space.regions().into_iter().map(region).collect()
+            }
+            Self::Planar(space) => (space.free_regions().iter())
+                .map(|r| (Coordinates::Planar(r.sample), r.unbounded))
+                .collect(),
+        };
+        (0..)
+            .zip(regions)
+            .map(|(i, (sample, unbounded))| PairRegion {
+                id: RegionId(i),
+                sample,
+                unbounded,
+            })
+            .collect()
     }
 }
 
-pub(super) fn regions(space: &PairSpace) -> Vec<PairRegion> {
-    let regions: Vec<(Coordinates, bool)> = match space {
-        PairSpace::Lower(_) => Vec::new(),
-        PairSpace::FixedAxes(space) => {
-            let region = |r: AxesRegion| {
-                let (u, v) = r.sample;
-                let open = [r.open_u, r.open_v].iter().any(|o| o.0 || o.1);
-                (Coordinates::Axes { u, v }, open || r.around_u || r.around_v)
-            };
-            space.regions().into_iter().map(region).collect()
+impl PairPatch<'_> {
+    /// The neighbours along the boundary of free space, found in time proportional to their number.
+    pub fn neighbours(&self) -> Neighbours {
+        let sorted = |list: &mut dyn Iterator<Item = PatchId>| {
+            let mut list: Vec<PatchId> = list.collect();
+            list.sort_unstable();
+            list.dedup();
+            list
+        };
+        match self.space {
+            PairSpace::Lower(_) => Neighbours::default(),
+            PairSpace::FixedAxes(space) => {
+                let p = &space.patches()[self.id.index()];
+                Neighbours {
+                    before: p.previous.into_iter().collect(),
+                    after: p.next.into_iter().collect(),
+                    ..Neighbours::default()
+                }
+            }
+            PairSpace::Planar(space) => Neighbours {
+                before: sorted(&mut space.links_before(self.id).map(|l| l.before)),
+                after: sorted(&mut space.links_after(self.id).map(|l| l.after)),
+                below: sorted(&mut space.links_below(self.id).map(|l| l.lower)),
+                above: sorted(&mut space.links_above(self.id).map(|l| l.upper)),
+            },
         }
-        PairSpace::Planar(space) => (space.free_regions().iter())
-            .map(|r| (Coordinates::Planar(r.sample), r.unbounded))
-            .collect(),
-    };
-    (0..)
-        .zip(regions)
-        .map(|(i, (sample, unbounded))| PairRegion {
-            id: RegionId(i),
-            sample,
-            unbounded,
-        })
-        .collect()
+    }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::contact::{ContactFunction, Spiral};
 use crate::feature::tolerance::GROWTH;
 use crate::fixed_axes::{Axis, AxisMotion};
-use crate::geometry::{Configuration, Point, Rotation, Vector};
+use crate::geometry::{Configuration, Point, Rotation, Vector, wrap};
 use crate::part::Part;
 use crate::query::{Classification, Location};
 
@@ -98,25 +98,6 @@ impl LowerPair {
             joint,
             limits,
             contacts: table(joint),
-        }
-    }
-
-    /// The joint by which a part moves relative to the ground: every motion of one degree of freedom is a lower pair.
-    ///
-    /// ```
-    /// use cspace::pair::{Joint, LowerPair};
-    /// use cspace::{Axis, Point};
-    /// let at = Point::new(2.0, 1.0);
-    /// assert_eq!(LowerPair::joint_with_ground(&Axis::revolute(at)), Joint::Revolute { at });
-    /// ```
-    pub fn joint_with_ground(axis: &Axis) -> Joint {
-        match axis.motion {
-            AxisMotion::Fixed => Joint::Rigid,
-            AxisMotion::Revolute { center } => Joint::Revolute { at: center },
-            AxisMotion::Prismatic { direction } => Joint::Prismatic {
-                direction,
-                at: Point::ORIGIN,
-            },
         }
     }
 
@@ -213,11 +194,14 @@ impl LowerPair {
         let angular = resolution / self.size();
         let on_joint = self.motion_of(c).is_some_and(|t| {
             let nearest = self.configuration(t);
-            let turned = c.theta - nearest.theta;
-            let turned = turned - TAU * (turned / TAU).round();
+            // On a hinge, the place that belongs to the orientation itself.
+            let there = match self.joint {
+                Joint::Revolute { .. } => self.configuration(c.theta),
+                _ => nearest,
+            };
+            let turned = wrap(c.theta - nearest.theta);
             // The orientation is checked first, because its error displaces the position, too.
-            turned.abs() <= angular
-                && self.configuration_at(c, t).distance(c.position()) <= resolution
+            turned.abs() <= angular && there.position().distance(c.position()) <= resolution
         });
         match on_joint {
             true => Location::Contact,
@@ -244,14 +228,6 @@ impl LowerPair {
             t
         };
         (lo - slack <= t && t <= hi + slack).then(|| t.clamp(lo, hi))
-    }
-
-    /// The position the joint has at the orientation of a configuration after a motion by `t`.
-    fn configuration_at(&self, c: Configuration, t: f64) -> Point {
-        match self.joint {
-            Joint::Revolute { .. } => self.configuration(c.theta).position(),
-            _ => self.configuration(t).position(),
-        }
     }
 }
 

@@ -17,7 +17,6 @@ mod motion;
 mod near;
 mod patch;
 mod project;
-mod questions;
 mod relation;
 mod space;
 

@@ -14,7 +14,6 @@ use crate::geometry::{Configuration, Point, Rotation, Vector};
 use crate::part::{Bounds, Edge, LoopHeights, MeetingLoops, Part};
 use crate::query::Classification;
 
-use super::locate::placed;
 use super::{Coordinates, FeatureId, PairSpace, QueryError};
 
 /// Angle below which directions are equal (radians): edges that are drawn flush differ by the rounding of their coordinates and
@@ -35,50 +34,74 @@ pub struct NearFeatures {
     pub touching: Touching,
 }
 
-pub(super) fn near_features(
-    space: &PairSpace,
-    at: Coordinates,
-    within: f64,
-) -> Result<Vec<NearFeatures>, QueryError> {
-    let class = space.classify(at)?;
-    space.refuse_lower()?;
-    // Accuracy to which parts in contact are placed.
-    let known = match class {
-        Classification::Contact => space.resolution(),
-        Classification::Free | Classification::Blocked => 0.0,
-    };
-    let (fixed, moving) = (space.fixed(), space.moving());
-    let placed = placed(space, at)?;
-    let frame = PairFrame::new(fixed, moving);
-    let slack = rounding(&frame, placed);
-    let beyond = known + slack;
-    let deepest = match class {
-        Classification::Blocked => within + slack,
-        Classification::Contact | Classification::Free => beyond,
-    };
-    let sought = Sought {
-        meeting: MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving)),
-        within,
-        deepest,
-        beyond,
-        slack,
-    };
-    // Parts may be drawn far away: all is computed relative to the fixed part's centre.
-    let center = frame.fixed_center.to_vector();
-    let mut found = sought.among(
-        &features(fixed, frame.fixed_center, Configuration::default()),
-        &features(moving, frame.moving_center, about_centers(&frame, placed)),
-    );
-    for near in &mut found {
-        near.touching.on_fixed += center;
-        near.touching.on_moving += center;
+impl PairSpace {
+    /// The pairs of features that face each other at a configuration with a distance, or a depth of overlap, of at most `within` (model
+    /// length); the nearest first.
+    ///
+    /// While the parts do not overlap, the distance of the first pair is that of the parts ([`clearance`](Self::clearance)). Both points of
+    /// a pair lie on its features: on line segments, arcs and convex vertices, not on their extensions. Patches are not used, so critical
+    /// and doubtful orientations make no difference.
+    ///
+    /// # Errors
+    /// If the configuration is in the coordinates of another class, or outside; and for lower pairs, which are in permanent contact.
+    ///
+    /// ```
+    /// use cspace::{Configuration, Coordinates, Options, PairSpace, Part, Relation};
+    /// let table = Part::rectangle("table", (0.0, 0.0), 4.0, 4.0)?;
+    /// let coin = Part::circle("coin", (0.0, 0.0), 1.0)?;
+    /// let space = PairSpace::compute(&table, &coin, Relation::Planar, &Options::default())?;
+    /// // Beside the table's corner (2, 2): 5 − 1 from it, and beyond the ends of both sides.
+    /// let near = space.near_features(Coordinates::Planar(Configuration::new(5.0, 6.0, 0.0)), 10.0)?;
+    /// assert_eq!(near[0].fixed.name.to_string(), "vertex 2 of loop 0");
+    /// assert!((near[0].distance - 4.0).abs() < 1e-12);
+    /// assert!((near[0].touching.normal.x - 0.6).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn near_features(
+        &self,
+        at: Coordinates,
+        within: f64,
+    ) -> Result<Vec<NearFeatures>, QueryError> {
+        let class = self.classify(at)?;
+        self.refuse_lower()?;
+        // Accuracy to which parts in contact are placed.
+        let known = match class {
+            Classification::Contact => self.resolution(),
+            Classification::Free | Classification::Blocked => 0.0,
+        };
+        let (fixed, moving) = (self.fixed(), self.moving());
+        let placed = self.by_class(at)?.placed();
+        let frame = PairFrame::new(fixed, moving);
+        let slack = rounding(&frame, placed);
+        let beyond = known + slack;
+        let deepest = match class {
+            Classification::Blocked => within + slack,
+            Classification::Contact | Classification::Free => beyond,
+        };
+        let sought = Sought {
+            meeting: MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving)),
+            within,
+            deepest,
+            beyond,
+            slack,
+        };
+        // Parts may be drawn far away: all is computed relative to the fixed part's centre.
+        let center = frame.fixed_center.to_vector();
+        let mut found = sought.among(
+            &features(fixed, frame.fixed_center, Configuration::default()),
+            &features(moving, frame.moving_center, about_centers(&frame, placed)),
+        );
+        for near in &mut found {
+            near.touching.on_fixed += center;
+            near.touching.on_moving += center;
+        }
+        found.sort_by(|a, b| {
+            let nearer = a.distance.abs().total_cmp(&b.distance.abs());
+            let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
+            nearer.then(names(a).cmp(&names(b)))
+        });
+        Ok(found)
     }
-    found.sort_by(|a, b| {
-        let nearer = a.distance.abs().total_cmp(&b.distance.abs());
-        let names = |f: &NearFeatures| (f.fixed.name, f.moving.name);
-        nearer.then(names(a).cmp(&names(b)))
-    });
-    Ok(found)
 }
 
 /// Bound of the rounding error of points of the two parts, in the model's unit of length.
@@ -112,84 +135,48 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
     let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
     for (loop_index, outline) in (0u32..).zip(part.loops()) {
-        let edges: Vec<Edge> = (outline.edges())
-            .map(|e| Edge {
-                start: place(e.start),
-                end: place(e.end),
-                ..e
-            })
-            .collect();
-        for (i, edge) in edges.iter().enumerate() {
+        let named = |kind, index: usize| FeatureName {
+            kind,
+            loop_index,
+            index: index as u32,
+        };
+        let edges: Vec<Edge> = outline.edges().map(|e| e.placed(place)).collect();
+        for (i, &edge) in edges.iter().enumerate() {
+            let ends = [edge.start_direction(), edge.end_direction()];
+            let first = ends[usize::from(edge.bulge < 0.0)];
+            features.push(PlacedFeature {
+                name: named(FeatureKind::of_edge(edge.bulge), edge.index),
+                shape: edge.into(),
+                edge: Some(edge),
+                normals: (first.right().angle(), edge.sweep().abs()),
+                bounds: edge.bounds(),
+            });
             let next = &edges[(i + 1) % edges.len()];
-            let named = |kind, index: usize| FeatureName {
-                kind,
-                loop_index,
-                index: index as u32,
+            let (before, after) = (ends[1], next.start_direction());
+            let turns_by = before.cross(after).atan2(before.dot(after));
+            let smooth = match edge.is_line() && next.is_line() {
+                true => 2.0 * STRAIGHT,
+                false => SMOOTH,
             };
-            features.push(PlacedFeature::of_edge(edge, |kind| named(kind, edge.index)));
-            let turns_by = turn_between(edge, next);
-            if turns_by > smooth(edge, next) {
+            if turns_by > smooth {
                 // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
-                let index = if outline.is_reversed() { edge } else { next }.index;
-                let name = named(FeatureKind::Vertex, index);
-                features.push(PlacedFeature::of_vertex(edge, turns_by, name));
+                let reversed = outline.is_reversed();
+                let index = if reversed { edge.index } else { next.index };
+                let at = edge.end;
+                features.push(PlacedFeature {
+                    name: named(FeatureKind::Vertex, index),
+                    shape: FeatureShape::Vertex { at: [at.x, at.y] },
+                    edge: None,
+                    normals: (before.right().angle(), turns_by),
+                    bounds: Bounds::of(at, at),
+                });
             }
         }
     }
     features
 }
 
-/// Angle by which travel turns to the left from an edge to the next one (radians).
-fn turn_between(before: &Edge, after: &Edge) -> f64 {
-    let (d1, d2) = (before.end_direction(), after.start_direction());
-    d1.cross(d2).atan2(d1.dot(d2))
-}
-
-/// The angle up to which two edges are joined smoothly.
-fn smooth(before: &Edge, after: &Edge) -> f64 {
-    if before.is_line() && after.is_line() {
-        2.0 * STRAIGHT
-    } else {
-        SMOOTH
-    }
-}
-
 impl PlacedFeature {
-    fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
-        let kind = match edge.bulge {
-            b if b > 0.0 => FeatureKind::ConvexArc,
-            b if b < 0.0 => FeatureKind::ConcaveArc,
-            _ => FeatureKind::Line,
-        };
-        let first = if edge.bulge < 0.0 {
-            edge.end_direction()
-        } else {
-            edge.start_direction()
-        };
-        Self {
-            name: named(kind),
-            shape: FeatureShape::Edge {
-                start: [edge.start.x, edge.start.y],
-                end: [edge.end.x, edge.end.y],
-                bulge: edge.bulge,
-            },
-            edge: Some(*edge),
-            normals: (first.right().angle(), edge.sweep().abs()),
-            bounds: edge.bounds(),
-        }
-    }
-
-    fn of_vertex(before: &Edge, turns_by: f64, name: FeatureName) -> Self {
-        let at = before.end;
-        Self {
-            name,
-            shape: FeatureShape::Vertex { at: [at.x, at.y] },
-            edge: None,
-            normals: (before.end_direction().right().angle(), turns_by),
-            bounds: Bounds::of(at, at),
-        }
-    }
-
     /// Signed radius: 0 for a vertex, negative for a concave arc, infinite for a line.
     fn radius(&self) -> f64 {
         (self.edge).map_or(0.0, |e| e.radius() * if e.bulge < 0.0 { -1.0 } else { 1.0 })

@@ -7,13 +7,13 @@ use crate::ids::{PatchId, RegionId};
 use crate::number::{Dual, Real, SecondOrder};
 use crate::part::{Part, PartFeature};
 
-use super::{Coordinates, FeatureId, Neighbours, PairClass, PairSpace, QueryError, graph};
+use super::{Coordinates, FeatureId, PairClass, PairSpace, QueryError};
 
 /// A contact patch of a pair's space, for evaluation.
 #[derive(Debug, Clone, Copy)]
 pub struct PairPatch<'a> {
-    space: &'a PairSpace,
-    id: PatchId,
+    pub(super) space: &'a PairSpace,
+    pub(super) id: PatchId,
 }
 
 /// The contact of two features: their outlines as drawn, and the motion of their parts.
@@ -74,11 +74,7 @@ pub struct ByVertex {
     pub by_bulge: f64,
 }
 
-impl<'a> PairPatch<'a> {
-    pub(super) fn new(space: &'a PairSpace, id: PatchId) -> Self {
-        Self { space, id }
-    }
-
+impl PairPatch<'_> {
     /// Number of the patch.
     pub fn id(&self) -> PatchId {
         self.id
@@ -94,16 +90,11 @@ impl<'a> PairPatch<'a> {
     }
 
     fn names(&self) -> Result<(FeatureName, FeatureName), QueryError> {
+        let i = self.id.index();
         match self.space {
             PairSpace::Lower(_) => Err(QueryError::Permanent),
-            PairSpace::FixedAxes(space) => {
-                let p = &space.patches()[self.id.index()];
-                Ok((p.fixed, p.moving))
-            }
-            PairSpace::Planar(space) => {
-                let p = &space.patches()[self.id.index()];
-                Ok((p.fixed, p.moving))
-            }
+            PairSpace::FixedAxes(s) => Ok((s.patches()[i].fixed, s.patches()[i].moving)),
+            PairSpace::Planar(s) => Ok((s.patches()[i].fixed, s.patches()[i].moving)),
         }
     }
 
@@ -146,49 +137,74 @@ impl<'a> PairPatch<'a> {
         }))
     }
 
-    /// The neighbours along the boundary of free space, found in time proportional to their number.
-    pub fn neighbours(&self) -> Neighbours {
-        graph::neighbours(self.space, self.id)
-    }
-
     /// The contact of its features, by which contact functions are evaluated.
     ///
     /// # Errors
     /// If the pair is a lower pair.
     pub fn contact(&self) -> Result<FeatureContact, QueryError> {
         let (fixed, moving) = self.names()?;
-        contact_of(self.space, fixed, moving)
+        self.space.contact_of(fixed, moving)
     }
 }
 
-pub(super) fn contact_of(
-    space: &PairSpace,
-    fixed: FeatureName,
-    moving: FeatureName,
-) -> Result<FeatureContact, QueryError> {
-    let shape = |part: &Part, name| part.feature_shape(name).ok_or(QueryError::Outside);
-    let drawn = |part: &Part, name: FeatureName| {
-        let outline = &part.loops()[name.loop_index as usize];
-        Drawn {
-            name,
-            next: (name.index + 1) % outline.vertices().len() as u32,
-            reversed: outline.is_reversed(),
+/// Contact patches.
+impl PairSpace {
+    /// The contact patches, in the order of their numbers; for a lower pair, its permanent contacts.
+    pub fn patches(&self) -> impl Iterator<Item = PairPatch<'_>> {
+        (0..self.patch_count() as u32).map(|i| PairPatch {
+            space: self,
+            id: PatchId(i),
+        })
+    }
+
+    /// A patch.
+    ///
+    /// # Errors
+    /// If there is no such patch.
+    pub fn patch(&self, id: PatchId) -> Result<PairPatch<'_>, QueryError> {
+        let count = self.patch_count();
+        if id.index() >= count {
+            return Err(QueryError::NoPatch {
+                patch: id,
+                last: PatchId((count as u32).saturating_sub(1)),
+            });
         }
-    };
-    let motion = match space {
-        PairSpace::FixedAxes(space) => {
-            let (a, b) = space.axes();
-            Motion::Axes(a.motion, b.motion)
-        }
-        PairSpace::Planar(_) => Motion::Planar,
-        PairSpace::Lower(_) => return Err(QueryError::Permanent),
-    };
-    Ok(FeatureContact {
-        fixed: shape(space.fixed(), fixed)?,
-        moving: shape(space.moving(), moving)?,
-        drawn: (drawn(space.fixed(), fixed), drawn(space.moving(), moving)),
-        motion,
-    })
+        Ok(PairPatch { space: self, id })
+    }
+
+    /// The contact of a feature of the fixed part with one of the moving part, whether or not they ever touch.
+    ///
+    /// # Errors
+    /// If the pair is a lower pair, or a part has no such feature.
+    pub fn contact_of(
+        &self,
+        fixed: FeatureName,
+        moving: FeatureName,
+    ) -> Result<FeatureContact, QueryError> {
+        let shape = |part: &Part, name| part.feature_shape(name).ok_or(QueryError::Outside);
+        let drawn = |part: &Part, name: FeatureName| {
+            let outline = &part.loops()[name.loop_index as usize];
+            Drawn {
+                name,
+                next: (name.index + 1) % outline.vertices().len() as u32,
+                reversed: outline.is_reversed(),
+            }
+        };
+        let motion = match self {
+            Self::FixedAxes(space) => {
+                let (a, b) = space.axes();
+                Motion::Axes(a.motion, b.motion)
+            }
+            Self::Planar(_) => Motion::Planar,
+            Self::Lower(_) => return Err(QueryError::Permanent),
+        };
+        Ok(FeatureContact {
+            fixed: shape(self.fixed(), fixed)?,
+            moving: shape(self.moving(), moving)?,
+            drawn: (drawn(self.fixed(), fixed), drawn(self.moving(), moving)),
+            motion,
+        })
+    }
 }
 
 impl FeatureContact {
@@ -379,11 +395,6 @@ impl Part {
             let v = outline.vertices().get(index)?;
             return Some(FeatureShape::Vertex { at: [v.x, v.y] });
         }
-        let edge = outline.edge(index)?;
-        Some(FeatureShape::Edge {
-            start: [edge.start.x, edge.start.y],
-            end: [edge.end.x, edge.end.y],
-            bulge: edge.bulge,
-        })
+        outline.edge(index).map(FeatureShape::from)
     }
 }

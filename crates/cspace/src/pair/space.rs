@@ -1,4 +1,4 @@
-//! The configuration space of a pair of any class, how it is computed, and its plain properties; questions to it are in `questions.rs`.
+//! The configuration space of a pair of any class, how it is computed, and its plain properties.
 
 use std::sync::Arc;
 
@@ -9,6 +9,7 @@ use crate::part::Part;
 use crate::space::{ComputeError, ContactSpace, FeatureCounts, Options, Progress, Silent};
 
 use super::answers::QueryError;
+use super::data::PairData;
 use super::lower::LowerPair;
 use super::relation::{Coordinates, PairClass, Relation};
 
@@ -49,6 +50,16 @@ pub(super) enum ByClass<'a> {
     Lower(&'a LowerPair, Configuration),
     Axes(&'a FixedAxesSpace, f64, f64),
     Planar(&'a ContactSpace, Configuration),
+}
+
+impl ByClass<'_> {
+    /// Placement of the moving part in the fixed part's frame.
+    pub(super) fn placed(&self) -> Configuration {
+        match *self {
+            Self::Axes(space, u, v) => space.configuration(u, v),
+            Self::Planar(_, c) | Self::Lower(_, c) => c,
+        }
+    }
 }
 
 /// Reasons for which the configuration space of a pair cannot be computed.
@@ -173,6 +184,17 @@ impl PairSpace {
         }
     }
 
+    /// As [`by_class`](Self::by_class), for a configuration for which something was computed.
+    pub(super) fn covered(&self, at: Coordinates) -> Result<ByClass<'_>, QueryError> {
+        let here = self.by_class(at)?;
+        let covered = match here {
+            ByClass::Lower(_, c) => c.position().is_finite() && c.theta.is_finite(),
+            ByClass::Axes(space, u, v) => space.covers(u, v),
+            ByClass::Planar(space, c) => space.covers(c),
+        };
+        covered.then_some(here).ok_or(QueryError::Outside)
+    }
+
     /// The space of a pair with orientation as a coordinate.
     pub(super) fn oriented(&self) -> Result<&ContactSpace, QueryError> {
         match self {
@@ -270,9 +292,15 @@ impl PairSpace {
 
     /// Number of bands; 1 for a space without orientations.
     pub fn band_count(&self) -> usize {
+        self.bands().map_or(1, |bands| bands.len())
+    }
+
+    /// The space as plain data.
+    pub fn data(&self) -> PairData<'_> {
         match self {
-            Self::Planar(space) => space.bands().len(),
-            _ => 1,
+            Self::Planar(space) => PairData::Planar(space.data()),
+            Self::FixedAxes(space) => PairData::FixedAxes(space.data()),
+            Self::Lower(pair) => PairData::Lower(Box::new(pair.data())),
         }
     }
 

@@ -12,14 +12,9 @@ use super::{Edge, LoopHeights, MeetingLoops, Part};
 pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration) -> f64 {
     let turn = Rotation::by(moving_at.theta);
     let place = |p: Point| turn * p + moving_at.position().to_vector();
-    let placed = |e: Edge| Edge {
-        start: place(e.start),
-        end: place(e.end),
-        ..e
-    };
     let loops = MeetingLoops::of(&LoopHeights::of(fixed), &LoopHeights::of(moving));
     let first: Vec<_> = numbered(fixed).map(|(l, e)| (l, e, e.disc())).collect();
-    let second: Vec<_> = (numbered(moving).map(|(l, e)| (l, placed(e))))
+    let second: Vec<_> = (numbered(moving).map(|(l, e)| (l, e.placed(place))))
         .map(|(l, e)| (l, e, e.disc()))
         .collect();
     let mut least = f64::INFINITY;

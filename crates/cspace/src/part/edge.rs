@@ -29,6 +29,17 @@ impl Edge {
         }
     }
 
+    /// The edge with its ends placed by a motion or a scaling, which keeps its shape.
+    #[inline]
+    #[must_use]
+    pub fn placed(self, place: impl Fn(Point) -> Point) -> Self {
+        Self {
+            start: place(self.start),
+            end: place(self.end),
+            ..self
+        }
+    }
+
     /// Whether the edge is a line segment.
     #[inline]
     pub fn is_line(&self) -> bool {

@@ -4,7 +4,6 @@ use core::f64::consts::TAU;
 
 use crate::geometry::{Configuration, Point, Vector};
 use crate::ids::{PatchId, RegionId};
-use crate::slice::SliceCurve;
 use crate::space::ContactSpace;
 
 use super::{Classification, Location};
@@ -70,7 +69,9 @@ impl ContactSpace {
         /// pair's frame).
         const CLEAR: f64 = 2.0 * END_ERROR;
         self.places.made()?;
-        if self.doubts().hold(self.settled(c.theta)) {
+        let surface = self.surface();
+        let settled = surface.settled(c.theta);
+        if surface.doubts().hold(settled) {
             return None;
         }
         let clear = self.data.frame.outer_length(CLEAR);
@@ -98,7 +99,7 @@ impl ContactSpace {
             return Some(Location::Contact);
         }
         let patch = &self.data.patches[patch.index()];
-        let curve = self.curve(patch, self.alive(patch, self.settled(c.theta))?);
+        let curve = surface.curve(patch, surface.alive(patch, settled)?);
         let ends = [0.0, 1.0].map(|s| curve.point(s));
         if next <= distance + clear || ends.iter().any(|e| e.distance(q) <= clear) {
             return None;
@@ -122,18 +123,14 @@ impl ContactSpace {
         /// Region of a position from which a ray meets nothing.
         const UNBOUNDED: RegionId = RegionId(0);
         let slice = self.slice(c.theta);
-        let away = |curve: &SliceCurve| {
-            let p = c.position();
-            curve.geometry.nearest(p).distance(p)
-        };
-        let nearest =
-            (slice.curves.iter().map(away).enumerate()).min_by(|a, b| a.1.total_cmp(&b.1));
-        let near = nearest.is_some_and(|n| n.1 <= self.contact_distance())
+        let p = c.position();
+        let nearest = slice.nearest(p);
+        let near = nearest.is_some_and(|(_, q)| q.distance(p) <= self.contact_distance())
             && (!slice.doubtful || self.touches(c));
         if near {
             return Location::Contact;
         }
-        let met = slice.first_met(c.position());
+        let met = slice.first_met(p);
         let by_slice = met.is_none_or(|m| m.from_free);
         let free = match slice.doubtful {
             true => !self.overlaps(c),
@@ -143,11 +140,11 @@ impl ContactSpace {
             return Location::Blocked;
         }
         let bounding = if free == by_slice {
-            met.map(|m| m.curve)
+            met.map(|m| &slice.curves[m.curve])
         } else {
             nearest.map(|n| n.0)
         };
-        let patch = bounding.and_then(|i| slice.curves[i].patch);
+        let patch = bounding.and_then(|curve| curve.patch);
         let region = patch.map_or(UNBOUNDED, |p| self.patches()[p.index()].region);
         Location::Free(region)
     }

@@ -62,11 +62,19 @@ impl ContactSpace {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn is_on(&self, patch: PatchId, c: Configuration, tolerance: f64) -> bool {
-        let there = self.data.patches.get(patch.index()).and_then(|patch| {
-            let t = self.alive(patch, self.settled(c.theta))?;
-            Some(self.curve_as_at(patch, t, c.theta).nearest(c.position()))
-        });
-        there.is_some_and(|q| q.distance(c.position()) <= tolerance)
+        let distance = self.distance_to(patch, c);
+        distance.is_some_and(|distance| distance <= tolerance)
+    }
+
+    /// Distance of a configuration from the contact curve of a patch at its orientation; `None` if the patch does not exist there.
+    // The classifier's loop seldom comes here.
+    #[cold]
+    pub(crate) fn distance_to(&self, patch: PatchId, c: Configuration) -> Option<f64> {
+        let (surface, p) = (self.surface(), c.position());
+        let patch = self.data.patches.get(patch.index())?;
+        let t = surface.alive(patch, surface.settled(c.theta))?;
+        let curve = surface.curve_as_at(patch, t, c.theta);
+        Some(curve.nearest(p).distance(p))
     }
 
     /// The nearest contact at the configuration's orientation; `None` if nothing touches at that orientation.

@@ -4,8 +4,7 @@ use crate::geometry::{Configuration, Vector};
 use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
-use super::first_contact::MotionError;
-use super::path::{Approach, Path};
+use super::path::{Approach, MotionError, Path};
 use super::touch::Search;
 
 impl ContactSpace {
@@ -62,19 +61,12 @@ impl ContactSpace {
         about: Vector,
         duration: f64,
     ) -> Result<Vec<(f64, PatchId, bool)>, MotionError> {
-        let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
-        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
-        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
-        if self.classify(from).is_none() {
+        let path = Path::new(self, from, rates, about, duration)?;
+        if !self.covers(from) {
             return Err(MotionError::StartsOutside);
         }
-        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
-        let end = path
-            .time_in_window(self.window())
-            .map_or(duration, |t| t.min(duration));
+        let leaves = path.time_in_window(self.window());
+        let end = leaves.map_or(duration, |t| t.min(duration));
         match path.approach() {
             Approach::Near => {}
             Approach::At(time) if time < end => {

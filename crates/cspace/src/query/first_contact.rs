@@ -1,11 +1,11 @@
 //! The first contact along a motion of constant rates.
 
-use crate::geometry::{Configuration, LARGEST_ANGLE, Vector};
+use crate::geometry::{Configuration, Vector};
 use crate::ids::PatchId;
 use crate::space::ContactSpace;
 
 use super::Classification;
-use super::path::{Approach, Path};
+use super::path::{Approach, MotionError, Path};
 use super::touch::{Search, Touch};
 
 /// First contact along a motion.
@@ -44,26 +44,6 @@ impl MotionOutcome {
             _ => None,
         }
     }
-}
-
-/// Reasons for which a motion cannot be followed.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MotionError {
-    /// A coordinate, a rate or the duration is not finite, or its square is not; or the duration is negative.
-    #[error("the motion is not described by finite numbers, or lasts less than no time")]
-    NotFinite,
-    /// The parts overlap where the motion begins.
-    #[error("the parts overlap where the motion begins")]
-    StartsBlocked,
-    /// The motion begins at an orientation outside the window of the space.
-    #[error("the motion begins outside the orientations of the space")]
-    StartsOutside,
-    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is still possible, before any contact.
-    #[error(
-        "the motion turns to more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns, or divide the motion"
-    )]
-    TurnsTooFar,
 }
 
 impl MotionOutcome {
@@ -161,21 +141,18 @@ impl ContactSpace {
         about: Vector,
         duration: f64,
     ) -> Result<MotionOutcome, MotionError> {
-        let [dx, dy, turning] = rates;
-        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
-        let mut numbers = numbers.into_iter().chain([about.x, about.y, duration]);
-        if !numbers.all(|n| (n * n).is_finite()) || duration < 0.0 {
-            return Err(MotionError::NotFinite);
-        }
+        let path = Path::new(self, from, rates, about, duration)?;
         let starts_in_contact = match self.classify(from) {
             None => return Err(MotionError::StartsOutside),
             Some(Classification::Blocked) => return Err(MotionError::StartsBlocked),
             Some(class) => class == Classification::Contact,
         };
-        let path = Path::new(self, from, Vector::new(dx, dy), about, turning);
-        let (end, leaves) = match path.time_in_window(self.window()) {
-            Some(time) if time < duration => (time, true),
-            _ => (duration, false),
+        let leaves = path.time_in_window(self.window());
+        let leaves = leaves.filter(|&time| time < duration);
+        let end = leaves.unwrap_or(duration);
+        let without_contact = match leaves {
+            Some(time) => MotionOutcome::LeavesWindow { time },
+            None => MotionOutcome::Free,
         };
         match path.approach() {
             Approach::Near => {}
@@ -184,10 +161,7 @@ impl ContactSpace {
                 let outcome = self.first_contact_about(from, rates, about, duration - time)?;
                 return Ok(outcome.later_by(time));
             }
-            Approach::At(_) | Approach::Never if leaves => {
-                return Ok(MotionOutcome::LeavesWindow { time: end });
-            }
-            Approach::At(_) | Approach::Never => return Ok(MotionOutcome::Free),
+            Approach::At(_) | Approach::Never => return Ok(without_contact),
         }
         let found = Search::new(self, path, starts_in_contact).first(end);
         if found.is_none() && path.turns_too_far(end) {
@@ -200,15 +174,13 @@ impl ContactSpace {
                 patch,
             }));
         }
-        Ok(match found {
-            Some(touch) => MotionOutcome::Contact(FirstContact {
+        Ok(found.map_or(without_contact, |touch| {
+            MotionOutcome::Contact(FirstContact {
                 time: touch.time,
                 configuration: path.outer_at(touch.time),
                 patch: touch.patch,
-            }),
-            None if leaves => MotionOutcome::LeavesWindow { time: end },
-            None => MotionOutcome::Free,
-        })
+            })
+        }))
     }
 
     /// Whether a motion that starts in contact enters blocked space there although it crosses no patch: where all contacts at a position

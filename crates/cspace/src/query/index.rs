@@ -45,7 +45,8 @@ impl ContactSpace {
         within: f64,
         mut visit: impl FnMut(PatchId, Point, f64) -> f64,
     ) {
-        let settled = self.settled(c.theta);
+        let surface = self.surface();
+        let settled = surface.settled(c.theta);
         let home = home(settled);
         let slack = TURNED * settled.abs();
         let p = self.data.frame.inner_from_outer(c);
@@ -61,8 +62,9 @@ impl ContactSpace {
         let mut limit = within;
         let mut look = |i: u32| {
             let patch = &self.data.patches[i as usize];
-            if let Some(t) = self.alive(patch, settled) {
-                let q = self.curve_as_at(patch, t, c.theta).nearest(c.position());
+            if let Some(t) = surface.alive(patch, settled) {
+                let curve = surface.curve_as_at(patch, t, c.theta);
+                let q = curve.nearest(c.position());
                 limit = visit(PatchId(i), q, q.distance(c.position()));
             }
             limit

@@ -12,5 +12,6 @@ pub(crate) mod swept;
 mod touch;
 
 pub use contacts::NearestContact;
-pub use first_contact::{FirstContact, MotionError, MotionOutcome};
+pub use first_contact::{FirstContact, MotionOutcome};
 pub use location::{Classification, Location};
+pub use path::MotionError;

@@ -3,12 +3,41 @@
 use core::f64::consts::TAU;
 
 use crate::feature::PairFrame;
-use crate::geometry::{Configuration, Point, Rotation, Vector, time_of_known_angle};
+use crate::geometry::{Configuration, LARGEST_ANGLE, Point, Rotation, Vector, time_of_known_angle};
 use crate::number::{Ball, Dual, Real};
 use crate::space::{ContactSpace, Window};
 
 /// Enclosure over an interval of time, with its derivative by time.
 type Jet = Dual<1, Ball>;
+
+/// Reasons for which a motion cannot be followed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A coordinate, a rate or the duration is not finite, or its square is not; or the duration is negative.
+    #[error("the motion is not described by finite numbers, or lasts less than no time")]
+    NotFinite,
+    /// The parts overlap where the motion begins.
+    #[error("the parts overlap where the motion begins")]
+    StartsBlocked,
+    /// The motion begins at an orientation outside the window of the space.
+    #[error("the motion begins outside the orientations of the space")]
+    StartsOutside,
+    /// A part turns farther from 0 than [`LARGEST_ANGLE`] while contact is still possible, before any contact.
+    #[error(
+        "the motion turns to more than {LARGEST_ANGLE:e} rad from 0, too far to tell where it is on the circle: take off whole turns, or divide the motion"
+    )]
+    TurnsTooFar,
+}
+
+impl MotionError {
+    /// Checks the numbers of a motion and its duration.
+    pub(crate) fn check(numbers: impl IntoIterator<Item = f64>, time: f64) -> Result<(), Self> {
+        let mut numbers = numbers.into_iter().chain([time]);
+        let valid = numbers.all(|n| (n * n).is_finite()) && time >= 0.0;
+        valid.then_some(()).ok_or(Self::NotFinite)
+    }
+}
 
 /// Time at which a motion comes near the region where contact is possible.
 pub(super) enum Approach {
@@ -44,14 +73,16 @@ impl Path {
     pub(super) fn new(
         space: &ContactSpace,
         from: Configuration,
-        velocity: Vector,
+        [dx, dy, turning]: [f64; 3],
         about: Vector,
-        turning: f64,
-    ) -> Self {
-        Self {
+        duration: f64,
+    ) -> Result<Self, MotionError> {
+        let numbers = [from.x, from.y, from.theta, dx, dy, turning];
+        MotionError::check(numbers.into_iter().chain([about.x, about.y]), duration)?;
+        Ok(Self {
             start: from.position() + Rotation::by(from.theta) * about,
             theta: from.theta,
-            velocity,
+            velocity: Vector::new(dx, dy),
             about,
             turning,
             frame: space.data.frame,
@@ -59,7 +90,7 @@ impl Path {
                 .data
                 .frame
                 .reach(&space.data.fixed, &space.data.moving),
-        }
+        })
     }
 
     /// The orientation at a time, radians.

@@ -23,20 +23,18 @@ const NO_BETTER: f64 = 4.0;
 const STEPS: usize = 6;
 
 impl ContactSpace {
-    /// The patch that comes nearest to a configuration, its nearest configuration and the distance, as computed by
-    /// [`project`](Self::project); `None` if there is no patch.
-    pub(crate) fn nearest_patch(
+    /// The patches in about the order of their distances from a configuration, as [`project`](Self::project) computes them.
+    pub(crate) fn patches_by_distance(
         &self,
         from: Configuration,
         length_per_radian: f64,
-    ) -> Option<(PatchId, Configuration, f64)> {
-        // Patches that seem near come first, so that the others are excluded quickly.
+    ) -> Vec<PatchId> {
         let mut order: Vec<(f64, PatchId)> = ((0..).map(PatchId).zip(self.patches()))
             .map(|(i, patch)| {
                 let near = images(from.theta, (patch.lo, patch.hi))
                     .map(|theta| {
                         let t = theta.clamp(patch.lo, patch.hi);
-                        let q = self.curve(patch, t).nearest(from.position());
+                        let q = self.surface().curve(patch, t).nearest(from.position());
                         q.distance(from.position())
                             .hypot(length_per_radian * (t - theta))
                     })
@@ -45,28 +43,22 @@ impl ContactSpace {
             })
             .collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut best: Option<(PatchId, Configuration, f64)> = None;
-        for (_, i) in order {
-            let known = best.map_or(f64::INFINITY, |b| b.2);
-            let found = self.project(from, &self.patches()[i.index()], length_per_radian, known);
-            best = found.map(|(at, distance)| (i, at, distance)).or(best);
-        }
-        best
+        order.into_iter().map(|(_, patch)| patch).collect()
     }
 
     /// The configuration of a patch that is nearest to a given one, and its distance in the model's unit of length, where turning by a
-    /// radian counts as `length_per_radian`; `None` if it is not nearer than `known`.
+    /// radian counts as `length_per_radian`; `None` if there is no such patch, or it is not nearer than `known`.
     ///
     /// Orientations are taken modulo a turn. The result has the image of the orientation that is nearest to the given one; for a space with
     /// a window, the image in the window.
     pub(crate) fn project(
         &self,
         from: Configuration,
-        patch: &Patch,
+        patch: PatchId,
         length_per_radian: f64,
         known: f64,
     ) -> Option<(Configuration, f64)> {
-        let frame = &self.data.frame;
+        let (frame, patch) = (&self.data.frame, self.patches().get(patch.index())?);
         let at = Point::ORIGIN + (from.position() - frame.fixed_center) * frame.scale;
         let seat = Spiral::new(at, frame.moving_center.to_vector() * frame.scale);
         let known = known * frame.scale;
@@ -116,7 +108,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// The nearest point of the curve at an orientation of the patch, as a position.
     fn nearest(&self, t: f64) -> Point {
-        let curve = self.space.curve(self.patch, t);
+        let curve = self.space.surface().curve(self.patch, t);
         curve.nearest(self.from.position())
     }
 

@@ -360,7 +360,7 @@ mod tests {
                     narrow += usize::from(swept.spread + swept.slack < 8.0 * half + 1e-9);
                     for j in 1..8 {
                         let theta = lo + (hi - lo) * f64::from(j) / 8.0;
-                        let curve = space.curve(patch, theta);
+                        let curve = space.surface().curve(patch, theta);
                         for s in [0.0, 0.3, 0.5, 0.9, 1.0] {
                             let q = curve.point(s);
                             let c = crate::Configuration::new(q.x, q.y, theta);

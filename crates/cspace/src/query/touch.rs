@@ -340,7 +340,7 @@ impl<'a> Search<'a> {
         }
         let frame = &self.space.data.frame;
         let (theta, wide, beyond) = self.within(along, time, half);
-        let curve = self.space.curve(along.patch, theta);
+        let curve = self.space.surface().curve(along.patch, theta);
         let p = frame.outer_from_inner(self.path.inner_at(time), theta);
         let off = curve.nearest(p.position()).distance(p.position()) * frame.scale;
         // Displacement of the position, and of the curve with its ends, within the uncertainty of time and orientation.

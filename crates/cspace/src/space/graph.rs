@@ -15,7 +15,6 @@ use super::alive::Alive;
 use super::band::{Band, bands};
 use super::check::{DataError, check};
 use super::data::{FeatureCounts, FreeRegion, SideLink, SpaceData, VerticalLink};
-use super::doubts::Doubts;
 use super::options::Window;
 use super::patch::{Patch, PatchRef};
 use super::slice::Surface;
@@ -99,33 +98,6 @@ impl ContactSpace {
         }
     }
 
-    /// As [`Surface::settled`].
-    pub(crate) fn settled(&self, theta: f64) -> f64 {
-        self.surface().settled(theta)
-    }
-
-    /// As [`Surface::alive`].
-    #[inline]
-    pub(crate) fn alive(&self, patch: &Patch, theta: f64) -> Option<f64> {
-        self.surface().alive(patch, theta)
-    }
-
-    /// As [`Surface::curve`].
-    pub(crate) fn curve(&self, patch: &Patch, theta: f64) -> CurveGeometry {
-        self.surface().curve(patch, theta)
-    }
-
-    /// As [`Surface::curve_as_at`].
-    pub(crate) fn curve_as_at(&self, patch: &Patch, theta: f64, asked: f64) -> CurveGeometry {
-        self.surface().curve_as_at(patch, theta, asked)
-    }
-
-    /// Doubtful orientations.
-    #[inline]
-    pub(crate) fn doubts(&self) -> Doubts<'_> {
-        self.surface().doubts()
-    }
-
     /// The fixed part.
     pub fn fixed(&self) -> &Part {
         &self.data.fixed
@@ -204,7 +176,7 @@ impl ContactSpace {
         let patch = self.data.patches.get(patch.index())?;
         (patch.lo..=patch.hi)
             .contains(&theta)
-            .then(|| self.curve(patch, theta))
+            .then(|| self.surface().curve(patch, theta))
     }
 
     /// A patch together with its frame. `None` if there is no such patch.

@@ -483,7 +483,7 @@ fn bad_layers_are_refused_at_their_places() {
         (
             format!("z = 3\nloops = {square}"),
             "z",
-            "where two numbers are expected",
+            "where two numbers is expected",
         ),
         (
             "layers = [{ z = [0, 1] }]".to_owned(),

@@ -5,6 +5,7 @@ use core::ops::Range;
 
 use crate::contact::Steps;
 use crate::feature::tolerance::NARROWEST_BAND;
+use crate::geometry::unwrap_near;
 use crate::parallel;
 
 use crate::general::events::clusters::Clusters;
@@ -171,7 +172,7 @@ impl<'a> Lifts<'a> {
                 return (lo, lo + TAU);
             }
             let hi = self.orientation(chain.to, slabs);
-            return (lo, turned_near(hi, lo + (chain.hi - chain.lo)));
+            return (lo, unwrap_near(hi, lo + (chain.hi - chain.lo)));
         }
         if chain.closed {
             return (self.window.lo, self.window.hi);
@@ -216,7 +217,7 @@ impl<'a> Lifts<'a> {
     /// An orientation moved by whole turns near an expected one.
     pub(crate) fn near(&self, theta: f64, expected: f64) -> f64 {
         if self.around(false) {
-            turned_near(theta, expected)
+            unwrap_near(theta, expected)
         } else {
             theta
         }
@@ -283,10 +284,6 @@ pub(crate) fn normalized(theta: f64) -> f64 {
     } else {
         t
     }
-}
-
-fn turned_near(theta: f64, near: f64) -> f64 {
-    theta + TAU * ((near - theta) / TAU).round()
 }
 
 #[cfg(test)]

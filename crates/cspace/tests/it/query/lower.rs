@@ -4,9 +4,8 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use cspace::pair::{Joint, LowerData, PairMotion, PermanentKind};
 use cspace::{
-    Axis, Classification, Configuration, Coordinates, FixedAxesSpace, Location, LowerPair, Options,
-    PairClass, PairError, PairSpace, Part, PatchId, Point, QueryError, Relation, Rotation, Vector,
-    Vertex,
+    Axis, Classification, Configuration, Coordinates, Location, LowerPair, Options, PairClass,
+    PairError, PairSpace, Part, PatchId, Point, QueryError, Relation, Rotation, Vector, Vertex,
 };
 
 const AT: Point = Point::new(1.5, -0.75);
@@ -171,24 +170,6 @@ fn limits_follow_from_the_ranges_of_the_parts() {
         Some((-2.0, 1.0))
     );
     assert_eq!(of(&rigid, &Axis::FIXED, &Axis::FIXED), None);
-}
-
-/// The joint by which a part moves relative to the ground gives the motion of its axis.
-#[test]
-fn joints_with_the_ground_move_as_axes_do() {
-    let (frame, arm) = (bar("frame", 4.0), bar("arm", 3.0));
-    for axis in [Axis::FIXED, Axis::revolute(AT), Axis::prismatic(ALONG)] {
-        let pair = pair(LowerPair::joint_with_ground(&axis), None);
-        let moving = FixedAxesSpace::compute(&frame, Axis::FIXED, &arm, axis).unwrap();
-        for t in [-0.8, 0.0, 0.4, 1.1] {
-            let (a, b) = (pair.configuration(t), moving.configuration(0.0, t));
-            let apart = a.position().distance(b.position());
-            assert!(
-                apart < 1e-12 && (a.theta - b.theta).abs() < 1e-12,
-                "{axis:?}"
-            );
-        }
-    }
 }
 
 #[test]
