@@ -16,6 +16,7 @@
 
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Real;
+use crate::part::Edge;
 
 use super::cycle::Cycle;
 use super::placement::Placement;
@@ -84,26 +85,20 @@ impl<T: Real> FeatureShape<T> {
 
     /// The line or circle of the feature. A line may have a curvature of which only the derivatives are not 0.
     fn cycle(&self) -> Cycle<T> {
-        let real = T::constant;
         match *self {
             Self::Edge {
                 start: [x, y],
                 end: [to_x, to_y],
                 bulge,
             } => {
-                let half = real(0.5);
-                let chord = Vector::new(to_x - x, to_y - y);
-                let long = chord.length();
-                let q = Point::new(x, y) + chord * half + chord.right() * (half * bulge);
-                let n = chord.right() * (real(1.0) / long);
-                let k = real(4.0) * bulge / (long * (real(1.0) + bulge * bulge));
+                let edge = Edge::between(Point::new(x, y), Point::new(to_x, to_y), bulge);
                 if bulge.value().abs() > NEAR_CENTER {
-                    let radius = real(1.0) / k;
-                    return Cycle::round(q + n * -radius, radius);
+                    return Cycle::round(edge.center(), edge.signed_radius());
                 }
-                Cycle::flat(q, n, k)
+                let normal = (edge.end - edge.start).unit().right();
+                Cycle::flat(edge.middle(), normal, edge.curvature())
             }
-            Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), real(0.0)),
+            Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), T::constant(0.0)),
         }
     }
 }

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 
 use super::framed_edge::FramedEdge;
-use super::generic::{ExactVertex, made_generic};
+use super::generic::{edge_from, made_generic};
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
 use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
@@ -12,7 +12,7 @@ use super::types::{
 };
 use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
-use crate::part::{Edge, Part};
+use crate::part::{Edge, Part, Vertex};
 
 /// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
 #[derive(Clone, Copy)]
@@ -89,7 +89,7 @@ impl Outline {
         for i in 0..n {
             let j = (i + 1) % n;
             let (before, after) = (&pieces[i], &pieces[j]);
-            let point = before.end;
+            let point = before.edge.end;
             let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
             let grown = |normal: Vector<Dd>| point + normal * Dd::from(growth);
             match corner(before, after) {
@@ -127,7 +127,7 @@ impl Outline {
                     let further =
                         OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0) + parted;
                     // Not beyond the middle of the other edge, below which the extension runs.
-                    let under = |other: &FramedEdge| further.min(0.5 * other.edge.length());
+                    let under = |other: &FramedEdge| further.min(0.5 * other.rough.length());
                     ends[i] = self.carry_on(before, grown(n1), n1, growth, under(after));
                     starts[j] = self.carry_on(after, grown(n2), n2, growth, -under(before));
                 }
@@ -186,10 +186,11 @@ impl Outline {
                 center: exact.center.map(Dd::to_f64),
                 radius: exact.radius.to_f64(),
             };
-            let sweep = piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
+            let sweep = piece.rough.sweep()
+                + (start.extra_sweep + end.extra_sweep) * piece.rough.sweep().signum();
             let from = start_joint.angle;
             let to = unwrap_near(end_joint.angle, from + sweep);
-            if piece.sweep > 0.0 {
+            if piece.rough.sweep() > 0.0 {
                 (shape, FeatureKind::ConvexArc, from, to)
             } else {
                 // Traversed with decreasing normal: the canonical angle is the start's, the upper one.
@@ -247,7 +248,7 @@ impl Outline {
             Some((center, radius)) => {
                 let radius = radius + growth;
                 // The extension turns the normal by length / signed radius; never by more than what closes the circle.
-                let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
+                let room = 0.25 * (TAU - piece.rough.sweep().abs()).max(0.0);
                 let by = (further / radius.to_f64()).clamp(-room, room);
                 let turned = Rotation::by(Dd::from(by)) * normal;
                 End {
@@ -271,25 +272,14 @@ fn generic(pieces: &[FramedEdge], wishes: &[[f64; 3]]) -> Option<Vec<FramedEdge>
             )
         })
         .collect();
-    let drawn: Vec<ExactVertex> = (pieces.iter())
-        .map(|p| ExactVertex {
-            x: p.start.x,
-            y: p.start.y,
-            bulge: Dd::from(p.edge.bulge),
-        })
+    let drawn: Vec<Vertex<Dd>> = (pieces.iter().map(|p| p.edge))
+        .map(|e| Vertex::new(e.start.x, e.start.y, e.bulge))
         .collect();
     let moved = made_generic(&drawn, &smooth, wishes)?;
-    let place = |v: &ExactVertex| Point::new(v.x, v.y);
-    let rough = |v: &ExactVertex| Point::new(v.x.to_f64(), v.y.to_f64());
     let pieces = pieces.iter().enumerate().map(|(i, p)| {
-        let (start, end) = (&moved[i], &moved[(i + 1) % n]);
-        let edge = Edge {
-            start: rough(start),
-            end: rough(end),
-            bulge: start.bulge.to_f64(),
-            index: p.edge.index,
-        };
-        FramedEdge::of(edge, p.drawn, (place(start), place(end)), start.bulge)
+        let index = p.edge.index;
+        let edge = edge_from(&moved, i);
+        FramedEdge::of(Edge { index, ..edge }, p.drawn)
     });
     Some(pieces.collect())
 }

@@ -467,7 +467,7 @@ pub(super) fn straightened(part: &Part) -> Option<(Part, f64)> {
     let is_straight = |bulge: f64| bulge != 0.0 && bulge.abs() < STRAIGHT;
     let deviation = (part.edges())
         .filter(|e| is_straight(e.bulge))
-        .map(|e| 0.5 * e.bulge.abs() * e.start.distance(e.end))
+        .map(|e| e.height())
         .reduce(f64::max)?;
     let vertex = |v: &Vertex| {
         let bulge = if is_straight(v.bulge) { 0.0 } else { v.bulge };
