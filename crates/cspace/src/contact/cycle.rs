@@ -21,7 +21,7 @@
 //!
 //! Travel is to the left of the normal, with blocked space on the left.
 
-use crate::feature::{Feature, Outline, Shape};
+use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Dd, Real};
 
@@ -527,12 +527,13 @@ const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
 impl Cycle {
     /// The line or circle that a feature is a piece of.
     pub(crate) fn of(outline: &Outline, feature: &Feature) -> Self {
-        match (feature.shape, feature.near) {
-            (Shape::Line { normal }, _) => Self::line(outline.start(feature).point, normal),
-            (Shape::Round { radius, .. }, Some(near)) => {
-                Self::flat(near.point, near.normal, 1.0 / radius)
+        match feature.near {
+            _ if feature.is_line() => {
+                let start = outline.start(feature);
+                Self::line(start.point, start.normal)
             }
-            (Shape::Round { center, radius }, None) => Self::round(center, radius),
+            Some(near) => Self::flat(near.point, near.normal, 1.0 / feature.radius),
+            None => Self::round(feature.center, feature.radius),
         }
     }
 

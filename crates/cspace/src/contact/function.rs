@@ -83,18 +83,6 @@ impl ContactFunction {
         (slope * rate, (drift - slope.dot(moves)) * rate)
     }
 
-    /// The function for positions relative to a moving point.
-    pub(crate) fn about(&self, place: &Spiral) -> Self {
-        let mut seen = *self;
-        match &mut seen {
-            Self::FixedLine { through, .. }
-            | Self::MovingLine { through, .. }
-            | Self::FlatCircle { through, .. } => *through = through.about(place),
-            Self::Circle { center, .. } => *center = center.about(place),
-        }
-        seen
-    }
-
     /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {

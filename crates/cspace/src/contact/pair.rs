@@ -166,7 +166,7 @@ impl Geometry {
 
     /// The whole line or circle of a sheet at an orientation.
     pub(crate) fn cycle<T: Precision>(&self, sheet: u32, turn: Rotation<T>) -> Cycle<T> {
-        T::locus(self, sheet).carrier().cycle(turn)
+        T::locus(self, sheet).carrier.cycle(turn)
     }
 
     /// The curve of a sheet at an orientation.

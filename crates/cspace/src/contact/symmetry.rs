@@ -17,6 +17,7 @@ use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::part::LoopImage;
 
+use super::carrier::Carrier;
 use super::curve::Curve;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
@@ -202,31 +203,18 @@ impl SlabMotion {
 
     /// The function f(`R_−α` p, θ − T), again in closed form.
     pub(crate) fn function(&self, f: ContactFunction) -> ContactFunction {
-        match f {
-            ContactFunction::FixedLine { normal, through } => ContactFunction::FixedLine {
-                normal: self.fixed * normal,
-                through: self.spiral(through),
-            },
-            ContactFunction::MovingLine { normal, through } => ContactFunction::MovingLine {
-                normal: self.moving * normal,
-                through: self.spiral(through),
-            },
-            ContactFunction::Circle { center, radius } => ContactFunction::Circle {
-                center: self.spiral(center),
-                radius,
-            },
-            ContactFunction::FlatCircle {
-                through,
-                normal,
-                turns,
-                radius,
-            } => ContactFunction::FlatCircle {
-                through: self.spiral(through),
-                normal: if turns { self.moving } else { self.fixed } * normal,
-                turns,
-                radius,
-            },
+        let seen = f.carrier();
+        let turn = if seen.turns() {
+            self.moving
+        } else {
+            self.fixed
+        };
+        Carrier {
+            through: self.spiral(seen.through),
+            normal: turn * seen.normal,
+            ..seen
         }
+        .function()
     }
 
     /// Image of a curve at one orientation.

@@ -7,9 +7,7 @@ use super::generic::{edge_from, made_generic};
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
 use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
-use super::types::{
-    ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
-};
+use super::types::{Feature, FeatureKind, FeatureName, Joint, Near, Outline};
 use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
 use crate::part::{Edge, Part, Vertex};
@@ -139,15 +137,9 @@ impl Outline {
         for (start, end, turn, index) in vertices {
             let lo = self.joints[start as usize].angle;
             let hi = unwrap_near(self.joints[end as usize].angle, lo + turn);
-            self.exact_features.push(ExactRound {
+            self.add_feature(Feature {
                 center: self.exact_joints[start as usize].point,
                 radius: Dd::ZERO,
-            });
-            self.features.push(Feature {
-                shape: Shape::Round {
-                    center: self.joints[start as usize].point,
-                    radius: 0.0,
-                },
                 near: None,
                 lo,
                 hi: hi.max(lo),
@@ -163,46 +155,30 @@ impl Outline {
     }
 
     fn add_edge(&mut self, loop_index: u32, piece: &FramedEdge, start: End, end: End, growth: f64) {
-        let start_joint = self.joints[start.joint as usize];
-        let end_joint = self.joints[end.joint as usize];
-        let exact = match piece.arc {
-            None => ExactRound {
-                center: Point::ORIGIN.map(Dd::from),
-                radius: Dd::ZERO,
-            },
-            Some((center, radius)) => ExactRound {
-                center,
-                radius: radius + growth,
-            },
-        };
-        self.exact_features.push(exact);
-        let (shape, kind, lo, hi) = if piece.arc.is_none() {
+        let [from, to] = [start, end].map(|e| self.joints[e.joint as usize].angle);
+        let origin = Point::ORIGIN.map(Dd::from);
+        let (kind, center, radius, lo, hi) = match piece.arc {
             // The joints of a line have its normal, unless two lines meet smoothly; then the normal of the first one is used.
-            let normal = start_joint.normal;
-            let angle = start_joint.angle;
-            (Shape::Line { normal }, FeatureKind::Line, angle, angle)
-        } else {
-            let shape = Shape::Round {
-                center: exact.center.map(Dd::to_f64),
-                radius: exact.radius.to_f64(),
-            };
-            let sweep = piece.rough.sweep()
-                + (start.extra_sweep + end.extra_sweep) * piece.rough.sweep().signum();
-            let from = start_joint.angle;
-            let to = unwrap_near(end_joint.angle, from + sweep);
-            if piece.rough.sweep() > 0.0 {
-                (shape, FeatureKind::ConvexArc, from, to)
-            } else {
-                // Traversed with decreasing normal: the canonical angle is the start's, the upper one.
-                (shape, FeatureKind::ConcaveArc, to, from)
+            None => (FeatureKind::Line, origin, Dd::ZERO, from, from),
+            Some((center, radius)) => {
+                let sweep = piece.rough.sweep();
+                let extra = (start.extra_sweep + end.extra_sweep) * sweep.signum();
+                let to = unwrap_near(to, from + (sweep + extra));
+                // A concave arc is traversed with decreasing normal: the canonical angle is the start's, the upper one.
+                let (kind, lo, hi) = match sweep > 0.0 {
+                    true => (FeatureKind::ConvexArc, from, to),
+                    false => (FeatureKind::ConcaveArc, to, from),
+                };
+                (kind, center, radius + growth, lo, hi)
             }
         };
         let near = piece.near.map(|n| Near {
             point: n.point + n.normal * growth,
             ..n
         });
-        self.features.push(Feature {
-            shape,
+        self.add_feature(Feature {
+            center,
+            radius,
             near,
             lo,
             hi,
@@ -216,18 +192,19 @@ impl Outline {
         });
     }
 
+    fn add_feature(&mut self, feature: Feature<Dd>) {
+        self.features.push(feature.rounded());
+        self.exact_features.push(feature);
+    }
+
     fn add_joint(&mut self, point: Point<Dd>, normal: Vector<Dd>) -> u32 {
-        let angle = Dd::atan2(normal.y, normal.x);
-        self.exact_joints.push(ExactJoint {
+        let joint = Joint {
             point,
             normal,
-            angle,
-        });
-        self.joints.push(Joint {
-            point: point.map(Dd::to_f64),
-            normal: normal.map(Dd::to_f64),
-            angle: angle.to_f64(),
-        });
+            angle: Dd::atan2(normal.y, normal.x),
+        };
+        self.joints.push(joint.rounded());
+        self.exact_joints.push(joint);
         (self.joints.len() - 1) as u32
     }
 

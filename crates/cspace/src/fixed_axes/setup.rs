@@ -265,8 +265,7 @@ fn reach(
                     let half = |j: u32| o.joints[j as usize].point.distance(near.point);
                     near.point.to_vector().length() + half(f.start).max(half(f.end))
                 }
-                None if f.is_line() => 0.0,
-                None => f.center().to_vector().length() + f.radius().abs(),
+                None => f.center.to_vector().length() + f.radius.abs(),
             };
             far(f.start).max(far(f.end)).max(round)
         };
