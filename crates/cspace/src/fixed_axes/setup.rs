@@ -10,7 +10,7 @@ use crate::contact::{Body, Permutation, overlap};
 use crate::feature::tolerance::{CONTACT, GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame, as_drawn};
 use crate::geometry::{Point, Vector};
-use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized, Vertex};
+use crate::part::{Corresponding, Part, SYMMETRIC, Symmetrized, Vertex};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of the first part's growth.
@@ -192,9 +192,7 @@ impl Symmetric {
 
     /// Symmetry of the features; `None` if they do not correspond.
     fn repeats(&self, outline: &Outline) -> Option<Repeats> {
-        let length = |l: &Loop| l.vertices().len() as u32;
-        let lengths: Vec<u32> = self.redrawn.part.loops().iter().map(length).collect();
-        let step = Permutation::of_loops(outline, &self.redrawn.images, &lengths)?;
+        let step = Permutation::of_loops(outline, &self.redrawn.images)?;
         Some(Repeats::new(outline, self.redrawn.fold, &step))
     }
 }
