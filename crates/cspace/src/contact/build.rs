@@ -96,20 +96,6 @@ impl Builder<'_> {
         t + Dd::TAU * ((near - t.to_f64()) / TAU).round()
     }
 
-    fn line_seam(&self, line: u32, moving_joint: u32) -> Seam {
-        match self.moving_line[moving_joint as usize] {
-            Some(other) => Seam::Lines(line, other),
-            None => Seam::LineJoint(line, moving_joint),
-        }
-    }
-
-    fn joint_seam(&self, fixed_joint: u32, line: u32) -> Seam {
-        match self.fixed_line[fixed_joint as usize] {
-            Some(other) => Seam::Lines(other, line),
-            None => Seam::JointLine(fixed_joint, line),
-        }
-    }
-
     /// Adds the sheets of a line and a convex round feature.
     fn add_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
         let ([a_lo, a_hi], [b_lo, b_hi]) = (a.joints_by_angle(), b.joints_by_angle());
@@ -119,14 +105,22 @@ impl Builder<'_> {
                 SheetKind::LineRound,
                 self.fixed.start(a).normal,
                 [a.start, a.end].map(EndAt::Fixed),
-                [b_hi, b_lo].map(|j| ((a.start, j), self.line_seam(ia, j))),
+                [b_hi, b_lo].map(|j| {
+                    let parallel = |other| Seam::Lines(ia, other);
+                    let seam = self.moving_line[j as usize].map(parallel);
+                    ((a.start, j), seam.unwrap_or(Seam::LineJoint(ia, j)))
+                }),
             )
         } else {
             (
                 SheetKind::RoundLine,
                 -self.moving.start(b).normal,
                 [b.start, b.end].map(EndAt::Moving),
-                [a_lo, a_hi].map(|j| ((j, b.start), self.joint_seam(j, ib))),
+                [a_lo, a_hi].map(|j| {
+                    let parallel = |other| Seam::Lines(other, ib);
+                    let seam = self.fixed_line[j as usize].map(parallel);
+                    ((j, b.start), seam.unwrap_or(Seam::JointLine(j, ib)))
+                }),
             )
         };
         let [start, end] = at.map(|at| self.spiral(at, a, b));

@@ -10,7 +10,7 @@ use super::tolerance::{GROWTH, MITRE, OVERSHOOT, OVERSHOOT_SEPARATION};
 use super::types::{Feature, FeatureKind, FeatureName, Joint, Near, Outline};
 use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
-use crate::part::{Edge, Part, Vertex};
+use crate::part::{Edge, Loop, Part, Vertex};
 
 /// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
 #[derive(Clone, Copy)]
@@ -50,7 +50,7 @@ impl Outline {
                 pieces = generic(&pieces, wishes).unwrap_or(pieces);
             }
             straightened(&mut pieces);
-            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
+            outline.add_loop((loop_index as u32, boundary), &pieces, growth);
         }
         outline
     }
@@ -72,7 +72,12 @@ impl Outline {
         longest
     }
 
-    fn add_loop(&mut self, loop_index: u32, pieces: &[FramedEdge], reversed: bool, growth: f64) {
+    fn add_loop(
+        &mut self,
+        (loop_index, boundary): (u32, &Loop),
+        pieces: &[FramedEdge],
+        growth: f64,
+    ) {
         let n = pieces.len();
         self.feature_count += n;
         let mut starts = vec![
@@ -114,9 +119,8 @@ impl Outline {
                         joint: second,
                         extra_sweep: 0.0,
                     };
-                    // The vertex at which `after` starts as given, or `before` if the loop is traversed backwards.
-                    let index = if reversed { before } else { after }.edge.index as u32;
-                    vertices.push((first, second, turn, index));
+                    let index = boundary.start_of(after.edge.index);
+                    vertices.push((first, second, turn, index as u32));
                 }
                 Corner::Concave { turn } => {
                     self.feature_count += 1;
@@ -157,19 +161,16 @@ impl Outline {
     fn add_edge(&mut self, loop_index: u32, piece: &FramedEdge, start: End, end: End, growth: f64) {
         let [from, to] = [start, end].map(|e| self.joints[e.joint as usize].angle);
         let origin = Point::ORIGIN.map(Dd::from);
-        let (kind, center, radius, lo, hi) = match piece.arc {
+        let (center, radius, lo, hi) = match piece.arc {
             // The joints of a line have its normal, unless two lines meet smoothly; then the normal of the first one is used.
-            None => (FeatureKind::Line, origin, Dd::ZERO, from, from),
+            None => (origin, Dd::ZERO, from, from),
             Some((center, radius)) => {
                 let sweep = piece.rough.sweep();
                 let extra = (start.extra_sweep + end.extra_sweep) * sweep.signum();
                 let to = unwrap_near(to, from + (sweep + extra));
                 // A concave arc is traversed with decreasing normal: the canonical angle is the start's, the upper one.
-                let (kind, lo, hi) = match sweep > 0.0 {
-                    true => (FeatureKind::ConvexArc, from, to),
-                    false => (FeatureKind::ConcaveArc, to, from),
-                };
-                (kind, center, radius + growth, lo, hi)
+                let (lo, hi) = if sweep > 0.0 { (from, to) } else { (to, from) };
+                (center, radius + growth, lo, hi)
             }
         };
         let near = piece.near.map(|n| Near {
@@ -185,7 +186,7 @@ impl Outline {
             start: start.joint,
             end: end.joint,
             name: FeatureName {
-                kind,
+                kind: FeatureKind::of_bulge(piece.rough.bulge),
                 loop_index,
                 index: piece.edge.index as u32,
             },

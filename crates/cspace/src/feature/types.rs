@@ -19,6 +19,17 @@ pub enum FeatureKind {
     Vertex,
 }
 
+impl FeatureKind {
+    /// The kind of an edge with a bulge, with material on the left.
+    pub fn of_bulge(bulge: f64) -> Self {
+        match bulge {
+            b if b > 0.0 => Self::ConvexArc,
+            b if b < 0.0 => Self::ConcaveArc,
+            _ => Self::Line,
+        }
+    }
+}
+
 /// A feature of a part, identified by its place in the part as given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -128,9 +128,7 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
             features.push(PlacedFeature::of_edge(edge, |kind| named(kind, edge.index)));
             let turns_by = turn_between(edge, next);
             if turns_by > smooth(edge, next) {
-                // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
-                let index = if outline.is_reversed() { edge } else { next }.index;
-                let name = named(FeatureKind::Vertex, index);
+                let name = named(FeatureKind::Vertex, outline.start_of(next.index));
                 features.push(PlacedFeature::of_vertex(edge, turns_by, name));
             }
         }
@@ -155,18 +153,13 @@ fn smooth(before: &Edge, after: &Edge) -> f64 {
 
 impl PlacedFeature {
     fn of_edge(edge: &Edge, named: impl Fn(FeatureKind) -> FeatureName) -> Self {
-        let kind = match edge.bulge {
-            b if b > 0.0 => FeatureKind::ConvexArc,
-            b if b < 0.0 => FeatureKind::ConcaveArc,
-            _ => FeatureKind::Line,
-        };
         let first = if edge.bulge < 0.0 {
             edge.end_direction()
         } else {
             edge.start_direction()
         };
         Self {
-            name: named(kind),
+            name: named(FeatureKind::of_bulge(edge.bulge)),
             shape: FeatureShape::Edge {
                 start: [edge.start.x, edge.start.y],
                 end: [edge.end.x, edge.end.y],

@@ -67,12 +67,7 @@ fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
             let edge = (part.loops().get(loop_index as usize)?.edges())
                 .find(|e| e.index == index as usize)?;
             // Edges are travelled with material on the left.
-            let kind = match edge.bulge {
-                b if b > 0.0 => FeatureKind::ConvexArc,
-                b if b < 0.0 => FeatureKind::ConcaveArc,
-                _ => FeatureKind::Line,
-            };
-            (loop_index, index, kind)
+            (loop_index, index, FeatureKind::of_bulge(edge.bulge))
         }
     };
     let name = FeatureName {

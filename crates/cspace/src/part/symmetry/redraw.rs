@@ -99,10 +99,9 @@ impl Symmetrized {
 }
 
 fn drawn_as(l: &Loop, index: usize) -> Drawn {
-    let next = (index + 1) % l.vertices().len();
     Drawn {
         edge: index as u32,
-        vertex: if l.is_reversed() { next } else { index } as u32,
+        vertex: l.start_of(index) as u32,
     }
 }
 
