@@ -24,6 +24,7 @@
 use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Dd, Real};
+use crate::part::Edge;
 
 /// An oriented circle or line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,18 @@ impl<T: Real> Cycle<T> {
     /// A line, given by a point and the normal.
     pub(crate) fn line(through: Point<T>, normal: Vector<T>) -> Self {
         Self::flat(through, normal, T::constant(0.0))
+    }
+
+    /// The line or circle of an edge, with its free side on the right of travel. A line may have a curvature of which only the derivatives
+    /// are not 0.
+    pub(crate) fn of_edge(edge: &Edge<T>) -> Self {
+        /// Bulge above which arcs are written by their centre, which is then near them.
+        const NEAR_CENTER: f64 = 0.125;
+        if edge.bulge.value().abs() > NEAR_CENTER {
+            return Self::round(edge.center(), edge.signed_radius());
+        }
+        let normal = (edge.end - edge.start).unit().right();
+        Self::flat(edge.middle(), normal, edge.curvature())
     }
 
     /// A circle, given by its centre and signed radius.

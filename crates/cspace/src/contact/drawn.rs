@@ -21,9 +21,6 @@ use crate::part::Edge;
 use super::cycle::Cycle;
 use super::placement::Placement;
 
-/// Bulge above which arcs are written by their centre, which is then near them.
-const NEAR_CENTER: f64 = 0.125;
-
 /// The outline of a feature as drawn, in its part's frame, with material on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FeatureShape<T> {
@@ -83,20 +80,12 @@ impl<T: Real> FeatureShape<T> {
         }
     }
 
-    /// The line or circle of the feature. A line may have a curvature of which only the derivatives are not 0.
+    /// The line or circle of the feature.
     fn cycle(&self) -> Cycle<T> {
         match *self {
-            Self::Edge {
-                start: [x, y],
-                end: [to_x, to_y],
-                bulge,
-            } => {
-                let edge = Edge::between(Point::new(x, y), Point::new(to_x, to_y), bulge);
-                if bulge.value().abs() > NEAR_CENTER {
-                    return Cycle::round(edge.center(), edge.signed_radius());
-                }
-                let normal = (edge.end - edge.start).unit().right();
-                Cycle::flat(edge.middle(), normal, edge.curvature())
+            Self::Edge { start, end, bulge } => {
+                let [start, end] = [start, end].map(|[x, y]| Point::new(x, y));
+                Cycle::of_edge(&Edge::between(start, end, bulge))
             }
             Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), T::constant(0.0)),
         }

@@ -13,11 +13,7 @@ use crate::number::Dd;
 use crate::part::{Edge, Loop, Part, Vertex};
 
 /// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
-#[derive(Clone, Copy)]
-struct End {
-    joint: u32,
-    extra_sweep: f64,
-}
+type End = (u32, f64);
 
 impl Outline {
     /// Features of a part, about `center` and scaled, then grown.
@@ -80,14 +76,7 @@ impl Outline {
     ) {
         let n = pieces.len();
         self.feature_count += n;
-        let mut starts = vec![
-            End {
-                joint: 0,
-                extra_sweep: 0.0
-            };
-            n
-        ];
-        let mut ends = starts.clone();
+        let (mut starts, mut ends) = (vec![(0, 0.0); n], vec![(0, 0.0); n]);
         let mut vertices = Vec::new();
         for i in 0..n {
             let j = (i + 1) % n;
@@ -99,11 +88,7 @@ impl Outline {
                 Corner::Smooth { beside } => {
                     let (point, normal) = tangency(before, after, beside);
                     let place = point + normal * Dd::from(growth);
-                    let joint = self.add_joint(place, normal);
-                    ends[i] = End {
-                        joint,
-                        extra_sweep: 0.0,
-                    };
+                    ends[i] = (self.add_joint(place, normal), 0.0);
                     starts[j] = ends[i];
                 }
                 Corner::Convex { turn } => {
@@ -111,14 +96,7 @@ impl Outline {
                     let apex = mitre(before, after, n1, n2, growth);
                     let first = self.add_joint(apex, before.normal_at(apex, n1, growth));
                     let second = self.add_joint(apex, after.normal_at(apex, n2, growth));
-                    ends[i] = End {
-                        joint: first,
-                        extra_sweep: 0.0,
-                    };
-                    starts[j] = End {
-                        joint: second,
-                        extra_sweep: 0.0,
-                    };
+                    (ends[i], starts[j]) = ((first, 0.0), (second, 0.0));
                     let index = boundary.start_of(after.edge.index);
                     vertices.push((first, second, turn, index as u32));
                 }
@@ -158,15 +136,22 @@ impl Outline {
         }
     }
 
-    fn add_edge(&mut self, loop_index: u32, piece: &FramedEdge, start: End, end: End, growth: f64) {
-        let [from, to] = [start, end].map(|e| self.joints[e.joint as usize].angle);
+    fn add_edge(
+        &mut self,
+        loop_index: u32,
+        piece: &FramedEdge,
+        (start, started): End,
+        (end, ended): End,
+        growth: f64,
+    ) {
+        let [from, to] = [start, end].map(|joint| self.joints[joint as usize].angle);
         let origin = Point::ORIGIN.map(Dd::from);
         let (center, radius, lo, hi) = match piece.arc {
             // The joints of a line have its normal, unless two lines meet smoothly; then the normal of the first one is used.
             None => (origin, Dd::ZERO, from, from),
             Some((center, radius)) => {
                 let sweep = piece.rough.sweep();
-                let extra = (start.extra_sweep + end.extra_sweep) * sweep.signum();
+                let extra = (started + ended) * sweep.signum();
                 let to = unwrap_near(to, from + (sweep + extra));
                 // A concave arc is traversed with decreasing normal: the canonical angle is the start's, the upper one.
                 let (lo, hi) = if sweep > 0.0 { (from, to) } else { (to, from) };
@@ -183,8 +168,8 @@ impl Outline {
             near,
             lo,
             hi,
-            start: start.joint,
-            end: end.joint,
+            start,
+            end,
             name: FeatureName {
                 kind: FeatureKind::of_bulge(piece.rough.bulge),
                 loop_index,
@@ -219,20 +204,18 @@ impl Outline {
         further: f64,
     ) -> End {
         match piece.arc {
-            None => End {
-                joint: self.add_joint(point + normal.left() * Dd::from(further), normal),
-                extra_sweep: 0.0,
-            },
+            None => {
+                let place = point + normal.left() * Dd::from(further);
+                (self.add_joint(place, normal), 0.0)
+            }
             Some((center, radius)) => {
                 let radius = radius + growth;
                 // The extension turns the normal by length / signed radius; never by more than what closes the circle.
                 let room = 0.25 * (TAU - piece.rough.sweep().abs()).max(0.0);
                 let by = (further / radius.to_f64()).clamp(-room, room);
                 let turned = Rotation::by(Dd::from(by)) * normal;
-                End {
-                    joint: self.add_joint(center + turned * radius, turned),
-                    extra_sweep: by.abs(),
-                }
+                let place = center + turned * radius;
+                (self.add_joint(place, turned), by.abs())
             }
         }
     }

@@ -44,6 +44,7 @@ impl FramedEdge {
     pub(super) fn of(edge: Edge<Dd>, drawn: [Vector; 2]) -> Self {
         let rough = rounded(&edge);
         let arc = (!edge.is_line()).then(|| (edge.center(), edge.signed_radius()));
+        let (half, chord) = edge.half_sweep();
         let is_large = |arc: &(_, Dd)| arc.1.to_f64().abs() > LARGEST_CIRCLE;
         Self {
             arc,
@@ -51,8 +52,8 @@ impl FramedEdge {
                 point: rough.middle(),
                 normal: (rough.end - rough.start).unit().right(),
             }),
-            start_direction: edge.start_direction(),
-            end_direction: edge.end_direction(),
+            start_direction: half.inverse() * chord,
+            end_direction: half * chord,
             drawn,
             edge,
             rough,

@@ -123,24 +123,15 @@ impl Joint<Dd> {
 
 impl Feature<Dd> {
     pub(super) fn rounded(&self) -> Feature {
-        let Self {
-            near,
-            lo,
-            hi,
-            start,
-            end,
-            name,
-            ..
-        } = *self;
         Feature {
             center: self.center.map(Dd::to_f64),
             radius: self.radius.to_f64(),
-            near,
-            lo,
-            hi,
-            start,
-            end,
-            name,
+            near: self.near,
+            lo: self.lo,
+            hi: self.hi,
+            start: self.start,
+            end: self.end,
+            name: self.name,
         }
     }
 }

@@ -82,23 +82,28 @@ impl<T: Real> Edge<T> {
     /// The unit direction of travel at the start: the chord turned clockwise by half the sweep.
     #[inline]
     pub fn start_direction(&self) -> Vector<T> {
-        self.half_sweep().inverse() * (self.end - self.start).unit()
+        let (half, chord) = self.half_sweep();
+        half.inverse() * chord
     }
 
     /// The unit direction of travel at the end: the chord turned counter-clockwise by half the sweep.
     #[inline]
     pub fn end_direction(&self) -> Vector<T> {
-        self.half_sweep() * (self.end - self.start).unit()
+        let (half, chord) = self.half_sweep();
+        half * chord
     }
 
-    /// The rotation by half the sweep: with b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
-    pub(crate) fn half_sweep(&self) -> Rotation<T> {
+    /// The rotation by half the sweep, and the direction of the chord: with b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and
+    /// sin(sweep/2) = 2b/(1 + b²).
+    #[inline]
+    pub(crate) fn half_sweep(&self) -> (Rotation<T>, Vector<T>) {
         let (b, one) = (self.bulge, T::constant(1.0));
         let q = one + b * b;
-        Rotation {
+        let half = Rotation {
             cos: (one - b) * (one + b) / q,
             sin: (b + b) / q,
-        }
+        };
+        (half, (self.end - self.start).unit())
     }
 
     /// The length of the curve: chord (1 + b²) atan(b) / b.

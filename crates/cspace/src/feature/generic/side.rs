@@ -1,7 +1,7 @@
 //! The edges and vertices of a loop as the equations need them.
 
 use crate::feature::tolerance::{GROWTH, LARGEST_PART, SAGITTA_PART, SLIDE};
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::Vector;
 use crate::number::Dd;
 use crate::part::{Edge, Vertex};
 
@@ -40,15 +40,15 @@ impl Side {
         if !(chord > 0.0 && chord.is_finite() && edge.bulge.to_f64().is_finite()) {
             return None;
         }
-        let (exact_leave, exact_arrive) = (edge.start_direction(), edge.end_direction());
-        let Rotation { cos, sin } = edge.half_sweep();
-        let half = (cos.to_f64(), sin.to_f64());
+        let (turn, along) = edge.half_sweep();
+        let (exact_leave, exact_arrive) = (turn.inverse() * along, turn * along);
+        let half = (turn.cos.to_f64(), turn.sin.to_f64());
         Some(Self {
             exact_leave,
             exact_arrive,
             leave: vector(exact_leave),
             arrive: vector(exact_arrive),
-            along: vector((edge.end - edge.start).unit()),
+            along: vector(along),
             chord,
             bulge: edge.bulge.to_f64(),
             half,
