@@ -1,6 +1,6 @@
 //! How far a part reaches in a direction.
 
-use cspace::{Edge, Part, Point, Vector};
+use cspace::{Part, Point, Vector};
 
 /// max p · d over the points p of a part, for a direction d of unit length: how far the part reaches along d from the origin of its frame,
 /// in the model's unit.
@@ -18,13 +18,6 @@ pub fn farthest(part: &Part, direction: Vector) -> f64 {
         Point::new(v.dot(direction), v.dot(direction.left()))
     };
     (part.edges())
-        .map(|edge| {
-            let turned = Edge {
-                start: turned(edge.start),
-                end: turned(edge.end),
-                ..edge
-            };
-            turned.bounds().max.x
-        })
+        .map(|edge| edge.placed(turned).bounds().max.x)
         .fold(f64::NEG_INFINITY, f64::max)
 }

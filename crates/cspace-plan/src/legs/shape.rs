@@ -45,11 +45,7 @@ impl Piece {
         let flat = FLAT * (bounds.max - bounds.min).length();
         for (loop_index, boundary) in (0u32..).zip(part.loops()) {
             for e in boundary.edges() {
-                let moved = Edge {
-                    start: e.start - origin,
-                    end: e.end - origin,
-                    ..e
-                };
+                let moved = e.placed(|p| p - origin);
                 let name = |kind, index: usize| FeatureName {
                     kind,
                     loop_index,

@@ -66,11 +66,5 @@ impl Material {
 /// A part's edges about a centre and scaled.
 pub(super) fn in_frame(part: &Part, center: Point, scale: f64) -> Vec<Edge> {
     let place = |p: Point| Point::ORIGIN + (p - center) * scale;
-    part.edges()
-        .map(|e| Edge {
-            start: place(e.start),
-            end: place(e.end),
-            ..e
-        })
-        .collect()
+    part.edges().map(|e| e.placed(place)).collect()
 }

@@ -111,13 +111,7 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
     let place = |p: Point| at.position() + turn * (p - center);
     let mut features = Vec::new();
     for (loop_index, outline) in (0u32..).zip(part.loops()) {
-        let edges: Vec<Edge> = (outline.edges())
-            .map(|e| Edge {
-                start: place(e.start),
-                end: place(e.end),
-                ..e
-            })
-            .collect();
+        let edges: Vec<Edge> = outline.edges().map(|e| e.placed(place)).collect();
         for (i, edge) in edges.iter().enumerate() {
             let next = &edges[(i + 1) % edges.len()];
             let named = |kind, index: usize| FeatureName {

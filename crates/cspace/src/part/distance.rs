@@ -12,14 +12,9 @@ use super::{Edge, Part};
 pub(crate) fn distance_of(fixed: &Part, moving: &Part, moving_at: Configuration) -> f64 {
     let turn = Rotation::by(moving_at.theta);
     let place = |p: Point| turn * p + moving_at.position().to_vector();
-    let placed = |e: Edge| Edge {
-        start: place(e.start),
-        end: place(e.end),
-        ..e
-    };
     let with_disc = |e: Edge| (e, e.disc());
     let first: Vec<_> = fixed.edges().map(with_disc).collect();
-    let second: Vec<_> = moving.edges().map(placed).map(with_disc).collect();
+    let second: Vec<_> = moving.edges().map(|e| with_disc(e.placed(place))).collect();
     let mut least = f64::INFINITY;
     for (a, (p, r)) in &first {
         for (b, (q, s)) in &second {

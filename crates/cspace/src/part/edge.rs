@@ -51,6 +51,17 @@ impl<T: Real> Edge<T> {
         self.bulge.value() == 0.0
     }
 
+    /// The edge moved, turned or scaled: `place` keeps angles and their sense.
+    #[inline]
+    #[must_use]
+    pub fn placed(&self, place: impl Fn(Point<T>) -> Point<T>) -> Self {
+        Self {
+            start: place(self.start),
+            end: place(self.end),
+            ..*self
+        }
+    }
+
     /// The point half way along the curve: half a chord times b to the right of the chord's middle.
     #[inline]
     pub fn middle(&self) -> Point<T> {
