@@ -4,7 +4,6 @@ use crate::geometry::{Rotation, Vector};
 use crate::number::Real;
 
 use super::cycle::Cycle;
-use super::function::ContactFunction;
 use super::spiral::Spiral;
 
 /// Kinds of features that touch.
@@ -114,30 +113,6 @@ impl Carrier {
         Self {
             through: self.through.about(origin),
             ..*self
-        }
-    }
-
-    /// The contact function.
-    pub(crate) fn function(&self) -> ContactFunction {
-        let Self {
-            through,
-            normal,
-            radius,
-            ..
-        } = *self;
-        match self.kind {
-            SheetKind::LineRound => ContactFunction::FixedLine { normal, through },
-            SheetKind::RoundLine => ContactFunction::MovingLine { normal, through },
-            SheetKind::RoundRound => ContactFunction::Circle {
-                center: through,
-                radius,
-            },
-            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => ContactFunction::FlatCircle {
-                through,
-                normal,
-                turns: self.turns(),
-                radius,
-            },
         }
     }
 }

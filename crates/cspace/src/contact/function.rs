@@ -120,6 +120,32 @@ impl ContactFunction {
     }
 }
 
+impl Carrier {
+    /// The contact function.
+    pub(crate) fn function(&self) -> ContactFunction {
+        let Self {
+            through,
+            normal,
+            radius,
+            ..
+        } = *self;
+        match self.kind {
+            SheetKind::LineRound => ContactFunction::FixedLine { normal, through },
+            SheetKind::RoundLine => ContactFunction::MovingLine { normal, through },
+            SheetKind::RoundRound => ContactFunction::Circle {
+                center: through,
+                radius,
+            },
+            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => ContactFunction::FlatCircle {
+                through,
+                normal,
+                turns: self.turns(),
+                radius,
+            },
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::spiral::Swing;
