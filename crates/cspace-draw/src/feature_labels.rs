@@ -110,7 +110,7 @@ fn features<'a>(p: &'a PlacedPart<'_>, plot: &'a Plot) -> impl Iterator<Item = L
             let n = edges.len();
             let mut found = Vec::with_capacity(2 * n);
             for (i, edge) in edges.iter().enumerate() {
-                let kind = FeatureKind::of_edge(edge.bulge);
+                let kind = FeatureKind::of_bulge(edge.bulge);
                 let places =
                     [0.5, 0.3, 0.7].map(|t| (dot(edge.at(t)), direction(outward(edge, t))));
                 found.push(Labelled {
@@ -123,10 +123,7 @@ fn features<'a>(p: &'a PlacedPart<'_>, plot: &'a Plot) -> impl Iterator<Item = L
                 let (arriving, leaving) = (before.end_direction(), edge.start_direction());
                 let turn = arriving.cross(leaving).atan2(arriving.dot(leaving));
                 if turn > SEEN {
-                    let index = match ring.is_reversed() {
-                        true => (edge.index + 1) % n,
-                        false => edge.index,
-                    };
+                    let index = ring.start_of(edge.index);
                     let out = (arriving - leaving).unit();
                     found.push(Labelled {
                         said: name(p.part, FeatureKind::Vertex, l, index),

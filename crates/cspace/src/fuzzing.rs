@@ -1,6 +1,6 @@
 //! Access to the arithmetic for fuzz targets. Not part of the library's interface: it may change with every version.
 
-use crate::contact::{Locus, SheetKind, Spiral, conditions};
+use crate::contact::{self, Locus, SheetKind, Spiral, conditions};
 use crate::geometry::Vector;
 use crate::number::{Ball, Dual, Real, Trig, TrigPolynomial};
 
@@ -60,10 +60,12 @@ fn locus(curve: &Curve) -> Locus {
         Carrier::TurningLine(normal) => (SheetKind::RoundLine, curve.start, normal, 0.0),
     };
     Locus {
-        kind,
-        through,
-        normal,
-        radius,
+        carrier: contact::Carrier {
+            kind,
+            through,
+            normal,
+            radius,
+        },
         start: curve.start,
         end: curve.end,
     }

@@ -363,19 +363,15 @@ fn edges_of<T: Real>(
     let edge = |i: usize| {
         let (start, end, bulge) = shape(i);
         // The previous edge in travel, and the vertex between them.
-        let (before, corner) = if reversed {
-            ((i + 1) % n, (i + 1) % n)
-        } else {
-            ((i + n - 1) % n, i)
-        };
+        let corner = outline.start_of(i);
+        let before = if reversed { corner } else { (i + n - 1) % n };
         let (from, to, before_bulge) = shape(before);
         let comes = direction(from, to, before_bulge);
         let goes = direction(start, end, -bulge);
         let turn = comes[0] * goes[1] - comes[1] * goes[0];
         let is_concave = turn.value() + turn.spread() < 0.0;
-        let kind = FeatureKind::of_edge(bulge.value());
         DrawnEdge {
-            name: name(kind, i),
+            name: name(FeatureKind::of_bulge(bulge.value()), i),
             shape: FeatureShape::Edge { start, end, bulge },
             vertex: name(FeatureKind::Vertex, corner),
             corner: (!is_concave).then_some(FeatureShape::Vertex { at: start }),

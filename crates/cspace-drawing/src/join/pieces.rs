@@ -185,8 +185,8 @@ impl<'d> Pieces<'d> {
             return false;
         }
         // The middle of the arc, and the point of its circle opposite to it, between the ends.
-        let middle = start.midpoint(end_point) + (end_point - start).right() * (bulge / 2.0);
-        let opposite = arc.center() + (arc.center() - middle);
+        let (middle, center) = (arc.middle(), arc.center());
+        let opposite = center + (center - middle);
         let other = self.segments.len();
         let half = |ends: [Point; 2], neighbour: usize| Segment {
             ends,

@@ -128,12 +128,7 @@ fn outline(part: &Part, name: &str, found: &mut Vec<Slip>) {
             let mixed = before.is_line() != after.is_line();
             if mixed && is_nearly_tangent(d, e) {
                 let turn = turn(d, e);
-                // The vertex between the two is the one that, as given, the later of the two leaves.
-                let vertex = if outline.is_reversed() {
-                    before.index
-                } else {
-                    after.index
-                };
+                let vertex = outline.start_of(after.index);
                 found.push(Slip {
                     place: format!("{name}, loop {l}, vertex {vertex}"),
                     message: format!("a line and an arc miss tangency by {turn:.1e} rad"),

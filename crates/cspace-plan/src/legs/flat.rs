@@ -42,7 +42,7 @@ impl Flat {
         let length = chord.length();
         let along = chord * (1.0 / length);
         Self {
-            middle: e.start.midpoint(e.end) - along.left() * (0.5 * e.bulge * length),
+            middle: e.middle(),
             along,
             half: 0.5 * length,
             curvature: e.curvature(),

@@ -44,7 +44,6 @@ impl Piece {
         let bounds = part.bounds();
         let flat = FLAT * (bounds.max - bounds.min).length();
         for (loop_index, boundary) in (0u32..).zip(part.loops()) {
-            let count = boundary.vertices().len();
             for e in boundary.edges() {
                 let moved = e.placed(|p| p - origin);
                 let name = |kind, index: usize| FeatureName {
@@ -52,12 +51,6 @@ impl Piece {
                     loop_index,
                     index: index as u32,
                 };
-                let begins = if boundary.is_reversed() {
-                    (e.index + 1) % count
-                } else {
-                    e.index
-                };
-                let kind = FeatureKind::of_edge(e.bulge);
                 all.push(Self {
                     shape: Shape::Circle {
                         center: moved.start,
@@ -67,9 +60,13 @@ impl Piece {
                     },
                     middle: moved.start,
                     reach: 0.0,
-                    name: name(FeatureKind::Vertex, begins),
+                    name: name(FeatureKind::Vertex, boundary.start_of(e.index)),
                 });
-                all.push(Self::of(&moved, name(kind, e.index), flat));
+                all.push(Self::of(
+                    &moved,
+                    name(FeatureKind::of_bulge(e.bulge), e.index),
+                    flat,
+                ));
             }
         }
         all

@@ -1,6 +1,7 @@
 //! Cells that a patch may reach over an interval of orientations.
 
 use crate::geometry::{Point, Rotation, Vector};
+use crate::part::Edge;
 use crate::query::swept::{Orientations, Swept};
 use crate::slice::CurveGeometry;
 use crate::space::Patch;
@@ -59,7 +60,7 @@ fn stamp(grid: &Grid, swept: &Swept, pass: &mut impl FnMut(usize, usize)) {
     match swept.shape {
         CurveGeometry::Segment { start, end } => near_segment(grid, start, end, spread, pass),
         CurveGeometry::FlatArc { start, end, bulge } => {
-            let height = 0.5 * bulge.abs() * start.distance(end);
+            let height = Edge::between(start, end, bulge).height();
             near_segment(grid, start, end, spread + height, pass);
         }
         CurveGeometry::Arc {

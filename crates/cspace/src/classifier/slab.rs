@@ -199,52 +199,9 @@ fn is_same_spiral(a: &Spiral, b: &Spiral) -> bool {
 }
 
 fn is_same_function(motion: &SlabMotion, from: &ContactFunction, to: &ContactFunction) -> bool {
-    use ContactFunction::{Circle, FixedLine, FlatCircle, MovingLine};
-    match (motion.function(*from), *to) {
-        (
-            FixedLine {
-                normal: m,
-                through: p,
-            },
-            FixedLine {
-                normal: n,
-                through: q,
-            },
-        )
-        | (
-            MovingLine {
-                normal: m,
-                through: p,
-            },
-            MovingLine {
-                normal: n,
-                through: q,
-            },
-        ) => is_same_vector(m, n) && is_same_spiral(&p, &q),
-        (
-            Circle {
-                center: p,
-                radius: r,
-            },
-            Circle {
-                center: q,
-                radius: s,
-            },
-        ) => is_near(r, s) && is_same_spiral(&p, &q),
-        (
-            FlatCircle {
-                through: p,
-                normal: m,
-                turns: i,
-                radius: r,
-            },
-            FlatCircle {
-                through: q,
-                normal: n,
-                turns: j,
-                radius: s,
-            },
-        ) => i == j && is_near(r, s) && is_same_vector(m, n) && is_same_spiral(&p, &q),
-        _ => false,
-    }
+    let (a, b) = (motion.function(*from).carrier(), to.carrier());
+    a.kind == b.kind
+        && is_near(a.radius, b.radius)
+        && is_same_vector(a.normal, b.normal)
+        && is_same_spiral(&a.through, &b.through)
 }

@@ -2,15 +2,15 @@
 
 use core::f64::consts::{PI, TAU};
 
-use crate::feature::{Feature, Outline};
+use crate::feature::{Feature, FeatureKind, Outline};
 use crate::geometry::{Point, Vector, unwrap_near};
 use crate::number::Dd;
 use crate::part::MeetingLoops;
 
-use super::carrier::SheetKind;
+use super::carrier::{Carrier, SheetKind};
 use super::end_names::EndNames;
 use super::locus::Locus;
-use super::sheet::{EndAngle, EndAt, Seam, Sheet};
+use super::sheet::{EndAt, Seam, Sheet, SheetEnd};
 use super::spiral::{Spiral, Swing};
 use super::symmetry::{Period, Span};
 
@@ -28,10 +28,10 @@ pub(super) fn sheets(
         span,
         period,
         names: EndNames::new(fixed, moving),
-        fixed_vertex: fixed.vertex_of_joint(),
-        moving_vertex: moving.vertex_of_joint(),
-        fixed_line: fixed.line_of_joint(),
-        moving_line: moving.line_of_joint(),
+        fixed_vertex: fixed.of_joints(FeatureKind::Vertex),
+        moving_vertex: moving.of_joints(FeatureKind::Vertex),
+        fixed_line: fixed.of_joints(FeatureKind::Line),
+        moving_line: moving.of_joints(FeatureKind::Line),
         sheets: Vec::new(),
     };
     let meeting = MeetingLoops::of(&fixed.heights, &moving.heights);
@@ -61,14 +61,6 @@ struct Builder<'a> {
     sheets: Vec<Sheet>,
 }
 
-/// End of a curve.
-struct SheetEnd {
-    spiral: Spiral,
-    name: u32,
-    angle: EndAngle,
-    at: EndAt,
-}
-
 /// A bound of an interval of orientations, and the seam there.
 #[derive(Clone, Copy)]
 struct Bound {
@@ -90,8 +82,8 @@ impl Builder<'_> {
         );
         match (a.is_line(), b.is_line()) {
             (true, true) => {}
-            (true, false) if b.radius() >= 0.0 => self.add_line_round(ia, ib, &a, &b),
-            (false, true) if a.radius() >= 0.0 => self.add_round_line(ia, ib, &a, &b),
+            (true, false) if b.radius >= 0.0 => self.add_line(ia, ib, &a, &b),
+            (false, true) if a.radius >= 0.0 => self.add_line(ia, ib, &a, &b),
             (false, false) => self.add_round_round(ia, ib, &a, &b),
             _ => {}
         }
@@ -108,83 +100,58 @@ impl Builder<'_> {
         t + Dd::TAU * ((near - t.to_f64()) / TAU).round()
     }
 
-    fn line_seam(&self, line: u32, moving_joint: u32) -> Seam {
-        match self.moving_line[moving_joint as usize] {
-            Some(other) => Seam::Lines(line, other),
-            None => Seam::LineJoint(line, moving_joint),
-        }
-    }
-
-    fn joint_seam(&self, fixed_joint: u32, line: u32) -> Seam {
-        match self.fixed_line[fixed_joint as usize] {
-            Some(other) => Seam::Lines(other, line),
-            None => Seam::JointLine(fixed_joint, line),
-        }
-    }
-
-    fn add_line_round(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
-        let (b_lo, b_hi) = b.joints_by_angle();
-        let (theta_lo, theta_hi) = (first_orientation(a, b), a.lo - b.lo - PI);
-        let (lo_seam, hi_seam) = (self.line_seam(ia, b_hi), self.line_seam(ia, b_lo));
-        let ends = [a.start, a.end].map(|joint| SheetEnd {
-            spiral: self.fixed_joint_spiral(joint, b),
-            name: self.fixed_joint_name(joint, ib, b),
-            angle: EndAngle::NONE,
-            at: EndAt::Fixed(joint),
-        });
-        let locus = Locus {
-            kind: SheetKind::LineRound,
-            through: ends[0].spiral,
-            normal: self.fixed.start(a).normal,
-            radius: b.radius(),
-            start: ends[0].spiral,
-            end: ends[1].spiral,
+    /// Adds the sheets of a line and a convex round feature.
+    fn add_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
+        let ([a_lo, a_hi], [b_lo, b_hi]) = (a.joints_by_angle(), b.joints_by_angle());
+        // The joints whose normals oppose each other at the smallest and at the largest orientation, and the seams there.
+        let (kind, normal, at, bounds) = if a.is_line() {
+            (
+                SheetKind::LineRound,
+                self.fixed.start(a).normal,
+                [a.start, a.end].map(EndAt::Fixed),
+                [b_hi, b_lo].map(|j| {
+                    let parallel = |other| Seam::Lines(ia, other);
+                    let seam = self.moving_line[j as usize].map(parallel);
+                    ((a.start, j), seam.unwrap_or(Seam::LineJoint(ia, j)))
+                }),
+            )
+        } else {
+            (
+                SheetKind::RoundLine,
+                -self.moving.start(b).normal,
+                [b.start, b.end].map(EndAt::Moving),
+                [a_lo, a_hi].map(|j| {
+                    let parallel = |other| Seam::Lines(other, ib);
+                    let seam = self.fixed_line[j as usize].map(parallel);
+                    ((j, b.start), seam.unwrap_or(Seam::JointLine(j, ib)))
+                }),
+            )
         };
-        let bounds = [
-            (theta_lo, (a.start, b_hi), lo_seam),
-            (theta_hi, (a.start, b_lo), hi_seam),
-        ];
-        self.add_line((ia, ib), &locus, &ends, bounds);
-    }
-
-    fn add_round_line(&mut self, ia: u32, ib: u32, a: &Feature, b: &Feature) {
-        let (a_lo, a_hi) = a.joints_by_angle();
-        let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
-        let (lo_seam, hi_seam) = (self.joint_seam(a_lo, ib), self.joint_seam(a_hi, ib));
-        let ends = [b.start, b.end].map(|joint| SheetEnd {
-            spiral: self.moving_joint_spiral(a, joint),
-            name: self.moving_joint_name(ia, a, joint),
-            angle: EndAngle::NONE,
-            at: EndAt::Moving(joint),
-        });
-        let locus = Locus {
-            kind: SheetKind::RoundLine,
-            through: ends[0].spiral,
-            normal: -self.moving.start(b).normal,
-            radius: a.radius(),
-            start: ends[0].spiral,
-            end: ends[1].spiral,
+        let [start, end] = at.map(|at| self.spiral(at, a, b));
+        let carrier = Carrier {
+            kind,
+            through: start,
+            normal,
+            radius: a.radius + b.radius,
         };
-        let bounds = [
-            (theta_lo, (a_lo, b.start), lo_seam),
-            (theta_hi, (a_hi, b.start), hi_seam),
-        ];
-        self.add_line((ia, ib), &locus, &ends, bounds);
-    }
-
-    /// Adds the sheet of a line: its smallest and its largest orientation, the joints whose normals oppose each other there, and the seams.
-    fn add_line(
-        &mut self,
-        features: (u32, u32),
-        locus: &Locus,
-        ends: &[SheetEnd; 2],
-        bounds: [(f64, (u32, u32), Seam); 2],
-    ) {
-        self.instances(bounds[0].0, bounds[1].0, |this, shift, k| {
-            let [lo, hi] = bounds.map(|(theta, (fixed, moving), seam)| {
-                Bound::new(this.alignment(fixed, moving, theta + shift), seam)
-            });
-            this.push(features, locus, ends, [lo, hi], (k, 0));
+        let locus = Locus {
+            carrier,
+            start,
+            end,
+        };
+        let ends = at.map(|at| SheetEnd {
+            at,
+            name: self.name(at, (ia, ib), a, b),
+            angle: 0.0,
+        });
+        let (lo, hi) = (first_orientation(a, b), a.hi - b.lo - PI);
+        self.instances(lo, hi, |this, shift, k| {
+            let bound = |theta: f64, ((fixed, moving), seam)| Bound {
+                theta: this.alignment(fixed, moving, theta + shift),
+                seam,
+            };
+            let bounds = [bound(lo, bounds[0]), bound(hi, bounds[1])];
+            this.push((ia, ib), locus, ends, bounds, (k, 0));
         });
     }
 
@@ -192,16 +159,15 @@ impl Builder<'_> {
         let exact = self.fixed.exact_features[ia as usize].radius
             + self.moving.exact_features[ib as usize].radius;
         let radius = exact.to_f64();
-        let convex = a.radius() >= 0.0 && b.radius() >= 0.0;
-        let concave = a.radius() < 0.0 && b.radius() < 0.0;
+        let convex = a.radius >= 0.0 && b.radius >= 0.0;
+        let concave = a.radius < 0.0 && b.radius < 0.0;
         // An arc does not touch within a smaller fillet; a vertex touches a vertex only at the ends of adjacent contacts.
         let touch = if convex { radius > 0.0 } else { radius < 0.0 };
         if concave || !touch {
             return;
         }
-        let (a_lo, a_hi) = a.joints_by_angle();
-        let (b_lo, b_hi) = b.joints_by_angle();
-        let (kind, through, normal) = carrier(a, b);
+        let ([a_lo, a_hi], [b_lo, b_hi]) = (a.joints_by_angle(), b.joints_by_angle());
+        let carrier = carrier(a, b, radius);
         let (theta_lo, theta_hi) = (first_orientation(a, b), a.hi - b.lo - PI);
         // Below the first, normals start with those of the fixed feature; below the second, they end with those of the moving one.
         let (low_switch, high_switch) = (a.lo - b.lo - PI, a.hi - b.hi - PI);
@@ -225,14 +191,14 @@ impl Builder<'_> {
                 }
                 let middle = (from.theta + to.theta).scaled(0.5);
                 let low = if middle < switch_low {
-                    this.fixed_end(ib, a, b, a_lo, radius, a.lo)
+                    (EndAt::Fixed(a_lo), a.lo)
                 } else {
-                    this.moving_end(ia, a, b, b_lo, radius, b.lo + PI - shift)
+                    (EndAt::Moving(b_lo), b.lo + PI - shift)
                 };
                 let high = if middle < switch_high {
-                    this.moving_end(ia, a, b, b_hi, radius, b.hi + PI - shift)
+                    (EndAt::Moving(b_hi), b.hi + PI - shift)
                 } else {
-                    this.fixed_end(ib, a, b, a_hi, radius, a.hi)
+                    (EndAt::Fixed(a_hi), a.hi)
                 };
                 // Travel goes with the normal's angle on convex circles, against it on concave ones.
                 let ends = if radius > 0.0 {
@@ -240,15 +206,25 @@ impl Builder<'_> {
                 } else {
                     [high, low]
                 };
+                let [start, end] = ends.map(|(at, _)| this.spiral(at, a, b));
                 let locus = Locus {
-                    kind,
-                    through,
-                    normal,
-                    radius,
-                    start: ends[0].spiral,
-                    end: ends[1].spiral,
+                    carrier,
+                    start,
+                    end,
                 };
-                this.push((ia, ib), &locus, &ends, [from, to], (k, piece));
+                let ends = [(start, ends[0]), (end, ends[1])].map(|(spiral, (at, near))| {
+                    // Only circles given by a centre need the angle.
+                    let arm = match at {
+                        EndAt::Fixed(_) => spiral.u - a.center,
+                        EndAt::Moving(_) => spiral.w + b.center.to_vector(),
+                    };
+                    SheetEnd {
+                        at,
+                        name: this.name(at, (ia, ib), a, b),
+                        angle: unwrap_near((arm * radius.signum()).angle(), near),
+                    }
+                });
+                this.push((ia, ib), locus, ends, [from, to], (k, piece));
             }
         });
     }
@@ -270,8 +246,8 @@ impl Builder<'_> {
     fn push(
         &mut self,
         (fixed, moving): (u32, u32),
-        locus: &Locus,
-        [start, end]: &[SheetEnd; 2],
+        locus: Locus,
+        [start, end]: [SheetEnd; 2],
         [from, to]: [Bound; 2],
         (k, piece): (i32, u8),
     ) {
@@ -282,13 +258,9 @@ impl Builder<'_> {
             hi: to.theta.to_f64(),
             from: from.theta,
             to: to.theta,
-            start_at: start.at,
-            end_at: end.at,
-            locus: *locus,
-            start_name: start.name,
-            end_name: end.name,
-            start_angle: start.angle,
-            end_angle: end.angle,
+            locus,
+            start,
+            end,
             bottom: from.seam,
             top: to.seam,
         };
@@ -321,90 +293,40 @@ impl Builder<'_> {
         Seam::Wrap(a, b, turn, piece)
     }
 
-    /// X + ρ n − R Q: contact of a moving round feature at a joint of the fixed part.
-    fn fixed_joint_spiral(&self, joint: u32, b: &Feature) -> Spiral {
-        let j = self.fixed.joints[joint as usize];
-        match b.near {
-            Some(near) => Spiral {
-                u: j.point,
-                w: -near.point.to_vector(),
-                swing: swing(j.normal, near.normal, b.radius()),
+    /// How an end of a curve moves; if it lies on a large arc, with that arc's swing.
+    fn spiral(&self, at: EndAt, a: &Feature, b: &Feature) -> Spiral {
+        match (at, a.near, b.near) {
+            (EndAt::Fixed(j), _, Some(near)) => {
+                let j = self.fixed.joints[j as usize];
+                Spiral {
+                    u: j.point,
+                    w: -near.point.to_vector(),
+                    swing: swing(j.normal, near.normal, b.radius),
+                }
+            }
+            (EndAt::Moving(j), Some(near), _) => {
+                let j = self.moving.joints[j as usize];
+                Spiral {
+                    u: near.point,
+                    w: -j.point.to_vector(),
+                    swing: swing(near.normal, j.normal, -a.radius),
+                }
+            }
+            _ => at.spiral((a, &self.fixed.joints), (b, &self.moving.joints)),
+        }
+    }
+
+    /// The name of an end of the curves of two features.
+    fn name(&self, at: EndAt, (ia, ib): (u32, u32), a: &Feature, b: &Feature) -> u32 {
+        match at {
+            EndAt::Fixed(joint) => match self.fixed_vertex[joint as usize] {
+                Some(vertex) if b.is_vertex() => self.names.vertices(vertex, ib),
+                _ => self.names.fixed_joint(joint, ib),
             },
-            None => Spiral::new(j.point + j.normal * b.radius(), -b.center().to_vector()),
-        }
-    }
-
-    /// P − R (Y + ρ n): contact of a fixed round feature at a joint of the moving part.
-    fn moving_joint_spiral(&self, a: &Feature, joint: u32) -> Spiral {
-        let j = self.moving.joints[joint as usize];
-        match a.near {
-            Some(near) => Spiral {
-                u: near.point,
-                w: -j.point.to_vector(),
-                swing: swing(near.normal, j.normal, -a.radius()),
+            EndAt::Moving(joint) => match self.moving_vertex[joint as usize] {
+                Some(vertex) if a.is_vertex() => self.names.vertices(ia, vertex),
+                _ => self.names.moving_joint(ia, joint),
             },
-            None => Spiral::new(a.center(), -(j.point + j.normal * a.radius()).to_vector()),
-        }
-    }
-
-    fn fixed_end(
-        &self,
-        ib: u32,
-        a: &Feature,
-        b: &Feature,
-        joint: u32,
-        radius: f64,
-        near: f64,
-    ) -> SheetEnd {
-        let spiral = self.fixed_joint_spiral(joint, b);
-        // Only circles given by a centre need the angle.
-        let v = (spiral.u - a.center()) * radius.signum();
-        let offset = unwrap_near(v.angle(), near);
-        SheetEnd {
-            spiral,
-            name: self.fixed_joint_name(joint, ib, b),
-            angle: EndAngle {
-                offset,
-                turns: false,
-            },
-            at: EndAt::Fixed(joint),
-        }
-    }
-
-    fn moving_end(
-        &self,
-        ia: u32,
-        a: &Feature,
-        b: &Feature,
-        joint: u32,
-        radius: f64,
-        near: f64,
-    ) -> SheetEnd {
-        let spiral = self.moving_joint_spiral(a, joint);
-        let v = (spiral.w + b.center().to_vector()) * radius.signum();
-        let offset = unwrap_near(v.angle(), near);
-        SheetEnd {
-            spiral,
-            name: self.moving_joint_name(ia, a, joint),
-            angle: EndAngle {
-                offset,
-                turns: true,
-            },
-            at: EndAt::Moving(joint),
-        }
-    }
-
-    fn fixed_joint_name(&self, joint: u32, ib: u32, b: &Feature) -> u32 {
-        match self.fixed_vertex[joint as usize] {
-            Some(vertex) if b.is_vertex() => self.names.vertices(vertex, ib),
-            _ => self.names.fixed_joint(joint, ib),
-        }
-    }
-
-    fn moving_joint_name(&self, ia: u32, a: &Feature, joint: u32) -> u32 {
-        match self.moving_vertex[joint as usize] {
-            Some(vertex) if a.is_vertex() => self.names.vertices(ia, vertex),
-            _ => self.names.moving_joint(ia, joint),
         }
     }
 }
@@ -422,33 +344,39 @@ fn swing(n: Vector, m: Vector, radius: f64) -> Swing {
     }
 }
 
-/// Data that define the circle of two round features: the spiral of its centre; or, if a centre is far away, the spiral of a point of the
-/// circle near the parts, and the normal there, in the frame of the arc it belongs to.
-fn carrier(a: &Feature, b: &Feature) -> (SheetKind, Spiral, Vector) {
+/// The circle of two round features, by the spiral of its centre; or, if a centre is far away, by the spiral of a point of the circle near
+/// the parts, and the normal there, in the frame of the arc it belongs to.
+fn carrier(a: &Feature, b: &Feature, radius: f64) -> Carrier {
     let spiral = |fixed: Point, moving: Point| Spiral::new(fixed, -moving.to_vector());
-    match (a.near, b.near) {
+    let (kind, through, normal) = match (a.near, b.near) {
         (None, None) => (
             SheetKind::RoundRound,
-            spiral(a.center(), b.center()),
+            spiral(a.center, b.center),
             Vector::ZERO,
         ),
         (Some(n), None) => (
             SheetKind::FixedFlatArc,
-            spiral(n.point + n.normal * b.radius(), b.center()),
+            spiral(n.point + n.normal * b.radius, b.center),
             n.normal,
         ),
         (None, Some(m)) => (
             SheetKind::MovingFlatArc,
-            spiral(a.center(), m.point + m.normal * a.radius()),
+            spiral(a.center, m.point + m.normal * a.radius),
             -m.normal,
         ),
         (Some(n), Some(m)) => (
             SheetKind::FixedFlatArc,
             Spiral {
-                swing: swing(n.normal, m.normal, b.radius()),
+                swing: swing(n.normal, m.normal, b.radius),
                 ..spiral(n.point, m.point)
             },
             n.normal,
         ),
+    };
+    Carrier {
+        kind,
+        through,
+        normal,
+        radius,
     }
 }

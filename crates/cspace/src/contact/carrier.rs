@@ -22,13 +22,13 @@ pub(crate) enum SheetKind {
 }
 
 /// A line or circle that moves with orientation: equations (1)–(3) of Sacks 1999.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Carrier<T = f64> {
     pub(crate) kind: SheetKind,
     /// The centre of a circle; for a line or a flat arc a position on it.
     pub(crate) through: Spiral<T>,
     /// Unit normal of the fixed line, or minus that of the moving line, in its frame. For a flat arc, the normal at `through`; for a
-    /// circle not used.
+    /// circle 0.
     pub(crate) normal: Vector<T>,
     /// Sum of the signed radii; for a line not used.
     pub(crate) radius: T,
@@ -66,6 +66,34 @@ impl<T: Real> Carrier<T> {
             self.normal
         }
     }
+
+    /// The spiral of the centre; `None` for a line. For a flat arc it is far away.
+    pub(crate) fn center(&self) -> Option<Spiral<T>> {
+        let Spiral { u, w, swing } = self.through;
+        let arm = self.normal * self.radius;
+        match self.kind {
+            SheetKind::LineRound | SheetKind::RoundLine => None,
+            SheetKind::RoundRound => Some(self.through),
+            SheetKind::FixedFlatArc => Some(Spiral {
+                u: u + -arm,
+                w,
+                swing,
+            }),
+            SheetKind::MovingFlatArc => Some(Spiral {
+                u,
+                w: w - arm,
+                swing,
+            }),
+        }
+    }
+
+    /// A spiral relative to the point of a line, in the frame of its normal: the constant part, and the turning part.
+    ///
+    /// R n · (u + R w) = n·w + (R n)·u.
+    pub(crate) fn seen(&self, spiral: &Spiral<T>) -> (Vector<T>, Vector<T>) {
+        let (u, w) = (spiral.u - self.through.u, spiral.w - self.through.w);
+        if self.turns() { (w, u) } else { (u, w) }
+    }
 }
 
 impl Carrier {
@@ -77,6 +105,14 @@ impl Carrier {
             through: self.through.lift(),
             normal: self.normal.map(T::constant),
             radius: T::constant(self.radius),
+        }
+    }
+
+    /// The carrier in a frame that does not turn and whose origin is a moving point.
+    pub(crate) fn about(&self, origin: &Spiral) -> Self {
+        Self {
+            through: self.through.about(origin),
+            ..*self
         }
     }
 }

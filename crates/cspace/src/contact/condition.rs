@@ -7,6 +7,7 @@
 use crate::geometry::Vector;
 use crate::number::{Distances, Real, Trig};
 
+use super::carrier::Carrier;
 use super::locus::Locus;
 use super::spiral::Spiral;
 
@@ -29,11 +30,11 @@ pub(crate) fn conditions<T: Real>(
         number += 1;
     };
     for (shared, end, over) in [
-        (start_shared, &f.start, g),
-        (end_shared, &f.end, g),
+        (start_shared, &f.start, &g.carrier),
+        (end_shared, &f.end, &g.carrier),
         // The shared end of f is the start of g, and the shared start of f the end of g.
-        (end_shared, &g.start, f),
-        (start_shared, &g.end, f),
+        (end_shared, &g.start, &f.carrier),
+        (start_shared, &g.end, &f.carrier),
     ] {
         if !shared {
             ask(&|| match over.center() {
@@ -42,6 +43,7 @@ pub(crate) fn conditions<T: Real>(
             });
         }
     }
+    let (f, g) = (&f.carrier, &g.carrier);
     match (f.center(), g.center()) {
         (None, None) => {}
         (None, Some(center)) => {
@@ -64,12 +66,12 @@ pub(crate) fn conditions<T: Real>(
 }
 
 /// n·(p − through) − offset for a spiral p and a line, which may turn.
-fn height<T: Real>(p: &Spiral<T>, line: &Locus<T>, offset: T) -> Trig<T> {
+fn height<T: Real>(p: &Spiral<T>, line: &Carrier<T>, offset: T) -> Trig<T> {
     let (stays, turns) = line.seen(p);
     let beta = turns.cross(line.normal);
     Trig {
         alpha: line.normal.dot(turns),
-        beta: if line.carrier().turns() { -beta } else { beta },
+        beta: if line.turns() { -beta } else { beta },
         gamma: line.normal.dot(stays) - offset,
         scale: size_of(p) + size_of(&line.through) + offset.value().abs(),
         distances: None,

@@ -53,13 +53,13 @@ impl Contacts {
     /// distance vanishes to first order where the circle begins, and the height of an end over the other line to second order, so that a
     /// computation would decide little.
     fn bridged(&self, f: &Sheet, g: &Sheet) -> bool {
-        let lines = f.is_line() && g.is_line() && f.locus.kind != g.locus.kind;
+        let lines = f.is_line() && g.is_line() && f.locus.carrier.kind != g.locus.carrier.kind;
         let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
         let bridge = |before: &Sheet, after: &Sheet| {
-            self.starting_at(before.end_name).any(|c| {
+            self.starting_at(before.end.name).any(|c| {
                 let c = &self.sheets[c as usize];
                 !c.is_line()
-                    && c.end_name == after.start_name
+                    && c.end.name == after.start.name
                     && c.lo <= lo + NARROWEST_BAND
                     && c.hi >= hi - NARROWEST_BAND
             })
@@ -101,7 +101,7 @@ impl Contacts {
             list.sort_unstable();
             list
         };
-        let (starts, ends) = (index(|s| s.start_name), index(|s| s.end_name));
+        let (starts, ends) = (index(|s| s.start.name), index(|s| s.end.name));
         Self {
             sheets,
             span,

@@ -21,9 +21,10 @@
 //!
 //! Travel is to the left of the normal, with blocked space on the left.
 
-use crate::feature::{Feature, Outline, Shape};
+use crate::feature::{Feature, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::{Dd, Real};
+use crate::part::Edge;
 
 /// An oriented circle or line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,18 @@ impl<T: Real> Cycle<T> {
     /// A line, given by a point and the normal.
     pub(crate) fn line(through: Point<T>, normal: Vector<T>) -> Self {
         Self::flat(through, normal, T::constant(0.0))
+    }
+
+    /// The line or circle of an edge, with its free side on the right of travel. A line may have a curvature of which only the derivatives
+    /// are not 0.
+    pub(crate) fn of_edge(edge: &Edge<T>) -> Self {
+        /// Bulge above which arcs are written by their centre, which is then near them.
+        const NEAR_CENTER: f64 = 0.125;
+        if edge.bulge.value().abs() > NEAR_CENTER {
+            return Self::round(edge.center(), edge.signed_radius());
+        }
+        let normal = (edge.end - edge.start).unit().right();
+        Self::flat(edge.middle(), normal, edge.curvature())
     }
 
     /// A circle, given by its centre and signed radius.
@@ -527,12 +540,13 @@ const CENTER_ERROR: f64 = 8.0 * f64::EPSILON;
 impl Cycle {
     /// The line or circle that a feature is a piece of.
     pub(crate) fn of(outline: &Outline, feature: &Feature) -> Self {
-        match (feature.shape, feature.near) {
-            (Shape::Line { normal }, _) => Self::line(outline.start(feature).point, normal),
-            (Shape::Round { radius, .. }, Some(near)) => {
-                Self::flat(near.point, near.normal, 1.0 / radius)
+        match feature.near {
+            _ if feature.is_line() => {
+                let start = outline.start(feature);
+                Self::line(start.point, start.normal)
             }
-            (Shape::Round { center, radius }, None) => Self::round(center, radius),
+            Some(near) => Self::flat(near.point, near.normal, 1.0 / feature.radius),
+            None => Self::round(feature.center, feature.radius),
         }
     }
 

@@ -21,9 +21,6 @@ use crate::part::Edge;
 use super::cycle::Cycle;
 use super::placement::Placement;
 
-/// Bulge above which arcs are written by their centre, which is then near them.
-const NEAR_CENTER: f64 = 0.125;
-
 /// The outline of a feature as drawn, in its part's frame, with material on the left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FeatureShape<T> {
@@ -93,28 +90,14 @@ impl<T: Real> FeatureShape<T> {
         }
     }
 
-    /// The line or circle of the feature. A line may have a curvature of which only the derivatives are not 0.
+    /// The line or circle of the feature.
     fn cycle(&self) -> Cycle<T> {
-        let real = T::constant;
         match *self {
-            Self::Edge {
-                start: [x, y],
-                end: [to_x, to_y],
-                bulge,
-            } => {
-                let half = real(0.5);
-                let chord = Vector::new(to_x - x, to_y - y);
-                let long = chord.length();
-                let q = Point::new(x, y) + chord * half + chord.right() * (half * bulge);
-                let n = chord.right() * (real(1.0) / long);
-                let k = real(4.0) * bulge / (long * (real(1.0) + bulge * bulge));
-                if bulge.value().abs() > NEAR_CENTER {
-                    let radius = real(1.0) / k;
-                    return Cycle::round(q + n * -radius, radius);
-                }
-                Cycle::flat(q, n, k)
+            Self::Edge { start, end, bulge } => {
+                let [start, end] = [start, end].map(|[x, y]| Point::new(x, y));
+                Cycle::of_edge(&Edge::between(start, end, bulge))
             }
-            Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), real(0.0)),
+            Self::Vertex { at: [x, y] } => Cycle::round(Point::new(x, y), T::constant(0.0)),
         }
     }
 }

@@ -83,18 +83,6 @@ impl ContactFunction {
         (slope * rate, (drift - slope.dot(moves)) * rate)
     }
 
-    /// The function for positions relative to a moving point.
-    pub(crate) fn about(&self, place: &Spiral) -> Self {
-        let mut seen = *self;
-        match &mut seen {
-            Self::FixedLine { through, .. }
-            | Self::MovingLine { through, .. }
-            | Self::FlatCircle { through, .. } => *through = through.about(place),
-            Self::Circle { center, .. } => *center = center.about(place),
-        }
-        seen
-    }
-
     /// The whole line or circle at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
@@ -128,6 +116,32 @@ impl ContactFunction {
                 };
                 of(kind, through, normal, radius)
             }
+        }
+    }
+}
+
+impl Carrier {
+    /// The contact function.
+    pub(crate) fn function(&self) -> ContactFunction {
+        let Self {
+            through,
+            normal,
+            radius,
+            ..
+        } = *self;
+        match self.kind {
+            SheetKind::LineRound => ContactFunction::FixedLine { normal, through },
+            SheetKind::RoundLine => ContactFunction::MovingLine { normal, through },
+            SheetKind::RoundRound => ContactFunction::Circle {
+                center: through,
+                radius,
+            },
+            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => ContactFunction::FlatCircle {
+                through,
+                normal,
+                turns: self.turns(),
+                radius,
+            },
         }
     }
 }

@@ -61,8 +61,7 @@ mod spiral;
 mod symmetry;
 mod tangent;
 
-#[cfg(feature = "fuzzing")]
-pub(crate) use carrier::SheetKind;
+pub(crate) use carrier::{Carrier, SheetKind};
 pub(crate) use condition::conditions;
 pub(crate) use crossing::crossings;
 pub(crate) use curve::Curve;

@@ -151,17 +151,11 @@ impl Geometry {
         most: usize,
         attempt: u64,
     ) -> Option<Self> {
-        let lengths = |p: Placed<'_>| -> Vec<u32> {
-            (p.part.loops().iter())
-                .map(|l| l.vertices().len() as u32)
-                .collect()
-        };
-        let (of_fixed, of_moving) = (lengths(fixed), lengths(moving));
         let outlines = Outlines::new(fixed, moving, Fit::Overlaps, attempt);
         let period = Period::new(
             steps,
-            (&outlines.fixed, fixed.images.map(|i| (i, &of_fixed[..]))),
-            (&outlines.moving, moving.images.map(|i| (i, &of_moving[..]))),
+            (&outlines.fixed, fixed.images),
+            (&outlines.moving, moving.images),
         )?;
         let span = Span::slab(&outlines.fixed, &outlines.moving, steps.slabs);
         Some(outlines.sheets(span, period, most))
@@ -169,7 +163,7 @@ impl Geometry {
 
     /// The whole line or circle of a sheet at an orientation.
     pub(crate) fn cycle<T: Precision>(&self, sheet: u32, turn: Rotation<T>) -> Cycle<T> {
-        T::locus(self, sheet).carrier().cycle(turn)
+        T::locus(self, sheet).carrier.cycle(turn)
     }
 
     /// The curve of a sheet at an orientation.

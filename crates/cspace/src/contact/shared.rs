@@ -17,8 +17,15 @@ pub(crate) struct SharedEnds {
 impl Sheet {
     /// Whether both curves are lines that are parallel at every orientation, or opposite.
     pub(crate) fn is_parallel(&self, other: &Self) -> bool {
-        let lines = self.is_line() && self.locus.kind == other.locus.kind;
-        lines && self.locus.normal.cross(other.locus.normal).abs() <= SAME_CARRIER
+        let lines = self.is_line() && self.locus.carrier.kind == other.locus.carrier.kind;
+        lines
+            && self
+                .locus
+                .carrier
+                .normal
+                .cross(other.locus.carrier.normal)
+                .abs()
+                <= SAME_CARRIER
     }
 
     /// The ends that two sheets share.
@@ -32,8 +39,8 @@ impl Sheet {
             corners: self.shared_corners(other, first_vertex_name),
         };
         let smooth = |name: u32, other: u32| name == other && name < first_vertex_name;
-        shared.tangent |= smooth(self.end_name, other.start_name);
-        shared.tangent |= smooth(self.start_name, other.end_name);
+        shared.tangent |= smooth(self.end.name, other.start.name);
+        shared.tangent |= smooth(self.start.name, other.end.name);
         shared
     }
 
@@ -41,8 +48,8 @@ impl Sheet {
     pub(crate) fn shared_corners(&self, other: &Self, first_vertex_name: u32) -> [bool; 2] {
         let corner = |name: u32, other: u32| name == other && name >= first_vertex_name;
         [
-            corner(self.end_name, other.start_name),
-            corner(self.start_name, other.end_name),
+            corner(self.end.name, other.start.name),
+            corner(self.start.name, other.end.name),
         ]
     }
 
@@ -55,7 +62,7 @@ impl Sheet {
         if !(self.is_circle() && other.is_circle()) {
             return None;
         }
-        let (c, d) = (self.locus.through, other.locus.through);
+        let (c, d) = (self.locus.carrier.through, other.locus.carrier.through);
         let apart = (d.u - c.u).length() + (d.w - c.w).length();
         (0.0 < apart && apart < CLOSE_CENTERS).then_some((c, apart))
     }

@@ -1,11 +1,11 @@
 //! The surface on which two features touch, before it is cut where other features interfere.
 
-use crate::feature::Outline;
 use crate::feature::tolerance::{LONGEST, SMALL_CIRCLE, WIDEST_SAGITTA};
+use crate::feature::{Feature, Joint, Outline};
 use crate::geometry::Rotation;
 use crate::number::{Dd, Ordered, Real};
 
-use super::carrier::SheetKind;
+use super::carrier::{Carrier, SheetKind};
 use super::curve::Curve;
 use super::cycle::Cycle;
 use super::function::ContactFunction;
@@ -13,30 +13,6 @@ use super::locus::Locus;
 use super::orientation::Orientation;
 use super::spiral::Spiral;
 use super::symmetry::Span;
-
-/// The angle of the contact normal at an end of a circular contact curve: constant, or turning with θ.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct EndAngle {
-    pub(crate) offset: f64,
-    pub(crate) turns: bool,
-}
-
-impl EndAngle {
-    /// Placeholder for curves that are not circles.
-    pub(super) const NONE: Self = Self {
-        offset: 0.0,
-        turns: false,
-    };
-
-    #[inline]
-    pub(crate) fn at(&self, theta: f64) -> f64 {
-        if self.turns {
-            self.offset + theta
-        } else {
-            self.offset
-        }
-    }
-}
 
 /// Event at which a sheet's interval of orientations begins or ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -64,6 +40,49 @@ pub(crate) enum EndAt {
     Moving(u32),
 }
 
+impl EndAt {
+    /// How the end moves, given the features that touch and the joints of both parts: contact of the other part's round feature at the joint.
+    pub(super) fn spiral<T: Real>(
+        self,
+        (a, fixed): (&Feature<T>, &[Joint<T>]),
+        (b, moving): (&Feature<T>, &[Joint<T>]),
+    ) -> Spiral<T> {
+        match self {
+            // X + ρ n − R Q
+            Self::Fixed(j) => {
+                let j = &fixed[j as usize];
+                Spiral::new(j.point + j.normal * b.radius, -b.center.to_vector())
+            }
+            // P − R (Y + ρ n)
+            Self::Moving(j) => {
+                let j = &moving[j as usize];
+                Spiral::new(a.center, -(j.point + j.normal * a.radius).to_vector())
+            }
+        }
+    }
+}
+
+/// An end of a sheet's curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SheetEnd {
+    pub(crate) at: EndAt,
+    /// Its identity: equal for the two sheets that share it.
+    pub(crate) name: u32,
+    /// The angle of the contact normal there, at θ = 0; only for circles.
+    pub(super) angle: f64,
+}
+
+impl SheetEnd {
+    /// The angle of the contact normal there: constant, or turning with θ; only for circles.
+    #[inline]
+    pub(crate) fn angle_at(&self, theta: f64) -> f64 {
+        match self.at {
+            EndAt::Fixed(_) => self.angle,
+            EndAt::Moving(_) => self.angle + theta,
+        }
+    }
+}
+
 /// The contact of one feature pair over an interval of orientations in which its ends keep their identity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sheet {
@@ -74,15 +93,9 @@ pub(crate) struct Sheet {
     /// Ends of the interval in double-double.
     pub(crate) from: Dd,
     pub(crate) to: Dd,
-    pub(crate) start_at: EndAt,
-    pub(crate) end_at: EndAt,
     pub(crate) locus: Locus,
-    /// Identity of the end: equal for the two sheets that share it.
-    pub(crate) start_name: u32,
-    pub(crate) end_name: u32,
-    /// Angles of the normal at the ends; only for circles.
-    pub(crate) start_angle: EndAngle,
-    pub(crate) end_angle: EndAngle,
+    pub(crate) start: SheetEnd,
+    pub(crate) end: SheetEnd,
     pub(crate) bottom: Seam,
     pub(crate) top: Seam,
 }
@@ -116,28 +129,16 @@ impl Sheet {
             &fixed.exact_features[self.fixed as usize],
             &moving.exact_features[self.moving as usize],
         );
-        let end = |at| match at {
-            EndAt::Fixed(j) => {
-                let j = &fixed.exact_joints[j as usize];
-                Spiral::new(j.point + j.normal * b.radius, -b.center.to_vector())
-            }
-            EndAt::Moving(j) => {
-                let j = &moving.exact_joints[j as usize];
-                Spiral::new(a.center, -(j.point + j.normal * a.radius).to_vector())
-            }
-        };
-        let (start, end) = (end(self.start_at), end(self.end_at));
-        let line = |outline: &Outline, feature: u32| {
-            let joint = outline.features[feature as usize].start;
-            outline.exact_joints[joint as usize].normal
-        };
-        let kind = self.locus.kind;
+        let joints = (&fixed.exact_joints[..], &moving.exact_joints[..]);
+        let [start, end] =
+            [self.start, self.end].map(|e| e.at.spiral((a, joints.0), (b, joints.1)));
+        let kind = self.locus.carrier.kind;
         let radius = a.radius + b.radius;
         let center = Spiral::new(a.center, -b.center.to_vector());
-        let rough = self.locus.normal.map(Dd::from);
+        let rough = self.locus.carrier.normal.map(Dd::from);
         let (through, normal) = match kind {
-            SheetKind::LineRound => (start, line(fixed, self.fixed)),
-            SheetKind::RoundLine => (start, -line(moving, self.moving)),
+            SheetKind::LineRound => (start, joints.0[a.start as usize].normal),
+            SheetKind::RoundLine => (start, -joints.1[b.start as usize].normal),
             SheetKind::RoundRound => (center, rough),
             SheetKind::FixedFlatArc => {
                 let normal = rough.unit();
@@ -149,10 +150,12 @@ impl Sheet {
             }
         };
         Locus {
-            kind,
-            through,
-            normal,
-            radius,
+            carrier: Carrier {
+                kind,
+                through,
+                normal,
+                radius,
+            },
             start,
             end,
         }
@@ -161,26 +164,29 @@ impl Sheet {
     /// Whether its curves are circles given by a centre.
     #[inline]
     pub(crate) fn is_circle(&self) -> bool {
-        self.locus.kind == SheetKind::RoundRound
+        self.locus.carrier.kind == SheetKind::RoundRound
     }
 
     /// Whether its curves are circles so small that f64 does not resolve places on them.
     #[inline]
     pub(crate) fn is_small(&self) -> bool {
-        self.is_circle() && self.locus.radius.abs() < SMALL_CIRCLE
+        self.is_circle() && self.locus.carrier.radius.abs() < SMALL_CIRCLE
     }
 
     /// Whether its curves are lines.
     #[inline]
     pub(crate) fn is_line(&self) -> bool {
-        matches!(self.locus.kind, SheetKind::LineRound | SheetKind::RoundLine)
+        matches!(
+            self.locus.carrier.kind,
+            SheetKind::LineRound | SheetKind::RoundLine
+        )
     }
 
     /// Whether its curves are flat arcs.
     #[inline]
     pub(crate) fn is_flat_arc(&self) -> bool {
         matches!(
-            self.locus.kind,
+            self.locus.carrier.kind,
             SheetKind::FixedFlatArc | SheetKind::MovingFlatArc
         )
     }
@@ -195,7 +201,7 @@ impl Sheet {
     /// [`WIDEST_SAGITTA`]. 0 for other curves.
     pub(crate) fn height(&self) -> f64 {
         if self.is_flat_arc() {
-            let whole = 0.125 * LONGEST * LONGEST / self.locus.radius.abs();
+            let whole = 0.125 * LONGEST * LONGEST / self.locus.carrier.radius.abs();
             whole.min(WIDEST_SAGITTA)
         } else {
             0.0
@@ -210,20 +216,20 @@ impl Sheet {
     /// Its curve at one orientation, on the locus in numbers of any kind.
     pub(crate) fn curve_on<T: Ordered>(&self, locus: &Locus<T>, at: &Orientation<T>) -> Curve<T> {
         let theta = at.theta.value();
-        let angles = [self.start_angle, self.end_angle].map(|a| a.at(theta));
-        Curve::new(locus.carrier().cycle(at.turn), locus.ends(at.turn), angles)
+        let angles = [self.start, self.end].map(|e| e.angle_at(theta));
+        Curve::new(locus.carrier.cycle(at.turn), locus.ends(at.turn), angles)
     }
 
     /// The whole line or circle of its curve at an orientation.
     #[inline(always)]
     pub(crate) fn cycle<T: Real>(&self, turn: Rotation<T>) -> Cycle<T> {
-        self.locus.carrier().lift().cycle(turn)
+        self.locus.carrier.lift().cycle(turn)
     }
 
     /// Its contact function.
     #[inline(always)]
     pub(crate) fn function(&self) -> ContactFunction {
-        self.locus.function()
+        self.locus.carrier.function()
     }
 }
 

@@ -12,11 +12,12 @@ use core::f64::consts::{PI, TAU};
 use std::collections::BTreeMap;
 
 use crate::feature::tolerance::CLEAR_CUT;
-use crate::feature::{Feature, Outline};
+use crate::feature::{Feature, FeatureName, Outline};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::number::Dd;
 use crate::part::LoopImage;
 
+use super::carrier::Carrier;
 use super::curve::Curve;
 use super::function::ContactFunction;
 use super::spiral::{Spiral, Swing};
@@ -38,11 +39,7 @@ impl Permutation {
     }
 
     /// The permutation from the images of loops that are drawn in order of travel. `None` if features do not correspond.
-    pub(crate) fn of_loops(
-        outline: &Outline,
-        loops: &[LoopImage],
-        lengths: &[u32],
-    ) -> Option<Self> {
+    pub(crate) fn of_loops(outline: &Outline, loops: &[LoopImage]) -> Option<Self> {
         let by_name: BTreeMap<_, u32> = (0u32..)
             .zip(&outline.features)
             .map(|(i, f)| (f.name, i))
@@ -57,10 +54,12 @@ impl Permutation {
         let mut features = Vec::with_capacity(outline.features.len());
         for f in &outline.features {
             let image = loops.get(f.name.loop_index as usize)?;
-            let mut name = f.name;
-            name.loop_index = image.target;
-            name.index = (name.index + image.shift) % lengths.get(image.target as usize)?;
-            let to = *by_name.get(&name)?;
+            let (target, vertex) = image.of(f.name.index as usize);
+            let to = *by_name.get(&FeatureName {
+                kind: f.name.kind,
+                loop_index: target as u32,
+                index: vertex as u32,
+            })?;
             let g: &Feature = &outline.features[to as usize];
             take(f.start, g.start)?;
             take(f.end, g.end)?;
@@ -70,24 +69,16 @@ impl Permutation {
         whole.then_some(Self { features, joints })
     }
 
-    fn after(&self, other: &Self) -> Self {
-        let compose = |a: &[u32], b: &[u32]| b.iter().map(|&i| a[i as usize]).collect();
+    /// The permutation applied so many times.
+    fn power(&self, exponent: u32) -> Self {
+        let times = |step: &[u32]| {
+            let image = |i| (0..exponent).fold(i, |i, _| step[i as usize]);
+            (0..step.len() as u32).map(image).collect()
+        };
         Self {
-            features: compose(&self.features, &other.features),
-            joints: compose(&self.joints, &other.joints),
+            features: times(&self.features),
+            joints: times(&self.joints),
         }
-    }
-
-    fn power(&self, mut exponent: u32, identity: Self) -> Self {
-        let (mut result, mut base) = (identity, self.clone());
-        while exponent > 0 {
-            if exponent & 1 == 1 {
-                result = base.after(&result);
-            }
-            base = base.after(&base);
-            exponent >>= 1;
-        }
-        result
     }
 }
 
@@ -202,31 +193,18 @@ impl SlabMotion {
 
     /// The function f(`R_−α` p, θ − T), again in closed form.
     pub(crate) fn function(&self, f: ContactFunction) -> ContactFunction {
-        match f {
-            ContactFunction::FixedLine { normal, through } => ContactFunction::FixedLine {
-                normal: self.fixed * normal,
-                through: self.spiral(through),
-            },
-            ContactFunction::MovingLine { normal, through } => ContactFunction::MovingLine {
-                normal: self.moving * normal,
-                through: self.spiral(through),
-            },
-            ContactFunction::Circle { center, radius } => ContactFunction::Circle {
-                center: self.spiral(center),
-                radius,
-            },
-            ContactFunction::FlatCircle {
-                through,
-                normal,
-                turns,
-                radius,
-            } => ContactFunction::FlatCircle {
-                through: self.spiral(through),
-                normal: if turns { self.moving } else { self.fixed } * normal,
-                turns,
-                radius,
-            },
+        let seen = f.carrier();
+        let turn = if seen.turns() {
+            self.moving
+        } else {
+            self.fixed
+        };
+        Carrier {
+            through: self.spiral(seen.through),
+            normal: turn * seen.normal,
+            ..seen
         }
+        .function()
     }
 
     /// Image of a curve at one orientation.
@@ -247,8 +225,8 @@ pub(crate) struct Period {
     pub(crate) moving_back: Permutation,
 }
 
-/// Images of a part's loops under one step of its symmetry, and numbers of vertices; `None` without symmetry.
-pub(super) type LoopImages<'a> = Option<(&'a [LoopImage], &'a [u32])>;
+/// Images of a part's loops under one step of its symmetry; `None` without symmetry.
+type LoopImages<'a> = Option<&'a [LoopImage]>;
 
 impl Period {
     /// The period is the turn: the permutations are identities.
@@ -270,23 +248,20 @@ impl Period {
         moving: (&Outline, LoopImages<'_>),
     ) -> Option<Self> {
         let step = |(outline, images): (&Outline, LoopImages<'_>)| match images {
-            Some((images, lengths)) => Permutation::of_loops(outline, images, lengths),
+            Some(images) => Permutation::of_loops(outline, images),
             None => Some(Permutation::identity(outline)),
         };
-        let (f, m) = (step(fixed)?, step(moving)?);
-        let power = |p: &Permutation, outline, by: u32, fold: u32| {
-            p.power(by % fold, Permutation::identity(outline))
-        };
-        let up = |s: u32, fold: u32| (s, fold - s % fold);
-        let (a, minus_a) = up(steps.fixed, steps.fixed_fold);
-        let (b, minus_b) = up(steps.moving, steps.moving_fold);
+        // A number of steps of a fold, and those that undo them.
+        let both = |p: Permutation, by: u32, fold: u32| [by, fold - by].map(|s| p.power(s % fold));
+        let [fixed, fixed_back] = both(step(fixed)?, steps.fixed, steps.fixed_fold);
+        // A feature of the moving part is mapped by R_−β.
+        let [moving_back, moving] = both(step(moving)?, steps.moving, steps.moving_fold);
         Some(Self {
             steps,
-            fixed: power(&f, fixed.0, a, steps.fixed_fold),
-            fixed_back: power(&f, fixed.0, minus_a, steps.fixed_fold),
-            // A feature of the moving part is mapped by R_−β.
-            moving: power(&m, moving.0, minus_b, steps.moving_fold),
-            moving_back: power(&m, moving.0, b, steps.moving_fold),
+            fixed,
+            moving,
+            fixed_back,
+            moving_back,
         })
     }
 }

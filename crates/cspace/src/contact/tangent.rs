@@ -20,8 +20,8 @@ impl Sheet {
         }
         // The larger the circle, or the farther the centre about which a point turns, the larger its rounding.
         let size = |s: &Self| match s.is_flat() {
-            true => s.locus.through.turning().length(),
-            false => s.locus.radius.abs(),
+            true => s.locus.carrier.through.turning().length(),
+            false => s.locus.carrier.radius.abs(),
         };
         let near = SAME_CARRIER * (size(self) + size(other)).max(1.0);
         let tangent = |f: &Cycle, g: &Cycle| {
@@ -100,9 +100,9 @@ pub(super) mod tests {
         let mut plain = *sheet;
         let locus = &mut plain.locus;
         (locus.start, locus.end) = (spiral(&locus.start), spiral(&locus.end));
-        locus.through = spiral(&locus.through);
-        if let Some(center) = locus.center() {
-            (locus.kind, locus.through) = (SheetKind::RoundRound, center);
+        locus.carrier.through = spiral(&locus.carrier.through);
+        if let Some(center) = locus.carrier.center() {
+            (locus.carrier.kind, locus.carrier.through) = (SheetKind::RoundRound, center);
         }
         plain
     }

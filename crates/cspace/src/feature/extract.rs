@@ -3,25 +3,19 @@
 use core::f64::consts::TAU;
 
 use super::framed_edge::FramedEdge;
-use super::generic::{ExactVertex, made_generic};
+use super::generic::{edge_from, made_generic};
 use super::joining::{Corner, corner, mitre, straightened, tangency};
 use super::perturbation::Perturbation;
 use super::tolerance::{
     CONTACT, GROWTH, LAYER_STEP, MITRE, MOVING_GROWTH, OVERSHOOT, OVERSHOOT_SEPARATION,
 };
-use super::types::{
-    ExactJoint, ExactRound, Feature, FeatureKind, FeatureName, Joint, Near, Outline, Shape,
-};
+use super::types::{Feature, FeatureKind, FeatureName, Joint, Near, Outline};
 use crate::geometry::{Point, Rotation, Vector, unwrap_near};
 use crate::number::Dd;
-use crate::part::{Edge, LoopHeights, Part};
+use crate::part::{Edge, Loop, LoopHeights, Part, Vertex};
 
 /// One end of an edge after growth: its joint and, for an arc, the angle by which its sweep was extended.
-#[derive(Clone, Copy)]
-struct End {
-    joint: u32,
-    extra_sweep: f64,
-}
+type End = (u32, f64);
 
 impl Outline {
     /// Features of a part, about `center` and scaled, then grown.
@@ -64,7 +58,7 @@ impl Outline {
                 pieces = generic(&pieces, wishes).unwrap_or(pieces);
             }
             straightened(&mut pieces);
-            outline.add_loop(loop_index as u32, &pieces, boundary.is_reversed(), growth);
+            outline.add_loop((loop_index as u32, boundary), &pieces, growth);
         }
         outline
     }
@@ -86,33 +80,27 @@ impl Outline {
         longest
     }
 
-    fn add_loop(&mut self, loop_index: u32, pieces: &[FramedEdge], reversed: bool, growth: f64) {
+    fn add_loop(
+        &mut self,
+        (loop_index, boundary): (u32, &Loop),
+        pieces: &[FramedEdge],
+        growth: f64,
+    ) {
         let n = pieces.len();
         self.feature_count += n;
-        let mut starts = vec![
-            End {
-                joint: 0,
-                extra_sweep: 0.0
-            };
-            n
-        ];
-        let mut ends = starts.clone();
+        let (mut starts, mut ends) = (vec![(0, 0.0); n], vec![(0, 0.0); n]);
         let mut vertices = Vec::new();
         for i in 0..n {
             let j = (i + 1) % n;
             let (before, after) = (&pieces[i], &pieces[j]);
-            let point = before.end;
+            let point = before.edge.end;
             let (n1, n2) = (before.end_direction.right(), after.start_direction.right());
             let grown = |normal: Vector<Dd>| point + normal * Dd::from(growth);
             match corner(before, after) {
                 Corner::Smooth { beside } => {
                     let (point, normal) = tangency(before, after, beside);
                     let place = point + normal * Dd::from(growth);
-                    let joint = self.add_joint(place, normal);
-                    ends[i] = End {
-                        joint,
-                        extra_sweep: 0.0,
-                    };
+                    ends[i] = (self.add_joint(place, normal), 0.0);
                     starts[j] = ends[i];
                 }
                 Corner::Convex { turn } => {
@@ -120,17 +108,9 @@ impl Outline {
                     let apex = mitre(before, after, n1, n2, growth);
                     let first = self.add_joint(apex, before.normal_at(apex, n1, growth));
                     let second = self.add_joint(apex, after.normal_at(apex, n2, growth));
-                    ends[i] = End {
-                        joint: first,
-                        extra_sweep: 0.0,
-                    };
-                    starts[j] = End {
-                        joint: second,
-                        extra_sweep: 0.0,
-                    };
-                    // The vertex at which `after` starts as given, or `before` if the loop is traversed backwards.
-                    let index = if reversed { before } else { after }.edge.index as u32;
-                    vertices.push((first, second, turn, index));
+                    (ends[i], starts[j]) = ((first, 0.0), (second, 0.0));
+                    let index = boundary.start_of(after.edge.index);
+                    vertices.push((first, second, turn, index as u32));
                 }
                 Corner::Concave { turn } => {
                     self.feature_count += 1;
@@ -139,7 +119,7 @@ impl Outline {
                     let further =
                         OVERSHOOT * GROWTH + OVERSHOOT_SEPARATION / turn.abs().min(1.0) + parted;
                     // Not beyond the middle of the other edge, below which the extension runs.
-                    let under = |other: &FramedEdge| further.min(0.5 * other.edge.length());
+                    let under = |other: &FramedEdge| further.min(0.5 * other.rough.length());
                     ends[i] = self.carry_on(before, grown(n1), n1, growth, under(after));
                     starts[j] = self.carry_on(after, grown(n2), n2, growth, -under(before));
                 }
@@ -151,15 +131,9 @@ impl Outline {
         for (start, end, turn, index) in vertices {
             let lo = self.joints[start as usize].angle;
             let hi = unwrap_near(self.joints[end as usize].angle, lo + turn);
-            self.exact_features.push(ExactRound {
+            self.add_feature(Feature {
                 center: self.exact_joints[start as usize].point,
                 radius: Dd::ZERO,
-            });
-            self.features.push(Feature {
-                shape: Shape::Round {
-                    center: self.joints[start as usize].point,
-                    radius: 0.0,
-                },
                 near: None,
                 lo,
                 hi: hi.max(lo),
@@ -174,71 +148,61 @@ impl Outline {
         }
     }
 
-    fn add_edge(&mut self, loop_index: u32, piece: &FramedEdge, start: End, end: End, growth: f64) {
-        let start_joint = self.joints[start.joint as usize];
-        let end_joint = self.joints[end.joint as usize];
-        let exact = match piece.arc {
-            None => ExactRound {
-                center: Point::ORIGIN.map(Dd::from),
-                radius: Dd::ZERO,
-            },
-            Some((center, radius)) => ExactRound {
-                center,
-                radius: radius + growth,
-            },
-        };
-        self.exact_features.push(exact);
-        let (shape, kind, lo, hi) = if piece.arc.is_none() {
+    fn add_edge(
+        &mut self,
+        loop_index: u32,
+        piece: &FramedEdge,
+        (start, started): End,
+        (end, ended): End,
+        growth: f64,
+    ) {
+        let [from, to] = [start, end].map(|joint| self.joints[joint as usize].angle);
+        let origin = Point::ORIGIN.map(Dd::from);
+        let (center, radius, lo, hi) = match piece.arc {
             // The joints of a line have its normal, unless two lines meet smoothly; then the normal of the first one is used.
-            let normal = start_joint.normal;
-            let angle = start_joint.angle;
-            (Shape::Line { normal }, FeatureKind::Line, angle, angle)
-        } else {
-            let shape = Shape::Round {
-                center: exact.center.map(Dd::to_f64),
-                radius: exact.radius.to_f64(),
-            };
-            let sweep = piece.sweep + (start.extra_sweep + end.extra_sweep) * piece.sweep.signum();
-            let from = start_joint.angle;
-            let to = unwrap_near(end_joint.angle, from + sweep);
-            if piece.sweep > 0.0 {
-                (shape, FeatureKind::ConvexArc, from, to)
-            } else {
-                // Traversed with decreasing normal: the canonical angle is the start's, the upper one.
-                (shape, FeatureKind::ConcaveArc, to, from)
+            None => (origin, Dd::ZERO, from, from),
+            Some((center, radius)) => {
+                let sweep = piece.rough.sweep();
+                let extra = (started + ended) * sweep.signum();
+                let to = unwrap_near(to, from + (sweep + extra));
+                // A concave arc is traversed with decreasing normal: the canonical angle is the start's, the upper one.
+                let (lo, hi) = if sweep > 0.0 { (from, to) } else { (to, from) };
+                (center, radius + growth, lo, hi)
             }
         };
         let near = piece.near.map(|n| Near {
             point: n.point + n.normal * growth,
             ..n
         });
-        self.features.push(Feature {
-            shape,
+        self.add_feature(Feature {
+            center,
+            radius,
             near,
             lo,
             hi,
-            start: start.joint,
-            end: end.joint,
+            start,
+            end,
             name: FeatureName {
-                kind,
+                kind: FeatureKind::of_bulge(piece.rough.bulge),
                 loop_index,
                 index: piece.edge.index as u32,
             },
         });
     }
 
+    fn add_feature(&mut self, feature: Feature<Dd>) {
+        self.features.push(feature.rounded());
+        self.exact_features.push(feature);
+    }
+
     fn add_joint(&mut self, point: Point<Dd>, normal: Vector<Dd>) -> u32 {
-        let angle = Dd::atan2(normal.y, normal.x);
-        self.exact_joints.push(ExactJoint {
+        let joint = Joint {
             point,
             normal,
-            angle,
-        });
-        self.joints.push(Joint {
-            point: point.map(Dd::to_f64),
-            normal: normal.map(Dd::to_f64),
-            angle: angle.to_f64(),
-        });
+            angle: Dd::atan2(normal.y, normal.x),
+        };
+        self.joints.push(joint.rounded());
+        self.exact_joints.push(joint);
         (self.joints.len() - 1) as u32
     }
 
@@ -252,20 +216,18 @@ impl Outline {
         further: f64,
     ) -> End {
         match piece.arc {
-            None => End {
-                joint: self.add_joint(point + normal.left() * Dd::from(further), normal),
-                extra_sweep: 0.0,
-            },
+            None => {
+                let place = point + normal.left() * Dd::from(further);
+                (self.add_joint(place, normal), 0.0)
+            }
             Some((center, radius)) => {
                 let radius = radius + growth;
                 // The extension turns the normal by length / signed radius; never by more than what closes the circle.
-                let room = 0.25 * (TAU - piece.sweep.abs()).max(0.0);
+                let room = 0.25 * (TAU - piece.rough.sweep().abs()).max(0.0);
                 let by = (further / radius.to_f64()).clamp(-room, room);
                 let turned = Rotation::by(Dd::from(by)) * normal;
-                End {
-                    joint: self.add_joint(center + turned * radius, turned),
-                    extra_sweep: by.abs(),
-                }
+                let place = center + turned * radius;
+                (self.add_joint(place, turned), by.abs())
             }
         }
     }
@@ -295,25 +257,14 @@ fn generic(pieces: &[FramedEdge], wishes: &[[f64; 3]]) -> Option<Vec<FramedEdge>
             )
         })
         .collect();
-    let drawn: Vec<ExactVertex> = (pieces.iter())
-        .map(|p| ExactVertex {
-            x: p.start.x,
-            y: p.start.y,
-            bulge: Dd::from(p.edge.bulge),
-        })
+    let drawn: Vec<Vertex<Dd>> = (pieces.iter().map(|p| p.edge))
+        .map(|e| Vertex::new(e.start.x, e.start.y, e.bulge))
         .collect();
     let moved = made_generic(&drawn, &smooth, wishes)?;
-    let place = |v: &ExactVertex| Point::new(v.x, v.y);
-    let rough = |v: &ExactVertex| Point::new(v.x.to_f64(), v.y.to_f64());
     let pieces = pieces.iter().enumerate().map(|(i, p)| {
-        let (start, end) = (&moved[i], &moved[(i + 1) % n]);
-        let edge = Edge {
-            start: rough(start),
-            end: rough(end),
-            bulge: start.bulge.to_f64(),
-            index: p.edge.index,
-        };
-        FramedEdge::of(edge, p.drawn, (place(start), place(end)), start.bulge)
+        let index = p.edge.index;
+        let edge = edge_from(&moved, i);
+        FramedEdge::of(Edge { index, ..edge }, p.drawn)
     });
     Some(pieces.collect())
 }

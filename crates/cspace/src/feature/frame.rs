@@ -108,13 +108,9 @@ fn radius_about(part: &Part, center: Point) -> f64 {
     part.edges()
         .map(|e| {
             let far_end = center.distance(e.start).max(center.distance(e.end));
-            far_end + sagitta(&e)
+            far_end + e.height()
         })
         .fold(0.0, f64::max)
-}
-
-fn sagitta(edge: &Edge) -> f64 {
-    0.5 * edge.start.distance(edge.end) * edge.bulge.abs()
 }
 
 /// Points whose bounding box contains the edge: its ends, and the corners of its bulge.

@@ -2,15 +2,13 @@
 
 use super::tolerance::{LARGEST_CIRCLE, NEGLIGIBLE, SMOOTH, STRAIGHT};
 use super::types::Near;
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Vector};
 use crate::number::Dd;
 use crate::part::Edge;
 
 /// An edge in the pair's frame, from which a feature is made.
 pub(super) struct FramedEdge {
-    pub(super) edge: Edge,
-    pub(super) start: Point<Dd>,
-    pub(super) end: Point<Dd>,
+    pub(super) edge: Edge<Dd>,
     /// Centre and radius; `None` for a line.
     pub(super) arc: Option<(Point<Dd>, Dd)>,
     /// Reference point of a large arc.
@@ -19,72 +17,46 @@ pub(super) struct FramedEdge {
     pub(super) end_direction: Vector<Dd>,
     /// The directions in which the edge as drawn begins and ends, before it is replaced by its chord or moved.
     pub(super) drawn: [Vector; 2],
-    pub(super) sweep: f64,
+    /// The edge rounded to f64.
+    pub(super) rough: Edge,
 }
 
 impl FramedEdge {
     pub(super) fn new(edge: &Edge, center: Point, scale: f64) -> Self {
-        let place = |p: Point| {
-            let along = |x: f64, center: f64| (Dd::from(x) - center).scaled(scale);
-            Point::new(along(p.x, center.x), along(p.y, center.y))
-        };
-        let near = |p: Point| Point::ORIGIN + (p - center) * scale;
-        let (start, end) = (place(edge.start), place(edge.end));
+        let along = |x: f64, center: f64| (Dd::from(x) - center).scaled(scale);
+        let place = |p: Point| Point::new(along(p.x, center.x), along(p.y, center.y));
         let drawn = [edge.start_direction(), edge.end_direction()];
         let mut edge = Edge {
-            start: near(edge.start),
-            end: near(edge.end),
-            ..*edge
+            start: place(edge.start),
+            end: place(edge.end),
+            bulge: Dd::from(edge.bulge),
+            index: edge.index,
         };
-        let sweep = edge.sweep();
-        let height = 0.5 * edge.bulge.abs() * edge.start.distance(edge.end);
-        if sweep.abs() < STRAIGHT || (sweep.abs() < SMOOTH && height < NEGLIGIBLE) {
-            edge.bulge = 0.0;
+        let rough = rounded(&edge);
+        let sweep = rough.sweep().abs();
+        if sweep < STRAIGHT || (sweep < SMOOTH && rough.height() < NEGLIGIBLE) {
+            edge.bulge = Dd::ZERO;
         }
-        Self::of(edge, drawn, (start, end), Dd::from(edge.bulge))
+        Self::of(edge, drawn)
     }
 
-    /// The edge with the given ends and bulge in double-double; `edge` gives approximate lengths.
-    pub(super) fn of(
-        edge: Edge,
-        drawn: [Vector; 2],
-        (start, end): (Point<Dd>, Point<Dd>),
-        b: Dd,
-    ) -> Self {
-        let chord = end - start;
-        let span = chord.length();
-        let (one, square) = (Dd::ONE, b * b);
-        let arc = (!edge.is_line()).then(|| {
-            let middle = start.midpoint(end);
-            let up = (one - square) / (b * 4.0);
-            (
-                middle + chord.left() * up,
-                span * (one + square) / (b * 4.0),
-            )
-        });
-        // With b = tan(sweep/4), cos(sweep/2) = (1 − b²)/(1 + b²) and sin(sweep/2) = 2b/(1 + b²).
-        let (cos, sin) = ((one - square) / (one + square), b * 2.0 / (one + square));
-        let direction = chord * (one / span);
-        let half = Rotation { cos, sin };
-        let near = arc
-            .filter(|a| a.1.to_f64().abs() > LARGEST_CIRCLE)
-            .map(|_| {
-                let chord = edge.end - edge.start;
-                Near {
-                    point: edge.start.midpoint(edge.end) + chord.right() * (0.5 * edge.bulge),
-                    normal: chord.unit().right(),
-                }
-            });
+    /// The edge with the directions in which it was drawn.
+    pub(super) fn of(edge: Edge<Dd>, drawn: [Vector; 2]) -> Self {
+        let rough = rounded(&edge);
+        let arc = (!edge.is_line()).then(|| (edge.center(), edge.signed_radius()));
+        let (half, chord) = edge.half_sweep();
+        let is_large = |arc: &(_, Dd)| arc.1.to_f64().abs() > LARGEST_CIRCLE;
         Self {
-            edge,
-            start,
-            end,
             arc,
-            near,
-            start_direction: half.inverse() * direction,
-            end_direction: half * direction,
+            near: arc.filter(is_large).map(|_| Near {
+                point: rough.middle(),
+                normal: (rough.end - rough.start).unit().right(),
+            }),
+            start_direction: half.inverse() * chord,
+            end_direction: half * chord,
             drawn,
-            sweep: edge.sweep(),
+            edge,
+            rough,
         }
     }
 
@@ -119,5 +91,14 @@ impl FramedEdge {
 
     pub(super) fn curvature(&self) -> f64 {
         self.arc.map_or(0.0, |(_, radius)| 1.0 / radius.to_f64())
+    }
+}
+
+fn rounded(edge: &Edge<Dd>) -> Edge {
+    Edge {
+        start: edge.start.map(Dd::to_f64),
+        end: edge.end.map(Dd::to_f64),
+        bulge: edge.bulge.to_f64(),
+        index: edge.index,
     }
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::material::{Material, distance, in_frame};
+use super::material::{Material, in_frame};
 use crate::geometry::{Point, Rotation, Vector};
 use crate::parallel;
 use crate::part::{Edge, Part};
@@ -28,7 +28,7 @@ pub(crate) fn inscribed_disc(part: &Part, center: Point, scale: f64) -> Option<(
     let mut deeper = |p: Point, than: f64| {
         let mut least = f64::INFINITY;
         for i in core::iter::once(near).chain(0..edges.len()) {
-            least = least.min(distance(&edges[i], p));
+            least = least.min(edges[i].distance(p));
             if least <= than {
                 near = i;
                 return None;

@@ -49,17 +49,17 @@ pub(super) fn straightened(edges: &mut [FramedEdge]) {
         if count < 2 {
             continue;
         }
-        let start = edges[first].start;
-        let direction = (edges[(first + count - 1) % n].end - start).unit();
+        let start = edges[first].edge.start;
+        let direction = (edges[(first + count - 1) % n].edge.end - start).unit();
         for k in 0..count {
             let i = (first + k) % n;
             edges[i].start_direction = direction;
             edges[i].end_direction = direction;
             if k + 1 < count {
-                let along = direction.dot(edges[i].end - start);
+                let along = direction.dot(edges[i].edge.end - start);
                 let joint = start + direction * along;
-                edges[i].end = joint;
-                edges[(i + 1) % n].start = joint;
+                edges[i].edge.end = joint;
+                edges[(i + 1) % n].edge.start = joint;
             }
         }
     }
@@ -108,7 +108,7 @@ fn smooth(before: &FramedEdge, after: &FramedEdge) -> f64 {
 fn run_alike(before: &FramedEdge, after: &FramedEdge, turn: f64) -> bool {
     let bend = (after.curvature() - before.curvature()).abs();
     let along = turn.abs() / bend;
-    let shortest = before.edge.length().min(after.edge.length());
+    let shortest = before.rough.length().min(after.rough.length());
     0.5 * turn.abs() * along <= NEGLIGIBLE && along <= MOVED_PART * shortest
 }
 
@@ -120,7 +120,7 @@ pub(super) fn tangency(
     after: &FramedEdge,
     beside: bool,
 ) -> (Point<Dd>, Vector<Dd>) {
-    let vertex = before.end;
+    let vertex = before.edge.end;
     let (d1, d2) = (before.end_direction, after.start_direction);
     let on_line = |(center, radius): (Point<Dd>, Dd), direction: Vector<Dd>| {
         let normal = direction.right();
@@ -163,7 +163,7 @@ pub(super) fn mitre(
     n2: Vector<Dd>,
     growth: f64,
 ) -> Point<Dd> {
-    let point = before.end;
+    let point = before.edge.end;
     if growth == 0.0 {
         return point;
     }

@@ -36,5 +36,5 @@ pub(crate) use as_drawn::as_drawn;
 pub use frame::PairFrame;
 pub(crate) use inscribed::{SHARES, inscribed_disc, inscribed_discs};
 pub(crate) use perturbation::Perturbation;
-pub(crate) use types::{Feature, Near, Outline, Shape};
+pub(crate) use types::{Feature, Joint, Near, Outline};
 pub use types::{FeatureKind, FeatureName};

@@ -49,9 +49,7 @@ impl Perturbation<'_> {
                     let Some(image) = self.images.and_then(|images| images.get(at.0)) else {
                         break;
                     };
-                    let target = image.target as usize;
-                    let count = wishes[target].len();
-                    at = (target, (at.1 + image.shift as usize) % count);
+                    at = image.of(at.1);
                     way = step * way;
                 }
             }
@@ -90,10 +88,7 @@ mod tests {
         let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)];
         let square = corners.map(|(x, y)| Vertex::line(x, y)).to_vec();
         let part = Part::new("square", vec![square]).unwrap();
-        let images = [LoopImage {
-            target: 0,
-            shift: 1,
-        }];
+        let images = [LoopImage::new(0, 1, 4)];
         let of = |images, fold| {
             let size = 1e-3;
             Perturbation {

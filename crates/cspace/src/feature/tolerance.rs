@@ -114,9 +114,6 @@ pub(crate) const SAME_CARRIER: f64 = 16.0 * f64::EPSILON;
 /// [`GROWTH`].
 pub(crate) const LARGEST_CIRCLE: f64 = 128.0;
 
-/// Bulge tan(sweep / 4) below which the place of an arc nearest to a point is not computed from its centre, which is far away.
-pub(crate) const FLAT_BULGE: f64 = 1.0 / 512.0;
-
 // Contacts.
 
 /// Distance from a contact curve below which a position is in contact (length, about 7.3e-12): several times the growth of the parts,

@@ -20,6 +20,17 @@ pub enum FeatureKind {
     Vertex,
 }
 
+impl FeatureKind {
+    /// The kind of an edge with a bulge, with material on the left.
+    pub fn of_bulge(bulge: f64) -> Self {
+        match bulge {
+            b if b > 0.0 => Self::ConvexArc,
+            b if b < 0.0 => Self::ConcaveArc,
+            _ => Self::Line,
+        }
+    }
+}
+
 /// A feature of a part, identified by its place in the part as given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,17 +42,6 @@ pub struct FeatureName {
     pub loop_index: u32,
     /// For a vertex its index in the loop as given, for a line or arc the index of the vertex at which it starts.
     pub index: u32,
-}
-
-impl FeatureKind {
-    /// The kind of an edge that is traversed with material on the left, by its bulge.
-    pub fn of_edge(bulge: f64) -> Self {
-        match bulge {
-            b if b > 0.0 => Self::ConvexArc,
-            b if b < 0.0 => Self::ConcaveArc,
-            _ => Self::Line,
-        }
-    }
 }
 
 impl core::fmt::Display for FeatureKind {
@@ -66,15 +66,6 @@ impl core::fmt::Display for FeatureName {
     }
 }
 
-/// The carrier of a feature.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Shape {
-    /// A line with its outward unit normal.
-    Line { normal: Vector },
-    /// An arc about a centre: signed radius > 0 if convex, < 0 if concave, 0 for a vertex.
-    Round { center: Point, radius: f64 },
-}
-
 /// A point of a large arc, half way between its ends, and the outward normal there. It represents the arc where the centre is too far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Near {
@@ -84,33 +75,20 @@ pub(crate) struct Near {
 
 /// Joint of two features: one point and one outward normal, shared by both.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Joint {
-    pub(crate) point: Point,
-    pub(crate) normal: Vector,
+pub(crate) struct Joint<T = f64> {
+    pub(crate) point: Point<T>,
+    pub(crate) normal: Vector<T>,
     /// Angle of the normal, in (−π, π].
-    pub(crate) angle: f64,
-}
-
-/// A joint in double-double.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ExactJoint {
-    pub(crate) point: Point<Dd>,
-    pub(crate) normal: Vector<Dd>,
-    pub(crate) angle: Dd,
-}
-
-/// A round feature in double-double; placeholder values for a line, which its joints determine.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ExactRound {
-    pub(crate) center: Point<Dd>,
-    /// Signed radius, as in [`Shape`].
-    pub(crate) radius: Dd,
+    pub(crate) angle: T,
 }
 
 /// A line, arc or convex vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Feature {
-    pub(crate) shape: Shape,
+pub(crate) struct Feature<T = f64> {
+    /// The centre of an arc or a vertex; of a line, which its joints determine, the origin.
+    pub(crate) center: Point<T>,
+    /// Signed radius: > 0 of a convex arc, < 0 of a concave one, 0 of a vertex or a line.
+    pub(crate) radius: T,
     /// Reference point; only for arcs larger than `LARGEST_CIRCLE`.
     pub(crate) near: Option<Near>,
     /// Outward normals: angles from `lo` to `hi`, unwrapped; equal for a line.
@@ -128,12 +106,37 @@ pub(crate) struct Outline {
     pub(crate) features: Vec<Feature>,
     pub(crate) joints: Vec<Joint>,
     /// Features and joints in double-double; those above are the nearest f64 numbers.
-    pub(crate) exact_features: Vec<ExactRound>,
-    pub(crate) exact_joints: Vec<ExactJoint>,
+    pub(crate) exact_features: Vec<Feature<Dd>>,
+    pub(crate) exact_joints: Vec<Joint<Dd>>,
     /// The heights of the loops to which features belong.
     pub(crate) heights: LoopHeights,
     /// Number of lines, arcs and vertices that are not smooth joints.
     pub(crate) feature_count: usize,
+}
+
+impl Joint<Dd> {
+    pub(super) fn rounded(&self) -> Joint {
+        Joint {
+            point: self.point.map(Dd::to_f64),
+            normal: self.normal.map(Dd::to_f64),
+            angle: self.angle.to_f64(),
+        }
+    }
+}
+
+impl Feature<Dd> {
+    pub(super) fn rounded(&self) -> Feature {
+        Feature {
+            center: self.center.map(Dd::to_f64),
+            radius: self.radius.to_f64(),
+            near: self.near,
+            lo: self.lo,
+            hi: self.hi,
+            start: self.start,
+            end: self.end,
+            name: self.name,
+        }
+    }
 }
 
 impl Feature {
@@ -145,28 +148,12 @@ impl Feature {
         self.name.kind == FeatureKind::Line
     }
 
-    /// The centre of a round feature; not finite for a line.
-    pub(crate) fn center(&self) -> Point {
-        match self.shape {
-            Shape::Line { .. } => Point::new(f64::NAN, f64::NAN),
-            Shape::Round { center, .. } => center,
-        }
-    }
-
     /// The joints at the lower and at the upper end of the normals.
-    pub(crate) fn joints_by_angle(&self) -> (u32, u32) {
+    pub(crate) fn joints_by_angle(&self) -> [u32; 2] {
         if self.name.kind == FeatureKind::ConcaveArc {
-            (self.end, self.start)
+            [self.end, self.start]
         } else {
-            (self.start, self.end)
-        }
-    }
-
-    /// The signed radius; 0 for a line.
-    pub(crate) fn radius(&self) -> f64 {
-        match self.shape {
-            Shape::Line { .. } => 0.0,
-            Shape::Round { radius, .. } => radius,
+            [self.start, self.end]
         }
     }
 }
@@ -176,34 +163,16 @@ impl Outline {
         &self.joints[feature.start as usize]
     }
 
-    /// For every joint, the vertex to which it belongs, if any.
-    pub(crate) fn vertex_of_joint(&self) -> Vec<Option<u32>> {
+    /// For every joint, the last feature of a kind that starts or ends there, if any.
+    pub(crate) fn of_joints(&self, kind: FeatureKind) -> Vec<Option<u32>> {
         let mut owner = vec![None; self.joints.len()];
-        for (i, f) in self
-            .features
-            .iter()
-            .enumerate()
-            .filter(|(_, f)| f.is_vertex())
-        {
-            owner[f.start as usize] = Some(i as u32);
-            owner[f.end as usize] = Some(i as u32);
+        for (i, f) in (0..).zip(&self.features) {
+            if f.name.kind == kind {
+                owner[f.start as usize] = Some(i);
+                owner[f.end as usize] = Some(i);
+            }
         }
         owner
-    }
-
-    /// For every joint, a line that starts or ends there, if any.
-    pub(crate) fn line_of_joint(&self) -> Vec<Option<u32>> {
-        let mut line = vec![None; self.joints.len()];
-        for (i, f) in self
-            .features
-            .iter()
-            .enumerate()
-            .filter(|(_, f)| f.is_line())
-        {
-            line[f.start as usize] = Some(i as u32);
-            line[f.end as usize] = Some(i as u32);
-        }
-        line
     }
 
     pub(crate) fn end(&self, feature: &Feature) -> &Joint {

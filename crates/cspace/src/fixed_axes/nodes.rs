@@ -208,8 +208,8 @@ fn touching(side: &Side, f: &Feature, joint: Point, normal: Vector) -> (Cycle, C
         let arc = Cycle::of(&side.outline, f);
         return (arc, Cycle::flat(joint, -normal, arc.weight));
     }
-    let at = joint + normal * f.radius();
-    (Cycle::round(f.center(), 0.0), Cycle::round(at, 0.0))
+    let at = joint + normal * f.radius;
+    (Cycle::round(f.center, 0.0), Cycle::round(at, 0.0))
 }
 
 // Configurations at which a joint of one part is on a line of the other, with opposite normals.

@@ -59,12 +59,12 @@ fn distances_from(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) 
     if let Some(near) = f.near {
         return distances_of_flat(near, [p, q], center);
     }
-    let (m, r) = (f.center().distance(center), f.radius().abs());
+    let (m, r) = (f.center.distance(center), f.radius.abs());
     let sees = |toward: Vector| {
-        let outward = if f.radius() < 0.0 { -toward } else { toward };
+        let outward = if f.radius < 0.0 { -toward } else { toward };
         wrap(outward.angle() - 0.5 * (f.lo + f.hi)).abs() < 0.5 * (f.hi - f.lo)
     };
-    let toward = center - f.center();
+    let toward = center - f.center;
     let least = if m > 0.0 && sees(toward) {
         (m - r).abs()
     } else {
@@ -101,11 +101,11 @@ fn lean(f: &Feature, [p, q]: [Point; 2], center: Point) -> (f64, f64) {
     let (middle, half) = if f.is_line() {
         (p + (q - p) * 0.5, 0.5 * p.distance(q))
     } else {
-        let out = Vector::from_angle(normal) * f.radius();
+        let out = Vector::from_angle(normal) * f.radius;
         let width = (f.hi - f.lo).min(TAU);
         (
-            f.near.map_or(f.center() + out, |n| n.point),
-            2.0 * f.radius().abs() * (0.25 * width).sin(),
+            f.near.map_or(f.center + out, |n| n.point),
+            2.0 * f.radius.abs() * (0.25 * width).sin(),
         )
     };
     let ray = middle - center;
@@ -130,7 +130,7 @@ fn distances_beside(f: &Feature, [p, q]: [Point; 2], side: Vector) -> (f64, f64)
         let height = height(p).max(height(q));
         return (a.min(b) - height, a.max(b) + height);
     }
-    let (m, r) = (side.dot(f.center() - Point::ORIGIN), f.radius().abs());
+    let (m, r) = (side.dot(f.center - Point::ORIGIN), f.radius.abs());
     (m - r, m + r)
 }
 

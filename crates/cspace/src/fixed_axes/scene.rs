@@ -2,7 +2,7 @@
 
 use super::motion::{Extent, Motions, Placement};
 use super::repeats::Repeats;
-use crate::feature::{Feature, Outline};
+use crate::feature::{Feature, FeatureKind, Outline};
 use crate::geometry::{Point, Vector, wrap};
 use core::f64::consts::PI;
 
@@ -51,7 +51,7 @@ impl Scene {
 
     /// Whether a round feature, of the second part or of the first, has the normal opposite to that of a joint of the other part.
     pub(super) fn has(&self, of_second: bool, f: &Feature, joint: u32, theta: f64) -> bool {
-        let (lo, hi) = f.joints_by_angle();
+        let [lo, hi] = f.joints_by_angle();
         let [lo, hi] = [lo, hi].map(|end| {
             let (j, k) = if of_second {
                 (joint, end)
@@ -142,8 +142,8 @@ impl Cone {
 impl Side {
     pub(super) fn new(outline: Outline) -> Self {
         Self {
-            vertex: outline.vertex_of_joint(),
-            line: outline.line_of_joint(),
+            vertex: outline.of_joints(FeatureKind::Vertex),
+            line: outline.of_joints(FeatureKind::Line),
             cones: outline.features.iter().map(Cone::new).collect(),
             outline,
         }

@@ -10,7 +10,7 @@ use crate::contact::{Body, Permutation, overlap};
 use crate::feature::tolerance::{CONTACT, GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame, as_drawn};
 use crate::geometry::{Point, Vector};
-use crate::part::{Corresponding, Loop, Part, SYMMETRIC, Symmetrized, Vertex};
+use crate::part::{Corresponding, Part, SYMMETRIC, Symmetrized, Vertex};
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 /// The farthest pivot, in units of the parts' size: positions are then right to a hundredth of the first part's growth.
@@ -192,9 +192,7 @@ impl Symmetric {
 
     /// Symmetry of the features; `None` if they do not correspond.
     fn repeats(&self, outline: &Outline) -> Option<Repeats> {
-        let length = |l: &Loop| l.vertices().len() as u32;
-        let lengths: Vec<u32> = self.redrawn.part.loops().iter().map(length).collect();
-        let step = Permutation::of_loops(outline, &self.redrawn.images, &lengths)?;
+        let step = Permutation::of_loops(outline, &self.redrawn.images)?;
         Some(Repeats::new(outline, self.redrawn.fold, &step))
     }
 }
@@ -265,8 +263,7 @@ fn reach(
                     let half = |j: u32| o.joints[j as usize].point.distance(near.point);
                     near.point.to_vector().length() + half(f.start).max(half(f.end))
                 }
-                None if f.is_line() => 0.0,
-                None => f.center().to_vector().length() + f.radius().abs(),
+                None => f.center.to_vector().length() + f.radius.abs(),
             };
             far(f.start).max(far(f.end)).max(round)
         };
@@ -467,7 +464,7 @@ pub(super) fn straightened(part: &Part) -> Option<(Part, f64)> {
     let is_straight = |bulge: f64| bulge != 0.0 && bulge.abs() < STRAIGHT;
     let deviation = (part.edges())
         .filter(|e| is_straight(e.bulge))
-        .map(|e| 0.5 * e.bulge.abs() * e.start.distance(e.end))
+        .map(|e| e.height())
         .reduce(f64::max)?;
     let vertex = |v: &Vertex| {
         let bulge = if is_straight(v.bulge) { 0.0 } else { v.bulge };

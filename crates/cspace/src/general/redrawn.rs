@@ -111,7 +111,7 @@ impl AsDrawn {
             moving: curve.moving,
             rough: curve.geometry,
             passed: curve.geometry.length() * geometry.frame.scale > 2.0 * whole + ONE_PLACE,
-            cycle: locus.carrier().cycle(turn),
+            cycle: locus.carrier.cycle(turn),
             ends: [end_of(&patch.left, start), end_of(&patch.right, end)],
         })
     }

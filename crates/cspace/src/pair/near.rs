@@ -145,7 +145,7 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
             let ends = [edge.start_direction(), edge.end_direction()];
             let first = ends[usize::from(edge.bulge < 0.0)];
             features.push(PlacedFeature {
-                name: named(FeatureKind::of_edge(edge.bulge), edge.index),
+                name: named(FeatureKind::of_bulge(edge.bulge), edge.index),
                 shape: edge.into(),
                 edge: Some(edge),
                 normals: (first.right().angle(), edge.sweep().abs()),
@@ -159,12 +159,9 @@ fn features(part: &Part, center: Point, at: Configuration) -> Vec<PlacedFeature>
                 false => SMOOTH,
             };
             if turns_by > smooth {
-                // The vertex at which `next` starts as given, or `edge` if the loop is traversed backwards.
-                let reversed = outline.is_reversed();
-                let index = if reversed { edge.index } else { next.index };
                 let at = edge.end;
                 features.push(PlacedFeature {
-                    name: named(FeatureKind::Vertex, index),
+                    name: named(FeatureKind::Vertex, outline.start_of(next.index)),
                     shape: FeatureShape::Vertex { at: [at.x, at.y] },
                     edge: None,
                     normals: (before.right().angle(), turns_by),

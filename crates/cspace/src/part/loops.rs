@@ -47,6 +47,11 @@ impl Loop {
         (0..n).filter_map(move |i| self.edge(if self.reversed { n - 1 - i } else { i }))
     }
 
+    /// The index of the vertex at which an edge starts in the direction of travel, given the edge's own.
+    pub fn start_of(&self, edge: usize) -> usize {
+        (edge + usize::from(self.reversed)) % self.vertices.len()
+    }
+
     /// The edge that a vertex describes, material on the left; `None` if there is no such vertex.
     pub fn edge(&self, index: usize) -> Option<Edge> {
         let here = self.vertices.get(index)?;

@@ -8,7 +8,7 @@
 
 use core::f64::consts::PI;
 
-use crate::contact::{ContactFunction, Spiral};
+use crate::contact::{Carrier, Spiral};
 use crate::geometry::{Configuration, Point, Rotation, Vector, images};
 use crate::ids::PatchId;
 use crate::number::{Ball, Bounded, Expansion, Real, SecondOrder, least};
@@ -71,7 +71,7 @@ impl ContactSpace {
                 theta,
                 weight: length_per_radian * frame.scale,
                 seat,
-                own: patch.function.about(&seat),
+                own: patch.function.carrier().about(&seat),
             };
             let (lo, hi) = (patch.lo.max(theta - PI), patch.hi.min(theta + PI));
             if let Some(found) = least(&search, (lo, hi), best.1) {
@@ -101,8 +101,8 @@ struct Search<'a> {
     weight: f64,
     /// The configuration's position in the pair's frame, which moves with the orientation.
     seat: Spiral,
-    /// The patch's contact function relative to that position.
-    own: ContactFunction,
+    /// The patch's line or circle relative to that position.
+    own: Carrier,
 }
 
 impl Search<'_> {
@@ -119,7 +119,7 @@ impl Search<'_> {
             Boundary::Crossing { with, root } => {
                 let f = self.patch.function.cycle(turn);
                 let place = f.root(&with.cycle(turn), *root, false);
-                self.own.cycle(turn).at(place).to_vector()
+                self.own.lift().cycle(turn).at(place).to_vector()
             }
         }
     }
@@ -131,13 +131,14 @@ impl Search<'_> {
     /// The signed distance of the position from the line or circle.
     fn off<T: Real>(&self, turn: Rotation<T>) -> T {
         self.own
+            .lift()
             .cycle(turn)
             .distance(Point::ORIGIN.map(T::constant))
     }
 
     /// Whether the foot is certainly beyond an end of the curve, given the vectors to its ends.
     fn is_beside(&self, turn: Rotation<Ball>, [start, end]: [Vector<Ball>; 2]) -> bool {
-        let cycle = self.own.cycle(turn);
+        let cycle = self.own.lift().cycle(turn);
         if cycle.is_centred() {
             let center = cycle.through.to_vector();
             let (a, b) = (start - center, end - center);

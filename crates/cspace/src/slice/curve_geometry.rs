@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::contact::Curve;
+use crate::contact::{Curve, Cycle};
 use crate::feature::PairFrame;
 use crate::geometry::{Point, Vector};
 use crate::part::{Bounds, Edge};
@@ -223,7 +223,14 @@ impl CurveGeometry {
                 })
             }
             Self::FlatArc { start, end, bulge } => {
-                flat_hit(&Edge::between(start, end, bulge), p, d)
+                let edge = Edge::between(start, end, bulge);
+                let cycle = Cycle::of_edge(&edge);
+                let mut both = cycle.met(p, d);
+                both.sort_by(f64::total_cmp);
+                both.into_iter().find_map(|t| {
+                    let q = p + d * t;
+                    (t > 0.0 && t.is_finite() && edge.covers(q)).then(|| (t, cycle.slope(q).dot(d)))
+                })
             }
         }
     }
@@ -235,25 +242,4 @@ fn nearer(p: Point, start: Point, end: Point) -> Point {
     } else {
         end
     }
-}
-
-/// [`CurveGeometry::hit`] for an arc given by its ends and bulge b; the second value is a positive multiple of the product there. With the
-/// arc's chord c and q from its start, points of its circle have (1 − b²) c × q + 2 b q·(c − q) = 0.
-fn flat_hit(e: &Edge, p: Point, d: Vector) -> Option<(f64, f64)> {
-    let (b, c, q) = (e.bulge, e.end - e.start, p - e.start);
-    let flat = (1.0 - b) * (1.0 + b);
-    let square = -2.0 * b;
-    let slope = flat * c.cross(d) + 2.0 * b * (d.dot(c) - 2.0 * q.dot(d));
-    let root = slope * slope - 4.0 * square * e.level(p);
-    if root < 0.0 {
-        return None;
-    }
-    let sum = -(slope + root.sqrt().copysign(slope));
-    let mut both = [2.0 * e.level(p) / sum, sum / (2.0 * square)];
-    both.sort_by(f64::total_cmp);
-    both.into_iter().find_map(|t| {
-        // The level is positive on the left, and increases at this rate along the ray.
-        let rise = slope + 2.0 * square * t;
-        (t > 0.0 && t.is_finite() && e.covers_way(q + d * t)).then_some((t, -rise))
-    })
 }

@@ -1,6 +1,6 @@
 //! Checks that data read from a file can be those of a contact space.
 
-use crate::contact::{ContactFunction, Spiral};
+use crate::contact::{Carrier, ContactFunction, SheetKind, Spiral};
 use crate::feature::FeatureName;
 use crate::geometry::Point;
 use crate::ids::PatchId;
@@ -249,24 +249,21 @@ fn is_spiral(s: &Spiral) -> bool {
 }
 
 fn is_function(function: &ContactFunction) -> bool {
-    match function {
-        ContactFunction::FixedLine { normal, through }
-        | ContactFunction::MovingLine { normal, through } => {
-            (normal.length() - 1.0).abs() <= SLACK && is_spiral(through)
+    let Carrier {
+        kind,
+        through,
+        normal,
+        radius,
+    } = function.carrier();
+    let is_unit = (normal.length() - 1.0).abs() <= SLACK;
+    is_spiral(&through)
+        && match kind {
+            SheetKind::LineRound | SheetKind::RoundLine => is_unit,
+            SheetKind::RoundRound => is_inner(radius),
+            SheetKind::FixedFlatArc | SheetKind::MovingFlatArc => {
+                is_unit && is_radius(radius) && radius != 0.0
+            }
         }
-        ContactFunction::Circle { center, radius } => is_spiral(center) && is_inner(*radius),
-        ContactFunction::FlatCircle {
-            through,
-            normal,
-            radius,
-            ..
-        } => {
-            (normal.length() - 1.0).abs() <= SLACK
-                && is_spiral(through)
-                && is_radius(*radius)
-                && *radius != 0.0
-        }
-    }
 }
 
 fn is_curve(curve: &CurveGeometry) -> bool {

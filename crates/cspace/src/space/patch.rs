@@ -191,27 +191,22 @@ impl Patch {
 impl BoundaryCurve<'_> {
     /// Kind of the curve.
     pub fn kind(&self) -> BoundaryKind {
-        use ContactFunction::{Circle, FixedLine, FlatCircle, MovingLine};
-        match (self.boundary, &self.patch.patch.function) {
-            (Boundary::End { .. }, _) => BoundaryKind::FeatureEnd,
-            (Boundary::Crossing { with, .. }, own) => match (own, with) {
-                (FixedLine { .. }, FixedLine { .. }) => BoundaryKind::FixedLineFixedLine,
-                (MovingLine { .. }, MovingLine { .. }) => BoundaryKind::MovingLineMovingLine,
-                (FixedLine { .. }, MovingLine { .. }) | (MovingLine { .. }, FixedLine { .. }) => {
-                    BoundaryKind::FixedLineMovingLine
-                }
-                (FixedLine { .. }, Circle { .. } | FlatCircle { .. })
-                | (Circle { .. } | FlatCircle { .. }, FixedLine { .. }) => {
-                    BoundaryKind::FixedLineCircle
-                }
-                (MovingLine { .. }, Circle { .. } | FlatCircle { .. })
-                | (Circle { .. } | FlatCircle { .. }, MovingLine { .. }) => {
-                    BoundaryKind::MovingLineCircle
-                }
-                (Circle { .. } | FlatCircle { .. }, Circle { .. } | FlatCircle { .. }) => {
-                    BoundaryKind::CircleCircle
-                }
-            },
+        let Boundary::Crossing { with, .. } = self.boundary else {
+            return BoundaryKind::FeatureEnd;
+        };
+        // Whether it is a line of the fixed part; `None` of a circle.
+        let line = |f: &ContactFunction| match f {
+            ContactFunction::FixedLine { .. } => Some(true),
+            ContactFunction::MovingLine { .. } => Some(false),
+            ContactFunction::Circle { .. } | ContactFunction::FlatCircle { .. } => None,
+        };
+        match (line(&self.patch.patch.function), line(with)) {
+            (Some(true), Some(true)) => BoundaryKind::FixedLineFixedLine,
+            (Some(false), Some(false)) => BoundaryKind::MovingLineMovingLine,
+            (Some(_), Some(_)) => BoundaryKind::FixedLineMovingLine,
+            (Some(true), None) | (None, Some(true)) => BoundaryKind::FixedLineCircle,
+            (Some(false), None) | (None, Some(false)) => BoundaryKind::MovingLineCircle,
+            (None, None) => BoundaryKind::CircleCircle,
         }
     }
 

@@ -72,13 +72,7 @@ impl Outline {
             edges: Vec::new(),
         };
         for l in part.loops() {
-            let edges: Vec<Edge> = (l.edges())
-                .map(|e| Edge {
-                    start: place(e.start),
-                    end: place(e.end),
-                    ..e
-                })
-                .collect();
+            let edges: Vec<Edge> = l.edges().map(|e| e.placed(place)).collect();
             outline.add_loop(&edges);
             outline.edges.extend(edges);
         }

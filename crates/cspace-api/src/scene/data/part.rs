@@ -89,7 +89,8 @@ fn plain_name(part: &Part, feature: PartFeature) -> Option<String> {
         PartFeature::Edge { loop_index, index } => {
             let edge = (part.loops().get(loop_index as usize)?.edges())
                 .find(|e| e.index == index as usize)?;
-            (loop_index, index, FeatureKind::of_edge(edge.bulge))
+            // Edges are travelled with material on the left.
+            (loop_index, index, FeatureKind::of_bulge(edge.bulge))
         }
     };
     let name = FeatureName {

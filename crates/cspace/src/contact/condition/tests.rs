@@ -39,11 +39,11 @@ fn sheets() -> [Sheet; 4] {
 /// The distance of a point from a carrier.
 fn off(p: Point, sheet: &Sheet, turn: Rotation) -> f64 {
     if sheet.is_circle() {
-        p.distance(sheet.locus.through.at(turn)) - sheet.locus.radius.abs()
+        p.distance(sheet.locus.carrier.through.at(turn)) - sheet.locus.carrier.radius.abs()
     } else {
         sheet
             .locus
-            .carrier()
+            .carrier
             .normal_at(turn)
             .dot(p - sheet.locus.start.at(turn))
     }
@@ -68,13 +68,21 @@ fn vanishing(f: &Sheet, g: &Sheet, shared: [bool; 2], turn: Rotation) -> Vec<f64
     }
     for (f, g) in [(f, g), (g, f)] {
         if !f.is_circle() && g.is_circle() {
-            let height = off(g.locus.through.at(turn), f, turn);
-            all.extend([height - g.locus.radius, height + g.locus.radius]);
+            let height = off(g.locus.carrier.through.at(turn), f, turn);
+            all.extend([
+                height - g.locus.carrier.radius,
+                height + g.locus.carrier.radius,
+            ]);
         }
     }
     if f.is_circle() && g.is_circle() {
-        let apart = f.locus.through.at(turn).distance(g.locus.through.at(turn));
-        let (r, s) = (f.locus.radius.abs(), g.locus.radius.abs());
+        let apart = f
+            .locus
+            .carrier
+            .through
+            .at(turn)
+            .distance(g.locus.carrier.through.at(turn));
+        let (r, s) = (f.locus.carrier.radius.abs(), g.locus.carrier.radius.abs());
         all.extend([apart - (r + s), apart - (r - s).abs()]);
     }
     all
@@ -167,7 +175,7 @@ fn errors_grow_with_lengths() {
         let (p, q) = (scaled(p, by), scaled(q, by));
         let high = height(
             &p,
-            &straight(0, SheetKind::LineRound, 0.7, q).locus,
+            &straight(0, SheetKind::LineRound, 0.7, q).locus.carrier,
             0.3 * by,
         );
         let far = apart(&p, &q, 0.3 * by);
@@ -209,7 +217,7 @@ fn scales_bound_what_is_added_up() {
             "{a} {b} {d}"
         );
         let line = straight(0, SheetKind::LineRound, 0.7, q);
-        let scale = height(&p, &line.locus, d).scale;
+        let scale = height(&p, &line.locus.carrier, d).scale;
         assert!(scale >= a + b + d);
     }
 }
@@ -289,13 +297,11 @@ fn exact_spiral(u: Vector<Dd>, w: Vector<Dd>) -> Spiral<Dd> {
 
 /// The height of a point over a line through another whose normal is upwards.
 fn over(point: &Spiral<Dd>, through: Spiral<Dd>) -> Trig<Dd> {
-    let line = Locus {
+    let line = Carrier {
         kind: SheetKind::LineRound,
         through,
         normal: exactly(0.0, 1.0),
         radius: Dd::ZERO,
-        start: through,
-        end: through,
     };
     height(point, &line, Dd::ZERO)
 }

@@ -52,11 +52,11 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
     let (mut bridged, mut at_times, mut never) = (0, 0, 0);
     for f in sheets
         .iter()
-        .filter(|s| s.locus.kind == SheetKind::LineRound)
+        .filter(|s| s.locus.carrier.kind == SheetKind::LineRound)
     {
         for g in sheets
             .iter()
-            .filter(|s| s.locus.kind == SheetKind::RoundLine)
+            .filter(|s| s.locus.carrier.kind == SheetKind::RoundLine)
         {
             let (lo, hi) = (f.lo.max(g.lo), f.hi.min(g.hi));
             if hi - lo < 1e-3 {
@@ -89,9 +89,9 @@ fn lines_are_bridged_if_a_circle_is_always_between() {
     assert!(bridged > 0 && never > 0, "{bridged} {at_times} {never}");
     // Pairs other than two lines of different kinds are not bridged.
     for f in sheets {
-        let others = sheets
-            .iter()
-            .filter(|g| !f.is_line() || !g.is_line() || f.locus.kind == g.locus.kind);
+        let others = sheets.iter().filter(|g| {
+            !f.is_line() || !g.is_line() || f.locus.carrier.kind == g.locus.carrier.kind
+        });
         assert!(others.into_iter().all(|g| !contacts.bridged(f, g)), "{f:?}");
     }
 }
@@ -173,7 +173,7 @@ fn lines_touch_what_is_convex() {
     let geometry = bulging();
     let mut kinds = [0; 2];
     for s in geometry.contacts.sheets.iter().filter(|s| s.is_line()) {
-        let (kind, round) = if s.locus.kind == SheetKind::LineRound {
+        let (kind, round) = if s.locus.carrier.kind == SheetKind::LineRound {
             (0, &geometry.moving.features[s.moving as usize])
         } else {
             (1, &geometry.fixed.features[s.fixed as usize])
@@ -197,11 +197,11 @@ fn centres_of_arcs_that_touch_are_their_radii_apart() {
         );
         let theta = s.lo + 0.3 * (s.hi - s.lo);
         let c = curve(s, theta);
-        let radius = a.radius() + b.radius();
+        let radius = a.radius + b.radius;
         for at in [-0.9, 0.0, 0.7] {
             let p = c.point(at * c.half);
-            let center = p + (Rotation::by(theta) * b.center().to_vector());
-            let apart = center - a.center();
+            let center = p + (Rotation::by(theta) * b.center.to_vector());
+            let apart = center - a.center;
             assert!((apart.length() - radius.abs()).abs() < 1e-9, "{a:?} {b:?}");
             let normal = apart.unit() * radius.signum();
             assert!((c.normal(p) - normal).length() < 1e-9, "{a:?} {b:?}");
@@ -250,7 +250,7 @@ fn arcs_with_play_go_around_a_circle() {
                 &geometry.moving.features[ib as usize],
             );
             // The pair is drawn at half the size, and grown a little.
-            let less = -(a.radius() + b.radius());
+            let less = -(a.radius + b.radius);
             assert!((less / LIMIT - play).abs() < 0.3, "{} {play}", less / LIMIT);
             let circles = contacts.sheets.iter();
             let circles = circles.filter(|s| (s.fixed, s.moving) == (ia, ib)).count();

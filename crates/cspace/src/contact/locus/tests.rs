@@ -8,6 +8,7 @@ use super::super::orientation::Orientation;
 use super::super::pair::Geometry;
 use super::super::sheet::Sheet;
 use super::*;
+use crate::geometry::Vector;
 use crate::number::Dd;
 use crate::part::{Part, Vertex};
 
@@ -169,7 +170,7 @@ fn ranks_rise_with_places() {
     for s in &geometry.contacts.sheets {
         let curve = exact_curve(&geometry, s, s.from);
         let half = if s.is_circle() {
-            0.95 * PI * s.locus.radius.abs()
+            0.95 * PI * s.locus.carrier.radius.abs()
         } else {
             1.0
         };

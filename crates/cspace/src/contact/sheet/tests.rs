@@ -9,6 +9,15 @@ fn spiral(u: (f64, f64), w: (f64, f64)) -> Spiral {
     Spiral::new(Point::new(u.0, u.1), Vector::new(w.0, w.1))
 }
 
+fn end(name: u32) -> SheetEnd {
+    let at = EndAt::Fixed(0);
+    SheetEnd {
+        at,
+        name,
+        angle: 0.0,
+    }
+}
+
 /// A sheet with its own end names, starting at four times `number`.
 fn sheet(locus: Locus, number: u32) -> Sheet {
     Sheet {
@@ -19,12 +28,8 @@ fn sheet(locus: Locus, number: u32) -> Sheet {
         hi: 3.0,
         from: Dd::from(-3.0),
         to: Dd::from(3.0),
-        start_name: 4 * number,
-        end_name: 4 * number + 1,
-        start_at: EndAt::Fixed(0),
-        end_at: EndAt::Fixed(0),
-        start_angle: EndAngle::NONE,
-        end_angle: EndAngle::NONE,
+        start: end(4 * number),
+        end: end(4 * number + 1),
         bottom: Seam::Window,
         top: Seam::Window,
     }
@@ -34,10 +39,12 @@ fn sheet(locus: Locus, number: u32) -> Sheet {
 pub(in crate::contact) fn round(number: u32, u: (f64, f64), w: (f64, f64), radius: f64) -> Sheet {
     let through = spiral(u, w);
     let locus = Locus {
-        kind: SheetKind::RoundRound,
-        through,
-        normal: Vector::ZERO,
-        radius,
+        carrier: Carrier {
+            kind: SheetKind::RoundRound,
+            through,
+            normal: Vector::ZERO,
+            radius,
+        },
         start: through,
         end: through,
     };
@@ -52,10 +59,12 @@ pub(in crate::contact) fn straight(
     through: Spiral,
 ) -> Sheet {
     let locus = Locus {
-        kind,
-        through,
-        normal: Vector::from_angle(angle),
-        radius: 0.0,
+        carrier: Carrier {
+            kind,
+            through,
+            normal: Vector::from_angle(angle),
+            radius: 0.0,
+        },
         start: through,
         end: through,
     };
@@ -66,15 +75,20 @@ pub(in crate::contact) fn straight(
 fn furthest_from_tangent(f: &Sheet, g: &Sheet) -> f64 {
     let off = |turn: Rotation| match (f.is_circle(), g.is_circle()) {
         (true, true) => {
-            let apart = f.locus.through.at(turn).distance(g.locus.through.at(turn));
-            let (r, s) = (f.locus.radius.abs(), g.locus.radius.abs());
+            let apart = f
+                .locus
+                .carrier
+                .through
+                .at(turn)
+                .distance(g.locus.carrier.through.at(turn));
+            let (r, s) = (f.locus.carrier.radius.abs(), g.locus.carrier.radius.abs());
             (apart - (r + s)).abs().min((apart - (r - s).abs()).abs())
         }
         (false, true) => {
-            let n = f.locus.carrier().normal_at(turn);
-            (n.dot(g.locus.through.at(turn) - f.locus.start.at(turn))
+            let n = f.locus.carrier.normal_at(turn);
+            (n.dot(g.locus.carrier.through.at(turn) - f.locus.start.at(turn))
                 .abs()
-                - g.locus.radius.abs())
+                - g.locus.carrier.radius.abs())
             .abs()
         }
         _ => panic!("a line comes first"),
@@ -231,8 +245,8 @@ fn shared_ends_are_those_with_one_name() {
     f.locus.end = b;
     let g = straight(1, SheetKind::LineRound, 0.2, b);
     let with = |start_name, end_name| Sheet {
-        start_name,
-        end_name,
+        start: end(start_name),
+        end: end(end_name),
         ..g
     };
     let shared = |g: &Sheet, first_vertex| f.shared_ends(g, first_vertex);
@@ -288,16 +302,17 @@ fn curves_are_zeros_of_the_contact_function() {
         let mut s = round(0, (0.1, 0.2), (0.3, -0.1), radius);
         // Travel is clockwise about a concave arc.
         let (low, high) = (
-            EndAngle {
-                offset: 0.2,
-                turns: false,
+            SheetEnd {
+                angle: 0.2,
+                ..s.start
             },
-            EndAngle {
-                offset: 1.0,
-                turns: true,
+            SheetEnd {
+                at: EndAt::Moving(0),
+                angle: 1.0,
+                ..s.end
             },
         );
-        (s.start_angle, s.end_angle) = if radius > 0.0 {
+        (s.start, s.end) = if radius > 0.0 {
             (low, high)
         } else {
             (high, low)
@@ -325,7 +340,7 @@ fn close_circles_are_seen_from_one_of_them() {
     let (origin, apart) = f.close_to(&g).unwrap();
     assert!((apart / 13f64.sqrt() - 1e-9).abs() < 1e-23);
     let turn = Rotation::by(0.3);
-    let center = |s: &Sheet| s.locus.about(&origin).through.at(turn).to_vector();
+    let center = |s: &Sheet| s.locus.about(&origin).carrier.through.at(turn).to_vector();
     let seen = center(&g);
     let expected = turn * Vector::new(-3e-9, 2e-9);
     assert!((seen - expected).length() < 1e-24);

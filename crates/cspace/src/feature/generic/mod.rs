@@ -31,12 +31,13 @@ mod side;
 use crate::feature::tolerance::{
     LARGEST_PART, MOST_WISHES, NEGLIGIBLE, SAGITTA_PART, STRAIGHT, WISHED_PART,
 };
-use crate::geometry::Vector;
+use crate::geometry::{Point, Vector};
 use crate::number::Dd;
+use crate::part::{Edge, Vertex};
 
 use least::least_moves;
-pub(crate) use side::ExactVertex;
-use side::{Knot, Side, between, knots, sides, vector};
+pub(crate) use side::edge_from;
+use side::{Knot, Side, knots, sides, vector};
 
 /// Residual below which a joint is smooth (2⁻⁹⁹ ≈ 1.6e-30), apart from the rounding of coordinates.
 const RESIDUAL: f64 = 1.0 / (1u128 << 99) as f64;
@@ -55,10 +56,10 @@ const MOST_STEPS: usize = 16;
 /// move by more than 1/32 of an edge, or if the outline would move laterally by more than admitted: four times the longest requested
 /// displacement, 1.1e-13, the second-order change by sliding, and the deviation of the pieces of one line from it.
 pub(crate) fn made_generic(
-    drawn: &[ExactVertex],
+    drawn: &[Vertex<Dd>],
     smooth: &[bool],
     wish: &[[f64; 3]],
-) -> Option<Vec<ExactVertex>> {
+) -> Option<Vec<Vertex<Dd>>> {
     let n = drawn.len();
     if n < 2 || smooth.len() != n || wish.len() != n {
         return None;
@@ -92,11 +93,11 @@ fn lessened(wish: &[[f64; 3]], sides: &[Side], knots: &[Knot]) -> Vec<[f64; 3]> 
 /// Sliding is along the carriers, to second order: a smooth vertex moves by t along a circle of the mean curvature, and the sweep of an
 /// edge grows by κ times its growth in length; x = κ (T₁·d₁ − T₀·d₀) / 4 is added to a quarter of it: b' = (b + tan x) / (1 − b tan x).
 fn moved(
-    vertices: &[ExactVertex],
+    vertices: &[Vertex<Dd>],
     sides: &[Side],
     knots: &[Knot],
     moves: &[[f64; 3]],
-) -> Vec<ExactVertex> {
+) -> Vec<Vertex<Dd>> {
     let n = vertices.len();
     let by = |i: usize| knots[i].axes[0] * moves[i][0] + knots[i].axes[1] * moves[i][1];
     (0..n)
@@ -118,17 +119,13 @@ fn moved(
                 let slide = tan * (1.0 + b * b) / (1.0 - b * tan);
                 vertex.bulge + slide + 2.0 * moves[i][2] / side.chord
             };
-            ExactVertex {
-                x: vertex.x + to.x,
-                y: vertex.y + to.y,
-                bulge,
-            }
+            Vertex::new(vertex.x + to.x, vertex.y + to.y, bulge)
         })
         .collect()
 }
 
 /// Makes the smooth joints of a loop exactly smooth, by Newton's method; also returns the number of steps.
-fn smoothed(mut vertices: Vec<ExactVertex>, smooth: &[bool]) -> Option<(Vec<ExactVertex>, usize)> {
+fn smoothed(mut vertices: Vec<Vertex<Dd>>, smooth: &[bool]) -> Option<(Vec<Vertex<Dd>>, usize)> {
     /// Residual, in units of the admitted one, from which further steps gain nothing, because only rounding is left.
     const LEFT: f64 = 32.0;
     let size = vertices.iter().fold(0.0_f64, |size, v| {
@@ -175,10 +172,10 @@ fn residuals(sides: &[Side], smooth: &[bool]) -> Option<Vec<Dd>> {
 
 /// Whether a loop is no farther from the drawn one than admitted.
 fn is_near(
-    drawn: &[ExactVertex],
+    drawn: &[Vertex<Dd>],
     sides: &[Side],
     knots: &[Knot],
-    result: &[ExactVertex],
+    result: &[Vertex<Dd>],
     wish: &[[f64; 3]],
 ) -> bool {
     let n = drawn.len();
@@ -190,7 +187,7 @@ fn is_near(
     let mut slides = vec![0.0; n];
     for i in 0..n {
         let (before, after, knot) = (&sides[(i + n - 1) % n], &sides[i], &knots[i]);
-        let by = vector(between(&drawn[i], &result[i]));
+        let by = vector(result[i].point() - drawn[i].point());
         let off = if knot.smooth {
             let slide = by.dot(knot.axes[0]);
             slides[i] = knot.bends.abs() * slide * slide;
@@ -214,11 +211,10 @@ fn is_near(
             return result[i].bulge.is_zero();
         }
         let allowed = allowed + slides[i].max(slides[j]);
-        let was = inner_points(&drawn[i], &drawn[j]);
-        let is = inner_points(&result[i], &result[j]);
+        let [was, is] = [drawn, result].map(|vertices| inner_points(&edge_from(vertices, i)));
         drawn[i].bulge.is_negative() == result[i].bulge.is_negative()
             && (was.iter().zip(&is)).all(|((was, way), (is, _))| {
-                off_circle(vector(between(was, is)), *way, sides[i].bend) <= allowed
+                off_circle(vector(*is - *was), *way, sides[i].bend) <= allowed
             })
     })
 }
@@ -231,22 +227,16 @@ fn off_circle(v: Vector, way: Vector, bend: f64) -> f64 {
 }
 
 /// Points of an arc at a quarter, half and three quarters of it, and the direction of travel there.
-fn inner_points(start: &ExactVertex, end: &ExactVertex) -> [(ExactVertex, Vector); 3] {
+fn inner_points(arc: &Edge<Dd>) -> [(Point<Dd>, Vector); 3] {
     // Half an arc has the bulge b / (1 + √(1 + b²)).
-    let halved = |b: Dd| b / ((b * b + 1.0).sqrt() + 1.0);
-    let middle = |start: &ExactVertex, end: &ExactVertex, b: Dd| {
-        let chord = between(start, end);
-        let rise = b.scaled(0.5);
-        let middle = ExactVertex {
-            x: start.x + chord.x.scaled(0.5) + chord.y * rise,
-            y: start.y + chord.y.scaled(0.5) - chord.x * rise,
-            bulge: Dd::ZERO,
-        };
-        (middle, vector(chord).unit())
-    };
-    let b = halved(start.bulge);
-    let half = middle(start, end, start.bulge);
-    [middle(start, &half.0, b), half, middle(&half.0, end, b)]
+    let (b, middle) = (arc.bulge, arc.middle());
+    let halved = b / ((b * b + 1.0).sqrt() + 1.0);
+    [
+        Edge::between(arc.start, middle, halved),
+        *arc,
+        Edge::between(middle, arc.end, halved),
+    ]
+    .map(|e| (e.middle(), vector(e.end - e.start).unit()))
 }
 
 /// Upper bound of the distance of the pieces of one line from the line: they meet at angles below twice [`STRAIGHT`], and no slide makes

@@ -1,23 +1,14 @@
 //! The edges and vertices of a loop as the equations need them.
 
 use crate::feature::tolerance::{GROWTH, LARGEST_PART, SAGITTA_PART, SLIDE};
-use crate::geometry::{Rotation, Vector};
+use crate::geometry::Vector;
 use crate::number::Dd;
+use crate::part::{Edge, Vertex};
 
-/// An edge of a loop in double-double: it starts here, and ends where the next one starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ExactVertex {
-    /// Start of the edge.
-    pub(crate) x: Dd,
-    /// Start of the edge.
-    pub(crate) y: Dd,
-    /// tan(sweep / 4), positive counter-clockwise; 0 for a line.
-    pub(crate) bulge: Dd,
-}
-
-/// The vector from one vertex to another.
-pub(super) fn between(from: &ExactVertex, to: &ExactVertex) -> Vector<Dd> {
-    Vector::new(to.x - from.x, to.y - from.y)
+/// The edge of a loop that starts at a vertex, with index 0.
+pub(crate) fn edge_from(vertices: &[Vertex<Dd>], i: usize) -> Edge<Dd> {
+    let (start, end) = (vertices[i], vertices[(i + 1) % vertices.len()]);
+    Edge::between(start.point(), end.point(), start.bulge)
 }
 
 /// A vector in f64.
@@ -44,35 +35,24 @@ pub(super) struct Side {
 
 impl Side {
     /// The data of an edge; `None` if it has no length.
-    fn new(start: &ExactVertex, end: &ExactVertex) -> Option<Self> {
-        let chord = between(start, end);
-        let length = chord.length();
-        let long = length.to_f64();
-        if !(long > 0.0 && long.is_finite() && start.bulge.to_f64().is_finite()) {
+    fn new(edge: &Edge<Dd>) -> Option<Self> {
+        let chord = edge.chord().to_f64();
+        if !(chord > 0.0 && chord.is_finite() && edge.bulge.to_f64().is_finite()) {
             return None;
         }
-        let along = chord * (Dd::ONE / length);
-        let b = start.bulge;
-        let square = b * b;
-        let q = Dd::ONE / (square + 1.0);
-        let (cos, sin) = ((Dd::ONE - square) * q, b.scaled(2.0) * q);
-        let (exact_leave, exact_arrive) = if b.is_zero() {
-            (along, along)
-        } else {
-            let half = Rotation { cos, sin };
-            (half.inverse() * along, half * along)
-        };
-        let half = (cos.to_f64(), sin.to_f64());
+        let (turn, along) = edge.half_sweep();
+        let (exact_leave, exact_arrive) = (turn.inverse() * along, turn * along);
+        let half = (turn.cos.to_f64(), turn.sin.to_f64());
         Some(Self {
             exact_leave,
             exact_arrive,
             leave: vector(exact_leave),
             arrive: vector(exact_arrive),
             along: vector(along),
-            chord: long,
-            bulge: b.to_f64(),
+            chord,
+            bulge: edge.bulge.to_f64(),
             half,
-            bend: 2.0 * half.1 / long,
+            bend: 2.0 * half.1 / chord,
         })
     }
 
@@ -97,10 +77,9 @@ impl Side {
 }
 
 /// The edges of a loop.
-pub(super) fn sides(vertices: &[ExactVertex]) -> Option<Vec<Side>> {
-    let n = vertices.len();
-    (0..n)
-        .map(|i| Side::new(&vertices[i], &vertices[(i + 1) % n]))
+pub(super) fn sides(vertices: &[Vertex<Dd>]) -> Option<Vec<Side>> {
+    (0..vertices.len())
+        .map(|i| Side::new(&edge_from(vertices, i)))
         .collect()
 }
 

@@ -1,5 +1,4 @@
 use super::*;
-use crate::geometry::{Point, Vector};
 use core::f64::consts::{PI, TAU};
 
 const WISH: f64 = 1e-12;
@@ -7,14 +6,16 @@ const WISH: f64 = 1e-12;
 /// A loop as drawn: x, y, bulge, and whether it is smooth there.
 type Drawn = Vec<(f64, f64, f64, bool)>;
 
-fn exact(drawn: &Drawn) -> (Vec<ExactVertex>, Vec<bool>) {
-    let vertex = |v: &(f64, f64, f64, bool)| ExactVertex {
-        x: Dd::from(v.0),
-        y: Dd::from(v.1),
-        bulge: Dd::from(v.2),
-    };
+fn exact(drawn: &Drawn) -> (Vec<Vertex<Dd>>, Vec<bool>) {
+    let vertex =
+        |v: &(f64, f64, f64, bool)| Vertex::new(Dd::from(v.0), Dd::from(v.1), Dd::from(v.2));
     let vertices = drawn.iter().map(vertex).collect();
     (vertices, drawn.iter().map(|v| v.3).collect())
+}
+
+/// The vector from one vertex to another.
+fn between(from: &Vertex<Dd>, to: &Vertex<Dd>) -> Vector<Dd> {
+    to.point() - from.point()
 }
 
 /// Pseudo-random numbers in (−1, 1).
@@ -171,7 +172,7 @@ fn biarcs(points: usize, waves: [f64; 4]) -> Drawn {
 }
 
 /// Distance of a place from the carrier of a drawn edge, from its centre and radius.
-fn off(from: &ExactVertex, to: &ExactVertex, place: Point<Dd>) -> f64 {
+fn off(from: &Vertex<Dd>, to: &Vertex<Dd>, place: Point<Dd>) -> f64 {
     let chord = between(from, to);
     let to_place = place - Point::new(from.x, from.y);
     let b = from.bulge;
@@ -186,7 +187,7 @@ fn off(from: &ExactVertex, to: &ExactVertex, place: Point<Dd>) -> f64 {
 }
 
 /// A point of an arc at a fraction of its length from its start.
-fn place_on(from: &ExactVertex, to: &ExactVertex, fraction: f64) -> Point<Dd> {
+fn place_on(from: &Vertex<Dd>, to: &Vertex<Dd>, fraction: f64) -> Point<Dd> {
     let chord = between(from, to);
     // tan of a fraction of half the sweep; position along the chord and rise above it, from the triangle with angles at both ends.
     let sweep = Dd::atan2(from.bulge, Dd::ONE) * 4.0;
@@ -207,7 +208,7 @@ struct Told {
 }
 
 /// The largest sine at a smooth joint and the largest deviation.
-fn told(drawn: &Drawn, result: &[ExactVertex], wish: &[[f64; 3]]) -> Told {
+fn told(drawn: &Drawn, result: &[Vertex<Dd>], wish: &[[f64; 3]]) -> Told {
     let (vertices, smooth) = exact(drawn);
     let n = vertices.len();
     let sides = sides(result).unwrap();
@@ -254,7 +255,7 @@ fn told(drawn: &Drawn, result: &[ExactVertex], wish: &[[f64; 3]]) -> Told {
 
 /// Moves a loop, checks that it is smooth and near the drawn one, and returns it.
 #[track_caller]
-fn checked(name: &str, drawn: &Drawn, seed: u64, most_off: f64) -> Vec<ExactVertex> {
+fn checked(name: &str, drawn: &Drawn, seed: u64, most_off: f64) -> Vec<Vertex<Dd>> {
     let (vertices, smooth) = exact(drawn);
     let wish = wishes(vertices.len(), WISH, seed);
     let result = made_generic(&vertices, &smooth, &wish);
@@ -279,7 +280,7 @@ fn checked(name: &str, drawn: &Drawn, seed: u64, most_off: f64) -> Vec<ExactVert
 }
 
 /// The sine between the chords of two edges.
-fn sine(result: &[ExactVertex], i: usize, j: usize) -> f64 {
+fn sine(result: &[Vertex<Dd>], i: usize, j: usize) -> f64 {
     let n = result.len();
     let unit = |k: usize| {
         let v = between(&result[k], &result[(k + 1) % n]);
@@ -397,7 +398,7 @@ fn tops_of_a_comb_are_no_longer_on_one_line() {
         for &j in &tops[..k] {
             assert!(sine(&result, i, j) > 1e-14);
             let place = Point::new(result[j].x, result[j].y);
-            let from = ExactVertex {
+            let from = Vertex {
                 bulge: Dd::ZERO,
                 ..result[i]
             };

@@ -360,9 +360,10 @@ fn piece_box(sheet: &Sheet, turn: Rotation, half: f64, from: f64, to: f64) -> (P
         Vector::new(v.x.abs() * half + bend, v.y.abs() * half + bend)
     };
     if sheet.is_circle() {
-        let center = sheet.locus.through;
-        let at = |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.locus.radius;
-        let circle = Cycle::round(center.at(turn), sheet.locus.radius);
+        let center = sheet.locus.carrier.through;
+        let at =
+            |angle: f64| center.at(turn) + Vector::from_angle(angle) * sheet.locus.carrier.radius;
+        let circle = Cycle::round(center.at(turn), sheet.locus.carrier.radius);
         let arc = Curve::new(circle, [at(from), at(to)], [from, to]);
         let Bounds { min: lo, max: hi } = arc.bounds();
         let g = grow(center.w);

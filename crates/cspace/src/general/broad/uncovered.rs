@@ -73,10 +73,10 @@ impl<'a> BlockedDiscs<'a> {
         let (mut from, mut to) = (0.0, 1.0);
         let (mut middle, mut half_angle) = (0.0, 0.0);
         if sheet.is_circle() {
-            let ends = [sheet.start_angle, sheet.end_angle];
-            middle = 0.5 * (ends[0].at(self.theta) + ends[1].at(self.theta));
+            let ends = [sheet.start, sheet.end];
+            middle = 0.5 * (ends[0].angle_at(self.theta) + ends[1].angle_at(self.theta));
             // Angles are linear in the orientation, so their extremes are those at its ends.
-            for angle in ends.iter().flat_map(|e| [e.at(lo), e.at(hi)]) {
+            for angle in ends.iter().flat_map(|e| [e.angle_at(lo), e.angle_at(hi)]) {
                 half_angle = (angle - middle).abs().max(half_angle);
             }
             // Sines are monotonous up to a quarter turn; longer arcs are seldom covered.
@@ -161,8 +161,8 @@ impl MiddleCurve {
     fn new(sheet: &Sheet, turn: Rotation, half_angle: f64) -> Self {
         let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));
         if sheet.is_circle() {
-            let spiral = sheet.locus.through;
-            let (center, radius) = (spiral.at(turn), sheet.locus.radius);
+            let spiral = sheet.locus.carrier.through;
+            let (center, radius) = (spiral.at(turn), sheet.locus.carrier.radius);
             let both = ((start - center) + (end - center)) * radius.signum();
             let mid = both * (1.0 / both.length());
             Self {
@@ -317,12 +317,13 @@ mod tests {
                     let turn = Rotation::by(at);
                     let share: f64 = rng.random_range(0.0..1.0);
                     let (parameter, point) = if sheet.is_circle() {
-                        let ends = [sheet.start_angle.at(at), sheet.end_angle.at(at)];
+                        let ends = [sheet.start, sheet.end].map(|e| e.angle_at(at));
                         let angle = ends[0] + (ends[1] - ends[0]) * share;
                         let normal = Vector::from_angle(angle);
                         (
                             angle,
-                            sheet.locus.through.at(turn) + normal * sheet.locus.radius,
+                            sheet.locus.carrier.through.at(turn)
+                                + normal * sheet.locus.carrier.radius,
                         )
                     } else {
                         let (start, end) = (sheet.locus.start.at(turn), sheet.locus.end.at(turn));

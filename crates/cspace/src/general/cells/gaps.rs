@@ -28,8 +28,8 @@ impl Gaps {
         let sheet = &contacts.sheets[sheet as usize];
         Self {
             dead: (
-                contacts.ending_at(sheet.start_name).next().is_none(),
-                contacts.starting_at(sheet.end_name).next().is_none(),
+                contacts.ending_at(sheet.start.name).next().is_none(),
+                contacts.starting_at(sheet.end.name).next().is_none(),
             ),
             ..Self::default()
         }

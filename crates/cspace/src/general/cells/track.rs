@@ -94,7 +94,7 @@ impl Track {
     /// of travel is that of the coordinate. On a line, both hold if the normals agree; on a circle, the second if the radius is positive.
     pub(crate) fn ways(&self, sheet: &Sheet, normal: Vector, p: Point) -> (bool, bool) {
         if self.cycle.is_centred() {
-            let forward = sheet.locus.radius > 0.0;
+            let forward = sheet.locus.carrier.radius > 0.0;
             return (forward == (self.cycle.weight > 0.0), forward);
         }
         let along = self.normal(p).dot(normal) > 0.0;

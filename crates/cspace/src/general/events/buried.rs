@@ -99,7 +99,8 @@ impl Search<'_> {
     fn is_buried(&mut self, branch: &Branch) -> bool {
         let sheets = &self.geometry.contacts.sheets;
         let [f, g] = [branch.first, branch.second].map(|s| &sheets[s as usize]);
-        let is_large = |s: &Sheet| s.is_flat() || s.is_circle() && s.locus.radius.abs() > LARGEST;
+        let is_large =
+            |s: &Sheet| s.is_flat() || s.is_circle() && s.locus.carrier.radius.abs() > LARGEST;
         // In a cluster a crossing that begins or ends at a tangency moves by about the square root of the width.
         let is_wide = |cluster| self.clusters.width(cluster).sqrt() > 0.125 * MARGIN;
         if is_large(f) || is_large(g) || is_wide(branch.from) || is_wide(branch.to) {

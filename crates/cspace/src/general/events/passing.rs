@@ -124,7 +124,9 @@ impl Sample {
         let sheets = &geometry.contacts.sheets;
         let both = [sheet, b.other(sheet)].map(|s| &sheets[s as usize]);
         let radii = both.iter().filter(|s| s.is_circle());
-        let least = radii.map(|s| s.locus.radius.abs()).fold(1.0, f64::min);
+        let least = radii
+            .map(|s| s.locus.carrier.radius.abs())
+            .fold(1.0, f64::min);
         let share = SPEED * length / (placings[1].sharpness(b).powi(2) * least);
         (share < NARROW && !both.iter().any(|s| s.is_flat())).then(|| Self {
             places: [0, 1, 2].map(|i: usize| placings[i].place(b)),
@@ -354,14 +356,14 @@ impl Passing<'_> {
             let g = &sheets[b.other(self.sheet) as usize];
             let (swapped, root) = (b.second == self.sheet, b.root);
             if let Some((o, _)) = f.close_to(g) {
-                let about = |s: &Sheet| s.locus.about(&o).carrier().lift().cycle(turn);
+                let about = |s: &Sheet| s.locus.about(&o).carrier.lift().cycle(turn);
                 return about(f).root(&about(g), root, swapped);
             }
             cycle.root(&g.cycle(turn), root, swapped)
         };
         let (p, q) = (place(self.x), place(self.y));
         if f.is_circle() {
-            p.cross(q) * Dual::constant(1.0 / f.locus.radius.abs())
+            p.cross(q) * Dual::constant(1.0 / f.locus.carrier.radius.abs())
         } else {
             p.x - q.x
         }

@@ -89,7 +89,7 @@ pub(super) fn rounding(
     [cycle, other]: [&Cycle<Exact>; 2],
     place: Vector<Exact>,
 ) -> f64 {
-    let radii = sheets.map(|s| Exact::locus(geometry, s).radius.to_f64().abs());
+    let radii = sheets.map(|s| Exact::locus(geometry, s).carrier.radius.to_f64().abs());
     let size = radii[0].max(radii[1]).max(1.0);
     Exact::EPSILON * size / sharpness(cycle, other, place).max(f64::MIN_POSITIVE)
 }

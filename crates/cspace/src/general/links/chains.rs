@@ -146,7 +146,7 @@ impl<'a> Linker<'a> {
                 enters: b.enters(c.sheet),
             }
         };
-        [key(c.left, sheet.start_name), key(c.right, sheet.end_name)]
+        [key(c.left, sheet.start.name), key(c.right, sheet.end.name)]
     }
 
     fn pair(&self, sheet: &Sheet, below: bool) -> (u32, u32) {

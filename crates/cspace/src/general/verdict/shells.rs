@@ -142,7 +142,7 @@ impl ShellFinder<'_> {
             if c.right != END {
                 continue;
             }
-            for g in contacts.starting_at(contacts.sheets[c.sheet as usize].end_name) {
+            for g in contacts.starting_at(contacts.sheets[c.sheet as usize].end.name) {
                 for (j, d) in all.of(g) {
                     if d.left == END {
                         join(i, j, END);
@@ -395,7 +395,7 @@ impl ShellFinder<'_> {
             if sheet.is_line() {
                 f64::INFINITY
             } else {
-                sheet.locus.radius.abs()
+                sheet.locus.carrier.radius.abs()
             }
         };
         is_free(self.largest(cells, ring)).or_else(|| {
@@ -424,7 +424,7 @@ impl ShellFinder<'_> {
         let p = self.point(cell, share, &curve);
         let normal: Vector = curve.normal(p);
         let mut reach = if !sheet.is_line() {
-            STEP.min(0.5 * sheet.locus.radius.abs())
+            STEP.min(0.5 * sheet.locus.carrier.radius.abs())
         } else {
             STEP
         };
@@ -441,7 +441,7 @@ impl ShellFinder<'_> {
                 let on_it = other.position(p).abs() <= other.half + TELLING;
                 if off < TELLING && on_it {
                     let one_circle = sheet.is_circle() == s.is_circle()
-                        && (sheet.locus.radius - s.locus.radius).abs() < TELLING;
+                        && (sheet.locus.carrier.radius - s.locus.carrier.radius).abs() < TELLING;
                     if !one_circle || other.normal(p).dot(normal) < 0.0 {
                         return None;
                     }

@@ -15,9 +15,26 @@ pub(crate) enum Corresponding {
     Vertices,
 }
 
-/// Image of a loop under a rotation: vertex t, in order of travel, is mapped to vertex t + shift of the target.
+/// Image of a loop under a rotation: vertex t, in order of travel, is mapped to vertex t + shift of the target, which has so many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct LoopImage {
     pub(crate) target: u32,
     pub(crate) shift: u32,
+    pub(crate) count: u32,
+}
+
+impl LoopImage {
+    pub(crate) const fn new(target: u32, shift: u32, count: u32) -> Self {
+        Self {
+            target,
+            shift,
+            count,
+        }
+    }
+
+    /// The loop and vertex to which a vertex is mapped.
+    pub(crate) fn of(&self, vertex: usize) -> (usize, usize) {
+        let shifted = vertex + self.shift as usize;
+        (self.target as usize, shifted % self.count as usize)
+    }
 }

@@ -99,10 +99,9 @@ impl Symmetrized {
 }
 
 fn drawn_as(l: &Loop, index: usize) -> Drawn {
-    let next = (index + 1) % l.vertices().len();
     Drawn {
         edge: index as u32,
-        vertex: if l.is_reversed() { next } else { index } as u32,
+        vertex: l.start_of(index) as u32,
     }
 }
 
@@ -155,15 +154,9 @@ impl Redraw<'_> {
 
     /// The images of a vertex under the rotation and its powers.
     fn orbit(&self, first: usize, start: usize) -> Vec<(usize, usize)> {
-        let mut place = (first, start);
-        (0..self.fold)
-            .map(|_| {
-                let here = place;
-                let image = self.images[here.0];
-                let n = self.loops[image.target as usize].len();
-                place = (image.target as usize, (here.1 + image.shift as usize) % n);
-                here
-            })
+        let image = |&(l, t): &(usize, usize)| Some(self.images[l].of(t));
+        core::iter::successors(Some((first, start)), image)
+            .take(self.fold as usize)
             .collect()
     }
 
@@ -239,6 +232,7 @@ impl Redraw<'_> {
         let ccw = radius > 0.0;
         let n = joints.len();
         for (&l, steps) in orbit.iter().zip(0u32..) {
+            self.images[l].count = n as u32;
             let at = self.turn(steps) * mean;
             let drawn: Vec<_> = loops[l].edges().collect();
             let Ring::Circle { center: c, .. } = &trace.rings[l] else {

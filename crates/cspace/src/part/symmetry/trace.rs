@@ -162,7 +162,8 @@ impl Trace {
                         if (*c - to).length() <= self.tolerance && (radius - s).abs() <= self.tolerance)
                 };
                 let target = self.rings.iter().zip(&self.layers).position(same)? as u32;
-                Some(LoopImage { target, shift: 0 })
+                // It has no vertices until it is redrawn.
+                Some(LoopImage::new(target, 0, 0))
             }
             Ring::Path(vertices) => {
                 let to = turn * vertices.first()?.0;
@@ -170,7 +171,7 @@ impl Trace {
                 self.by_x[from..]
                     .iter()
                     .take_while(|v| v.0 <= to.x + self.tolerance)
-                    .map(|&(_, target, shift)| LoopImage { target, shift })
+                    .map(|&(_, target, shift)| LoopImage::new(target, shift, vertices.len() as u32))
                     .filter(|image| self.layers[image.target as usize] == layer)
                     .find(|&image| self.maps(vertices, turn, image))
             }
@@ -186,7 +187,7 @@ impl Trace {
         n == to.len()
             && (0..n).all(|t| {
                 let (here, bulge) = vertices[t];
-                let (there, other) = to[(t + image.shift as usize) % n];
+                let (there, other) = to[image.of(t).1];
                 let chord = (vertices[(t + 1) % n].0 - here).length();
                 // An arc leaves its chord by bulge · chord / 2.
                 (turn * here - there).length() <= self.tolerance
