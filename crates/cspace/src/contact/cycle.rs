@@ -48,11 +48,15 @@ impl<T: Real> Cycle<T> {
     pub(crate) fn of_edge(edge: &Edge<T>) -> Self {
         /// Bulge above which arcs are written by their centre, which is then near them.
         const NEAR_CENTER: f64 = 0.125;
+        let (chord, half, one) = (edge.end - edge.start, T::constant(0.5), T::constant(1.0));
+        let middle = edge.start + chord * half + chord.right() * (half * edge.bulge);
+        let normal = chord.right() * (one / chord.length());
+        let curvature = edge.curvature();
         if edge.bulge.value().abs() > NEAR_CENTER {
-            return Self::round(edge.center(), edge.signed_radius());
+            let radius = one / curvature;
+            return Self::round(middle + normal * -radius, radius);
         }
-        let normal = (edge.end - edge.start).unit().right();
-        Self::flat(edge.middle(), normal, edge.curvature())
+        Self::flat(middle, normal, curvature)
     }
 
     /// A circle, given by its centre and signed radius.
