@@ -290,7 +290,7 @@ fn at_configuration(
         Location::Blocked => Outcome::Blocked,
         Location::Outside => return Err(QueryError::Outside),
     };
-    play.clearance = space.clearance(at).ok();
+    play.clearance = space.clearance(at).ok().filter(|c| c.is_finite());
     if play.is != Outcome::Blocked {
         play.directions = match (space, at) {
             (PairSpace::FixedAxes(axes), Coordinates::Axes { .. }) => {

@@ -28,6 +28,9 @@ pub(crate) trait InWords {
     /// The description of a configuration in a free region.
     fn is_free(&self, region: RegionId) -> String;
 
+    /// As above, with how far the parts are apart; not of parts at different heights.
+    fn is_free_by(&self, region: RegionId, apart: Option<f64>) -> String;
+
     /// Whether a region is the one that goes on without limit, which only planar pairs have, and have first.
     fn is_outside(&self, region: RegionId) -> bool;
 
@@ -92,6 +95,16 @@ impl InWords for Chosen<'_> {
         match self.is_outside(region) {
             true => "free, outside".to_owned(),
             false => format!("free, in {}", self.region(region)),
+        }
+    }
+
+    fn is_free_by(&self, region: RegionId, apart: Option<f64>) -> String {
+        match apart.filter(|apart| apart.is_finite()) {
+            Some(apart) => {
+                let (is, apart) = (self.is_free(region), length(apart));
+                format!("{is}, {apart}{} apart", self.unit())
+            }
+            None => "free: the parts are at different heights, and never touch".to_owned(),
         }
     }
 

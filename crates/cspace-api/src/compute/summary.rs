@@ -211,7 +211,7 @@ pub struct Drawn {
     /// The number of the free region.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub region: Option<RegionId>,
-    /// How far the parts are apart where they are free.
+    /// How far the parts are apart where they are free; none if they are at different heights.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clearance: Option<f64>,
 }
@@ -252,7 +252,7 @@ impl Drawn {
         Some(Self {
             outcome,
             region,
-            clearance: region.and_then(|_| space.clearance(at).ok()),
+            clearance: (region.and_then(|_| space.clearance(at).ok())).filter(|c| c.is_finite()),
         })
     }
 }

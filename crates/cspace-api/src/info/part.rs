@@ -32,6 +32,9 @@ pub struct PartInfo {
     /// Least and greatest radius of its arcs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radii: Option<(f64, f64)>,
+    /// Its layers, if it has heights.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub layers: Vec<LayerInfo>,
     /// How it moves relative to the ground.
     pub motion: Motion,
     /// Mass properties and initial state.
@@ -41,6 +44,17 @@ pub struct PartInfo {
     pub symmetry: u32,
     /// Whether every rotation about its own centre maps it to itself.
     pub round: bool,
+}
+
+/// A layer of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct LayerInfo {
+    /// The lowest and the highest place, in the model's unit of length; none at every height.
+    pub z: Option<[f64; 2]>,
+    /// Number of its loops.
+    pub loops: usize,
+    /// Its area, in the square of the model's unit.
+    pub area: f64,
 }
 
 /// Lines, arcs, and vertices that are not smooth joints.
@@ -105,12 +119,23 @@ impl PartInfo {
             convex_arcs: convex,
             concave_arcs: arcs().count() - convex,
             radii: least.is_finite().then_some((least, greatest)),
+            layers: layers(part),
             motion: axis.map_or(Motion::Planar, Motion::of),
             dynamics,
             symmetry: symmetry.fold(),
             round: symmetry.is_round(),
         }
     }
+}
+
+fn layers(part: &Part) -> Vec<LayerInfo> {
+    let layers = part.layers().iter().enumerate();
+    let of = layers.map(|(i, layer)| LayerInfo {
+        z: layer.z(),
+        loops: layer.loops().len(),
+        area: part.layer(i).area(),
+    });
+    of.filter(|_| part.has_heights()).collect()
 }
 
 impl Motion {

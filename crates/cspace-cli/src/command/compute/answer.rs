@@ -28,13 +28,8 @@ pub(super) fn describe(
     let Some(drawn) = drawn else {
         return Ok(());
     };
-    let unit = pair.unit();
     let is = match (drawn.outcome, drawn.region) {
-        (_, Some(region)) => format!(
-            "{}, {}{unit} apart",
-            pair.is_free(region),
-            length(drawn.clearance.unwrap_or(0.0))
-        ),
+        (_, Some(region)) => pair.is_free_by(region, drawn.clearance),
         (AsDrawn::Contact, _) => "in contact".to_owned(),
         (AsDrawn::ExactFit, _) => EXACT_FIT.to_owned(),
         (AsDrawn::Blocked, _) => "blocked: the parts overlap".to_owned(),

@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::picture::{self, PictureArgs, Plane};
 use crate::subject::InWords;
-use crate::wording::{EXACT_FIT, length};
+use crate::wording::EXACT_FIT;
 use cspace_api::{Chosen, Given, Named, Subject};
 use cspace_design::pair_of;
 
@@ -201,12 +201,7 @@ fn mark_contacts(
     let is = match space.locate(at) {
         Ok(Location::Free(region)) => {
             let apart = space.clearance(at).map_err(unanswered)?;
-            format!(
-                "{}, {}{} apart",
-                pair.is_free(region),
-                length(apart),
-                pair.unit()
-            )
+            pair.is_free_by(region, Some(apart))
         }
         Ok(Location::Contact) => "in contact".to_owned(),
         Ok(Location::Blocked) if fits_exactly(&space, at).unwrap_or(false) => EXACT_FIT.to_owned(),

@@ -95,6 +95,18 @@ pub(super) fn describe(text: &mut String, info: &Info) -> fmt::Result {
             count(p.features.arcs, "arc", "arcs"),
             count(p.features.vertices, "vertex", "vertices"),
         )?;
+        for (i, layer) in p.layers.iter().enumerate() {
+            let z = match layer.z {
+                Some([lo, hi]) => format!("z {} to {}{unit}", length(lo), length(hi)),
+                None => "at every height".to_owned(),
+            };
+            writeln!(
+                text,
+                "    layer {i:<4} {z}: {}, area {}{squared}",
+                count(layer.loops, "loop", "loops"),
+                length(layer.area)
+            )?;
+        }
         if let Some((least, greatest)) = p.radii {
             writeln!(
                 text,
