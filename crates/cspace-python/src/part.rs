@@ -7,6 +7,14 @@ use pyo3::prelude::*;
 
 use crate::error::{error, of_model};
 
+/// Vertices (x, y, bulge) of a loop.
+type Outline = Vec<(f64, f64, f64)>;
+
+fn outline(of: &cspace::Loop) -> Outline {
+    let vertices = of.vertices().iter();
+    vertices.map(|v| (v.x, v.y, v.bulge)).collect()
+}
+
 /// A rigid part: closed loops of line segments and circular arcs.
 #[pyclass(frozen, module = "cspace._rust", name = "Part", subclass)]
 pub(crate) struct Part {
@@ -34,11 +42,18 @@ impl Part {
     /// The loops as lists of vertices (x, y, bulge): outer ones counter-clockwise, holes clockwise. The bulge is that of the edge to
     /// the next vertex, tan of a quarter of the angle it turns by, positive to the left and 0 of a line.
     #[getter]
-    fn loops(&self) -> Vec<Vec<(f64, f64, f64)>> {
-        let vertex = |v: &cspace::Vertex| (v.x, v.y, v.bulge);
-        let all = self.part.loops().iter();
-        all.map(|l| l.vertices().iter().map(vertex).collect())
-            .collect()
+    fn loops(&self) -> Vec<Outline> {
+        self.part.loops().iter().map(outline).collect()
+    }
+
+    /// The layers: for each its heights (lowest, highest), or None at every height, and its loops.
+    #[getter]
+    fn layers(&self) -> Vec<(Option<[f64; 2]>, Vec<Outline>)> {
+        let loops = |l: &cspace::Layer| {
+            let own = self.part.loops()[l.loops()].iter();
+            (l.z(), own.map(outline).collect())
+        };
+        self.part.layers().iter().map(loops).collect()
     }
 
     /// The area.

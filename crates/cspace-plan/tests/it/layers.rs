@@ -1,9 +1,12 @@
 //! Distances, overlap, offsets and proofs of parts with layers.
 
 use cspace::{Configuration, ContactSpace, Coordinates, Options, Part, Silent, Vertex};
+use cspace_model::model::from_toml;
+use cspace_model::{Mechanism, compute_anew};
 use cspace_oracle::shapes::{annulus, random_part, scaled, square};
 use cspace_plan::legs::Scene;
 use cspace_plan::proof::prove;
+use cspace_plan::ranges::{self, Held, Verdict};
 use cspace_plan::{grown, shrunk};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -91,4 +94,55 @@ fn layers_are_grown_and_shrunk_one_by_one() {
     assert_eq!(less.layers().len(), 1);
     assert_eq!(less.layers()[0].z(), Some([0.0, 1.0]));
     assert!((less.area() - 6.25).abs() < 1e-9);
+}
+
+fn shipped(name: &str) -> Mechanism {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../models/layers");
+    let text = std::fs::read_to_string(format!("{folder}/{name}")).unwrap();
+    from_toml(&text, name).unwrap()
+}
+
+fn over_ranges(mechanism: &Mechanism, pair: [usize; 2]) -> Verdict {
+    let parts = pair.map(|i| &mechanism.parts[i]);
+    let pair = ranges::Pair::new(parts, [0.0, 0.0]).unwrap();
+    pair.over_ranges(f64::INFINITY, &compute_anew(&Silent))
+        .unwrap()
+}
+
+/// The round end of the handle, of radius 37.5 about (810, 67.5), meets the ledge, whose face is 70 from the axis at 240°.
+#[test]
+fn the_handle_of_a_gate_stops_it() {
+    let gate = shipped("gate.toml");
+    let Verdict::Touches(held) = over_ranges(&gate, [0, 1]) else {
+        panic!("the handle meets the ledge");
+    };
+    let (x, y, r, face) = (810.0_f64, 67.5_f64, 37.5, 70.0);
+    let short = y.atan2(x) - ((face - r) / x.hypot(y)).asin();
+    let expected = 240f64.to_radians() - short;
+    assert!((held.reach[1].hi - expected).abs() < 1e-9, "{held:?}");
+    let [stop] = &held.stopped[..] else {
+        panic!("{held:?}");
+    };
+    assert!(stop.is_declared && stop.part == 1);
+}
+
+/// Both meshes of the train are one mesh, and the wheels that overlap as seen from above are no pair.
+#[test]
+fn a_compound_train_meshes_twice() {
+    let train = shipped("compound_train.toml");
+    let mesh = |pair| match over_ranges(&train, pair) {
+        Verdict::Touches(Held {
+            ratio: Some(ratio),
+            backlash: Some(backlash),
+            ..
+        }) => (ratio, [backlash.least, backlash.most]),
+        other => panic!("{other:?}"),
+    };
+    let (first, second) = (mesh([0, 1]), mesh([1, 2]));
+    assert_eq!((first.0, second.0), ((-6, 5), (-6, 5)));
+    for (a, b) in first.1.into_iter().zip(second.1) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+    let pairs = ranges::Pairs::of(&train).near(f64::INFINITY);
+    assert_eq!(pairs, [[0, 1], [1, 2]]);
 }

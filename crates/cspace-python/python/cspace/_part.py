@@ -56,7 +56,8 @@ class Part:
 
     `loops` are lists of vertices (x, y) or (x, y, bulge), n×2 or n×3 arrays, or entries as in a model file: `{"arc_to": [4, 0], "radius": 3}`,
     `{"fillet": 1}`; a circle is a loop, `{"circle": 2, "at": [0, 0]}`. The bulge of an edge is tan of a quarter of the angle by which it turns, positive to
-    the left, 0 of a line. Holes are loops within others, in any direction.
+    the left, 0 of a line. Holes are loops within others, in any direction. `z` are the lowest and the highest place of the part, which is at every
+    height without it; `Part.stack` makes one part of several at different heights.
 
     >>> plate = Part([[(0, 0), (40, 0), (40, 20), (0, 20)], {"circle": 3, "at": [10, 10]}], name="plate")
     >>> round(plate.area, 3)
@@ -65,19 +66,30 @@ class Part:
 
     __slots__ = ("_part",)
 
-    def __init__(self, loops: Any, name: str = "part") -> None:
+    def __init__(self, loops: Any, name: str = "part", z: Sequence[float] | None = None) -> None:
         loops = _plain(loops)
         if not isinstance(loops, list):
             raise Error("`loops` is no list of loops")
         if loops and isinstance(loops[0], list) and loops[0] and isinstance(loops[0][0], (int, float)):
             raise Error("`loops` is one loop: give a list of loops, Part([loop])")
-        self._part = _read(name, loops=loops)
+        self._part = _read(name, loops=loops, z=z)
 
     @classmethod
     def _of(cls, part: _rust.Part) -> "Part":
         self = cls.__new__(cls)
         self._part = part
         return self
+
+    @classmethod
+    def stack(cls, parts: Sequence["Part"], name: str = "stack") -> "Part":
+        """One part that is made of others as its layers.
+
+        >>> wheel = Part([{"circle": 9, "at": [0, 0]}], z=(0, 4))
+        >>> pinion = Part([{"circle": 2, "at": [0, 0]}], z=(4, 10))
+        >>> [z for z, _ in Part.stack([wheel, pinion], name="arbor").layers]
+        [(0.0, 4.0), (4.0, 10.0)]
+        """
+        return cls._of(_read(name, layers=[layer for part in parts for layer in part._stack()]))
 
     @classmethod
     def circle(cls, radius: float, center: Sequence[float] = (0.0, 0.0), name: str = "circle") -> "Part":
@@ -144,7 +156,11 @@ class Part:
 
     def offset(self, distance: float) -> "Part":
         """The part with its outline moved outward by a distance, or inward by a negative one: exactly, corners rounded by arcs."""
-        return Part._of(_read(self.name, loops=self.loops, offset=_distance(distance)))
+        return Part._of(_read(self.name, layers=self._stack(), offset=_distance(distance)))
+
+    def _stack(self) -> list[dict[str, Any]]:
+        """The layers as in a model file."""
+        return [{"loops": loops} if z is None else {"z": z, "loops": loops} for z, loops in self.layers]
 
     @property
     def name(self) -> str:
@@ -155,6 +171,11 @@ class Part:
     def loops(self) -> list[list[tuple[float, float, float]]]:
         """The loops as lists of (x, y, bulge), in the directions in which they were given."""
         return self._part.loops
+
+    @property
+    def layers(self) -> list[tuple[tuple[float, float] | None, list[list[tuple[float, float, float]]]]]:
+        """The layers: for each its heights (lowest, highest), or None at every height, and its loops."""
+        return [(None if z is None else (z[0], z[1]), loops) for z, loops in self._part.layers]
 
     @property
     def outline(self) -> Loops:
@@ -182,11 +203,14 @@ class Part:
     def to_shapely(self, tolerance: float) -> Any:
         """A shapely geometry, whose sides are no farther than `tolerance` from the arcs."""
         polygon = optional("shapely.geometry").Polygon
-        result = None
-        # Loops within each other are holes: what is in an even number of them is outside.
-        for loop in sorted((polygon(points) for points in self.points(tolerance)), key=lambda p: -p.area):
-            result = loop if result is None else result.symmetric_difference(loop)
-        return result
+        points, whole = iter(self.points(tolerance)), None
+        for _, loops in self.layers:
+            layer = None
+            # Loops within each other are holes: what is in an even number of them is outside.
+            for loop in sorted((polygon(next(points)) for _ in loops), key=lambda p: -p.area):
+                layer = loop if layer is None else layer.symmetric_difference(loop)
+            whole = layer if whole is None else whole.union(layer)
+        return whole
 
     def plot(self, ax: "Axes | None" = None, **style: Any) -> "Axes":
         """Draws the part with matplotlib, arcs as arcs, on axes `ax` or on the current ones, which are returned.

@@ -385,7 +385,7 @@ class Drawn(Record):
     """How the parts are at zero motion."""
 
     clearance: float | None
-    """How far the parts are apart where they are free."""
+    """How far the parts are apart where they are free; none if they are at different heights."""
     outcome: Literal['free', 'contact', 'exact-fit', 'blocked', 'outside']
     """In a word."""
     region: int | None
@@ -876,6 +876,17 @@ class InfoFeatureCount(Record):
     """Corners."""
 
 
+class LayerInfo(Record):
+    """A layer of a part."""
+
+    area: float
+    """Its area, in the square of the model's unit."""
+    loops: int
+    """Number of its loops."""
+    z: list[float] | None
+    """The lowest and the highest place, in the model's unit of length; none at every height."""
+
+
 class PartInfo(Record):
     """A part."""
 
@@ -895,6 +906,8 @@ class PartInfo(Record):
     """Loops around holes."""
     inertia: float | None
     """The moment of inertia about the centre of mass, kg·unit², as given or from the outline."""
+    layers: list[LayerInfo] | None
+    """Its layers, if it has heights."""
     loops: int
     """Closed loops of the outline."""
     mass: float | None
@@ -1126,9 +1139,20 @@ class Place(Record):
     """Features of the fixed and of the moving part; none where there are none."""
 
 
-class PlanPart(Record):
-    """A part: closed loops of vertices x, y, bulge; the material is their even-odd inside."""
+class Layer(Record):
+    """A layer of a part."""
 
+    loops: int
+    """How many loops it has."""
+    z: list[float] | None
+    """The lowest and the highest place; none for every height."""
+
+
+class PlanPart(Record):
+    """A part: closed loops of vertices x, y, bulge; the material is their even-odd inside, or that of the loops of each layer at its heights."""
+
+    layers: list[Layer] | None
+    """The layers, which have all loops one after another; none of a part that is one outline at every height."""
     loops: list[list[list[float]]]
     """The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line."""
     name: str
@@ -1617,7 +1641,7 @@ Overlap._read = {'nearest': configuration}
 Pass._read = {'at': configuration}
 EscapeOfPair._read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': Pass, 'path': configuration}
 EnergyAnswer._read = {'pairs': EscapeOfPair, 'units': Units}
-PartInfo._read = {'features': InfoFeatureCount}
+PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo}
 InfoAnswer._read = {'drives': DriveInfo, 'joints': JointInfo, 'loads': LoadInfo, 'pairs': PairInfo, 'parameters': Parameter, 'parts': PartInfo, 'springs': SpringInfo, 'units': Units}
 Mode._read = {'sample': ThreeCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
 Requested._read = {'at': ThreeCoordinates}
@@ -1625,6 +1649,7 @@ ModesAnswer._read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': R
 Bottleneck._read = {'at': configuration}
 Contact._read = {'at': configuration}
 Place._read = {'at': configuration}
+PlanPart._read = {'layers': Layer}
 Proof._read = {'fixed': PlanPart, 'moving': PlanPart}
 Twin._read = {'at': configuration}
 PlanOfPair._read = {'blocked': Overlap, 'bottleneck': Bottleneck, 'contact': Contact, 'enclosed': PlanEnclosed, 'narrowest': Place, 'path': configuration, 'proof': Proof, 'regions': Regions, 'rest': Rest, 'twin': Twin}
