@@ -155,6 +155,10 @@ class Part:
         """Whether a point is in the part or on its outline."""
 
     @property
+    def layers(self) -> Any:
+        """The layers: for each its heights (lowest, highest), or None at every height, and its loops."""
+
+    @property
     def loops(self) -> Any:
         """The loops as lists of vertices (x, y, bulge): outer ones counter-clockwise, holes clockwise. The bulge is that of the edge to
         the next vertex, tan of a quarter of the angle it turns by, positive to the left and 0 of a line."""
