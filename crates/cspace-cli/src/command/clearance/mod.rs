@@ -1,5 +1,7 @@
 //! `cspace clearance`.
 
+mod picture;
+
 use std::fmt::{self, Write};
 use std::path::PathBuf;
 
@@ -13,12 +15,15 @@ use super::record;
 use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
+use crate::output;
+use crate::picture::PictureArgs;
 use crate::wording::{count, degrees, length};
 
 const HELP: &str = "\
 Examples:
   cspace clearance models/gears_on_shafts.toml
   cspace clearance models/peg_hole.toml --drawn
+  cspace clearance models/layers/gate.toml -o tightest.svg
   cspace clearance models/ratchet_mechanism.toml --within 2
   cspace simulate models/geneva.toml --time 2 -o run.csv
   cspace clearance models/geneva.toml --along run.csv --json
@@ -43,8 +48,11 @@ nothing between two poses is missed. Others are looked at as drawn.
 
 Features and points are those that are nearest, in the assembly's frame; of an
 overlap those that touch after the translation, the point of the second part
-where it is before. All parts are taken to lie in one plane, whichever pairs
-the model lists.
+where it is before. Every two parts are judged, whichever pairs the model lists;
+parts at different heights never touch.
+
+-o OUT draws the tightest places, the worst first, as .svg, .png or .pdf: the two
+parts of a pair where they are nearest, or where one is stopped.
 
 With --along the gap is the minimum over the whole motion, with its time:
 between two samples all coordinates are taken to change at constant rates, and
@@ -70,6 +78,9 @@ pub(crate) struct ClearanceArgs {
     pub(crate) result: ResultArgs,
     #[command(flatten)]
     pub(crate) threads: ThreadsArg,
+    // Last: what follows would stand below its heading.
+    #[command(flatten)]
+    pub(crate) picture: PictureArgs,
 }
 
 /// In the order in which pairs are counted.
@@ -84,7 +95,19 @@ const OUTCOMES: [Outcome; 7] = [
 ];
 
 pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
-    args.result.artefact(&[])?;
+    let output = args.result.artefact(&["svg", "png", "pdf"])?;
+    let format = crate::picture::format(output);
+    match (format, &args.along) {
+        (None, _) => args.picture.refuse()?,
+        (Some(_), Some(_)) => {
+            return Err(
+                Failure::new("-o draws places, and with --along there are times")
+                    .help("draw the motion with `cspace simulate -o`, or leave --along out"),
+            );
+        }
+        (Some(_), None) => {}
+    }
+    output::check(output)?;
     let subject = ask::read(&args.file, &args.values, args.threads)?;
     let model = subject.model("clashes are found between all of its parts")?;
     let along = (args.along.as_ref())
@@ -95,6 +118,9 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         ..args.question.clone()
     };
     let answer = question.ask(&subject, &Terminal::new(CacheArgs::default()))?;
+    if let Some(format) = format {
+        picture::write(args, &model.model.mechanism, &answer.content, format)?;
+    }
     super::tell(&args.result, &answer, |text, found| {
         let words = Words {
             model: &model.model.mechanism,
