@@ -194,10 +194,7 @@ impl<T: Real> DrawnPair<T> {
         };
         let edges = [0, 1].map(|part| {
             let loops = (0..).zip(parts[part].loops());
-            let layer_of = |loop_index: usize| {
-                let layers = parts[part].layers();
-                &layers[layers.partition_point(|l| l.loops().end <= loop_index)]
-            };
+            let layer = |loop_index| &parts[part].layers()[parts[part].layer_of(loop_index)];
             let edges = loops.flat_map(|(loop_index, outline)| {
                 let of = |vertex: usize, component: usize, x: f64| {
                     let of = DrawingNumber::Vertex {
@@ -212,7 +209,7 @@ impl<T: Real> DrawnPair<T> {
                         _ => x,
                     }
                 };
-                edges_of(outline, (loop_index as u32, layer_of(loop_index)), of)
+                edges_of(outline, (loop_index as u32, layer(loop_index)), of)
             });
             edges.collect()
         });

@@ -46,10 +46,7 @@ impl Outline {
         });
         let mut wishes = wishes.unwrap_or_default();
         for (loop_index, boundary) in part.loops().iter().enumerate() {
-            let layer = part
-                .layers()
-                .partition_point(|l| l.loops().end <= loop_index);
-            let growth = growth + step * layer as f64;
+            let growth = growth + step * part.layer_of(loop_index) as f64;
             let mut pieces: Vec<FramedEdge> = boundary
                 .edges()
                 .map(|e| FramedEdge::new(&e, center, scale))
@@ -66,14 +63,17 @@ impl Outline {
     /// Displacement of a part's sharpest corner per unit of growth of its sides.
     pub(crate) fn longest_mitre(part: &Part, center: Point, scale: f64) -> f64 {
         let mut longest = 1.0_f64;
-        for boundary in part.loops() {
+        // Layers are grown more, by a unit each if they are few.
+        let step = most_layer_step(part.layers().len()).min(1.0);
+        for (loop_index, boundary) in part.loops().iter().enumerate() {
+            let growth = 1.0 + step * part.layer_of(loop_index) as f64;
             let pieces: Vec<FramedEdge> = boundary
                 .edges()
                 .map(|e| FramedEdge::new(&e, center, scale))
                 .collect();
             for (i, before) in pieces.iter().enumerate() {
                 if let Corner::Convex { turn } = corner(before, &pieces[(i + 1) % pieces.len()]) {
-                    longest = longest.max(1.0 / (0.5 * turn).cos().max(1.0 / MITRE));
+                    longest = longest.max(growth / (0.5 * turn).cos().max(1.0 / MITRE));
                 }
             }
         }
@@ -238,11 +238,16 @@ impl Outline {
 /// For both parts together, the growth of the last layers stays below the resolution of contacts.
 fn layer_step(layers: usize, growth: f64, perturbation: Option<&Perturbation<'_>>) -> f64 {
     let most = match growth < 0.0 {
-        true => -0.5,
-        false => CONTACT / (GROWTH + MOVING_GROWTH) - 1.0,
+        true => -0.5 / layers as f64,
+        false => most_layer_step(layers),
     };
     let step = perturbation.map_or(0.5 * growth, |p| LAYER_STEP * p.size);
-    step.min(most * growth / layers as f64)
+    step.min(most * growth)
+}
+
+/// How much more each of some layers may be grown than the one before it, in units of the growth of the first.
+fn most_layer_step(layers: usize) -> f64 {
+    (CONTACT / (GROWTH + MOVING_GROWTH) - 1.0) / layers as f64
 }
 
 /// The edges of a loop moved slightly, so that it is generic and its smooth joints are exactly smooth; `None` if that requires larger

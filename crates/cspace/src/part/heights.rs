@@ -32,6 +32,11 @@ impl Part {
         ))
     }
 
+    /// The layer to which a loop belongs.
+    pub fn layer_of(&self, loop_index: usize) -> usize {
+        (self.layers).partition_point(|layer| layer.loops.end <= loop_index)
+    }
+
     /// Whether two parts are at a common height: others never touch.
     pub fn meets(&self, other: &Self) -> bool {
         (self.layers.iter()).any(|a| other.layers.iter().any(|b| a.meets(b)))

@@ -1,8 +1,8 @@
 //! A picture of the tightest places: a frame for each pair, the worst first, with the two parts where they are nearest.
 
 use cspace::{Configuration, Coordinates, Point};
-use cspace_api::{Outcome as _, PairAnswer};
 use cspace_api::clearance::{At, Clearance, Clearances, Outcome};
+use cspace_api::{Outcome as _, PairAnswer};
 use cspace_draw::{FramesPicture, PartsPicture, PictureFormat, PlacedPart, frames};
 use cspace_model::Mechanism;
 
