@@ -1,6 +1,6 @@
 //! A pair in words: its configurations, regions and features.
 
-use cspace::{Coordinates, FeatureName, Part, RegionId};
+use cspace::{AxisMotion, Coordinates, FeatureName, Part, RegionId};
 use cspace_api::{Chosen, place_on_part};
 use cspace_design::FeaturePair;
 use cspace_model::{Mechanism, shown};
@@ -116,6 +116,24 @@ pub(crate) fn placed(part: &Part, feature: FeatureName) -> String {
         Some(place) => format!("{name} ({place})"),
         None => name,
     }
+}
+
+/// The motions of the parts of a pair that move, `arm 12.0000 deg`; nothing of a planar pair.
+pub(crate) fn motions(model: &Mechanism, names: [&str; 2], at: Coordinates, unit: &str) -> String {
+    let Coordinates::Axes { u, v } = at else {
+        return String::new();
+    };
+    let of = |(name, t): (&str, f64)| {
+        let part = model.parts.iter().find(|p| p.part.name() == name)?;
+        let shown = match part.axis?.motion {
+            AxisMotion::Fixed => return None,
+            AxisMotion::Revolute { .. } => degrees(t),
+            AxisMotion::Prismatic { .. } => format!("{}{unit}", length(t)),
+        };
+        Some(format!("{} {shown}", shown::text(name)))
+    };
+    let all: Vec<String> = (names.into_iter().zip([u, v])).filter_map(of).collect();
+    all.join(", ")
 }
 
 /// A feature of a part, both by name, as [`placed`].

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
+use cspace::Coordinates;
 use cspace_api::check::{Amount, Question, Requirement};
 use cspace_api::{Is, Outcome as _, Subject};
 use cspace_design::Sensitivity;
@@ -13,7 +14,7 @@ use cspace_model::model::Dimension;
 use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
-use crate::subject::placed_by_name;
+use crate::subject::{motions, placed_by_name};
 use crate::wording::{count, degrees, length};
 
 const HELP: &str = "\
@@ -120,7 +121,18 @@ fn describe(text: &mut String, model: &Mechanism, rows: &[Requirement], unit: &s
             writeln!(text, "  {:10} {}", "margin", number(margin))?;
         }
         if let Some([lo, hi]) = row.range {
-            writeln!(text, "  {:10} {} to {}", "free", number(lo), number(hi))?;
+            let label = match row.measure {
+                "backlash" => "over turn",
+                _ => "free",
+            };
+            writeln!(text, "  {label:10} {} to {}", number(lo), number(hi))?;
+        }
+        // A position is a coordinate of its place.
+        if let (Some(at @ Coordinates::Axes { .. }), Some([fixed, moving])) = (row.at, &row.pair)
+            && row.measure != "position"
+        {
+            let at = motions(model, [fixed, moving], at, unit);
+            writeln!(text, "  {:10} {at}", "at")?;
         }
         let derivative = |x: f64| {
             // No zero is negative.

@@ -4,6 +4,7 @@
 mod common;
 mod known;
 mod motion;
+mod over_ranges;
 mod sensitivities;
 mod solve;
 mod tolerances;
