@@ -1,6 +1,6 @@
 //! A pair in words: its configurations, regions and features.
 
-use cspace::{AxisMotion, Coordinates, FeatureName, Part, RegionId};
+use cspace::{AxisMotion, Configuration, Coordinates, FeatureName, Part, RegionId};
 use cspace_api::{Chosen, place_on_part};
 use cspace_design::FeaturePair;
 use cspace_model::{Mechanism, shown};
@@ -39,12 +39,7 @@ impl InWords for Chosen<'_> {
     fn place(&self, at: Coordinates) -> String {
         let unit = self.unit();
         match at {
-            Coordinates::Planar(c) => format!(
-                "x {}, y {}{unit}, theta {}",
-                length(c.x),
-                length(c.y),
-                degrees(c.theta)
-            ),
+            Coordinates::Planar(c) => planar(c, &unit),
             Coordinates::Axes { u, v } => {
                 let (u_turns, v_turns) = self.turns();
                 let one = |t: f64, turns: bool| {
@@ -118,10 +113,17 @@ pub(crate) fn placed(part: &Part, feature: FeatureName) -> String {
     }
 }
 
-/// The motions of the parts of a pair that move, `arm 12.0000 deg`; nothing of a planar pair.
+/// A configuration of a planar pair.
+fn planar(c: Configuration, unit: &str) -> String {
+    let (x, y, theta) = (length(c.x), length(c.y), degrees(c.theta));
+    format!("x {x}, y {y}{unit}, theta {theta}")
+}
+
+/// A configuration of a pair: on axes the motions of the parts that move, `arm 12.0000 deg`.
 pub(crate) fn motions(model: &Mechanism, names: [&str; 2], at: Coordinates, unit: &str) -> String {
-    let Coordinates::Axes { u, v } = at else {
-        return String::new();
+    let (u, v) = match at {
+        Coordinates::Planar(c) => return planar(c, unit),
+        Coordinates::Axes { u, v } => (u, v),
     };
     let of = |(name, t): (&str, f64)| {
         let part = model.parts.iter().find(|p| p.part.name() == name)?;

@@ -66,6 +66,7 @@ fn at(quantity: &Quantity) -> Coordinates {
         | Quantity::Bottleneck { at, .. }
         | Quantity::Extreme { at, .. }
         | Quantity::Caged { at }
+        | Quantity::Fits { at, .. }
         | Quantity::Ranges { at, .. }
         | Quantity::Connected { at, .. } => at,
         Quantity::Position { from, .. } => from,

@@ -1,8 +1,9 @@
 //! One quantity, measured on a space.
 
 use cspace::pair::PairMotion;
-use cspace::{Axis, AxisMotion, Coordinates, Location, PairSpace, QueryError, RegionId};
+use cspace::{Axis, AxisMotion, Coordinates, Location, PairSpace, QueryError, RegionId, Silent};
 use cspace_model::model::{Coordinate, Quantity};
+use cspace_plan::fits::fits;
 use cspace_plan::{Clearance, PlanError, Planner, Verdict, Wishes};
 
 use crate::motion::Motion;
@@ -36,6 +37,7 @@ pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmea
             Ok(Measured::truth(region.is_some_and(|r| !r.unbounded)))
         }
         Quantity::Ranges { what, at } => over_ranges(space, what, at),
+        Quantity::Fits { at, within } => fit(space, at, within),
         Quantity::Connected { at, to } => {
             Ok(Measured::truth(region(space, at)? == region(space, to)?))
         }
@@ -166,6 +168,31 @@ fn bottleneck(space: &PairSpace, at: Coordinates, to: Coordinates) -> Result<Mea
         Verdict::Unknown(_) => Err(Unmeasured::Undecided),
         Verdict::NoPath(_) | Verdict::TooNarrow => Err(Unmeasured::NoWay),
     }
+}
+
+/// The most room in a box, with what it is between.
+fn fit(space: &PairSpace, at: Coordinates, within: [f64; 3]) -> Result<Measured, Unmeasured> {
+    /// Less of the parts' size is nothing beside what a value is known to.
+    const PROVED: f64 = 1e-7;
+    let Coordinates::Planar(around) = at else {
+        return Err(wrong_class(space, at));
+    };
+    let found = fits(space, around, within, &Silent);
+    let found = found.map_err(|e| Unmeasured::Space(e.to_string()))?;
+    let found = found.ok_or_else(|| wrong_class(space, at))?;
+    let size = space.fixed().size().max(space.moving().size());
+    if found.most - found.least > PROVED * size {
+        return Err(Unmeasured::Unproved {
+            found: found.clearance,
+        });
+    }
+    let features = found.features.into_iter();
+    let stop = Stop {
+        at: Coordinates::Planar(found.at),
+        features: features.map(|[fixed, moving]| (fixed, moving)).collect(),
+    };
+    let range = (found.least, found.most);
+    Ok(Measured::with_range(found.clearance, range, vec![stop]))
 }
 
 fn extreme(

@@ -21,7 +21,8 @@ pub enum Value {
 pub struct Measured {
     /// The value.
     pub value: Value,
-    /// For a play the two ends of the range, as values of its coordinate; for a backlash the least and the largest.
+    /// For a play the two ends of the range, as values of its coordinate; for a backlash the least and the largest, and for
+    /// a fit values between which it is.
     pub range: Option<(f64, f64)>,
     /// Stops that determine the quantity: for a play both ends, the lower first; for a position the contact; for a clearance the
     /// configuration itself.
@@ -128,10 +129,10 @@ pub enum Unmeasured {
         "the parts pass contacts on two sides in their play, so that it is not one range: measure the play at places"
     )]
     PassedOnTwoSides,
-    /// A smallest gap is not proved.
-    #[error("the smallest gap found is {found}, but that none is smaller could not be proved")]
+    /// An extreme is not proved.
+    #[error("{found} was found, but that there is nothing beyond it could not be proved")]
     Unproved {
-        /// The gap (the model's unit of length).
+        /// The value (the model's unit of length).
         found: f64,
     },
     /// The question has no answer at the configuration.

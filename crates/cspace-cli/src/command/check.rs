@@ -4,7 +4,6 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use cspace::Coordinates;
 use cspace_api::check::{Amount, Question, Requirement};
 use cspace_api::{Is, Outcome as _, Subject};
 use cspace_design::Sensitivity;
@@ -123,12 +122,13 @@ fn describe(text: &mut String, model: &Mechanism, rows: &[Requirement], unit: &s
         if let Some([lo, hi]) = row.range {
             let label = match row.measure {
                 "backlash" => "over turn",
+                "fits" => "between",
                 _ => "free",
             };
             writeln!(text, "  {label:10} {} to {}", number(lo), number(hi))?;
         }
         // A position is a coordinate of its place.
-        if let (Some(at @ Coordinates::Axes { .. }), Some([fixed, moving])) = (row.at, &row.pair)
+        if let (Some(at), Some([fixed, moving])) = (row.at, &row.pair)
             && row.measure != "position"
         {
             let at = motions(model, [fixed, moving], at, unit);

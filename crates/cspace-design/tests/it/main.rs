@@ -2,6 +2,7 @@
 #![allow(clippy::panic, clippy::unwrap_used, dead_code)]
 
 mod common;
+mod fits;
 mod known;
 mod motion;
 mod over_ranges;

@@ -76,6 +76,20 @@ pub(super) fn read_pair(
             Quantity::Ranges { what, at }
         }
         "clearance" => Quantity::Clearance { at },
+        "fits" => {
+            let Space::Planar = space else {
+                let message = "the pair moves on axes, and not in x, y and theta";
+                let help = "measure its clearance with over = \"ranges\"";
+                return Err(table.error("measure", message).with_help(help));
+            };
+            let box_of = vector("within")?;
+            let within = Coordinate::PLANAR.map(|(_, c)| c.of(box_of).unwrap_or(0.0));
+            if within.iter().any(|&d| d < 0.0) {
+                let error = table.error("within", "a box does not extend by less than 0");
+                return Err(error.with_help("give how far x, y and theta may be from `at`"));
+            }
+            Quantity::Fits { at, within }
+        }
         "reaches" | "follows" | "backlash" => {
             space.must_have_axes(table, kind)?;
             if kind != "reaches" {
@@ -104,7 +118,9 @@ pub(super) fn read_pair(
             Measure::Number => Dimension::Length,
         },
         Quantity::Angle { .. } => Dimension::Angle,
-        Quantity::Clearance { .. } | Quantity::Bottleneck { .. } => Dimension::Length,
+        Quantity::Clearance { .. } | Quantity::Bottleneck { .. } | Quantity::Fits { .. } => {
+            Dimension::Length
+        }
         Quantity::Caged { .. } | Quantity::Connected { .. } => Dimension::Truth,
         Quantity::Ranges { what, .. } => match what {
             OverRanges::Clearance => Dimension::Length,

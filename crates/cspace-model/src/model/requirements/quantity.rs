@@ -56,6 +56,7 @@ impl Subject {
             Self::Pair(_, Quantity::Extreme { .. }) => "extreme",
             Self::Pair(_, Quantity::Caged { .. }) => "caged",
             Self::Pair(_, Quantity::Connected { .. }) => "connected",
+            Self::Pair(_, Quantity::Fits { .. }) => "fits",
             Self::Pair(_, Quantity::Ranges { what, .. }) => what.name(),
             Self::Motion(_, MotionQuantity::Event { .. }) => "event",
             Self::Motion(_, MotionQuantity::Stroke { .. }) => "stroke",
@@ -286,6 +287,14 @@ pub enum Quantity {
         /// Second configuration.
         to: Coordinates,
     },
+    /// The largest clearance of a configuration in a box, less than 0 where none is free: by how much the moving part is larger all around
+    /// than one that is.
+    Fits {
+        /// The middle of the box.
+        at: Coordinates,
+        /// Half its extent in x, y and θ.
+        within: [f64; 3],
+    },
     /// What two parts on axes are to each other over all motions that their ranges allow.
     Ranges {
         /// What is asked.
@@ -333,6 +342,7 @@ impl Quantity {
             | Self::Extreme { at, .. }
             | Self::Caged { at }
             | Self::Connected { at, .. }
+            | Self::Fits { at, .. }
             | Self::Ranges { at, .. }
             | Self::Position { from: at, .. } => at,
         }

@@ -1,0 +1,14 @@
+//! Why it is not known how much room a part has.
+
+use cspace::{PairError, PartError};
+
+/// Why it is not known how much room a part has.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// A space cannot be computed, or a progress ended that.
+    #[error(transparent)]
+    Pair(#[from] PairError),
+    /// The part grown by some distance has no outline that a part can have.
+    #[error("the part grown or shrunk: {0}")]
+    Part(#[from] PartError),
+}
