@@ -305,3 +305,95 @@ fn what_is_wrong_is_told() {
         );
     }
 }
+
+/// Gears of 12 and 10 teeth, whose tips are at 28 and 24 from their axes, at a distance of 44 and some more.
+fn gears() -> String {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../models/gears_on_shafts.toml"
+    );
+    let cspace_model::Document::Model(model) =
+        cspace_model::read(std::path::Path::new(file)).unwrap()
+    else {
+        unreachable!()
+    };
+    let mut text = "[parameter]\nmore = 0\n".to_owned();
+    for (part, (name, by)) in model
+        .mechanism
+        .parts
+        .iter()
+        .zip([("gear", ""), ("pinion", " + more")])
+    {
+        let center = if by.is_empty() { "0" } else { "\"44 + more\"" };
+        text += &format!(
+            "[[part]]\nname = \"{name}\"\nmotion = {{ type = \"revolute\", center = [{center}, 0] }}\nloops = ["
+        );
+        for outline in part.part.loops() {
+            text += "[";
+            for v in outline.vertices() {
+                text += &format!("[\"{}{by}\", {}, {}],", v.x, v.y, v.bulge);
+            }
+            text += "],";
+        }
+        text += "]\n";
+    }
+    text + r#"
+[[requirement]]
+name = "ratio"
+measure = "follows"
+of = "v"
+limits = ["-12/10", "-12/10"]
+
+[[requirement]]
+name = "together"
+measure = "follows"
+of = "v"
+equals = true
+
+[[requirement]]
+name = "backlash"
+measure = "backlash"
+of = "v"
+"#
+}
+
+/// Gears that are pulled apart have more backlash, by twice the tangent of the pressure angle, until one turns without the other: exactly
+/// where the gear's tips pass those of the two teeth of the pinion that it is between.
+#[test]
+fn gears_that_are_pulled_apart() {
+    let text = gears();
+    let found = check(&model(&text, &[]));
+    assert_eq!(number(&found[0]), -1.2);
+    assert_eq!(found[0].is_met(), Some(true));
+    let (near, far) = (number(&found[2]), {
+        let found = check(&model(&text, &[("more", "0.1".to_owned())]));
+        number(&found[2])
+    });
+    let pressure = 20_f64.to_radians();
+    let more = 0.1 * 2.0 * pressure.tan() / 20.0;
+    assert!(
+        (far - near - more).abs() < 0.3 * more,
+        "{near} {far} {more}"
+    );
+    let found = check(&model(&text, &[("more", "9".to_owned())]));
+    assert_eq!(found[0].measured, Err(Unmeasured::TurnsAlone));
+    assert!(!truth(&found[1]));
+    let goal = Goal {
+        requirement: "together".into(),
+        relation: Relation::Equal,
+        value: Value::Truth(true),
+    };
+    let spans = [Span {
+        parameter: "more".into(),
+        lo: 5.0,
+        hi: 8.0,
+    }];
+    let found = solve(&template(&text), &[], &spans, &goal, 3, &Silent);
+    // A corner of the tip of a tooth of the pinion, from its axis towards the gear.
+    let (x, y) = (23.047_493_590_355_59_f64, 6.694_254_193_150_862_f64);
+    let apart = x + (28.0 * 28.0 - y * y).sqrt() - 44.0;
+    assert!(
+        (found.ranges[0].1 - apart).abs() < 1e-9,
+        "{found:?} {apart}"
+    );
+}

@@ -8,6 +8,9 @@ pub enum FitError {
     /// A space cannot be computed, or a progress ended that.
     #[error(transparent)]
     Pair(#[from] PairError),
+    /// In the space of the part, held in the box, some contacts contradict each other.
+    #[error("some features of the parts lie closer than can be told apart")]
+    Doubtful,
     /// The part grown by some distance has no outline that a part can have.
     #[error("the part grown or shrunk: {0}")]
     Part(#[from] PartError),

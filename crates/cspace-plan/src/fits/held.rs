@@ -58,7 +58,13 @@ impl Held<'_> {
             Coordinates::Planar(c) => Some([c.x, c.y, c.theta]),
             Coordinates::Axes { .. } => None,
         });
-        Ok(samples.into_iter().find(|&at| is_inside(at)))
+        let found = samples.into_iter().find(|&at| is_inside(at));
+        match &space {
+            PairSpace::Planar(planar) if found.is_none() && planar.statistics().conflicts > 0 => {
+                Err(FitError::Doubtful)
+            }
+            _ => Ok(found),
+        }
     }
 }
 

@@ -239,7 +239,7 @@ class Requirement(Record):
     """A requirement, measured."""
 
     at: NDArray[np.float64] | None
-    """Where a position is measured."""
+    """Where a position is measured; where a clearance over ranges is smallest, a backlash or a fit largest, or a part is stopped first."""
     dimension: Literal['length', 'angle', 'time', 'number', 'truth']
     """The unit of the value."""
     equals: bool | None
@@ -267,7 +267,7 @@ class Requirement(Record):
     part: str | None
     """The part that it is about, if it is about one."""
     range: list[float] | None
-    """The two ends of a play."""
+    """The two ends of a play; the least and the largest backlash; the values between which a fit is."""
     sensitivities: dict[str, float] | None
     """The derivatives by parameters; where they differ for smaller and larger values, that for larger ones."""
     touching: list[list[str]]
@@ -1126,9 +1126,20 @@ class Place(Record):
     """Features of the fixed and of the moving part; none where there are none."""
 
 
-class PlanPart(Record):
-    """A part: closed loops of vertices x, y, bulge; the material is their even-odd inside."""
+class Layer(Record):
+    """A layer of a part."""
 
+    loops: int
+    """How many loops it has."""
+    z: list[float] | None
+    """The lowest and the highest place; none for every height."""
+
+
+class PlanPart(Record):
+    """A part: closed loops of vertices x, y, bulge; the material is their even-odd inside, or that of the loops of each layer at its heights."""
+
+    layers: list[Layer] | None
+    """The layers, which have all loops one after another; none of a part that is one outline at every height."""
     loops: list[list[list[float]]]
     """The bulge tan(sweep/4) is of the edge that leaves the vertex; 0 for a line."""
     name: str
@@ -1625,6 +1636,7 @@ ModesAnswer._read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': R
 Bottleneck._read = {'at': configuration}
 Contact._read = {'at': configuration}
 Place._read = {'at': configuration}
+PlanPart._read = {'layers': Layer}
 Proof._read = {'fixed': PlanPart, 'moving': PlanPart}
 Twin._read = {'at': configuration}
 PlanOfPair._read = {'blocked': Overlap, 'bottleneck': Bottleneck, 'contact': Contact, 'enclosed': PlanEnclosed, 'narrowest': Place, 'path': configuration, 'proof': Proof, 'regions': Regions, 'rest': Rest, 'twin': Twin}
