@@ -1,4 +1,4 @@
-//! What two parts on axes are to each other over all motions that their ranges allow.
+//! Quantities of two parts on axes over all motions that their ranges allow.
 
 use cspace::{Coordinates, FeatureName, Location, Options, PairSpace, Relation, Silent};
 use cspace_model::compute_anew;

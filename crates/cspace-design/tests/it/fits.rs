@@ -111,6 +111,26 @@ fn the_box_limits_the_room() {
         0.08,
         1e-7,
     );
+    // A square is the same after each quarter of a turn.
+    for (theta, extent) in [
+        ("90deg", "5deg"),
+        ("183deg", "5deg"),
+        ("-450deg", "0deg"),
+        ("40deg", "400deg"),
+    ] {
+        let turned = PEG
+            .replace("x = 0.2", &format!("x = 0.2, theta = \"{theta}\""))
+            .replace("5deg", extent);
+        is_about(&check(&model(&turned, &[]))[0], 0.05, 1e-8);
+    }
+    // In the window of the pair alone: a square that is turned is wider.
+    let window = "[[pair]]\nfixed = \"plate\"\nmoving = \"peg\"\ntheta = [\"2deg\", \"20deg\"]\n";
+    let (sin, cos) = 2_f64.to_radians().sin_cos();
+    let found = check(&model(
+        &format!("{PEG}{window}").replace("x = 0.2", "x = 0.1"),
+        &[],
+    ));
+    is_about(&found[0], 1.1 - (sin + cos), 1e-8);
     // Far from the plate the room is the distance.
     is_about(&set("{ x = 0.2 }", "{ x = 9 }"), 9.15 - 4.0, 1e-6);
 }

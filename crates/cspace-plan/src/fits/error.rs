@@ -8,6 +8,9 @@ pub enum FitError {
     /// A space cannot be computed, or a progress ended that.
     #[error(transparent)]
     Pair(#[from] PairError),
+    /// No orientation of the box is in the window.
+    #[error("the box has no orientation in the pair's window")]
+    Outside,
     /// In the space of the part, held in the box, some contacts contradict each other.
     #[error("some features of the parts lie closer than can be told apart")]
     Doubtful,

@@ -1,5 +1,7 @@
 //! Two parts, the moving one held in a box: as parts, by a disc on the one in a frame on the other, above both.
 
+use core::f64::consts::{PI, TAU};
+
 use cspace::part::polygon_loop;
 use cspace::{Coordinates, Options, PairSpace, Part, PartError, Progress, Relation, Vertex};
 
@@ -48,14 +50,18 @@ impl Held<'_> {
         let fixed = below(self.parts[0], heights, frame)?;
         let moving = below(moving, heights, disc)?;
         let options = Options {
-            window: (turn < core::f64::consts::PI).then_some((theta - turn, theta + turn)),
+            window: (turn < PI).then_some((theta - turn, theta + turn)),
             ..Options::default()
         };
         let space = PairSpace::compute_with(&fixed, &moving, Relation::Planar, &options, progress)?;
         // The disc does not come through the frame: a region is in the box or beyond it.
         let is_inside = |at: Coords| (at[0] - x).abs() <= dx && (at[1] - y).abs() <= dy;
         let samples = space.regions().into_iter().filter_map(|r| match r.sample {
-            Coordinates::Planar(c) => Some([c.x, c.y, c.theta]),
+            Coordinates::Planar(c) => {
+                // In the turn that is nearest to the middle.
+                let turns = ((theta - c.theta) / TAU).round();
+                Some([c.x, c.y, c.theta + TAU * turns])
+            }
             Coordinates::Axes { .. } => None,
         });
         let found = samples.into_iter().find(|&at| is_inside(at));

@@ -23,7 +23,9 @@
 mod error;
 mod held;
 
-use cspace::{Configuration, FeatureName, PairSpace, Part, PartError, Progress};
+use core::f64::consts::{PI, TAU};
+
+use cspace::{Configuration, FeatureName, PairSpace, Part, PartError, Progress, Window};
 
 use crate::legs::{Coords, Scene};
 use crate::push::Climb;
@@ -80,7 +82,9 @@ pub fn fits(
     let size = scene.size();
     // A box of no extent in a coordinate has no free space in it: what is this little farther has the same room but for as little.
     let least = [EXACT * size, EXACT * size, EXACT];
-    let middle = [around.x, around.y, around.theta];
+    let (from, to) = orientations(planar.window(), around.theta, within[2])?;
+    let middle = [around.x, around.y, 0.5 * (from + to)];
+    let within = [within[0], within[1], 0.5 * (to - from)];
     let half: Coords = core::array::from_fn(|k| within[k].max(least[k]));
     let search = Search {
         held: Held {
@@ -93,6 +97,21 @@ pub fn fits(
         progress,
     };
     search.most(&scene.with_limits(search.limits)).map(Some)
+}
+
+/// The orientations that are no farther from one than `within`, and in the window of a space.
+fn orientations(window: Window, theta: f64, within: f64) -> Result<(f64, f64), FitError> {
+    let within = within.min(PI);
+    let (lo, hi) = (theta - within, theta + within);
+    if window.full_turn {
+        return Ok((lo, hi));
+    }
+    let turns = TAU * ((0.5 * (window.lo + window.hi) - theta) / TAU).round();
+    let (lo, hi) = (lo.max(window.lo - turns), hi.min(window.hi - turns));
+    match lo <= hi {
+        true => Ok((lo, hi)),
+        false => Err(FitError::Outside),
+    }
 }
 
 struct Search<'a> {
@@ -187,7 +206,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the room is at most likely where a shrunk part is free at a configuration: less by what that has there.
+    /// Likely room where a part shrunk by a distance is free at a configuration: more by the clearance that it finds from there.
     fn guess(&self, by: f64, at: Coords) -> Option<f64> {
         let part = changed(self.held.parts[1], by).ok()??;
         let scene = Scene::new(self.held.parts[0], &part, None).with_limits(self.limits);

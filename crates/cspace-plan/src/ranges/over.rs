@@ -1,4 +1,4 @@
-//! What two parts on axes are to each other over their ranges.
+//! The answer about two parts on axes over their ranges.
 
 use cspace::{Options, PairError, Relation};
 use cspace_model::Compute;

@@ -295,9 +295,9 @@ pub enum Quantity {
         /// Half its extent in x, y and θ.
         within: [f64; 3],
     },
-    /// What two parts on axes are to each other over all motions that their ranges allow.
+    /// A quantity of two parts on axes over all motions that their ranges allow.
     Ranges {
-        /// What is asked.
+        /// The quantity.
         what: OverRanges,
         /// A configuration in the free region that counts.
         at: Coordinates,
