@@ -92,10 +92,10 @@ pub struct Requirement {
     pub gap: Option<f64>,
     /// How far the value is within its limits; negative outside.
     pub margin: Option<f64>,
-    /// The two ends of a play.
+    /// The two ends of a play; the least and the largest backlash; the values between which a fit is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub range: Option<[f64; 2]>,
-    /// Where a position is measured.
+    /// Where a position is measured; where a clearance over ranges is smallest, a backlash or a fit largest, or a part is stopped first.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<Coordinates>,
     /// Features of the two parts that touch where the quantity ends.
@@ -161,9 +161,10 @@ impl Requirement {
             margin: checked.margin(),
             range: measured.and_then(|m| m.range).map(|(lo, hi)| [lo, hi]),
             at: match requirement.subject {
-                About::Pair(_, Quantity::Position { .. }) => {
-                    measured.and_then(|m| m.stops.first()).map(|s| s.at)
-                }
+                About::Pair(
+                    _,
+                    Quantity::Position { .. } | Quantity::Ranges { .. } | Quantity::Fits { .. },
+                ) => measured.and_then(|m| m.stops.first()).map(|s| s.at),
                 _ => None,
             },
             touching: checked.touching.clone(),

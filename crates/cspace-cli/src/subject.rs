@@ -1,6 +1,6 @@
 //! A pair in words: its configurations, regions and features.
 
-use cspace::{Coordinates, FeatureName, Part, RegionId};
+use cspace::{AxisMotion, Configuration, Coordinates, FeatureName, Part, RegionId};
 use cspace_api::{Chosen, place_on_part};
 use cspace_design::FeaturePair;
 use cspace_model::{Mechanism, shown};
@@ -42,12 +42,7 @@ impl InWords for Chosen<'_> {
     fn place(&self, at: Coordinates) -> String {
         let unit = self.unit();
         match at {
-            Coordinates::Planar(c) => format!(
-                "x {}, y {}{unit}, theta {}",
-                length(c.x),
-                length(c.y),
-                degrees(c.theta)
-            ),
+            Coordinates::Planar(c) => planar(c, &unit),
             Coordinates::Axes { u, v } => {
                 let (u_turns, v_turns) = self.turns();
                 let one = |t: f64, turns: bool| {
@@ -129,6 +124,31 @@ pub(crate) fn placed(part: &Part, feature: FeatureName) -> String {
         Some(place) => format!("{name} ({place})"),
         None => name,
     }
+}
+
+/// A configuration of a planar pair.
+fn planar(c: Configuration, unit: &str) -> String {
+    let (x, y, theta) = (length(c.x), length(c.y), degrees(c.theta));
+    format!("x {x}, y {y}{unit}, theta {theta}")
+}
+
+/// A configuration of a pair: on axes the motions of the parts that move, `arm 12.0000 deg`.
+pub(crate) fn motions(model: &Mechanism, names: [&str; 2], at: Coordinates, unit: &str) -> String {
+    let (u, v) = match at {
+        Coordinates::Planar(c) => return planar(c, unit),
+        Coordinates::Axes { u, v } => (u, v),
+    };
+    let of = |(name, t): (&str, f64)| {
+        let part = model.parts.iter().find(|p| p.part.name() == name)?;
+        let shown = match part.axis?.motion {
+            AxisMotion::Fixed => return None,
+            AxisMotion::Revolute { .. } => degrees(t),
+            AxisMotion::Prismatic { .. } => format!("{}{unit}", length(t)),
+        };
+        Some(format!("{} {shown}", shown::text(name)))
+    };
+    let all: Vec<String> = (names.into_iter().zip([u, v])).filter_map(of).collect();
+    all.join(", ")
 }
 
 /// A feature of a part, both by name, as [`placed`].

@@ -1,12 +1,14 @@
 //! All requirements of a model.
 
 use cspace::{ComputeError, Options, PairError, PairSpace, Progress, Silent};
-use cspace_model::model::{Requirement, Subject, Target};
+use cspace_model::model::{OverRanges, Quantity, Requirement, Subject, Target};
 use cspace_model::{Compute, Model, ModelError, PairEntry, compute_anew};
+use cspace_plan::ranges::Pairs;
 
 use crate::exact_fit::measured;
 use crate::in_motion::{Found, Motion};
-use crate::measure::{Measured, Unmeasured, Value, measure};
+use crate::measure::measure;
+use crate::value::{Measured, Unmeasured, Value};
 
 /// Values that are measured with a gap are known to so many resolutions of contacts.
 const KNOWN: f64 = 16.0;
@@ -37,8 +39,9 @@ impl Checked {
         }
         let value = self.measured.as_ref().ok().map(|m| m.value);
         Some(match (target, value) {
-            (Target::Limits(lo, hi), Some(Value::Number(x))) => {
-                (lo - self.within..=hi + self.within).contains(&x)
+            (Target::Limits(lo, hi), Some(Value::Number(_))) => {
+                let allowed = lo - self.within..=hi + self.within;
+                self.values().iter().all(|x| allowed.contains(x))
             }
             (Target::Equals(wanted), Some(Value::Truth(found))) => wanted == found,
             _ => false,
@@ -53,8 +56,30 @@ impl Checked {
     /// How far the value is within its limits; negative if it is outside.
     pub fn margin(&self) -> Option<f64> {
         match (self.requirement.target?, self.measured.as_ref().ok()?.value) {
-            (Target::Limits(lo, hi), Value::Number(x)) => Some((x - lo).min(hi - x)),
+            (Target::Limits(lo, hi), Value::Number(_)) => {
+                let margins = self.values().into_iter().map(|x| (x - lo).min(hi - x));
+                margins.reduce(f64::min)
+            }
             _ => None,
+        }
+    }
+
+    /// The values that must be within limits: of a backlash the least and the largest.
+    fn values(&self) -> Vec<f64> {
+        let is_backlash = matches!(
+            self.requirement.subject,
+            Subject::Pair(
+                _,
+                Quantity::Ranges {
+                    what: OverRanges::Backlash(_),
+                    ..
+                }
+            )
+        );
+        match self.measured.as_ref().map(|m| (m.value, m.range)) {
+            Ok((Value::Number(_), Some((least, most)))) if is_backlash => vec![least, most],
+            Ok((Value::Number(x), _)) => vec![x],
+            _ => Vec::new(),
         }
     }
 }
@@ -104,6 +129,8 @@ pub(crate) fn reason(error: &ModelError) -> String {
 pub(crate) struct Spaces {
     pairs: Vec<(PairEntry, Result<PairSpace, Unmeasured>)>,
     motions: Vec<(f64, Result<Motion, Unmeasured>)>,
+    /// Pairs of parts that a chain of joints connects.
+    linked: Vec<PairEntry>,
 }
 
 impl Spaces {
@@ -120,12 +147,17 @@ impl Spaces {
         let mut found = Self {
             pairs: Vec::new(),
             motions: Vec::new(),
+            linked: Vec::new(),
         };
+        let pairs = Pairs::of(&model.mechanism);
         for requirement in &model.requirements {
             match requirement.subject {
                 Subject::Pair(pair, _) => {
                     if found.pairs.iter().all(|s| s.0 != pair) {
                         found.pairs.push((pair, space(model, &pair, compute)?));
+                        if pairs.are_linked([pair.fixed, pair.moving]) {
+                            found.linked.push(pair);
+                        }
                     }
                 }
                 Subject::Motion(time, _) => {
@@ -152,10 +184,10 @@ impl Spaces {
                 (&checked.requirement.subject, self.of(&checked.requirement))
         {
             match measured(space, quantity) {
-                Ok((measured, gap)) => {
+                Ok(measured) => {
                     checked.touching = measured.touching(space);
+                    checked.gap = measured.gap;
                     checked.measured = Ok(measured);
-                    checked.gap = gap;
                     checked.within = KNOWN * space.resolution();
                 }
                 Err(error) => checked.measured = Err(error),
@@ -177,6 +209,7 @@ impl Spaces {
         match self.found(requirement) {
             Ok(On::Pair(space, measured)) => {
                 checked.touching = measured.touching(space);
+                checked.gap = measured.gap;
                 checked.measured = Ok(measured);
             }
             Ok(On::Motion(found)) => {
@@ -203,6 +236,9 @@ impl Spaces {
             Subject::Pair(pair, quantity) => {
                 let known = self.pairs.iter().find(|s| s.0 == pair);
                 let space = (known.ok_or(Unmeasured::Unknown)?.1.as_ref()).map_err(Clone::clone)?;
+                if matches!(quantity, Quantity::Ranges { .. }) && self.linked.contains(&pair) {
+                    return Err(Unmeasured::Linked);
+                }
                 Ok(On::Pair(space, measure(space, &quantity)?))
             }
             Subject::Motion(time, quantity) => {

@@ -12,7 +12,7 @@ use cspace_model::model::{
 };
 use cspace_model::{Model, PairEntry};
 
-use crate::measure::{numbers, unit};
+use crate::range::{numbers, unit};
 
 /// So many parameters are told apart in enclosures; what others do is added up.
 pub(crate) const TOLD_APART: usize = 12;

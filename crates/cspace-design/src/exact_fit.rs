@@ -7,19 +7,17 @@ use cspace::{Coordinates, PairSpace, Silent};
 use cspace_model::model::{Coordinate, Quantity};
 use cspace_plan::with_room;
 
-use crate::measure::{Measured, Unmeasured, Value, measure};
+use crate::measure::measure;
+use crate::value::{Measured, Unmeasured, Value};
 
 /// A play is ended by the fit at once where it is below this many gaps.
 const AT_ONCE: f64 = 64.0;
 
-/// Measures a quantity; where the parts fit exactly, with the gap that was taken.
-pub(crate) fn measured(
-    space: &PairSpace,
-    quantity: &Quantity,
-) -> Result<(Measured, Option<f64>), Unmeasured> {
+/// Measures a quantity where the parts fit exactly, with the gap that was taken.
+pub(crate) fn measured(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmeasured> {
     let first = measure(space, quantity);
     if first != Err(Unmeasured::Blocked) {
-        return first.map(|measured| (measured, None));
+        return first;
     }
     let at = at(quantity);
     let Ok(Some((roomy, gap))) = with_room(space, at, &Silent) else {
@@ -29,7 +27,8 @@ pub(crate) fn measured(
         // The way begins without any, if there is one.
         let mut found = measure(&roomy[0], quantity)?;
         found.value = Value::Number(0.0);
-        return Ok((found, Some(gap)));
+        found.gap = Some(gap);
+        return Ok(found);
     }
     let [whole, half] = [measure(&roomy[0], quantity)?, measure(&roomy[1], quantity)?];
     let without = |whole: f64, half: f64| 2.0 * half - whole;
@@ -54,7 +53,8 @@ pub(crate) fn measured(
         found.range = Some(range);
         found.value = Value::Number(range.1 - range.0);
     }
-    Ok((found, Some(gap)))
+    found.gap = Some(gap);
+    Ok(found)
 }
 
 /// The configuration at which a quantity is measured.
@@ -66,6 +66,8 @@ fn at(quantity: &Quantity) -> Coordinates {
         | Quantity::Bottleneck { at, .. }
         | Quantity::Extreme { at, .. }
         | Quantity::Caged { at }
+        | Quantity::Fits { at, .. }
+        | Quantity::Ranges { at, .. }
         | Quantity::Connected { at, .. } => at,
         Quantity::Position { from, .. } => from,
     }

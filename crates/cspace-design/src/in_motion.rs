@@ -7,7 +7,7 @@ use cspace_motion::{
     Event, EventKind, Record, Report, Settings, Simulation, Status, Trajectory, What,
 };
 
-use crate::measure::Unmeasured;
+use crate::value::Unmeasured;
 
 /// A motion that has been followed.
 pub(crate) struct Motion {

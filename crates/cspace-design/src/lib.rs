@@ -44,17 +44,21 @@ mod exact_fit;
 mod in_motion;
 mod measure;
 mod motion;
+mod over_ranges;
+mod range;
 mod sensitivity;
 mod solve;
 mod sweep;
 mod tolerance;
 mod touching;
+mod value;
 
 pub use changes::Change;
 pub use check::{Checked, Interrupted, check, check_by, check_with};
 pub use displace::{Displaced, Outcome, displace};
-pub use measure::{Measured, Stop, Unmeasured, Value, free_range, measure, reach};
+pub use measure::measure;
 pub use motion::Motion;
+pub use range::{free_range, reach};
 pub use sensitivity::{Sensitivity, sensitivities, sensitivities_by};
 pub use solve::{ContactGoal, Goal, Relation, Solved, Span, put_contact, solve};
 pub use sweep::{Row, Sweep, Varied};
@@ -65,3 +69,4 @@ pub use tolerance::{
     tolerances_with, zones,
 };
 pub use touching::{FeaturePair, pair_of, texts, touching};
+pub use value::{Measured, Stop, Unmeasured, Value};

@@ -9,14 +9,16 @@ use cspace::{
     PairSpace, Part, Point, Progress, QueryError,
 };
 use cspace_model::model::{
-    Coordinate, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject, Template,
+    Coordinate, OverRanges, PartSlopes, Quantity, Requirement, RequirementSlopes, Slopes, Subject,
+    Template,
 };
 use cspace_model::{Compute, Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
 use crate::drawing::{Drawing, enclosed};
-use crate::measure::{Measured, Stop, numbers, unit};
+use crate::range::{numbers, unit};
 use crate::touching::FeaturePair;
+use crate::value::{Measured, Stop, Value};
 
 /// The derivative of a quantity by a parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,7 +81,7 @@ pub(crate) fn sensitivities_on(
         let Ok(measured) = checked.measured.clone() else {
             return (checked, Vec::new());
         };
-        if measured.stops.is_empty() {
+        if measured.stops.is_empty() || matches!(measured.value, Value::Truth(_)) {
             return (checked, Vec::new());
         }
         let of = |(name, slopes): &(&str, Result<Slopes, String>)| Sensitivity {
@@ -216,8 +218,46 @@ impl Varied<'_> {
                     sum(&[f, dot(gradient, self.moved().0)])
                 })
             }
+            (
+                Quantity::Ranges {
+                    what: OverRanges::Clearance,
+                    ..
+                },
+                [stop],
+            ) => {
+                // Parts that touch somewhere do so with other values, too.
+                if measured.value == Value::Number(0.0) {
+                    return Ok(Some([0.0; 2]));
+                }
+                // Where the gap is smallest it is as small beside that: what moves the place does not change it, but at an end of a range.
+                let moved = self.moved_end(stop.at);
+                self.first(stop, [0.0; 3], 1.0, |f, gradient| {
+                    sum(&[f, dot(gradient, moved)])
+                })
+            }
             _ => Ok(None),
         }
+    }
+
+    /// The derivatives of a place that is an extreme over ranges: it stays at the end of a range.
+    fn moved_end(&self, at: Coordinates) -> [f64; 3] {
+        /// Radians, or shares of the parts' size, within which a place is at the end.
+        const AT_END: f64 = 1e-9;
+        let mut moved = [0.0; 3];
+        if let PairSpace::FixedAxes(axes) = self.space {
+            let (fixed, moving) = axes.axes();
+            let near = AT_END * self.space.fixed().size().max(1.0);
+            for (k, axis) in [fixed, moving].iter().enumerate() {
+                let is_at = |end: f64| (numbers(at)[k] - end).abs() <= near;
+                let [of_lo, of_hi] = self.parts[k].range.unwrap_or_default();
+                moved[k] = match axis.range {
+                    Some((lo, _)) if is_at(lo) => of_lo,
+                    Some((_, hi)) if is_at(hi) => of_hi,
+                    _ => 0.0,
+                };
+            }
+        }
+        moved
     }
 
     /// The derivatives of the configuration at which the quantity is measured, and of the displacement of its motion.

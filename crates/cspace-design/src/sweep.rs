@@ -7,7 +7,7 @@ use cspace_model::model::{Coordinate, Requirement, Setting, Template};
 use cspace_model::{Host, Model};
 
 use crate::check::{Spaces, reason};
-use crate::measure::Value;
+use crate::value::Value;
 
 /// Parameter or coordinate that varies from row to row.
 #[derive(Debug, Clone, PartialEq)]

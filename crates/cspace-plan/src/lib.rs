@@ -17,6 +17,7 @@ mod ends;
 pub mod escape;
 mod exact_fit;
 mod farthest;
+pub mod fits;
 pub mod legs;
 pub mod modes;
 mod off_contact;

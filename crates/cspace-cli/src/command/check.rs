@@ -13,7 +13,7 @@ use cspace_model::model::Dimension;
 use crate::args::{CacheArgs, ResultArgs, SetArgs, ThreadsArg};
 use crate::ask::{self, Terminal};
 use crate::failure::Failure;
-use crate::subject::placed_by_name;
+use crate::subject::{motions, placed_by_name};
 use crate::wording::{count, degrees, length};
 
 const HELP: &str = "\
@@ -120,7 +120,19 @@ fn describe(text: &mut String, model: &Mechanism, rows: &[Requirement], unit: &s
             writeln!(text, "  {:10} {}", "margin", number(margin))?;
         }
         if let Some([lo, hi]) = row.range {
-            writeln!(text, "  {:10} {} to {}", "free", number(lo), number(hi))?;
+            let label = match row.measure {
+                "backlash" => "over turn",
+                "fits" => "between",
+                _ => "free",
+            };
+            writeln!(text, "  {label:10} {} to {}", number(lo), number(hi))?;
+        }
+        // A position is a coordinate of its place.
+        if let (Some(at), Some([fixed, moving])) = (row.at, &row.pair)
+            && row.measure != "position"
+        {
+            let at = motions(model, [fixed, moving], at, unit);
+            writeln!(text, "  {:10} {at}", "at")?;
         }
         let derivative = |x: f64| {
             // No zero is negative.

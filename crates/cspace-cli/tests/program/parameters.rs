@@ -74,6 +74,78 @@ name = "gap"
 measure = "clearance"
 "#;
 
+/// An arm of a disc that turns by a post, and a peg that floats in a hole.
+const RANGES: &str = r#"
+[parameter]
+far = 5
+
+[[part]]
+name = "arm"
+motion = { type = "revolute", center = [0, 0] }
+loops = [{ circle = 1, at = [0, 2] }]
+
+[[part]]
+name = "post"
+motion = { type = "fixed" }
+loops = [{ circle = 0.5, at = ["far", 0] }, { circle = 1.2, at = ["far + 9", 0] }]
+
+[[part]]
+name = "peg"
+loops = [{ circle = 1, at = ["far + 12", 0] }]
+
+[[requirement]]
+name = "gap"
+pair = ["arm", "post"]
+measure = "clearance"
+over = "ranges"
+limits = [1, 2]
+
+[[requirement]]
+name = "goes around"
+pair = ["arm", "post"]
+measure = "reaches"
+of = "u"
+equals = true
+
+[[requirement]]
+name = "room"
+pair = ["post", "peg"]
+measure = "fits"
+within = [0.5, 0, 0]
+"#;
+
+#[test]
+fn requirements_over_ranges_are_checked() {
+    let (_folder, file) = file(RANGES);
+    let rows = |set: &str, code: i32| {
+        let told = cspace(&["check", &file, "--set", set, "--json"]).assert();
+        let told = told.code(code).get_output().clone();
+        unframed("check", serde_json::from_slice(&told.stdout).unwrap())
+    };
+    let number = |row: &serde_json::Value, key: &str| row[key].as_f64().unwrap();
+    let free = rows("far=5", 0);
+    assert!((number(&free[0], "value") - 1.5).abs() < 1e-11, "{free}");
+    assert!((number(&free[0]["at"], "u") + 90_f64.to_radians()).abs() < 1e-5);
+    assert_eq!(free[1]["value"], true);
+    // It is 0.8 from the disc as drawn, and 0.5 more where it is farthest.
+    assert!((number(&free[2], "value") - 1.3).abs() < 1e-7, "{free}");
+    assert_eq!(free[2]["dimension"], "length");
+    let stopped = rows("far=3", 1);
+    assert_eq!(number(&stopped[0], "value"), 0.0);
+    assert_eq!(
+        (&stopped[1]["value"], &stopped[1]["met"]),
+        (&false.into(), &false.into())
+    );
+    // On both ways around.
+    assert_eq!(stopped[1]["touching"].as_array().unwrap().len(), 2);
+    let swept = cspace(&["sweep", &file, "--vary", "far=4:5:2"]).assert();
+    let swept = String::from_utf8(swept.code(0).get_output().stdout.clone()).unwrap();
+    assert!(
+        swept.starts_with("far,gap,goes around,room,failure\n4.0,0.5"),
+        "{swept}"
+    );
+}
+
 #[test]
 fn requirements_are_checked() {
     let (_folder, file) = file(&format!("{MODEL}{REQUIREMENTS}"));

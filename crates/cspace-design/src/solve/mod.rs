@@ -18,7 +18,7 @@ use cspace_model::model::{
     Coordinate, Dimension, Quantity, Requirement, Setting, Subject, Template,
 };
 
-use crate::measure::Value;
+use crate::value::Value;
 
 use line::{Found, Line};
 use problem::{At, Problem};

@@ -7,8 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::check::Spaces;
-use crate::measure::Value;
 use crate::sensitivity::derivative;
+use crate::value::Value;
 
 /// A parameter and the values that it may take.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -9,7 +9,7 @@ use cspace_model::model::{
 use super::study::Study;
 use super::{Analysis, Extreme, ToleranceOptions, Variations};
 use crate::check::Interrupted;
-use crate::measure::{Measured, Unmeasured, Value};
+use crate::value::{Measured, Unmeasured, Value};
 
 /// A requirement along a motion.
 #[derive(Debug, Clone)]

@@ -52,8 +52,8 @@ use cspace_model::model::{Requirement, Setting, Template};
 use cspace_model::{Host, Model};
 
 use crate::check::{Checked, Interrupted, Spaces};
-use crate::measure::Value;
 use crate::sensitivity::{Sensitivity, sensitivities_on};
+use crate::value::Value;
 
 pub use allocate::{Allocation, Criterion, Unallocated, allocate};
 pub use along::{Band, Station, along};

@@ -5,8 +5,9 @@ use cspace_model::model::{Coordinate, Quantity, Requirement, Setting, Slopes, Su
 use cspace_model::{Host, Model, ModelError};
 
 use crate::check::{Spaces, reason};
-use crate::measure::{Unmeasured, Value, reach};
+use crate::range::reach;
 use crate::sensitivity::derivative;
+use crate::value::{Unmeasured, Value};
 
 use super::vary::{Variations, halves, middle_and_half};
 use crate::drawing::{Contacts, Drawing, Enclosed, Hits, Slope, enclosed};

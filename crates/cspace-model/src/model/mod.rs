@@ -49,7 +49,8 @@ pub use error::ModelError;
 pub use parameters::{Parameter, Setting};
 pub use read::{MOST_PARTS, Model};
 pub use requirements::{
-    Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
+    Coordinate, Dimension, Happening, MotionQuantity, OverRanges, Quantity, Requirement, Subject,
+    Target,
 };
 pub use schema::schema;
 pub use slips::{Slip, slips};

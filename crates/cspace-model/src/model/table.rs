@@ -294,6 +294,20 @@ impl<'a> Table<'a> {
 
     /// Two finite numbers or angles, the first smaller; angles are at most [`LARGEST_ANGLE`].
     pub(super) fn interval(&self, key: &str, angles: bool) -> Result<Option<(f64, f64)>> {
+        self.two(key, angles, |lo, hi| lo < hi)
+    }
+
+    /// As [`interval`](Self::interval), of limits, which may be one value.
+    pub(super) fn limits(&self, key: &str, angles: bool) -> Result<Option<(f64, f64)>> {
+        self.two(key, angles, |lo, hi| lo <= hi)
+    }
+
+    fn two(
+        &self,
+        key: &str,
+        angles: bool,
+        are_ordered: fn(f64, f64) -> bool,
+    ) -> Result<Option<(f64, f64)>> {
         let Some(value) = self.get(key) else {
             return Ok(None);
         };
@@ -339,7 +353,7 @@ impl<'a> Table<'a> {
             })
         };
         let (lo, hi) = (bound(lo)?, bound(hi)?);
-        if lo < hi {
+        if are_ordered(lo, hi) {
             return Ok(Some((lo, hi)));
         }
         Err(self

@@ -128,6 +128,13 @@ impl Scene {
         self
     }
 
+    /// As before, with coordinates limited to these.
+    #[must_use]
+    pub(crate) fn with_limits(mut self, limits: [(f64, f64); 3]) -> Self {
+        self.limits = limits;
+        self
+    }
+
     /// Least and greatest of each coordinate: the window of orientations, the ranges of motion.
     pub fn limits(&self) -> [(f64, f64); 3] {
         self.limits

@@ -85,6 +85,15 @@ pub struct Stop {
     pub features: Vec<[FeatureName; 2]>,
 }
 
+/// A configuration of contact.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// The configuration (u, v).
+    pub at: (f64, f64),
+    /// The features that touch there, of the fixed and of the moving part.
+    pub features: Vec<[FeatureName; 2]>,
+}
+
 /// The play of the moving part while the other is held: how far it goes from contact to contact, radians or the model's unit of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Backlash {
@@ -94,4 +103,6 @@ pub struct Backlash {
     pub most: f64,
     /// A configuration (u, v) at which it is the least, in the middle of the play.
     pub at: (f64, f64),
+    /// One at which it is the largest.
+    pub most_at: (f64, f64),
 }

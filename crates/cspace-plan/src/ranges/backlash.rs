@@ -43,7 +43,9 @@ pub(super) fn backlash(
         }
     }
     let of = |curve| plane.patch(curve).and_then(|patch| side[patch.index()]);
-    let (mut least, mut most): (Option<(Extreme, f64)>, Option<Extreme>) = (None, None);
+    // Each with a v in the play.
+    let mut least: Option<(Extreme, f64)> = None;
+    let mut most = least;
     for band in plane.bands() {
         for gap in band
             .gaps
@@ -65,20 +67,25 @@ pub(super) fn backlash(
                     upper,
                     band: part,
                 };
-                most = between.largest(1.0, most, EXACT);
-                let smallest = between.largest(-1.0, least.map(|l| l.0), EXACT);
-                if let Some(found) = smallest.filter(|&s| Some(s) != least.map(|l| l.0)) {
-                    let (from, to) = plane.interval(gap, found.x);
-                    least = Some((found, 0.5 * (from + to)));
+                for (sign, known) in [(1.0, &mut most), (-1.0, &mut least)] {
+                    let best = known.map(|k| k.0);
+                    let found = between.largest(sign, best, EXACT);
+                    if let Some(found) = found.filter(|&f| Some(f) != best) {
+                        let (from, to) = plane.interval(gap, found.x);
+                        *known = Some((found, 0.5 * (from + to)));
+                    }
                 }
             }
         }
     }
-    Ok(least.zip(most).map(|((least, v), most)| Backlash {
-        least: -least.width,
-        most: most.width,
-        at: (least.x, v),
-    }))
+    Ok(least
+        .zip(most)
+        .map(|((least, v), (most, most_v))| Backlash {
+            least: -least.width,
+            most: most.width,
+            at: (least.x, v),
+            most_at: (most.x, most_v),
+        }))
 }
 
 /// The parts of a band, in the turn in which it is, that are in a range in any turn.

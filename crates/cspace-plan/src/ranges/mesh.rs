@@ -7,30 +7,52 @@ use core::f64::consts::TAU;
 
 use super::answer::Backlash;
 use super::backlash::backlash;
+use super::kept::Kept;
 use super::region::{loops, regions, turns_together};
 
-/// Turns of v and of u after which parts that turn only together are back, and the play between them.
-pub(super) struct Mesh {
-    pub(super) ratio: (i64, i64),
-    pub(super) backlash: Option<Backlash>,
+/// Two parts of which neither can turn without the other.
+#[derive(Debug)]
+pub struct Mesh<'a> {
+    /// Their space without ranges.
+    endless: Kept<'a>,
+    place: [f64; 2],
+    /// Values of u over which the play is asked for.
+    range: Option<(f64, f64)>,
+    turns: (i64, i64),
+}
+
+impl Mesh<'_> {
+    /// Turns of v and of u after which the parts are back where they were.
+    pub fn ratio(&self) -> (i64, i64) {
+        self.turns
+    }
+
+    /// The play of the moving part while the other is held, over a turn of that or its range; none if something in the region is passed on
+    /// two sides.
+    ///
+    /// # Errors
+    /// If the plane of their motions cannot be computed.
+    pub fn backlash(&self) -> Result<Option<Backlash>, AxesError> {
+        backlash(&self.endless, self.place, self.range)
+    }
 }
 
 /// How two parts that turn without limits turn together, if they do: in a space of theirs with no ranges; the play for values of u in a range.
 pub(super) fn mesh(
-    space: &FixedAxesSpace,
+    endless: Kept<'_>,
     place: [f64; 2],
     range: Option<(f64, f64)>,
-) -> Result<Option<Mesh>, AxesError> {
-    let [one] = regions(space, place)[..] else {
-        return Ok(None);
+) -> Option<Mesh<'_>> {
+    let [one] = regions(&endless, place)[..] else {
+        return None;
     };
-    let Some((u, v)) = turns_together(&loops(space, one)) else {
-        return Ok(None);
-    };
-    Ok(Some(Mesh {
-        ratio: (v, u),
-        backlash: backlash(space, place, range)?,
-    }))
+    let (u, v) = turns_together(&loops(&endless, one))?;
+    Some(Mesh {
+        endless,
+        place,
+        range,
+        turns: (v, u),
+    })
 }
 
 /// Whether both parts turn, and contact keeps each from going through its range, or a turn, while the other is held at a place.

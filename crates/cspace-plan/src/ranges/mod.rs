@@ -27,14 +27,19 @@
 mod answer;
 mod backlash;
 mod descent;
+mod free;
 mod gap;
+mod kept;
 mod mesh;
+mod over;
 mod pair;
 mod reach;
 mod region;
 mod swept;
 mod widths;
 
-pub use answer::{Backlash, End, Held, Limits, Stop, Tightest, Verdict};
+pub use answer::{Backlash, Contact, End, Held, Limits, Stop, Tightest, Verdict};
+pub use free::Free;
+pub use mesh::Mesh;
 pub use pair::Pair;
 pub use swept::Pairs;

@@ -53,8 +53,13 @@ impl<'a> Pairs<'a> {
         let parts = &self.mechanism.parts;
         (moves(first) || moves(second))
             && parts[a].part.meets(&parts[b].part)
-            && self.linkages[a] != self.linkages[b]
+            && !self.are_linked([a, b])
             && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
+    }
+
+    /// Whether two parts belong to one linkage, and do not move independently of each other.
+    pub fn are_linked(&self, [a, b]: [usize; 2]) -> bool {
+        self.linkages.get(a) == self.linkages.get(b)
     }
 
     /// Their number.

@@ -239,7 +239,7 @@ class Requirement(Record):
     """A requirement, measured."""
 
     at: NDArray[np.float64] | None
-    """Where a position is measured."""
+    """Where a position is measured; where a clearance over ranges is smallest, a backlash or a fit largest, or a part is stopped first."""
     dimension: Literal['length', 'angle', 'time', 'number', 'truth']
     """The unit of the value."""
     equals: bool | None
@@ -267,7 +267,7 @@ class Requirement(Record):
     part: str | None
     """The part that it is about, if it is about one."""
     range: list[float] | None
-    """The two ends of a play."""
+    """The two ends of a play; the least and the largest backlash; the values between which a fit is."""
     sensitivities: dict[str, float] | None
     """The derivatives by parameters; where they differ for smaller and larger values, that for larger ones."""
     touching: list[list[str]]

@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use cspace::{AxisMotion, Coordinates};
+use cspace::Coordinates;
 use cspace_api::clearance::{At, Clearance, Clearances, End, Outcome, Over, Question, Stopped};
 use cspace_api::{Outcome as _, PairAnswer};
 use cspace_model::{Mechanism, shown};
@@ -17,6 +17,7 @@ use crate::ask::{self, Terminal};
 use crate::failure::Failure;
 use crate::output;
 use crate::picture::PictureArgs;
+use crate::subject::motions;
 use crate::wording::{count, degrees, length};
 
 const HELP: &str = "\
@@ -234,7 +235,8 @@ impl Words<'_> {
         }
         match pair.at {
             Some(At::Place(at)) if pair.stopped.is_empty() => {
-                write!(text, "  at {}", self.place(at, names))
+                let names = [names[0].as_str(), names[1].as_str()];
+                write!(text, "  at {}", motions(self.model, names, at, &self.unit))
             }
             _ => Ok(()),
         }
@@ -267,23 +269,5 @@ impl Words<'_> {
             write!(text, "{g} of {b} touches {f} of {a}")?;
         }
         Ok(())
-    }
-
-    /// The motions of the parts that move.
-    fn place(&self, at: Coordinates, names: [&String; 2]) -> String {
-        let Coordinates::Axes { u, v } = at else {
-            return String::new();
-        };
-        let of = |(name, t): (&String, f64)| {
-            let part = self.model.parts.iter().find(|p| p.part.name() == name)?;
-            let shown = match part.axis?.motion {
-                AxisMotion::Fixed => return None,
-                AxisMotion::Revolute { .. } => degrees(t),
-                AxisMotion::Prismatic { .. } => format!("{}{}", length(t), self.unit),
-            };
-            Some(format!("{} {shown}", shown::text(name)))
-        };
-        let all: Vec<String> = (names.into_iter().zip([u, v])).filter_map(of).collect();
-        all.join(", ")
     }
 }

@@ -10,7 +10,8 @@ use std::collections::HashMap;
 use crate::mechanism::Mechanism;
 
 pub use quantity::{
-    Coordinate, Dimension, Happening, MotionQuantity, Quantity, Requirement, Subject, Target,
+    Coordinate, Dimension, Happening, MotionQuantity, OverRanges, Quantity, Requirement, Subject,
+    Target,
 };
 
 use self::motion::read_motion;
@@ -30,12 +31,16 @@ pub(super) const REQUIREMENT: Keys = Keys {
         all: &[
             Kind { name: "play", needs: &["of"], takes: &["pair", "at", "limits"] },
             Kind { name: "position", needs: &["along"], takes: &["pair", "at", "of", "limits"] },
-            Kind { name: "clearance", needs: &[], takes: &["pair", "at", "limits"] },
+            Kind { name: "clearance", needs: &[], takes: &["pair", "at", "over", "limits"] },
             Kind { name: "angle", needs: &["of"], takes: &["pair", "at", "along", "limits"] },
             Kind { name: "bottleneck", needs: &["to"], takes: &["pair", "at", "limits"] },
             Kind { name: "extreme", needs: &["of"], takes: &["pair", "at", "end", "limits"] },
             Kind { name: "caged", needs: &[], takes: &["pair", "at", "equals"] },
             Kind { name: "connected", needs: &["to"], takes: &["pair", "at", "equals"] },
+            Kind { name: "reaches", needs: &["of"], takes: &["pair", "at", "equals"] },
+            Kind { name: "follows", needs: &["of"], takes: &["pair", "at", "limits", "equals"] },
+            Kind { name: "backlash", needs: &["of"], takes: &["pair", "at", "limits"] },
+            Kind { name: "fits", needs: &["within"], takes: &["pair", "at", "limits"] },
             Kind { name: "event", needs: &["time", "event"], takes: &["pair", "number", "limits"] },
             Kind { name: "stroke", needs: &["time", "part"], takes: &["of", "limits"] },
             Kind { name: "ratio", needs: &["time", "part", "by"], takes: &["limits"] },
@@ -46,19 +51,21 @@ pub(super) const REQUIREMENT: Keys = Keys {
     &[
         Key::new("name", "part_name", "What it is called, unlike any other.").needed("name = \"play\""),
         Key::new("pair", "two_names", "The fixed and the moving part. Default: the model's only pair; of an event, any two parts.").like("pair = [\"fixed part\", \"moving part\"]"),
-        Key::new("measure", "kind", "play: the whole range of a coordinate that is free around a configuration. position: a coordinate where a motion first touches. clearance: the distance of the parts. angle: between the normal at a contact and the motion of its point, the pressure angle. bottleneck: the clearance of the widest motion to `to` where it is narrowest. extreme: how far a coordinate goes in the free region. caged: whether the free region ends everywhere. connected: whether a motion leads from `at` to `to`. event: when something happens in the motion of the mechanism. stroke: from the smallest to the largest value of a part's coordinate in the motion. ratio: how far a part goes by how far another goes.").needed("measure = \"play\""),
-        Key::new("of", "x|y|theta|u|v", "Of a play, position, angle or extreme: the coordinate, x, y or theta, or u or v of a pair on fixed axes. Of the stroke of a part that moves in the plane: x, y or theta."),
+        Key::new("measure", "kind", "play: the whole range of a coordinate that is free around a configuration. position: a coordinate where a motion first touches. clearance: the distance of the parts; with `over`, the smallest over all motions that their ranges allow. angle: between the normal at a contact and the motion of its point, the pressure angle. bottleneck: the clearance of the widest motion to `to` where it is narrowest. extreme: how far a coordinate goes in the free region. caged: whether the free region ends everywhere. connected: whether a motion leads from `at` to `to`. reaches: whether a part on an axis comes to both ends of its range, or around, in the free region of `at`. follows: by how much one of two parts turns for each turn of the other, where neither can turn alone; with `equals`, whether that is so. backlash: the largest play of one over a turn of the other then. fits: the largest clearance of a configuration that is no farther from `at` than `within`, less than 0 where none is free. event: when something happens in the motion of the mechanism. stroke: from the smallest to the largest value of a part's coordinate in the motion. ratio: how far a part goes by how far another goes.").needed("measure = \"play\""),
+        Key::new("of", "x|y|theta|u|v", "Of a play, position, angle or extreme: the coordinate, x, y or theta, or u or v of a pair on fixed axes. Of reaches, follows and backlash: u or v, of the part that comes to its ends, follows the other, or has play. Of the stroke of a part that moves in the plane: x, y or theta."),
         Key::new("at", "coordinates", "The configuration; coordinates left out are as drawn."),
+        Key::new("over", "drawn|ranges", "Of a clearance: drawn, at the configuration `at`; or ranges, over all motions that the ranges of two parts on axes allow. Default: drawn."),
         Key::new("along", "configuration", "Of a position: the displacement of the motion from `at`, [dx, dy, dtheta] or [du, dv]."),
         Key::new("to", "configuration", "Of connected: where the motion leads, [x, y, theta] or [u, v]."),
+        Key::new("within", "configuration", "Of fits: how far from `at` x, y and theta may be, [dx, dy, dtheta].").like("within = [1, 1, \"5deg\"]"),
         Key::new("end", "lower|upper", "Of an extreme: which end of the range of the coordinate."),
         Key::new("time", "positive", "Of an event, stroke or ratio: how long the motion is followed, in seconds.").like("time = 2, in seconds"),
         Key::new("event", "touch|release|impact|stick|slip|rest", "What happens: two parts come into lasting contact, are released, strike each other, begin or cease to slide, or their impacts are over.").like("event = \"touch\""),
         Key::new("number", "count", "Of an event: which of several, counted from 1. Default: 1."),
         Key::new("part", "part_name", "Of a stroke or ratio: the part.").like("part = \"name of a part\""),
         Key::new("by", "part_name", "Of a ratio: the part by whose motion it is.").like("by = \"name of a part\""),
-        Key::new("limits", "limits", "The smallest and the largest value that is allowed. Default: none, the value is measured alone."),
-        Key::new("equals", "bool", "Of caged and connected: what is required."),
+        Key::new("limits", "limits", "The smallest and the largest value that is allowed; of a backlash, at every place of the turn. Default: none, the value is measured alone."),
+        Key::new("equals", "bool", "Of caged, connected, reaches and follows: what is required."),
     ],
     )
 };
@@ -120,7 +127,7 @@ fn target(table: &Table<'_>, dimension: Dimension) -> Result<Option<Target>> {
         return Ok(table.has("equals").then_some(Target::Equals(wanted)));
     }
     Ok(table
-        .interval("limits", dimension == Dimension::Angle)?
+        .limits("limits", dimension == Dimension::Angle)?
         .map(|(lo, hi)| Target::Limits(lo, hi)))
 }
 

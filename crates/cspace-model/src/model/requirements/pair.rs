@@ -2,7 +2,7 @@
 
 use crate::mechanism::{Mechanism, PairEntry};
 
-use super::quantity::{Coordinate, Dimension, Quantity, Subject};
+use super::quantity::{Coordinate, Dimension, OverRanges, Quantity, Subject};
 use super::space::Space;
 use crate::model::measure::Measure;
 use crate::model::node::Node;
@@ -70,7 +70,40 @@ pub(super) fn read_pair(
                 of,
             }
         }
+        "clearance" if is_over_ranges(table)? => {
+            space.must_have_axes(table, kind)?;
+            let what = OverRanges::Clearance;
+            Quantity::Ranges { what, at }
+        }
         "clearance" => Quantity::Clearance { at },
+        "fits" => {
+            let Space::Planar = space else {
+                let message = "the pair moves on axes, and not in x, y and theta";
+                let help = "measure its clearance with over = \"ranges\"";
+                return Err(table.error("measure", message).with_help(help));
+            };
+            let box_of = vector("within")?;
+            let within = Coordinate::PLANAR.map(|(_, c)| c.of(box_of).unwrap_or(0.0));
+            if within.iter().any(|&d| d < 0.0) {
+                let error = table.error("within", "a box does not extend by less than 0");
+                return Err(error.with_help("give how far x, y and theta may be from `at`"));
+            }
+            Quantity::Fits { at, within }
+        }
+        "reaches" | "follows" | "backlash" => {
+            space.must_have_axes(table, kind)?;
+            if kind != "reaches" {
+                space.must_turn(table, kind)?;
+            }
+            let of = needed()?;
+            let what = match kind {
+                "reaches" => OverRanges::Reaches(of),
+                "backlash" => OverRanges::Backlash(of),
+                _ if is_truth_asked(table)? => OverRanges::Together,
+                _ => OverRanges::Follows(of),
+            };
+            Quantity::Ranges { what, at }
+        }
         "caged" => Quantity::Caged { at },
         _ => Quantity::Connected {
             at,
@@ -85,10 +118,35 @@ pub(super) fn read_pair(
             Measure::Number => Dimension::Length,
         },
         Quantity::Angle { .. } => Dimension::Angle,
-        Quantity::Clearance { .. } | Quantity::Bottleneck { .. } => Dimension::Length,
+        Quantity::Clearance { .. } | Quantity::Bottleneck { .. } | Quantity::Fits { .. } => {
+            Dimension::Length
+        }
         Quantity::Caged { .. } | Quantity::Connected { .. } => Dimension::Truth,
+        Quantity::Ranges { what, .. } => match what {
+            OverRanges::Clearance => Dimension::Length,
+            OverRanges::Reaches(_) | OverRanges::Together => Dimension::Truth,
+            OverRanges::Follows(_) => Dimension::Number,
+            OverRanges::Backlash(_) => Dimension::Angle,
+        },
     };
     Ok((Subject::Pair(pair, quantity), dimension))
+}
+
+/// Whether a clearance is over the ranges of the parts, and not at one configuration.
+fn is_over_ranges(table: &Table<'_>) -> Result<bool> {
+    let all = [("drawn", false), ("ranges", true)];
+    let help = "give over = \"ranges\", or leave `over` out for the clearance at `at`";
+    let over = table.choice("over", "extent", &all, help)?;
+    Ok(over.unwrap_or(false))
+}
+
+/// Whether `follows` asks for yes or no, and not for a ratio.
+fn is_truth_asked(table: &Table<'_>) -> Result<bool> {
+    if table.has("equals") && table.has("limits") {
+        let error = table.error_at_key("equals", "`equals` is given beside `limits`");
+        return Err(error.with_help("give limits of the ratio, or whether there must be one"));
+    }
+    Ok(table.has("equals"))
 }
 
 /// Whether the key `end` names the upper end of a coordinate's range, which is the default.

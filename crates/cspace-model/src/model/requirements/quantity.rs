@@ -56,6 +56,8 @@ impl Subject {
             Self::Pair(_, Quantity::Extreme { .. }) => "extreme",
             Self::Pair(_, Quantity::Caged { .. }) => "caged",
             Self::Pair(_, Quantity::Connected { .. }) => "connected",
+            Self::Pair(_, Quantity::Fits { .. }) => "fits",
+            Self::Pair(_, Quantity::Ranges { what, .. }) => what.name(),
             Self::Motion(_, MotionQuantity::Event { .. }) => "event",
             Self::Motion(_, MotionQuantity::Stroke { .. }) => "stroke",
             Self::Motion(_, MotionQuantity::Ratio { .. }) => "ratio",
@@ -285,6 +287,48 @@ pub enum Quantity {
         /// Second configuration.
         to: Coordinates,
     },
+    /// The largest clearance of a configuration in a box, less than 0 where none is free: by how much the moving part is larger all around
+    /// than one that is.
+    Fits {
+        /// The middle of the box.
+        at: Coordinates,
+        /// Half its extent in x, y and θ.
+        within: [f64; 3],
+    },
+    /// A quantity of two parts on axes over all motions that their ranges allow.
+    Ranges {
+        /// The quantity.
+        what: OverRanges,
+        /// A configuration in the free region that counts.
+        at: Coordinates,
+    },
+}
+
+/// Quantity of two parts on axes over all motions that their ranges allow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OverRanges {
+    /// The smallest distance of the parts, 0 if they touch somewhere.
+    Clearance,
+    /// Whether the part of a coordinate comes to both ends of its range, or around.
+    Reaches(Coordinate),
+    /// By how much a coordinate changes for each unit of the other, where neither part can turn without the other.
+    Follows(Coordinate),
+    /// Whether neither part can turn without the other.
+    Together,
+    /// The largest play of a coordinate while the other part is held, over a turn, where neither can turn without the other.
+    Backlash(Coordinate),
+}
+
+impl OverRanges {
+    /// The name in a model.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Clearance => "clearance",
+            Self::Reaches(_) => "reaches",
+            Self::Follows(_) | Self::Together => "follows",
+            Self::Backlash(_) => "backlash",
+        }
+    }
 }
 
 impl Quantity {
@@ -298,6 +342,8 @@ impl Quantity {
             | Self::Extreme { at, .. }
             | Self::Caged { at }
             | Self::Connected { at, .. }
+            | Self::Fits { at, .. }
+            | Self::Ranges { at, .. }
             | Self::Position { from: at, .. } => at,
         }
     }

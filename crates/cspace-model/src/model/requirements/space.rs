@@ -56,6 +56,33 @@ impl Space {
         }
     }
 
+    /// Refuses a pair that does not move on axes.
+    pub(super) fn must_have_axes(&self, table: &Table<'_>, kind: &str) -> Result<()> {
+        let Self::Planar = self else { return Ok(()) };
+        let key = if kind == "clearance" {
+            "over"
+        } else {
+            "measure"
+        };
+        let message = "the pair moves in x, y and theta, and has no ranges to go through";
+        Err(table.error(key, message).with_help(
+            "give both parts a motion on an axis, or motion = { type = \"fixed\" }, in [[part]]",
+        ))
+    }
+
+    /// Refuses a pair of which a part does not turn.
+    pub(super) fn must_turn(&self, table: &Table<'_>, kind: &str) -> Result<()> {
+        let turns = |axis: &Axis| matches!(axis.motion, AxisMotion::Revolute { .. });
+        match self {
+            Self::Axes(axes) if !axes.iter().all(turns) => {
+                let message = format!("{kind} is of two parts that turn, and one does not");
+                let help = "name two parts with motion = { type = \"revolute\", … }, or measure the play of one";
+                Err(table.error("measure", message).with_help(help))
+            }
+            _ => Ok(()),
+        }
+    }
+
     pub(super) fn example(&self) -> &'static str {
         match self {
             Self::Planar => "[0, -10, 0]",
