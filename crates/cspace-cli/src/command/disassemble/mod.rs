@@ -36,10 +36,10 @@ A path ends where a line lies between the parts and the others.
            of the search, and the smallest set of which none leaves while the
            others stay
 
-Parts on axes never go out; parts joined by a joint move as one. All parts are
-taken to lie in one plane, whichever pairs the model lists. Parts may touch as
-drawn: every boundary is moved inward by half of --gap. Parts that overlap by
-more are an error.
+Parts on axes never go out; parts joined by a joint move as one. Every two parts
+are looked at, whichever pairs the model lists; nothing moves in height. Parts
+may touch as drawn: every boundary is moved inward by half of --gap. Parts that
+overlap by more are an error.
 
 -o OUT writes the answer as .json, which `cspace view --with OUT.json` plays
 with all parts, or a picture with a frame for each step as .svg, .png or .pdf.";
