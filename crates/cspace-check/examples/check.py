@@ -116,10 +116,31 @@ def holds(loops, center, radius):
     return 0 < radius <= room and is_inside(center, loops, room / 2)
 
 
+def stack(part):
+    """The layers of a part, each with its heights, None at every height, and its loops; or what is wrong."""
+    loops = [[tuple(map(F, vertex)) for vertex in loop] for loop in part["loops"]]
+    counted = part.get("layers") or [{"z": None, "loops": len(loops)}]
+    if sum(layer["loops"] for layer in counted) != len(loops):
+        return f"the layers of {part['name']} have not as many loops as it has"
+    layers = []
+    for layer in counted:
+        layers.append((layer["z"] and tuple(map(F, layer["z"])), loops[: layer["loops"]]))
+        loops = loops[layer["loops"] :]
+    return layers
+
+
+def meet(a, b):
+    """Whether two intervals of heights overlap."""
+    return a is None or b is None or max(a[0], b[0]) < min(a[1], b[1])
+
+
 def check(proof):
     """None, or what is wrong."""
     rational = lambda rows: [tuple(map(F, row)) for row in rows]
-    parts = {k: [rational(loop) for loop in proof[k]["loops"]] for k in ("fixed", "moving")}
+    parts = {k: stack(proof[k]) for k in ("fixed", "moving")}
+    for found in parts.values():
+        if isinstance(found, str):
+            return found
     witnesses, vertices = rational(proof["witnesses"]), rational(proof["vertices"])
     pivot, window = tuple(map(F, proof["pivot"])), proof["window"]
     triangles = proof["triangles"]
@@ -131,8 +152,12 @@ def check(proof):
         if window and any(t[3:6]):
             return f"triangle {i} has turns in a window"
     for i, (qx, qy, r, cx, cy, s) in enumerate(witnesses):
-        if not (holds(parts["moving"], (qx, qy), r) and holds(parts["fixed"], (cx, cy), s)):
+        discs = (("moving", (qx, qy), r), ("fixed", (cx, cy), s))
+        within = [[z for z, loops in parts[k] if holds(loops, center, radius)] for k, center, radius in discs]
+        if not all(within):
             return f"witness {i}: a disc is not within its part"
+        if not any(meet(a, b) for a in within[0] for b in within[1]):
+            return f"witness {i}: its discs are at different heights"
     turned = [sine_cosine(v[2]) for v in vertices]
     for i, t in enumerate(triangles):
         qx, qy, r, cx, cy, s = witnesses[t[6]]

@@ -24,9 +24,15 @@ pub fn measure(space: &PairSpace, quantity: &Quantity) -> Result<Measured, Unmea
         Quantity::Play { of, at } => play(space, of, at),
         Quantity::Position { from, along, of } => position(space, from, along, of),
         Quantity::Clearance { at } => {
+            let clearance = space.clearance(at)?;
+            if clearance.is_infinite() {
+                return Err(Unmeasured::NeverLevel);
+            }
             let features = nearest(space, at)?;
-            let clearance = Value::Number(space.clearance(at)?);
-            Ok(Measured::at(clearance, vec![Stop { at, features }]))
+            Ok(Measured::at(
+                Value::Number(clearance),
+                vec![Stop { at, features }],
+            ))
         }
         Quantity::Angle { at, along, of } => angle(space, at, along, of),
         Quantity::Bottleneck { at, to } => bottleneck(space, at, to),

@@ -88,7 +88,7 @@ fn judge(bytes: &[u8], format: Format) -> Result<u64, Finding> {
 const THIN: f64 = 2e-9;
 
 fn written_and_read(part: &Part) -> Result<(), String> {
-    let text = dxf(&[Drawn::part(part)], None, DxfVersion::R2000);
+    let text = dxf(&Drawn::part(part), None, DxfVersion::R2000);
     // By the word of the file alone: nothing is to be joined.
     let settings = Settings {
         one_part: Some(part.name().to_owned()),

@@ -104,8 +104,11 @@ pub struct Clearances {
     pub parts: usize,
     /// Pairs of parts, the worst first.
     pub pairs: Vec<PairAnswer<Clearance>>,
-    /// The number of pairs that are not listed: their gap is `within` or more.
+    /// The number of pairs that are not listed, because their gap is `within` or more.
     pub beyond: usize,
+    /// The number of pairs that are not listed, because their parts are at different heights and never touch.
+    #[serde(skip_serializing_if = "is_none")]
+    pub different_heights: usize,
     /// Pairs with a smaller gap are listed, in the model's unit; none if all are.
     pub within: Option<f64>,
     /// The first and the last time of the motion (s).
@@ -251,10 +254,12 @@ impl Question {
                 ranges::rows(subject, model, &assembly, &limits, host)?
             }
         };
+        let different_heights = different_heights(model, limits.pair);
         let found = Clearances {
             parts: model.parts.len(),
             pairs: rows,
-            beyond,
+            beyond: beyond.saturating_sub(different_heights),
+            different_heights,
             within: Some(limits.within).filter(|w| w.is_finite()),
             along: (self.along.as_ref()).and_then(|s| Some([s.first()?.time, s.last()?.time])),
             seconds: begin.elapsed().as_secs_f64(),
@@ -271,6 +276,32 @@ impl Question {
         }
         let sizes = model.parts.iter().map(|p| p.part.size());
         NEARBY * sizes.fold(0.0, f64::max)
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "called by serde")]
+fn is_none(count: &usize) -> bool {
+    *count == 0
+}
+
+/// How many pairs, or whether one, is of parts at different heights that no joint connects.
+fn different_heights(model: &Mechanism, pair: Option<[usize; 2]>) -> usize {
+    let parts = &model.parts;
+    if !parts.iter().any(|p| p.part.has_heights()) {
+        return 0;
+    }
+    let apart = |&[a, b]: &[usize; 2]| {
+        let mut joints = model.joints.iter();
+        !parts[a].part.meets(&parts[b].part)
+            && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
+    };
+    match pair {
+        Some(pair) => usize::from(apart(&pair)),
+        None => {
+            let n = parts.len();
+            let all = (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j]));
+            all.filter(apart).count()
+        }
     }
 }
 

@@ -70,8 +70,10 @@ pub struct Question {
     /// Let the offset divide a part: every piece is one.
     #[cfg_attr(feature = "command", arg(long, requires = "offset"))]
     pub split: bool,
-    /// Put every part elsewhere, after scaling and fitting: mirrored at an axis (x turns y around, y turns x around), then turned about the
-    /// origin, then moved; as in at=10,5,turn=30deg,mirror=x, or some of these.
+    /// Put every part elsewhere, as in at=10,5,turn=30deg,mirror=x
+    ///
+    /// After scaling and fitting it is mirrored at an axis (x turns y around, y turns x around), then turned about the origin, then moved. Each may be
+    /// left out.
     #[cfg_attr(feature = "command", arg(long, value_name = "PLACE", value_parser = place::place, allow_hyphen_values = true))]
     pub place: Option<Place>,
     /// Make one part of this name of all loops.

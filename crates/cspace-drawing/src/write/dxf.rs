@@ -27,7 +27,7 @@ pub enum DxfVersion {
 /// let slot = Part::slot("slot", (0.0, 0.0), (4.0, 0.0), 1.0)?;
 /// # let folder = tempfile::tempdir()?;
 /// # let path = folder.path().join("slot.dxf");
-/// std::fs::write(&path, dxf(&[Drawn::part(&slot)], None, DxfVersion::R2000))?;
+/// std::fs::write(&path, dxf(&Drawn::part(&slot), None, DxfVersion::R2000))?;
 /// let again = read(&path, &Source::default())?.outlines(&Settings::default())?;
 /// assert_eq!(again.parts[0], slot);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

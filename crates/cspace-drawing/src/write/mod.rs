@@ -4,7 +4,7 @@ mod dxf;
 mod svg;
 
 use cspace::CurveGeometry;
-use cspace::{Configuration, Edge, Part, Point, Slice, Vertex};
+use cspace::{Configuration, Edge, Layer, Part, Point, Slice, Vertex};
 
 pub use dxf::{DxfVersion, dxf};
 pub use svg::svg;
@@ -19,12 +19,19 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// A part, as it is drawn.
-    pub fn part(part: &Part) -> Self {
-        Self {
-            name: part.name().to_owned(),
-            loops: part.loops().iter().map(|l| l.vertices().to_vec()).collect(),
-        }
+    /// The layers of a part, as they are drawn: of one layer with the part's name, of several with their numbers behind it.
+    pub fn part(part: &Part) -> Vec<Self> {
+        let layers = part.layers().iter().enumerate();
+        let of = |(i, layer): (usize, &Layer)| Self {
+            name: match part.layers() {
+                [_] => part.name().to_owned(),
+                _ => format!("{} layer {i}", part.name()),
+            },
+            loops: (part.loops()[layer.loops()].iter())
+                .map(|l| l.vertices().to_vec())
+                .collect(),
+        };
+        layers.map(of).collect()
     }
 
     /// Copy moved by a configuration: a point q goes to (x, y) + R q.

@@ -16,7 +16,7 @@ use crate::unit::Unit;
 /// use cspace::Part;
 /// use cspace_drawing::{Drawn, Unit, svg};
 /// let disc = Part::circle("disc", (0.0, 0.0), 2.5)?;
-/// let text = svg(&[Drawn::part(&disc)], Some(Unit::Millimetre));
+/// let text = svg(&Drawn::part(&disc), Some(Unit::Millimetre));
 /// assert!(text.contains("mm\"") && text.contains("A2.5 2.5 0 0 0"));
 /// # Ok::<(), cspace::PartError>(())
 /// ```

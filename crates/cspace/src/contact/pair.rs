@@ -281,7 +281,7 @@ impl Outlines {
                 images: p.images,
                 fold: p.fold,
             };
-            Outline::perturbed(p.part, p.center, scale, growth, Some(&perturbation))
+            Outline::perturbed(p.part, p.center, scale, growth, &perturbation)
         };
         let seed = 2 * attempt + 1;
         let a = outline(fixed, GROWTH, seed, PERTURBATION);

@@ -18,9 +18,9 @@ use crate::part::{Edge, Loop, LoopHeights, Part, Vertex};
 type End = (u32, f64);
 
 impl Outline {
-    /// Features of a part, about `center` and scaled, then grown.
-    pub(crate) fn new(part: &Part, center: Point, scale: f64, growth: f64) -> Self {
-        Self::perturbed(part, center, scale, growth, None)
+    /// Features of a part, about `center` and scaled, then grown: each layer by a step more than the one before it.
+    pub(crate) fn new(part: &Part, center: Point, scale: f64, (growth, step): (f64, f64)) -> Self {
+        Self::made(part, center, scale, (growth, step), None)
     }
 
     /// As [`new`](Self::new), after the part was made generic.
@@ -29,6 +29,21 @@ impl Outline {
         center: Point,
         scale: f64,
         growth: f64,
+        perturbation: &Perturbation<'_>,
+    ) -> Self {
+        let step = layer_step(part.layers().len(), growth, perturbation);
+        let apart = match part.layers() {
+            [_] => *perturbation,
+            _ => perturbation.within(step),
+        };
+        Self::made(part, center, scale, (growth, step), Some(&apart))
+    }
+
+    fn made(
+        part: &Part,
+        center: Point,
+        scale: f64,
+        (growth, step): (f64, f64),
         perturbation: Option<&Perturbation<'_>>,
     ) -> Self {
         let mut outline = Self {
@@ -39,12 +54,7 @@ impl Outline {
             heights: LoopHeights::of(part),
             feature_count: 0,
         };
-        let step = layer_step(part.layers().len(), growth, perturbation);
-        let wishes = perturbation.map(|p| match part.layers() {
-            [_] => p.wishes(part),
-            _ => p.within(step).wishes(part),
-        });
-        let mut wishes = wishes.unwrap_or_default();
+        let mut wishes = perturbation.map(|p| p.wishes(part)).unwrap_or_default();
         for (loop_index, boundary) in part.loops().iter().enumerate() {
             let growth = growth + step * part.layer_of(loop_index) as f64;
             let mut pieces: Vec<FramedEdge> = boundary
@@ -236,13 +246,12 @@ impl Outline {
 /// How much more each layer of a part is grown than the one before it, so that where their outlines are flush one covers the other.
 ///
 /// For both parts together, the growth of the last layers stays below the resolution of contacts.
-fn layer_step(layers: usize, growth: f64, perturbation: Option<&Perturbation<'_>>) -> f64 {
+fn layer_step(layers: usize, growth: f64, perturbation: &Perturbation<'_>) -> f64 {
     let most = match growth < 0.0 {
         true => -0.5 / layers as f64,
         false => most_layer_step(layers),
     };
-    let step = perturbation.map_or(0.5 * growth, |p| LAYER_STEP * p.size);
-    step.min(most * growth)
+    (LAYER_STEP * perturbation.size).min(most * growth)
 }
 
 /// How much more each of some layers may be grown than the one before it, in units of the growth of the first.

@@ -5,7 +5,7 @@ use super::displacement::Displacement;
 use super::motion::{Extent, ExtentKind, Motion, Motions};
 use super::repeats::Repeats;
 use super::scene::{Scene, Side};
-use super::tolerance::INDEPENDENT;
+use super::tolerance::{INDEPENDENT, LAYER_APART};
 use crate::contact::{Body, Permutation, overlap};
 use crate::feature::tolerance::{CONTACT, GROWTH, MOVING_GROWTH};
 use crate::feature::{Feature, FeatureName, Outline, PairFrame, as_drawn};
@@ -87,9 +87,14 @@ pub(super) fn set_up(
         x_unit: unit(&motions.first),
         y_unit: unit(&motions.second),
     };
-    // The fixed part is the one that is grown more.
+    // The fixed part is the one that is grown more. All sums of steps of the two parts differ by a step at least.
+    let count = |part: &Part| part.layers().len() as f64;
+    let layers = (count(fixed), count(moving));
     let drawn = |part: &Part, center: Point, fixed| {
-        let growth = if fixed { GROWTH } else { MOVING_GROWTH };
+        let growth = match fixed {
+            true => (GROWTH, LAYER_APART),
+            false => (MOVING_GROWTH, LAYER_APART * layers.0),
+        };
         let outline = Outline::new(part, center, frame.scale, growth);
         let body = Body::new(&outline, part, center, frame.scale, 0.0);
         (outline, body)
@@ -127,6 +132,7 @@ pub(super) fn set_up(
     let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
     let bent = of_straight(straight.0) + of_straight(straight.1);
     let deviation = bent
+        + frame.outer_length(LAYER_APART * (layers.0 * layers.1 - 1.0))
         + frame.outer_length(joined + tilt * slides)
         + symmetric.as_ref().map_or(0.0, |s| s.deviation)
         + frame.outer_length(displacement.deviation(slides));

@@ -27,3 +27,7 @@ pub(super) const SHORT: f64 = 1e-13;
 /// Distance of curves that face the same way below which they are one, and the space between them decides nothing (radians or length of the
 /// frame): about the first part's growth.
 pub(super) const COINCIDENT: f64 = 1e-11;
+
+/// How much more a layer of the fixed part is grown than the one before it, and a layer of the moving part in these steps for every layer of
+/// the fixed one (length of the frame): of flush sides one covers the other, and their curves are not one.
+pub(super) const LAYER_APART: f64 = 8.0 * COINCIDENT;

@@ -54,7 +54,7 @@ struct Piece {
 
 impl AsDrawn {
     pub(super) fn new(fixed: &Part, moving: &Part, frame: &PairFrame) -> Self {
-        let outline = |part, center| Outline::new(part, center, frame.scale, 0.0);
+        let outline = |part, center| Outline::new(part, center, frame.scale, (0.0, 0.0));
         Self {
             fixed: outline(fixed, frame.fixed_center),
             moving: outline(moving, frame.moving_center),

@@ -59,13 +59,19 @@ impl Part {
             .collect()
     }
 
-    /// All edges, each with the share of its layer in the height of the stack.
+    /// All edges, each with the share of its layer in the height of the stack: all heights at which there is material.
     pub(super) fn weighted_edges(&self) -> impl Iterator<Item = (Edge, f64)> {
-        let height = |l: &Layer| l.z.map_or(1.0, |[lo, hi]| hi - lo);
-        let stack: f64 = self.layers.iter().map(height).sum();
+        let mut heights: Vec<[f64; 2]> = self.layers.iter().filter_map(|l| l.z).collect();
+        heights.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (mut stack, mut top) = (0.0, f64::NEG_INFINITY);
+        for [lo, hi] in heights {
+            stack += (hi - lo.max(top)).max(0.0);
+            top = top.max(hi);
+        }
         self.layers.iter().flat_map(move |layer| {
+            let share = layer.z.map_or(1.0, |[lo, hi]| (hi - lo) / stack);
             let edges = self.loops[layer.loops()].iter().flat_map(Loop::edges);
-            edges.map(move |e| (e, height(layer) / stack))
+            edges.map(move |e| (e, share))
         })
     }
 

@@ -5,6 +5,8 @@
 
 use std::ops::Range;
 
+use super::tolerance::TOUCHING_HEIGHTS;
+
 /// The lowest and the highest place of a layer, in the model's unit of length; `None` at every height.
 pub type Heights = Option<[f64; 2]>;
 
@@ -32,10 +34,13 @@ impl Layer {
     }
 }
 
-/// Whether two intervals of heights overlap by more than nothing.
+/// Whether two intervals of heights overlap by more than [`TOUCHING_HEIGHTS`].
 pub(super) fn meet(a: Heights, b: Heights) -> bool {
     match (a, b) {
-        (Some([a, b]), Some([c, d])) => a.max(c) < b.min(d),
+        (Some([a, b]), Some([c, d])) => {
+            let largest = [a, b, c, d].map(f64::abs).into_iter().fold(0.0, f64::max);
+            b.min(d) - a.max(c) > TOUCHING_HEIGHTS * largest
+        }
         _ => true,
     }
 }

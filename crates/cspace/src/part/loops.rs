@@ -4,6 +4,7 @@ use crate::geometry::Configuration;
 
 use super::check::{check_extent, check_numbers};
 use super::corner::check_corners;
+use super::layer::meet;
 use super::nearness::check_vertices;
 use super::outline::Outline;
 use super::sweep::check_meetings;
@@ -125,7 +126,7 @@ impl Part {
         let mut stack = Vec::new();
         for (layer, (z, outlines)) in layers.into_iter().enumerate() {
             // Written so that NaN is rejected too.
-            let rises = z.is_none_or(|[lo, hi]| lo < hi && lo.is_finite() && hi.is_finite());
+            let rises = z.is_none_or(|[lo, hi]| lo.is_finite() && hi.is_finite() && meet(z, z));
             if !rises {
                 return Err(PartError::BadHeights { layer });
             }

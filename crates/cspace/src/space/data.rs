@@ -129,7 +129,7 @@ impl FeatureCounts {
     pub fn of(fixed: &Part, moving: &Part) -> Self {
         let frame = PairFrame::new(fixed, moving);
         let count =
-            |part, center| Outline::new(part, center, frame.scale, 0.0).feature_count as u32;
+            |part, center| Outline::new(part, center, frame.scale, (0.0, 0.0)).feature_count as u32;
         Self {
             fixed: count(fixed, frame.fixed_center),
             moving: count(moving, frame.moving_center),

@@ -24,7 +24,7 @@ const HELP: &str = "\
 Examples:
   cspace clearance models/gears_on_shafts.toml
   cspace clearance models/peg_hole.toml --drawn
-  cspace clearance models/layers/gate.toml -o tightest.svg
+  cspace clearance models/gears_on_shafts.toml -o tightest.svg
   cspace clearance models/ratchet_mechanism.toml --within 2
   cspace simulate models/geneva.toml --time 2 -o run.csv
   cspace clearance models/geneva.toml --along run.csv --json
@@ -151,7 +151,7 @@ impl Words<'_> {
                 (n > 0).then(|| format!("{n} {}", outcome.word()))
             })
             .collect();
-        let pairs = found.pairs.len() + found.beyond;
+        let pairs = found.pairs.len() + found.beyond + found.different_heights;
         let mut line = format!(
             "{}, {}",
             count(found.parts, "part", "parts"),
@@ -167,6 +167,14 @@ impl Words<'_> {
                 line,
                 "{more}{} clear by {within}{unit} or more",
                 found.beyond
+            )?;
+        }
+        if found.different_heights > 0 {
+            let more = if line.contains(':') { ", " } else { ": " };
+            write!(
+                line,
+                "{more}{} at different heights",
+                found.different_heights
             )?;
         }
         writeln!(text, "{line}")?;

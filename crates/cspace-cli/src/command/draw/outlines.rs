@@ -68,7 +68,10 @@ pub(super) fn of_model(args: &DrawArgs) -> Result<Option<String>, Failure> {
         }
     };
     let drawn: Vec<Drawn> = (picture.parts.iter())
-        .map(|p| Drawn::part(p.part).moved(p.assembly_from_part))
+        .flat_map(|p| {
+            let layers = Drawn::part(p.part).into_iter();
+            layers.map(|drawn| drawn.moved(p.assembly_from_part))
+        })
         .collect();
     write(output, &drawn, subject.unit(), args.dxf)?;
     Ok(subject.unit().map(str::to_owned))
