@@ -25,6 +25,18 @@ pub enum AssemblyError {
         /// The most there may be.
         most: usize,
     },
+    /// Parts that are looked at as one have more layers than one part may have.
+    #[error(
+        "parts {parts} have {count} layers together, and {most} can be looked at as one; merge layers of the same heights"
+    )]
+    TooManyLayers {
+        /// Their names.
+        parts: String,
+        /// Layers of all.
+        count: usize,
+        /// The most there may be.
+        most: usize,
+    },
     /// The gap is no length that can be opened.
     #[error("a gap of {gap} cannot be opened: give a length from {least:e} to {most:e}")]
     Gap {

@@ -1,6 +1,6 @@
 //! Units: parts that move as one.
 
-use cspace::part::Heights;
+use cspace::part::{Heights, tolerance::MAX_LAYERS};
 use cspace::{Axis, AxisMotion, Configuration, Part, Vertex, pair::Joint};
 use cspace_model::Mechanism;
 
@@ -239,6 +239,13 @@ pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, Assembly
                 _ => layers.push((layer.z(), loops.collect())),
             }
         }
+    }
+    if layers.len() > MAX_LAYERS {
+        return Err(AssemblyError::TooManyLayers {
+            parts: names.join(", "),
+            count: layers.len(),
+            most: MAX_LAYERS,
+        });
     }
     Ok(Part::layered(names.join("+"), layers)?)
 }

@@ -364,7 +364,9 @@ class ClearanceAnswer(Record):
     answer: Literal['clearance']
     """The command."""
     beyond: int
-    """The number of pairs that are not listed: their gap is `within` or more."""
+    """The number of pairs that are not listed, because their gap is `within` or more."""
+    different_heights: int | None
+    """The number of pairs that are not listed, because their parts are at different heights and never touch."""
     outcome: Literal['done', 'overlaps', 'stopped', 'undecided', 'meets', 'touches', 'meshes', 'clear', 'joined']
     """How it came out; of several pairs the worst."""
     pairs: list[ClearanceOfPair]

@@ -52,8 +52,8 @@ overlap those that touch after the translation, the point of the second part
 where it is before. Every two parts are judged, whichever pairs the model lists;
 parts at different heights never touch.
 
--o OUT draws the tightest places, the worst first, as .svg, .png or .pdf: the two
-parts of a pair where they are nearest, or where one is stopped.
+-o OUT draws the tightest places, the worst first, as .svg, .png or .pdf: the
+two parts of a pair where they are nearest, or where one is stopped.
 
 With --along the gap is the minimum over the whole motion, with its time:
 between two samples all coordinates are taken to change at constant rates, and
