@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::tolerance::TOUCHING_HEIGHTS;
+use super::tolerance::RESOLUTION;
 
 /// The lowest and the highest place of a layer, in the model's unit of length; `None` at every height.
 pub type Heights = Option<[f64; 2]>;
@@ -34,12 +34,12 @@ impl Layer {
     }
 }
 
-/// Whether two intervals of heights overlap by more than [`TOUCHING_HEIGHTS`].
+/// Whether two intervals of heights overlap by more than [`RESOLUTION`] of the largest: they are sums of thicknesses, which are rounded.
 pub(super) fn meet(a: Heights, b: Heights) -> bool {
     match (a, b) {
         (Some([a, b]), Some([c, d])) => {
             let largest = [a, b, c, d].map(f64::abs).into_iter().fold(0.0, f64::max);
-            b.min(d) - a.max(c) > TOUCHING_HEIGHTS * largest
+            b.min(d) - a.max(c) > RESOLUTION * largest
         }
         _ => true,
     }

@@ -33,10 +33,6 @@ pub const MAX_OFFSET: f64 = (1_u64 << 30) as f64;
 /// gigabyte.
 pub const MAX_VERTICES: usize = 1_000_000;
 
-/// Heights that overlap by no more than this fraction of the largest of them only touch: they are sums of thicknesses, which are rounded. It
-/// leaves as many bits as [`RESOLUTION`] does.
-pub const TOUCHING_HEIGHTS: f64 = RESOLUTION;
-
 /// The largest number of layers of a part. Layers are moved apart by parts of the growth, and vertices by a quarter of that, which must stay
 /// above the rounding of f64.
 pub const MAX_LAYERS: usize = 16;
