@@ -492,7 +492,7 @@ fn bad_layers_are_refused_at_their_places() {
         ),
         (
             "layers = [{ z = [0, 1], loops = [[[0, 0], [2, 0], [2, 2], [1, -1]]] }]".to_owned(),
-            "layer 0, loop 0",
+            "layer 0",
             "crosses",
         ),
         (
