@@ -200,6 +200,57 @@ fn many_stacks_on_axes_agree_with_brute_force() {
     on_axes_agree(5000);
 }
 
+/// Plates on a grid of whole numbers, so that most of their sides are flush with others, at several heights.
+fn plates(rng: &mut ChaCha8Rng) -> Part {
+    let mut layers: Vec<(Option<[f64; 2]>, Outline)> = Vec::new();
+    for _ in 0..rng.random_range(1..5) {
+        let [x, y] = [0; 2].map(|_| f64::from(rng.random_range(-3..3)));
+        let [w, h] = [0; 2].map(|_| f64::from(rng.random_range(1..5)));
+        let low = f64::from(rng.random_range(-2..3));
+        let high = low + f64::from(rng.random_range(1..4));
+        let plate = shifted(&rectangle(w, h), x + 0.5 * w, y + 0.5 * h);
+        layers.push((Some([low, high]), loops(&plate)));
+    }
+    Part::layered("plates", layers).unwrap()
+}
+
+/// Flush sides of layers are told apart: no cell of the plane is in doubt, and brute force agrees.
+#[test]
+fn flush_layers_on_axes_are_told_apart() {
+    let mut met = 0;
+    cases(80, |rng| {
+        let fixed = plates(rng);
+        let moving = shifted_layers(&plates(rng), Vector::new(4.5, 0.5));
+        let slide = |x: f64, y: f64| Axis {
+            motion: AxisMotion::Prismatic {
+                direction: Vector::new(x, y),
+            },
+            range: Some((-5.7, 5.7)),
+        };
+        let turn = Axis {
+            motion: AxisMotion::Revolute {
+                center: Point::new(4.5, 0.5),
+            },
+            range: None,
+        };
+        for axes in [(slide(1.0, 0.0), slide(0.0, 1.0)), (slide(1.0, 0.0), turn)] {
+            let space = FixedAxesSpace::compute(&fixed, axes.0, &moving, axes.1).unwrap();
+            assert_eq!(space.statistics().conflicts, 0);
+            let oracles = Oracles::new(&fixed, &moving);
+            met += usize::from(!oracles.0.is_empty());
+            for _ in 0..50 {
+                let [u, v] = [0; 2].map(|_| rng.random_range(-3.1..3.1));
+                let (free, margin) = oracles.judge(relative(axes, u, v));
+                if margin > 1e-8 {
+                    let told = space.classify(u, v) == Some(Classification::Free);
+                    assert_eq!(told, free, "at {u}, {v}");
+                }
+            }
+        }
+    });
+    assert!(met > 100, "{met}");
+}
+
 /// A part split into layers of one outline has the space of the part.
 #[test]
 fn layers_of_one_outline_are_the_part() {
