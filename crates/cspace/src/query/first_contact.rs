@@ -80,7 +80,7 @@ impl ContactSpace {
     ///
     /// # Errors
     /// If numbers are not finite, the motion begins in blocked space or outside the window, or it turns farther than
-    /// [`LARGEST_ANGLE`] before it touches.
+    /// [`LARGEST_ANGLE`](crate::LARGEST_ANGLE) before it touches.
     ///
     /// ```
     /// use cspace::{Configuration, ContactSpace, Options, Part, Vertex};
