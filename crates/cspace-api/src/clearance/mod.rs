@@ -290,11 +290,8 @@ fn different_heights(model: &Mechanism, pair: Option<[usize; 2]>) -> usize {
     if !parts.iter().any(|p| p.part.has_heights()) {
         return 0;
     }
-    let apart = |&[a, b]: &[usize; 2]| {
-        let mut joints = model.joints.iter();
-        !parts[a].part.meets(&parts[b].part)
-            && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
-    };
+    let apart =
+        |&[a, b]: &[usize; 2]| !parts[a].part.meets(&parts[b].part) && model.joint(a, b).is_none();
     match pair {
         Some(pair) => usize::from(apart(&pair)),
         None => {

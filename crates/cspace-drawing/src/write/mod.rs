@@ -27,9 +27,7 @@ impl Drawn {
                 [_] => part.name().to_owned(),
                 _ => format!("{} layer {i}", part.name()),
             },
-            loops: (part.loops()[layer.loops()].iter())
-                .map(|l| l.vertices().to_vec())
-                .collect(),
+            loops: part.outline(layer),
         };
         layers.map(of).collect()
     }

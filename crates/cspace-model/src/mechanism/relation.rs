@@ -6,7 +6,7 @@ use cspace::part::Part;
 use cspace::space::{Options, Progress, Silent};
 
 use super::check::MechanismError;
-use super::entries::{Mechanism, PairEntry};
+use super::entries::{JointEntry, Mechanism, PairEntry};
 
 /// A way to come by the configuration space of two parts: to compute it, or to read what was computed before.
 pub type Compute<'a> =
@@ -22,6 +22,12 @@ pub fn compute_anew(
 }
 
 impl Mechanism {
+    /// The joint that connects two parts, by their numbers.
+    pub fn joint(&self, a: usize, b: usize) -> Option<&JointEntry> {
+        let mut joints = self.joints.iter();
+        joints.find(|j| j.parts == (a, b) || j.parts == (b, a))
+    }
+
     /// Relation of the parts of a pair: by a joint if one names both, in either order; otherwise in the plane if either is planar;
     /// otherwise each on its own axis.
     ///
@@ -46,7 +52,7 @@ impl Mechanism {
         let (a, b) = (pair.fixed, pair.moving);
         let axis = |i: usize| -> Option<Axis> { self.parts.get(i).and_then(|p| p.axis) };
         let (fixed, moving) = (axis(a), axis(b));
-        if let Some(j) = (self.joints.iter()).find(|j| j.parts == (a, b) || j.parts == (b, a)) {
+        if let Some(j) = self.joint(a, b) {
             let limits = fixed
                 .zip(moving)
                 .and_then(|(f, m)| LowerPair::limits_from_axes(&j.joint, &f, &m));

@@ -1,9 +1,8 @@
 //! Parts from a file's tree of values.
 
 use std::collections::HashMap;
-use std::ops::Range;
 
-use cspace::{Axis, Part, PartError, Point, Vector, Vertex};
+use cspace::{Axis, Part, PartError, Point, Vector};
 use cspace_drawing::OffsetError;
 
 use super::drawings::{Setting, read_drawing, source};
@@ -169,8 +168,8 @@ fn read_layer(table: &Table<'_>, name: &str, setting: &mut Setting<'_>) -> Resul
     let Some((lo, hi)) = table.interval("z", false)? else {
         return Ok(part);
     };
-    let layer = (Some([lo, hi]), loops_of(&part, 0..part.loops().len()));
-    Part::layered(name, [layer]).map_err(|e| no_part(&table.place.key("z"), e))
+    let layers = (part.layers().iter()).map(|layer| (Some([lo, hi]), part.outline(layer)));
+    Part::layered(name, layers).map_err(|e| no_part(&table.place.key("z"), e))
 }
 
 /// The part whose layers these are.
@@ -198,14 +197,9 @@ fn read_layers(
         let layer = Table::new(item.further(&format!("layer {i}")), &LAYER)?;
         let part = read_layer(&layer, name, setting)?;
         let layers = part.layers().iter();
-        stack.extend(layers.map(|l| (l.z(), loops_of(&part, l.loops()))));
+        stack.extend(layers.map(|l| (l.z(), part.outline(l))));
     }
     Part::layered(name, stack).map_err(|e| no_part(&table.place.key("layers"), e))
-}
-
-fn loops_of(part: &Part, these: Range<usize>) -> Vec<Vec<Vertex>> {
-    let loops = part.loops()[these].iter();
-    loops.map(|l| l.vertices().to_vec()).collect()
 }
 
 /// Part at the distance given in the table. Changes of its topology are noted.
@@ -223,7 +217,8 @@ fn at_offset(table: &Table<'_>, part: Part, setting: &mut Setting<'_>) -> Result
     let off = part.by_layers(|layer| {
         let made = cspace_drawing::offset(layer, by, split).map_err(Unmade::Offset)?;
         notes.extend(made.changes);
-        Ok(loops_of(&made.part, 0..made.part.loops().len()))
+        let layers = made.part.layers().iter();
+        Ok(layers.flat_map(|l| made.part.outline(l)).collect())
     });
     let off = off.map_err(|e| match e {
         Unmade::Offset(e) => table.error("offset", e.to_string()).with_help(e.help()),

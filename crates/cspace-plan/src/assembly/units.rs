@@ -232,11 +232,10 @@ pub(super) fn together(parts: &[Part], these: &[usize]) -> Result<Part, Assembly
     let mut layers: Vec<(Heights, Vec<Vec<Vertex>>)> = Vec::new();
     for part in these.iter().map(|&i| &parts[i]) {
         for layer in part.layers() {
-            let loops = part.loops()[layer.loops()].iter();
-            let loops = loops.map(|l| l.vertices().to_vec());
+            let loops = part.outline(layer);
             match layers.last_mut() {
                 Some((z, of)) if *z == layer.z() => of.extend(loops),
-                _ => layers.push((layer.z(), loops.collect())),
+                _ => layers.push((layer.z(), loops)),
             }
         }
     }

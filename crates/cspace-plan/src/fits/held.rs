@@ -3,7 +3,7 @@
 use core::f64::consts::{PI, TAU};
 
 use cspace::part::polygon_loop;
-use cspace::{Coordinates, Options, PairSpace, Part, PartError, Progress, Relation, Vertex};
+use cspace::{Coordinates, Layer, Options, PairSpace, Part, PartError, Progress, Relation, Vertex};
 
 use crate::legs::Coords;
 
@@ -83,12 +83,9 @@ fn heights(a: &Part, b: &Part) -> [f64; 2] {
 
 /// A part within heights, with outlines above them.
 fn below(part: &Part, [lo, hi]: [f64; 2], above: Vec<Vec<Vertex>>) -> Result<Part, PartError> {
-    let layers = part.layers().iter().map(|layer| {
-        let loops = part.loops()[layer.loops()].iter();
-        let outlines: Vec<Vec<Vertex>> = loops.map(|l| l.vertices().to_vec()).collect();
-        // What is at every height is at all that there are.
-        (Some(layer.z().unwrap_or([lo, hi])), outlines)
-    });
+    // What is at every height is at all that there are.
+    let z = |layer: &Layer| Some(layer.z().unwrap_or([lo, hi]));
+    let layers = (part.layers().iter()).map(|layer| (z(layer), part.outline(layer)));
     let high = hi - lo;
     let above = (Some([hi + high, hi + 2.0 * high]), above);
     Part::layered(part.name(), layers.chain([above]))

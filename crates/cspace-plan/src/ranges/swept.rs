@@ -49,12 +49,11 @@ impl<'a> Pairs<'a> {
             return false;
         };
         let moves = |axis: Axis| axis.motion != AxisMotion::Fixed;
-        let mut joints = self.mechanism.joints.iter();
         let parts = &self.mechanism.parts;
         (moves(first) || moves(second))
             && parts[a].part.meets(&parts[b].part)
             && !self.are_linked([a, b])
-            && !joints.any(|j| j.parts == (a, b) || j.parts == (b, a))
+            && self.mechanism.joint(a, b).is_none()
     }
 
     /// Whether two parts belong to one linkage, and do not move independently of each other.

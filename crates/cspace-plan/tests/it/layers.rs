@@ -11,6 +11,8 @@ use cspace_plan::{grown, shrunk};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::proof::python;
+
 type Outline = Vec<Vec<Vertex>>;
 
 fn loops(part: &Part) -> Outline {
@@ -71,6 +73,13 @@ fn a_cage_at_one_height_is_proved() {
     moved.moving.layers[0].z = Some([2.0, 2.5]);
     let error = moved.check().unwrap_err();
     assert!(error.contains("different heights"), "{error}");
+    let told = |proof, name| python(proof, name).unwrap_or_default();
+    assert!(told(&proof, "layers").is_empty() || told(&proof, "layers").starts_with("proved"));
+    let other = told(&moved, "moved-layers");
+    assert!(
+        other.is_empty() || other.contains("different heights"),
+        "{other}"
+    );
     moved.moving.layers[0].loops = 7;
     assert!(moved.check().unwrap_err().contains("not as many loops"));
     let below = stack(&[(0.0, 1.0, &square(1.0))]);

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::layer::{Heights, Layer, meet};
-use super::{Edge, Loop, Part};
+use super::{Edge, Loop, Part, Vertex};
 
 impl Part {
     /// The layers, in the order given; a part made by [`Part::new`] has one, at every height.
@@ -30,6 +30,12 @@ impl Part {
             }],
             loops,
         ))
+    }
+
+    /// The vertices of the loops of one of the part's layers, as they were given.
+    pub fn outline(&self, layer: &Layer) -> Vec<Vec<Vertex>> {
+        let loops = self.loops[layer.loops()].iter();
+        loops.map(|l| l.vertices().to_vec()).collect()
     }
 
     /// The layer to which a loop belongs.

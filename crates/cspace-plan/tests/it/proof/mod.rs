@@ -3,3 +3,5 @@
 mod family;
 mod pairs;
 mod tampered;
+
+pub(crate) use tampered::python;

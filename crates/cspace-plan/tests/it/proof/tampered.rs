@@ -86,7 +86,7 @@ fn surfaces_elsewhere_and_parts_of_other_shapes() {
 }
 
 /// Output of the program in Python for a proof; `None` where Python is not installed.
-fn python(proof: &Proof, name: &str) -> Option<String> {
+pub(crate) fn python(proof: &Proof, name: &str) -> Option<String> {
     let path = std::env::temp_dir().join(format!("cspace-{name}-{}.json", std::process::id()));
     std::fs::write(&path, serde_json::to_vec(proof).unwrap()).unwrap();
     let script = concat!(
