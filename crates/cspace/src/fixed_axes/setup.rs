@@ -90,9 +90,9 @@ pub(super) fn set_up(
     // The fixed part is the one that is grown more. All sums of steps of the two parts differ by a step at least.
     let count = |part: &Part| part.layers().len() as f64;
     let layers = (count(fixed), count(moving));
-    let drawn = |part: &Part, center: Point, fixed| {
+    let drawn = |part: &Part, center: Point, fixed, closing| {
         let growth = match fixed {
-            true => (GROWTH, LAYER_APART),
+            true => (GROWTH + closing, LAYER_APART),
             false => (MOVING_GROWTH, LAYER_APART * layers.0),
         };
         let outline = Outline::new(part, center, frame.scale, growth);
@@ -103,24 +103,30 @@ pub(super) fn set_up(
     let about = |shift: Vector| frame.fixed_center + shift * (-1.0 / frame.scale);
     let turned = displacement.turned(parts.1, frame.fixed_center);
     let second = turned.as_ref().unwrap_or(parts.1);
-    let (second, second_body) = drawn(second, about(shifts.1), swapped);
+    let displaced = |closing| {
+        let first = drawn(parts.0, about(shifts.0), !swapped, closing);
+        (first, drawn(second, about(shifts.1), swapped, closing))
+    };
     let repeating = symmetric.0.and_then(|s| {
         let center = s.center_in(&frame);
-        let (outline, body) = drawn(&s.redrawn.part, center, !swapped);
-        let repeats = s.repeats(&outline)?;
-        Some((outline, body, repeats, Some(s)))
+        let first = drawn(&s.redrawn.part, center, !swapped, 0.0);
+        let repeats = s.repeats(&first.0)?;
+        Some((first, repeats, Some(s)))
     });
-    let (first, first_body, repeats, symmetric) = repeating.unwrap_or_else(|| {
-        let (outline, body) = drawn(parts.0, about(shifts.0), !swapped);
-        let repeats = Repeats::none(&outline);
-        (outline, body, repeats, None)
-    });
+    let (mut first, mut second) = displaced(0.0);
+    let (repeats, symmetric) = match repeating {
+        Some((redrawn, repeats, symmetric)) => {
+            first = redrawn;
+            (repeats, symmetric)
+        }
+        None => (Repeats::none(&first.0), None),
+    };
     let farthest = |axis: &Axis, unit: f64| {
         let far = |(lo, hi): (f64, f64)| lo.abs().max(hi.abs()) / unit;
         axis.range.map(far)
     };
     let ranges = (farthest(&axes.0, map.x_unit), farthest(&axes.1, map.y_unit));
-    let reach = reach(&first, &second, &motions, ranges);
+    let reach = reach(&first.0, &second.0, &motions, ranges);
     let x = extent(&axes.0, &motions.first, map.x_unit, reach);
     let y = extent(&axes.1, &motions.second, map.y_unit, reach);
     let slide = |m: &Motion, e: &Extent| match m {
@@ -128,14 +134,21 @@ pub(super) fn set_up(
         _ => 0.0,
     };
     let slides = slide(&motions.first, &x) + slide(&motions.second, &y);
-    let grown = frame.outer_length(frame.grown((fixed, GROWTH), (moving, MOVING_GROWTH)));
+    // A displacement opens nothing that contact closes (a passage between parts that are drawn flush): growth outdoes it.
+    let closing = displacement.deviation(slides);
+    if !displacement.is_none() {
+        (first, second) = displaced(closing);
+    }
+    let ((first, first_body), (second, second_body)) = (first, second);
+    let grown = frame.grown((fixed, GROWTH + closing), (moving, MOVING_GROWTH));
+    let grown = frame.outer_length(grown);
     let of_straight = |s: Option<(Part, f64)>| s.map_or(0.0, |s| s.1);
     let bent = of_straight(straight.0) + of_straight(straight.1);
     let deviation = bent
         + frame.outer_length(LAYER_APART * (layers.0 * layers.1 - 1.0))
         + frame.outer_length(joined + tilt * slides)
         + symmetric.as_ref().map_or(0.0, |s| s.deviation)
-        + frame.outer_length(displacement.deviation(slides));
+        + frame.outer_length(closing + closing);
     let redrawn = symmetric.map(|s| s.redrawn);
     let name = |f: &Feature| as_drawn(&redrawn, f.name);
     let setting = Setting {

@@ -307,3 +307,29 @@ fn samples_lie_in_their_regions() {
     }
     assert!(samples > 50 && unrolled > 10, "{samples} {unrolled}");
 }
+
+/// Two ways past a part are as wide as it: the slot, and below the block at its upper limit. Where flush sides are told apart by moving the
+/// parts, neither opens, and the part stops where it meets the block.
+#[test]
+fn a_passage_as_wide_as_the_part_stays_closed() {
+    let vertices = |corners: [(f64, f64); 4]| {
+        let corners = corners.map(|(x, y)| cspace::Vertex::line(x, y));
+        corners.to_vec()
+    };
+    let bar = |[x0, y0, x1, y1]: [f64; 4]| vertices([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]);
+    let slide = |x: f64, y: f64| Axis::prismatic(cspace::Vector::new(x, y));
+    let tooth = Part::new("tooth", vec![bar([0.0, -1.0, 4.0, 0.0])]).unwrap();
+    for (depth, upper) in [(2.0, 2.5), (3.0, 2.5), (3.0, 2.5 - 1e-9), (3.0, 1.0)] {
+        let lower = bar([4.5, -2.5, 4.5 + depth, 0.5]);
+        let block = Part::new("block", vec![bar([4.5, 1.5, 6.5, 5.5]), lower]).unwrap();
+        let along = slide(1.0, 0.0).within(-2.5, 5.5);
+        let up = slide(0.0, 1.0).within(-4.5, upper);
+        let space = FixedAxesSpace::compute(&tooth, along, &block, up).unwrap();
+        assert_eq!(space.statistics().conflicts, 0);
+        let [region] = space.regions()[..] else {
+            panic!("{:?}", space.regions());
+        };
+        let beyond = region.u.1 - 0.5;
+        assert!(beyond.abs() < 1e-6, "{depth} {upper}: {beyond:e}");
+    }
+}
