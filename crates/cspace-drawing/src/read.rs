@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::drawing::Drawing;
+use crate::dxf::DxfError;
 use crate::error::DrawingError;
 use crate::source::Source;
 use crate::{dxf, points, svg};
@@ -117,6 +118,7 @@ fn format_of(path: &Path) -> Result<Format, DrawingError> {
 pub fn from_bytes(bytes: &[u8], format: Format, source: &Source) -> Result<Drawing, DrawingError> {
     match format {
         Format::Dxf => dxf::read(bytes, source).map_err(|e| match dxf::is_binary(bytes) {
+            _ if e.line == DxfError::WHOLE => DrawingError::file(e.message, e.help),
             true => DrawingError::file(format!("byte {}: {}", e.line, e.message), e.help),
             false => DrawingError::File {
                 line: Some(e.line),

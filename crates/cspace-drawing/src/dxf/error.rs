@@ -1,6 +1,6 @@
 //! Why a file cannot be read as DXF at all.
 
-/// Error in the file, at a line of it (of a binary file, at a byte).
+/// Error in the file, at a line of it (of a binary file, at a byte), or at [`DxfError::WHOLE`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct DxfError {
     pub(crate) line: usize,
@@ -11,6 +11,9 @@ pub(crate) struct DxfError {
 pub(super) type Result<T> = core::result::Result<T, DxfError>;
 
 impl DxfError {
+    /// The line of an error that is at none.
+    pub(crate) const WHOLE: usize = 0;
+
     pub(super) fn new(line: usize, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self {
             line,

@@ -1,6 +1,7 @@
 //! The flat drawing of a DXF file: its blocks inserted, its hidden layers left out.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::{DxfError, Result};
@@ -47,7 +48,36 @@ pub(super) fn flatten(mut file: File, source: &Source) -> Result<Drawing> {
         // Entities outside of blocks are drawn once, and need not be kept.
         flat.add(Cow::Owned(item), &ground)?;
     }
-    Ok(flat.drawing)
+    let Flat { drawing, .. } = flat;
+    check_layers(&source.layers, &file, &drawing)?;
+    Ok(drawing)
+}
+
+/// Refuses layers that are asked for and not there: they are misspelt.
+fn check_layers(asked: &[String], file: &File, drawing: &Drawing) -> Result<()> {
+    /// Names that are listed, at most.
+    const MOST_NAMES: usize = 12;
+    if asked.is_empty() {
+        return Ok(());
+    }
+    let drawn = (drawing.entities.iter().map(|e| &e.origin))
+        .chain(drawing.ignored.iter().map(|i| &i.origin))
+        .chain(drawing.problems.iter().map(|p| &p.origin));
+    let mut names: BTreeMap<String, &str> = (file.layers.names())
+        .map(|name| (folded(name), name))
+        .collect();
+    names.extend(drawn.map(|origin| (folded(&origin.layer), &*origin.layer)));
+    let Some(absent) = asked.iter().find(|name| !names.contains_key(&folded(name))) else {
+        return Ok(());
+    };
+    let shown: Vec<String> = names.values().take(MOST_NAMES).map(|n| shown::start(n)).collect();
+    let more = match names.len().saturating_sub(MOST_NAMES) {
+        0 => String::new(),
+        n => format!(" and {n} more"),
+    };
+    let message = format!("there is no layer {}", shown::start(absent));
+    let help = format!("the drawing's layers are {}{more}", shown.join(", "));
+    Err(DxfError::new(DxfError::WHOLE, message, help))
 }
 
 /// Drawing context of a block's entities.

@@ -19,6 +19,8 @@ pub(super) struct Layers(HashMap<String, Layer>);
 /// Properties of what is drawn on a layer.
 #[derive(Default)]
 struct Layer {
+    /// As the file spells it.
+    name: Arc<str>,
     hidden: Option<Hidden>,
     color: Option<Color>,
     linetype: Option<Arc<str>>,
@@ -34,6 +36,11 @@ pub(super) enum Hidden {
 }
 
 impl Layers {
+    /// The names of all layers, as the file spells them.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.values().map(|layer| &*layer.name)
+    }
+
     pub(super) fn hidden(&self, layer: &str) -> Option<Hidden> {
         self.get(layer)?.hidden
     }
@@ -118,7 +125,8 @@ fn add<'a>(layers: &mut Layers, layer: &[Group<'a>], names: &mut Names<'a>) -> R
         of.color = Some(color);
     }
     if let Some(name) = name {
-        layers.0.insert(folded(&name), of);
+        let key = folded(&name);
+        layers.0.insert(key, Layer { name, ..of });
     }
     Ok(())
 }

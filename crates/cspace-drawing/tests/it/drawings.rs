@@ -343,3 +343,20 @@ fn columns_of_a_block_seen_from_behind_go_the_other_way() {
         );
     }
 }
+
+/// Of several layers that are asked for, one that the drawing does not have is not left out silently.
+#[test]
+fn a_layer_that_is_not_there_is_refused() {
+    let asked = |layers: &[&str]| {
+        let source = Source {
+            layers: layers.iter().map(|&l| l.to_owned()).collect(),
+            ..Source::default()
+        };
+        read(folder().join("layers.dxf"), &source)
+    };
+    let error = asked(&["outline", "outlne"]).unwrap_err();
+    assert_eq!(error.to_string(), "there is no layer \"outlne\"");
+    assert!(error.help().contains("\"outline\""), "{}", error.help());
+    // Names are not case-sensitive, and a layer that is there may be switched off.
+    assert!(asked(&["OUTLINE", "0"]).is_ok());
+}
