@@ -70,7 +70,11 @@ fn check_layers(asked: &[String], file: &File, drawing: &Drawing) -> Result<()> 
     let Some(absent) = asked.iter().find(|name| !names.contains_key(&folded(name))) else {
         return Ok(());
     };
-    let shown: Vec<String> = names.values().take(MOST_NAMES).map(|n| shown::start(n)).collect();
+    let shown: Vec<String> = names
+        .values()
+        .take(MOST_NAMES)
+        .map(|n| shown::start(n))
+        .collect();
     let more = match names.len().saturating_sub(MOST_NAMES) {
         0 => String::new(),
         n => format!(" and {n} more"),

@@ -4,6 +4,7 @@
 mod assembly;
 mod clash;
 mod escape;
+mod involute;
 mod layers;
 mod modes;
 mod proof;

@@ -7,7 +7,7 @@ mod gear;
 mod maze;
 pub mod mechanisms;
 pub mod notches;
-mod pen;
+pub mod pen;
 mod random;
 mod transform;
 
