@@ -1,10 +1,12 @@
 //! A question of any kind, as data.
 
-use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::error::Error;
-use crate::frame::{Answer, Pairs};
+use crate::frame::{Answer, Content, Pairs};
 use crate::host::Host;
 use crate::subject::Subject;
 use crate::tolerances::{allocation, along, analysis, zones};
@@ -14,7 +16,7 @@ use crate::{
 
 /// Declares the kinds of questions, each with its type, its answer, and the function that asks.
 macro_rules! questions {
-    ($($(#[$doc:meta])* $name:ident($question:ty) -> $answer:ty, $ask:expr;)*) => {
+    ($(#[doc = $about:literal] $name:ident($question:ty) -> $answer:ty, $ask:expr;)*) => {
         /// A question of any kind, whose name is its `question`.
         ///
         /// ```
@@ -30,17 +32,27 @@ macro_rules! questions {
         #[derive(Debug, Deserialize, JsonSchema)]
         #[serde(tag = "question", rename_all = "kebab-case")]
         pub enum Question {
-            $($(#[$doc])* $name($question),)*
+            $(#[doc = $about] $name($question),)*
         }
 
         /// The answer to a question of any kind.
         #[derive(Debug, Serialize)]
         #[serde(untagged)]
         pub enum AnyAnswer {
-            $($(#[$doc])* $name(Box<Answer<$answer>>),)*
+            $(#[doc = $about] $name(Box<Answer<$answer>>),)*
         }
 
         impl Question {
+            /// All kinds of questions.
+            pub fn kinds() -> Vec<Kind> {
+                vec![$(Kind {
+                    name: stringify!($name).to_ascii_lowercase(),
+                    about: $about.trim(),
+                    asked: inlined::<$question>(),
+                    outcomes: words::<<$answer as Content>::Outcome>(),
+                },)*]
+            }
+
             /// Asks a model, or a saved space.
             ///
             /// # Errors
@@ -55,6 +67,38 @@ macro_rules! questions {
             }
         }
     };
+}
+
+/// A kind of question: what can be asked, and how it may come out.
+#[derive(Debug, Clone)]
+pub struct Kind {
+    /// Its `question`.
+    pub name: String,
+    /// What is answered.
+    pub about: &'static str,
+    /// The schema of what is asked, in one piece.
+    pub asked: Schema,
+    /// The words of its outcomes, each with its meaning.
+    pub outcomes: Vec<(String, String)>,
+}
+
+/// The schema of what is asked, in one piece.
+pub fn inlined<T: JsonSchema>() -> Schema {
+    let settings = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
+    settings.into_generator().into_root_schema_for::<T>()
+}
+
+/// The words of an enumeration, each with its meaning.
+pub(crate) fn words<T: JsonSchema>() -> Vec<(String, String)> {
+    let schema = inlined::<T>();
+    let variants = schema.get("oneOf").and_then(Value::as_array);
+    let words = variants.into_iter().flatten().filter_map(|variant| {
+        let text = |key| variant.get(key).and_then(Value::as_str);
+        let meaning = text("description").unwrap_or_default();
+        let meaning = meaning.trim_end_matches('.').replace('\n', " ");
+        Some((text("const")?.to_owned(), meaning))
+    });
+    words.collect()
 }
 
 questions! {

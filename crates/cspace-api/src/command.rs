@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::marker::PhantomData;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use schemars::{JsonSchema, schema_for};
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
@@ -29,15 +29,10 @@ impl<T> Clone for Words<T> {
 
 impl<T: JsonSchema> Words<T> {
     fn listed() -> Vec<PossibleValue> {
-        let schema = schema_for!(T);
-        let variants = schema.get("oneOf").and_then(Value::as_array);
-        let words = variants.into_iter().flatten().filter_map(|variant| {
-            let text = |key| variant.get(key).and_then(Value::as_str);
-            let meaning = text("description").unwrap_or_default();
-            let meaning = meaning.trim_end_matches('.').replace('\n', " ");
-            Some(PossibleValue::new(text("const")?.to_owned()).help(meaning))
-        });
-        words.collect()
+        let words = crate::ask::words::<T>().into_iter();
+        words
+            .map(|(word, meaning)| PossibleValue::new(word).help(meaning))
+            .collect()
     }
 }
 

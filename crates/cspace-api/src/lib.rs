@@ -42,7 +42,7 @@ mod twin;
 mod vary;
 pub mod written;
 
-pub use ask::{AnyAnswer, Question};
+pub use ask::{AnyAnswer, Kind, Question, inlined};
 pub use error::Error;
 pub use frame::{Answer, Content, PairAnswer, Pairs, Units};
 pub use given::Given;

@@ -42,7 +42,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ),
     ("Set in motion", &["simulate"]),
     ("Design", &["check", "sweep", "solve", "tolerances"]),
-    ("Show", &["draw", "view", "export"]),
+    ("Show", &["draw", "view", "export", "mcp"]),
 ];
 
 /// The command line, whose help lists the commands in groups.
@@ -110,6 +110,8 @@ pub(crate) enum Command {
     Import(command::import::ImportArgs),
     /// Write a model to begin with: latch, cam, gears, geneva, ratchet, peg
     New(command::new::NewArgs),
+    /// Answer questions as tools of an assistant, on standard input and output
+    Mcp(command::mcp::McpArgs),
     /// Print a script that completes this command in a shell
     #[command(hide = true)]
     Completions(command::completions::CompletionsArgs),
@@ -157,6 +159,7 @@ impl Command {
             }
             Self::Import(args) => command::import::run(&args),
             Self::New(args) => command::new::run(&args),
+            Self::Mcp(args) => command::mcp::run(&args),
             Self::Completions(args) => command::completions::run(&args, Cli::command()),
             Self::Man(args) => command::man::run(&args, Cli::command()),
         }

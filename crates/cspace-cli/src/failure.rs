@@ -70,6 +70,11 @@ impl Failure {
         }
     }
 
+    /// The error alone.
+    pub(crate) fn into_error(self) -> Error {
+        self.error
+    }
+
     pub(crate) const fn code(&self) -> u8 {
         self.code
     }

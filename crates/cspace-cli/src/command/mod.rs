@@ -11,6 +11,7 @@ pub(crate) mod export;
 pub(crate) mod import;
 pub(crate) mod info;
 pub(crate) mod man;
+pub(crate) mod mcp;
 pub(crate) mod modes;
 pub(crate) mod new;
 mod page;

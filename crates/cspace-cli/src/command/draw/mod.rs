@@ -9,7 +9,9 @@ use cspace::{
 };
 pub(crate) use outlines::{check_version, is_dxf, write as write_outlines};
 
-use cspace_draw::{ContactMark, PartsPicture, PictureFormat, PlacedPart, parts};
+use cspace_draw::{
+    ContactMark, PartsPicture, PictureFormat, PictureOptions, PlacedPart, Scene, parts,
+};
 
 use cspace_plan::fits_exactly;
 
@@ -20,7 +22,7 @@ use crate::output;
 use crate::picture::{self, PictureArgs, Plane};
 use crate::subject::InWords;
 use crate::wording::EXACT_FIT;
-use cspace_api::{Chosen, Given, Named, Subject};
+use cspace_api::{Chosen, Given, Host, Named, Subject};
 use cspace_design::pair_of;
 
 const HELP: &str = "\
@@ -91,29 +93,34 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
     }
     let (subject, host) = ask::open(common)?;
     subject.warn(&host);
-    let one = args.named.pair.is_some() || args.at.is_some();
-    let pair;
-    let (drawn, title) = match &subject {
-        Subject::Model(file) if !one => {
-            let model = &file.model.mechanism;
-            (assembly(model), model.name.clone())
-        }
-        _ => {
-            pair = subject.one_pair(&args.named.clone().into(), &host)?;
-            let at = match &args.at {
-                Some(at) => pair.coordinates("at", at)?,
-                None => as_drawn(&pair),
-            };
-            let mut drawn = at_configuration(&pair, at);
-            mark_contacts(&mut drawn, &pair, at)?;
-            (drawn, pair.title())
-        }
-    };
-    let options = args
-        .picture
-        .options(Plane::Positions, title, subject.unit())?;
-    picture::write(output, format, &parts(&drawn, &options))?;
+    let sheet = |title| (args.picture).options(Plane::Positions, title, subject.unit());
+    let drawn = scene(&subject, &host, (&args.named, args.at.as_ref()), sheet)?;
+    picture::write(output, format, &drawn)?;
     Ok(subject.unit().map(str::to_owned))
+}
+
+/// The parts of a model as they are drawn, or a pair at a configuration if one of the two is given, on a sheet with a title.
+pub(crate) fn scene(
+    subject: &Subject,
+    host: &dyn Host,
+    (named, at): (&Named, Option<&Given>),
+    sheet: impl FnOnce(String) -> Result<PictureOptions, Failure>,
+) -> Result<Scene, Failure> {
+    let one = named.pair.is_some() || at.is_some();
+    if let Subject::Model(file) = subject
+        && !one
+    {
+        let model = &file.model.mechanism;
+        return Ok(parts(&assembly(model), &sheet(model.name.clone())?));
+    }
+    let pair = subject.one_pair(&named.clone().into(), host)?;
+    let at = match at {
+        Some(at) => pair.coordinates("at", at)?,
+        None => as_drawn(&pair),
+    };
+    let mut drawn = at_configuration(&pair, at);
+    mark_contacts(&mut drawn, &pair, at)?;
+    Ok(parts(&drawn, &sheet(pair.title())?))
 }
 
 /// Outlines are those of models, and written as SVG or DXF.
