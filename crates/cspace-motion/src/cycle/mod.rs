@@ -45,7 +45,7 @@ use crate::error::SimulateError;
 use crate::pairs::Pairs;
 use crate::system::{PartCoordinates, System};
 use linkage::{Linkage, linkages};
-pub use span::{NoCycle, Span};
+pub use span::{MOST_TURNS, NoCycle, Span};
 pub use way::Halt;
 use way::Way;
 

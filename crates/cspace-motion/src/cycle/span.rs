@@ -8,7 +8,7 @@ use cspace_model::DriveMotion;
 use crate::system::{PartCoordinates, System};
 
 /// Drives that turn at constant rates come back together after no more turns of each than this.
-const MOST_TURNS: u32 = 360;
+pub const MOST_TURNS: u32 = 360;
 /// Rates are in a ratio of whole numbers to this share.
 const SAME: f64 = 1e-9;
 
