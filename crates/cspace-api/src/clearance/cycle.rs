@@ -138,12 +138,7 @@ fn told(model: &Mechanism, why: &NoCycle) -> String {
     }
 }
 
-fn one(
-    model: &Mechanism,
-    pair: [usize; 2],
-    motion: &PairCycle<'_>,
-    passage: &Passage,
-) -> Row {
+fn one(model: &Mechanism, pair: [usize; 2], motion: &PairCycle<'_>, passage: &Passage) -> Row {
     let told = row(model, Over::Cycle, &passage.clash);
     let time = passage.clash.time.unwrap_or(motion.span.times[0]);
     let name = |i: usize| model.parts[i].part.name().to_owned();

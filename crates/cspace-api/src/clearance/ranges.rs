@@ -12,7 +12,9 @@ use crate::frame::PairAnswer;
 use crate::host::{Host, is_interrupted, spaces};
 use crate::subject::{Subject, Which};
 
-use super::{At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, cycle, numbers, order, row};
+use super::{
+    At, Backlash, Clearance, End, Outcome, Over, Row, Stopped, cycle, numbers, order, row,
+};
 
 /// All pairs that are asked about, those of linkages over a cycle, those on axes over their ranges and others as drawn, and how many are farther apart than was asked for.
 pub(super) fn rows(

@@ -196,9 +196,7 @@ impl Equations<'_> {
                 .collect()
         };
         let centers: Vec<Ball> = middle.iter().map(|&x| Ball::constant(x)).collect();
-        let motions = |d: usize| {
-            move |curve: &crate::DriveCurve| curve.over([lo, hi])[d]
-        };
+        let motions = |d: usize| move |curve: &crate::DriveCurve| curve.over([lo, hi])[d];
         let fixed = {
             let q = self.all(&centers, motions(0));
             let rows = self.system.joints_of(&self.linkage.joints, &q);

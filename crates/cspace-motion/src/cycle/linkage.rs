@@ -114,11 +114,13 @@ fn loose(system: &System, linkage: &Linkage, q: &[f64]) -> Vec<usize> {
     let eigen = (jacobian.transpose() * jacobian).symmetric_eigen();
     let largest = eigen.eigenvalues.max();
     let moves = |i: usize| {
-        (0..n).filter(|&k| eigen.eigenvalues[k] <= NONE * largest).any(|k| {
-            let of = system.parts()[i].indices();
-            of.filter_map(|c| linkage.unknown.binary_search(&c).ok())
-                .any(|row| eigen.eigenvectors[(row, k)].abs() > SHARE)
-        })
+        (0..n)
+            .filter(|&k| eigen.eigenvalues[k] <= NONE * largest)
+            .any(|k| {
+                let of = system.parts()[i].indices();
+                of.filter_map(|c| linkage.unknown.binary_search(&c).ok())
+                    .any(|row| eigen.eigenvectors[(row, k)].abs() > SHARE)
+            })
     };
     let parts = linkage.parts.iter().copied();
     parts.filter(|&i| moves(i)).collect()

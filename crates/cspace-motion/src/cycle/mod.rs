@@ -127,9 +127,8 @@ impl Cycles {
     /// common height, and no joint connects them.
     pub fn has(&self, [a, b]: [usize; 2]) -> bool {
         let parts = self.system.parts();
-        let is_known = |i: usize| {
-            self.carries(i) || self.is_driven(i) || parts[i] == PartCoordinates::Fixed
-        };
+        let is_known =
+            |i: usize| self.carries(i) || self.is_driven(i) || parts[i] == PartCoordinates::Fixed;
         let model = self.system.mechanism();
         (self.carries(a) || self.carries(b))
             && is_known(a)
@@ -187,7 +186,10 @@ impl PairCycle<'_> {
     pub fn drive(&self, part: usize, time: f64) -> Option<f64> {
         let own = self.system.parts()[part].indices();
         let drives = self.system.drives().iter();
-        (drives.filter(|d| own.contains(&d.0)).map(|d| d.1.at(time).value)).next()
+        (drives
+            .filter(|d| own.contains(&d.0))
+            .map(|d| d.1.at(time).value))
+        .next()
     }
 
     /// Coordinates of a part, given those of its linkage.
@@ -230,8 +232,8 @@ impl PairCycle<'_> {
 impl Course for PairCycle<'_> {
     fn times(&self) -> Vec<f64> {
         let [from, _] = self.span.times;
-        let looks = (0..=LOOKS)
-            .map(|i| from + (self.reached - from) * f64::from(i) / f64::from(LOOKS));
+        let looks =
+            (0..=LOOKS).map(|i| from + (self.reached - from) * f64::from(i) / f64::from(LOOKS));
         let ways = self.ways.iter().flatten();
         let mut times: Vec<f64> = match ways.clone().next() {
             // The pieces of the ways are enough.

@@ -82,7 +82,11 @@ pub(super) fn span(system: &System, driven: &[usize]) -> Result<Span, NoCycle> {
     };
     let [from, until] = table.unwrap_or([0.0, 0.0]);
     // What follows from a table that begins later stands still before.
-    let from = if turning.is_empty() && end.is_none() { from } else { 0.0 };
+    let from = if turning.is_empty() && end.is_none() {
+        from
+    } else {
+        0.0
+    };
     let mut to = (from + round).max(until);
     let slides = end.is_some_and(|(_, part)| turning.iter().all(|t| t.0 != part));
     let mut ends = None;

@@ -80,7 +80,10 @@ impl Way {
         let mut marks: Vec<f64> = (0..=PIECES)
             .map(|i| from + span * f64::from(i) / f64::from(PIECES))
             .collect();
-        let corners = system.drives().iter().flat_map(|(_, curve)| curve.corners());
+        let corners = system
+            .drives()
+            .iter()
+            .flat_map(|(_, curve)| curve.corners());
         marks.extend(corners.filter(|t| *t > from && *t < to));
         marks.sort_by(f64::total_cmp);
         marks.dedup();
@@ -122,7 +125,8 @@ impl Way {
     fn piece(&self, system: &System, [lo, hi]: [f64; 2], x: &[f64]) -> Option<Piece> {
         let equations = self.equations(system);
         let rates = equations.rates(lo, x)?;
-        let ahead = |by: f64| -> Vec<f64> { x.iter().zip(&rates).map(|(x, v)| x + v * by).collect() };
+        let ahead =
+            |by: f64| -> Vec<f64> { x.iter().zip(&rates).map(|(x, v)| x + v * by).collect() };
         let middle = equations.solve(0.5 * (lo + hi), &ahead(0.5 * (hi - lo)))?;
         let Enclosed { within, .. } = equations.enclosed([lo, hi], &middle)?;
         if !holds(&within, x) {
@@ -140,18 +144,22 @@ impl Way {
     /// Whether a part leaves its range over a piece, which then is cut off there.
     fn leaves(&mut self, system: &System, piece: &Piece) -> Option<Halt> {
         let outside = |x: &[f64]| {
-            self.linkage.parts.iter().copied().find(|&i| match system.parts()[i] {
-                PartCoordinates::Axis {
-                    first,
-                    range: Some((lo, hi)),
-                    ..
-                } => {
-                    let slack = SLACK * (hi - lo);
-                    let k = self.linkage.unknown.binary_search(&first);
-                    k.is_ok_and(|k| x[k] < lo - slack || x[k] > hi + slack)
-                }
-                _ => false,
-            })
+            self.linkage
+                .parts
+                .iter()
+                .copied()
+                .find(|&i| match system.parts()[i] {
+                    PartCoordinates::Axis {
+                        first,
+                        range: Some((lo, hi)),
+                        ..
+                    } => {
+                        let slack = SLACK * (hi - lo);
+                        let k = self.linkage.unknown.binary_search(&first);
+                        k.is_ok_and(|k| x[k] < lo - slack || x[k] > hi + slack)
+                    }
+                    _ => false,
+                })
         };
         let part = outside(&piece.ends[1])?;
         let [mut lo, mut hi] = piece.times;

@@ -65,9 +65,7 @@ struct Over<'p, 'a, 'c> {
 pub(super) fn passage(pair: &Pair<'_>, course: &mut dyn Course, within: f64) -> Option<Passage> {
     let times = course.times();
     let (first, last) = (*times.first()?, *times.last()?);
-    let edges: usize = (pair.bodies.iter())
-        .map(|b| b.part().edges().count())
-        .sum();
+    let edges: usize = (pair.bodies.iter()).map(|b| b.part().edges().count()).sum();
     Over {
         pair,
         course,

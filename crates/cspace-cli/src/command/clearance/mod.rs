@@ -8,7 +8,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 use cspace::Coordinates;
-use cspace_api::clearance::{At, Clearance, Clearances, End, Halt, Outcome, Over, Question, Stopped};
+use cspace_api::clearance::{
+    At, Clearance, Clearances, End, Halt, Outcome, Over, Question, Stopped,
+};
 use cspace_api::{Outcome as _, PairAnswer};
 use cspace_model::{Mechanism, shown};
 
@@ -130,7 +132,10 @@ pub(crate) fn run(args: &ClearanceArgs) -> Result<(), Failure> {
         let words = Words {
             model: &model.model.mechanism,
             unit: (subject.unit()).map_or(String::new(), |u| format!(" {}", shown::text(u))),
-            is_over_ranges: found.pairs.iter().any(|p| matches!(p.content.over, Over::Ranges | Over::Cycle)),
+            is_over_ranges: found
+                .pairs
+                .iter()
+                .any(|p| matches!(p.content.over, Over::Ranges | Over::Cycle)),
         };
         words.describe(text, found)
     })
