@@ -8,7 +8,7 @@
 //! use cspace::{Part, Point};
 //! use cspace_model::{Drive, DriveMotion, JointEntry, Mechanism, PartEntry};
 //! use cspace_motion::cycle::Cycles;
-//! // A parallelogram is a linkage; its middle bar stays level.
+//! // A crank pushes a slider by a rod.
 //! let mut model = Mechanism::new("slider and crank");
 //! let bar = |name: &str, x: f64, y: f64, l: f64| Part::rectangle(name, (x + 0.5 * l, y), l, 0.2);
 //! model.parts.push(PartEntry::revolute(bar("crank", 0.0, 0.0, 1.0)?, Point::ORIGIN));

@@ -30,7 +30,7 @@ pub struct Leg {
     pub off: f64,
 }
 
-/// What two parts are to each other over a motion.
+/// State of two parts over a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passage {
     /// The state; of parts that are clear the smallest gap, its time and features; of others the first touch.
@@ -61,7 +61,7 @@ struct Over<'p, 'a, 'c> {
     narrowest: f64,
 }
 
-/// What the two parts are to each other; none if they are clear by `within` or more all along.
+/// State of the two parts over a course; none if they are clear by `within` or more all along.
 pub(super) fn passage(pair: &Pair<'_>, course: &mut dyn Course, within: f64) -> Option<Passage> {
     let times = course.times();
     let (first, last) = (*times.first()?, *times.last()?);
