@@ -177,7 +177,7 @@ pub struct Cycle {
     pub turns: BTreeMap<String, u32>,
     /// The time up to which the parts go (s): the last, unless something halts them.
     pub reached: f64,
-    /// What halts them.
+    /// Reason why they go no farther.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub halt: Option<Halt>,
     /// Where the driven parts are at the time that is told: angles (rad), or lengths in the model's unit.
@@ -192,7 +192,7 @@ pub struct Cycle {
     pub angles: Vec<String>,
 }
 
-/// What halts parts before the end of a cycle.
+/// Reason why parts do not go through the whole cycle.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Halt {

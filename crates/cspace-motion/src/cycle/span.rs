@@ -15,7 +15,7 @@ const SAME: f64 = 1e-9;
 /// Why drives have no cycle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NoCycle {
-    /// None of them moves.
+    /// No drive moves.
     Still,
     /// A part, by its number, slides on for ever.
     Endless(usize),
@@ -23,7 +23,7 @@ pub enum NoCycle {
     Incommensurable([usize; 2]),
 }
 
-/// What one cycle of drives is.
+/// One cycle of drives: its time and turns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Span {
     /// Its first and last time (s).
