@@ -350,17 +350,29 @@ fn features_are_labelled_where_they_fit() {
 fn one_height_is_drawn_alone() {
     let file = model("layers/compound_train");
     let named = |of: &str, text: &str| text.contains(&format!(">{of} arbor</text>"));
-    for (z, first, third) in [("4", true, false), ("8", false, true), ("15.9", false, true)] {
+    for (z, first, third) in [
+        ("4", true, false),
+        ("8", false, true),
+        ("15.9", false, true),
+    ] {
         let drawn = svg(&["draw", &file, "--height", z]);
         assert!(named("second", &drawn), "{z}");
         assert_eq!(named("first", &drawn), first, "{z}");
         assert_eq!(named("third", &drawn), third, "{z}");
     }
     let all = svg(&["draw", &file]);
-    assert!(["first", "second", "third"].iter().all(|of| named(of, &all)));
+    assert!(
+        ["first", "second", "third"]
+            .iter()
+            .all(|of| named(of, &all))
+    );
     for z in ["16", "-1", "nan"] {
         let command = cspace(&["draw", &file, "--height", z]);
-        fails(command, 2, &["no layer is there", "from 0 to less than 16 mm"]);
+        fails(
+            command,
+            2,
+            &["no layer is there", "from 0 to less than 16 mm"],
+        );
     }
     let flat = cspace(&["draw", &model("knee"), "--height", "1"]);
     fails(flat, 2, &["no part has any"]);

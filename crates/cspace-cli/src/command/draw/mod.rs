@@ -61,7 +61,7 @@ pub(crate) struct DrawArgs {
     /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<Given>,
-    /// Of layers: draw what is at this height
+    /// Draw what is at this height alone, of parts with layers
     #[arg(long, value_name = "Z", allow_hyphen_values = true)]
     pub(crate) height: Option<f64>,
     #[command(flatten)]
