@@ -5,7 +5,8 @@ mod outlines;
 
 use clap::Args;
 use cspace::{
-    Axis, Configuration, Coordinates, Location, PairSpace, Point, QueryError, Rotation, Vector,
+    Axis, Configuration, Coordinates, FeatureName, Layer, Location, PairSpace, Part, Point,
+    QueryError, Rotation, Vector,
 };
 pub(crate) use outlines::{check_version, is_dxf, write as write_outlines};
 
@@ -28,13 +29,15 @@ Examples:
   cspace draw models/ratchet_mechanism.toml -o mechanism.svg
   cspace draw models/ratchet_pawl.toml --labels all -o pawl.pdf
   cspace draw models/gears_on_shafts.toml --at 5deg,-7deg -o gears.png
+  cspace draw models/layers/compound_train.toml --height 4 -o lower.svg
 
 All parts are drawn as they are in the file; with --pair or --at, the two parts
 of the pair at the configuration, and the features that touch there are marked
 by a point and the normal of the fixed part. A cross with a long and a short
 arm is the x and y axis of a part's frame, a ring the pivot of a part that
 turns, a double arrow the direction of one that slides. With --labels all
-vertices are numbered as in the file, loop and index from 0. Without -o the
+vertices are numbered as in the file, loop and index from 0. With --height
+layers that are not there are thin outlines, or left out of DXF. Without -o the
 picture is SVG on standard output.
 
 FILE may be a drawing too: what of it makes no part is red. An output that ends
@@ -58,6 +61,9 @@ pub(crate) struct DrawArgs {
     /// The configuration of the pair: x,y,theta, or u,v on fixed axes; what touches there is marked [default: as drawn]
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) at: Option<Given>,
+    /// Draw what is at this height alone, of parts with layers
+    #[arg(long, value_name = "Z", allow_hyphen_values = true)]
+    pub(crate) height: Option<f64>,
     #[command(flatten)]
     pub(crate) picture: PictureArgs,
 }
@@ -86,6 +92,10 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
         }
     };
     if is_drawing {
+        if args.height.is_some() {
+            return Err(Failure::new("--height is about the layers of a model")
+                .help("leave the option out: a drawing is flat"));
+        }
         output::check(output)?;
         return drawing::run(args, format);
     }
@@ -93,7 +103,7 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
     subject.warn(&host);
     let one = args.named.pair.is_some() || args.at.is_some();
     let pair;
-    let (drawn, title) = match &subject {
+    let (mut drawn, title) = match &subject {
         Subject::Model(file) if !one => {
             let model = &file.model.mechanism;
             (assembly(model), model.name.clone())
@@ -105,10 +115,11 @@ pub(crate) fn run(args: &DrawArgs) -> Result<Option<String>, Failure> {
                 None => as_drawn(&pair),
             };
             let mut drawn = at_configuration(&pair, at);
-            mark_contacts(&mut drawn, &pair, at)?;
+            mark_contacts(&mut drawn, &pair, at, args.height)?;
             (drawn, pair.title())
         }
     };
+    at_height(&mut drawn, args.height, subject.unit())?;
     let options = args
         .picture
         .options(Plane::Positions, title, subject.unit())?;
@@ -130,6 +141,35 @@ fn check_outlines(args: &DrawArgs, is_drawing: bool) -> Result<(), Failure> {
         return Err(Failure::new("--outlines is about SVG")
             .help("let the name after -o end in .svg, or in .dxf without --outlines"));
     }
+    Ok(())
+}
+
+/// Has a picture drawn at a height, if one is asked for, which must be within the stack of the parts.
+pub(super) fn at_height(
+    picture: &mut PartsPicture<'_>,
+    height: Option<f64>,
+    unit: Option<&str>,
+) -> Result<(), Failure> {
+    let Some(z) = height else { return Ok(()) };
+    let layers = picture.parts.iter().flat_map(|p| p.part.layers());
+    let stack = layers
+        .filter_map(Layer::z)
+        .reduce(|[lo, hi], [a, b]| [lo.min(a), hi.max(b)]);
+    let Some([lo, hi]) = stack else {
+        return Err(
+            Failure::new("--height is about layers, and no part has any")
+                .help("leave the option out, or give the parts `z` or `layers`"),
+        );
+    };
+    if !(lo <= z && z < hi) {
+        let unit = unit.map(|u| format!(" {u}")).unwrap_or_default();
+        return Err(
+            Failure::new(format_args!("--height {z}: no layer is there")).help(format_args!(
+                "heights are from {lo} to less than {hi}{unit}"
+            )),
+        );
+    }
+    picture.height = Some(z);
     Ok(())
 }
 
@@ -190,11 +230,12 @@ fn placed(axes: Option<(Axis, Axis)>, at: Coordinates) -> [Configuration; 2] {
     }
 }
 
-/// Says where the configuration is, and marks what touches there.
+/// Says where the configuration is, and marks what touches there, at a height or at any.
 fn mark_contacts(
     drawn: &mut PartsPicture<'_>,
     pair: &Chosen<'_>,
     at: Coordinates,
+    height: Option<f64>,
 ) -> Result<(), Failure> {
     let space = pair.space()?;
     let unanswered = |e: QueryError| pair.unanswered("--at", &e);
@@ -215,6 +256,12 @@ fn mark_contacts(
     }
     let assembly_from_fixed = drawn.parts[0].assembly_from_part;
     for near in (space.near_features(at, space.resolution())).map_err(unanswered)? {
+        let is_there = |part: &Part, feature: FeatureName| {
+            height.is_none_or(|z| part.bounds_at(feature.loop_index as usize, z))
+        };
+        if !is_there(pair.fixed(), near.fixed.name) || !is_there(pair.moving(), near.moving.name) {
+            continue;
+        }
         let touching = near.touching;
         let (p, n): (Point, Vector) = (touching.on_fixed, touching.normal);
         drawn.contacts.push(ContactMark {
