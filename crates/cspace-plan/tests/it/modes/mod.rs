@@ -4,3 +4,4 @@ mod blocks;
 mod flood;
 mod gears;
 mod interlock;
+mod tree;
