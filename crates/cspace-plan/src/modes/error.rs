@@ -32,7 +32,7 @@ pub enum ModesError {
     },
     /// A part is planar.
     #[error(
-        "part {part:?} moves freely in the plane: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
+        "part {part:?} moves freely in the plane: a mode is of parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
     )]
     Planar {
         /// Name of the part.
@@ -40,7 +40,7 @@ pub enum ModesError {
     },
     /// A part does not move.
     #[error(
-        "part {part:?} does not move: a mode is of three parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
+        "part {part:?} does not move: a mode is of parts with one coordinate each; give it a motion of type revolute or prismatic, or choose another part"
     )]
     Still {
         /// Name of the part.

@@ -84,9 +84,9 @@ fn tree(seed: u64, n: usize, deep: bool) -> Mechanism {
     mechanism
 }
 
-/// Free configurations on a grid: how many, in how many components, in how many modes. Panics if a step that is free by the pairs'
+/// Free configurations on a grid: in how many components they are, and in how many modes. Panics if a step that is free by the pairs'
 /// spaces leads from one mode to another.
-fn flooded(modes: &TreeModes, n: usize) -> (usize, usize, usize) {
+fn flooded(modes: &TreeModes, n: usize) -> (usize, usize) {
     let axes = modes.axes();
     let along: Vec<(f64, f64, bool)> = (axes.iter().enumerate())
         .map(|(k, axis)| {
@@ -167,15 +167,14 @@ fn flooded(modes: &TreeModes, n: usize) -> (usize, usize, usize) {
         }
     }
     let mut met = vec![false; modes.list().len()];
-    let (mut free, mut components) = (0, 0);
+    let mut components = 0;
     for (number, own) in mode.iter().enumerate() {
         if let Some(own) = *own {
-            free += 1;
             met[own] = true;
             components += usize::from(root(&mut above, number) == number);
         }
     }
-    (free, components, met.into_iter().filter(|m| *m).count())
+    (components, met.into_iter().filter(|m| *m).count())
 }
 
 #[test]
@@ -189,7 +188,7 @@ fn what_a_free_step_joins_is_one_mode_of_a_tree() {
             if modes.doubts() > 0 {
                 continue;
             }
-            let (free, components, met) = flooded(&modes, grid);
+            let (components, met) = flooded(&modes, grid);
             assert!(components >= met && met <= modes.list().len());
             for (k, mode) in modes.list().iter().enumerate() {
                 let place = modes.locate(&mode.sample);
@@ -204,6 +203,41 @@ fn what_a_free_step_joins_is_one_mode_of_a_tree() {
         4 * exact >= all && several > 0,
         "{exact} of {all}, {several}"
     );
+}
+
+/// Parts in another order hang on each other in another way where as many touch several of them, and have the same modes.
+#[test]
+fn the_order_of_the_parts_of_a_tree_does_not_matter() {
+    let (mut other, mut several) = (0, 0);
+    for seed in 200..effort(212, 300) {
+        for n in [2, 4, 5] {
+            let mechanism = tree(seed, n, true);
+            let modes = |parts: &[usize]| TreeModes::compute(&mechanism, parts).unwrap();
+            let parts: Vec<usize> = (0..n).collect();
+            let back: Vec<usize> = parts.iter().rev().copied().collect();
+            let (a, b) = (modes(&parts), modes(&back));
+            assert_eq!(a.list().len(), b.list().len(), "{seed} {n}");
+            other += usize::from(a.hub() + b.hub() + 1 != n);
+            several += usize::from(a.list().len() > 1);
+            for mode in a.list() {
+                let at: Vec<f64> = mode.sample.iter().rev().copied().collect();
+                let Ok(ModePlace::Mode(k)) = b.locate(&at) else {
+                    panic!("{seed} {n} {mode:?}");
+                };
+                let same = &b.list()[k];
+                for i in 0..n {
+                    let ((lo, hi), (from, to)) = (mode.ranges[i], same.ranges[n - 1 - i]);
+                    assert!(
+                        (lo - from).abs() < 1e-7 && (hi - to).abs() < 1e-7,
+                        "{seed} {n} {i}: {mode:?} {same:?}"
+                    );
+                    assert_eq!(mode.around(i), same.around(n - 1 - i));
+                }
+                assert_eq!(mode.turns.len(), same.turns.len());
+            }
+        }
+    }
+    assert!(other > 5 && several > 10, "{other} {several}");
 }
 
 /// An eccentric cam with followers all around it, each of which slides towards it.
