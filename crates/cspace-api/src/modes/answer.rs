@@ -52,9 +52,9 @@ pub struct OperatingModes {
 /// The modes as they were computed.
 #[derive(Debug)]
 pub enum Found {
-    /// Of three parts, each of which may touch both others.
+    /// Modes of three parts, each of which may touch both others.
     Three(Box<Modes>),
-    /// Of more parts, whose contacts make a tree.
+    /// Modes of more parts, whose contacts make a tree.
     Tree(Box<TreeModes>),
 }
 
@@ -201,7 +201,7 @@ pub struct Mode {
     /// The turns of all coordinates by which motions within the mode come back to where they began: all are sums of whole multiples of these.
     pub turns: Vec<Vec<i64>>,
     /// A configuration in the mode.
-    pub sample: Coordinates,
+    pub sample: PartCoordinates,
 }
 
 /// Range of a coordinate that a mode reaches, in radians or the model's unit.
@@ -217,7 +217,7 @@ pub struct Reach {
 
 /// A configuration of the parts, in radians or the model's unit.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct Coordinates {
+pub struct PartCoordinates {
     /// Motion of the first part.
     pub u: f64,
     /// Motion of the second part.
@@ -233,7 +233,7 @@ pub struct Coordinates {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Requested {
     /// The configuration.
-    pub at: Coordinates,
+    pub at: PartCoordinates,
     /// How the parts are there.
     pub result: Is,
     /// The number of the mode, from 0, in the order of `modes`; none if it is in none.
@@ -262,7 +262,7 @@ pub enum Is {
     Closed,
 }
 
-impl Coordinates {
+impl PartCoordinates {
     fn of(at: &[f64]) -> Self {
         let one = |k: usize| at.get(k).copied().unwrap_or_default();
         Self {
@@ -347,7 +347,7 @@ impl Mode {
             w: reach(2),
             more: (3..mode.ranges.len()).map(reach).collect(),
             turns: mode.turns.clone(),
-            sample: Coordinates::of(&mode.sample),
+            sample: PartCoordinates::of(&mode.sample),
         }
     }
 }
@@ -369,7 +369,7 @@ impl Requested {
             ModePlace::Closed => (Is::Closed, None, Vec::new()),
         };
         Self {
-            at: Coordinates::of(at),
+            at: PartCoordinates::of(at),
             result,
             mode,
             between,

@@ -17,7 +17,7 @@ use crate::host::Host;
 use crate::subject::{ModelFile, Subject};
 
 pub use answer::{
-    Coordinates, Found, Is, Mode, Motion, OperatingModes, Outcome, Pair, Part, Reach, Requested,
+    Found, Is, Mode, Motion, OperatingModes, Outcome, Pair, Part, PartCoordinates, Reach, Requested,
 };
 
 /// The parts whose modes are asked for.

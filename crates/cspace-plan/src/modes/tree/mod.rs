@@ -3,7 +3,7 @@
 //! The part that touches the most others is the hub. Its coordinate is swept; where parts hang on it that do not touch each other, the
 //! free configurations at one place of the hub are products of what is free of each, and only the critical values of one part beside the
 //! hub at a time change them (`branch`). Parts that hang on others are done first, so that a tree may be as deep as it is (`hang`).
-//! What it costs grows with the number of combinations of free intervals, not with that of cells of a space of so many dimensions.
+//! The cost grows with the number of combinations of free intervals, not with that of cells of a space of so many dimensions.
 
 mod branch;
 mod hang;

@@ -1,4 +1,4 @@
-//! What a cell of a tree reaches, a configuration in it, and which cell holds a configuration.
+//! Ranges of the cells of a tree, a configuration in each, and the cell that holds a configuration.
 
 use core::f64::consts::TAU;
 
