@@ -52,6 +52,15 @@ pub struct TreeMode {
     pub turns: Vec<Vec<i64>>,
 }
 
+/// State of a mode while its cells are collected.
+struct Gathered {
+    /// The cell that stands for it.
+    root: u32,
+    ranges: Vec<(f64, f64)>,
+    /// A configuration in the largest cell.
+    sample: Option<Sample>,
+}
+
 impl TreeMode {
     /// Whether the mode closes on itself around a coordinate: the part can turn without end, with the others or alone.
     pub fn around(&self, coordinate: usize) -> bool {
@@ -197,29 +206,33 @@ impl TreeModes {
         let (n, turning) = (self.parts.axes.len(), &self.parts.turning);
         let mut sets = self.root.sets();
         let mut numbers: HashMap<u32, u32> = HashMap::new();
-        // Of each mode its root, ranges, and its largest sample.
-        let mut all: Vec<(u32, Vec<(f64, f64)>, Option<Sample>)> = Vec::new();
+        let mut all: Vec<Gathered> = Vec::new();
         for cell in 0..self.root.cells {
             let (root, at) = sets.find(cell as u32);
             let next = numbers.len() as u32;
             let number = *numbers.entry(root).or_insert(next);
             if number == next {
-                all.push((root, vec![(f64::INFINITY, f64::NEG_INFINITY); n], None));
+                all.push(Gathered {
+                    root,
+                    ranges: vec![(f64::INFINITY, f64::NEG_INFINITY); n],
+                    sample: None,
+                });
             }
             self.mode_of.push(number);
-            let (_, ranges, best) = &mut all[number as usize];
+            let gathered = &mut all[number as usize];
             let whole = (f64::NEG_INFINITY, f64::INFINITY);
-            self.root.reach(cell, whole, (&at, turning), ranges);
+            (self.root).reach(cell, whole, (&at, turning), &mut gathered.ranges);
             let sample = self.root.sample(cell, &at, turning, n);
-            if best.as_ref().is_none_or(|best| sample.room > best.room) {
-                *best = Some(sample);
+            let best = gathered.sample.as_ref();
+            if best.is_none_or(|best| sample.room > best.room) {
+                gathered.sample = Some(sample);
             }
         }
         let mut modes: Vec<(usize, TreeMode)> = (all.into_iter())
-            .map(|(root, ranges, sample)| {
-                let turns = sets.lattice(root).reduced();
-                let sample = sample.map_or_else(|| vec![0.0; n], |s| s.at);
-                self.mode(&turns, ranges, sample)
+            .map(|gathered| {
+                let turns = sets.lattice(gathered.root).reduced();
+                let sample = gathered.sample.map_or_else(|| vec![0.0; n], |s| s.at);
+                self.mode(&turns, gathered.ranges, sample)
             })
             .enumerate()
             .collect();
