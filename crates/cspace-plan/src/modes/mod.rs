@@ -1,4 +1,7 @@
-//! Operating modes of three parts on fixed axes: the connected components of the configurations in which no two overlap.
+//! Operating modes of parts on fixed axes: the connected components of the configurations in which no two overlap.
+//!
+//! [`Modes`] are those of three parts, each of which may touch both others; [`TreeModes`] those of any number of parts whose contacts
+//! make a tree.
 //!
 //! Three parts A, B and C that each turn or slide on an axis have the coordinates u, v and w (radians, or the model's unit of
 //! length). A configuration is free if it is free for each of the three pairs:
@@ -56,12 +59,14 @@ mod section;
 mod shadow;
 mod shape;
 mod sweep;
+mod tree;
 mod trio;
 mod turns;
 
 pub use components::Modes;
 pub use error::ModesError;
-pub use locate::ModePlace;
+pub use locate::{ModePlace, coordinate_name};
 pub use mode::Mode;
 pub use shadow::Shadow;
+pub use tree::{TreeMode, TreeModes};
 pub use trio::{PAIRS, TrioPair, moving_parts};

@@ -988,17 +988,6 @@ class InfoAnswer(Record):
     """Version of the form of answers."""
 
 
-class ThreeCoordinates(Record):
-    """A configuration of the three parts, in radians or the model's unit."""
-
-    u: float
-    """Motion of the first part."""
-    v: float
-    """Motion of the second part."""
-    w: float
-    """Motion of the third part."""
-
-
 class Reach(Record):
     """Range of a coordinate that a mode reaches, in radians or the model's unit."""
 
@@ -1010,13 +999,28 @@ class Reach(Record):
     """The minimum; none if there is none."""
 
 
+class PartCoordinates(Record):
+    """A configuration of the parts, in radians or the model's unit."""
+
+    more: list[float] | None
+    """Motions of the fourth part and those after it, if there are such."""
+    u: float
+    """Motion of the first part."""
+    v: float
+    """Motion of the second part."""
+    w: float
+    """Motion of the third part."""
+
+
 class Mode(Record):
     """A mode."""
 
-    sample: ThreeCoordinates
+    more: list[Reach] | None
+    """Ranges of the coordinates of the fourth part and those after it, if there are such."""
+    sample: PartCoordinates
     """A configuration in the mode."""
     turns: list[list[int]]
-    """The turns of u, v and w by which motions within the mode come back to where they began: all are sums of whole multiples of these."""
+    """The turns of all coordinates by which motions within the mode come back to where they began: all are sums of whole multiples of these."""
     u: Reach
     """Range of u that the mode reaches."""
     v: Reach
@@ -1026,9 +1030,9 @@ class Mode(Record):
 
 
 class Pair(Record):
-    """Two of the three parts."""
+    """Two of the parts."""
 
-    coordinates: list[Literal['u', 'v', 'w']]
+    coordinates: list[str]
     """The coordinates of the fixed and of the moving part."""
     fixed: str
     """The fixed part's name."""
@@ -1043,9 +1047,9 @@ class Pair(Record):
 
 
 class Part(Record):
-    """One of the three parts."""
+    """One of the parts."""
 
-    coordinate: Literal['u', 'v', 'w']
+    coordinate: str
     """Name of its coordinate."""
     motion: Literal['revolute', 'prismatic']
     """How it moves."""
@@ -1058,7 +1062,7 @@ class Part(Record):
 class Requested(Record):
     """Where the configuration is that is asked about."""
 
-    at: ThreeCoordinates
+    at: PartCoordinates
     """The configuration."""
     between: list[str]
     """The parts that touch or overlap, or the one whose range is left."""
@@ -1076,15 +1080,15 @@ class ModesAnswer(Record):
     doubts: int
     """The number of places at which contacts coincide but for rounding; if there are any, the modes are not to be relied upon."""
     left_out: list[list[str]]
-    """Pairs of the model of one of the three parts and another part, which are not considered."""
+    """Pairs of the model of one of the parts and another part, which are not considered."""
     modes: list[Mode]
     """The modes: connected components of the free configurations."""
     outcome: Literal['done', 'blocked']
     """How it came out; of several pairs the worst."""
     pairs: list[Pair]
-    """The pairs of u and v, of v and w, of u and w."""
+    """Pairs of the parts: of three parts those of u and v, of v and w, of u and w; of more those that the model has."""
     parts: list[Part]
-    """The three parts, whose coordinates are u, v and w."""
+    """The parts, whose coordinates are u, v, w, and of those after the third q4, q5 and so on."""
     requested: Requested
     """The configuration that is asked about."""
     seconds: float
@@ -1645,8 +1649,8 @@ EscapeOfPair._read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': 
 EnergyAnswer._read = {'pairs': EscapeOfPair, 'units': Units}
 PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo}
 InfoAnswer._read = {'drives': DriveInfo, 'joints': JointInfo, 'loads': LoadInfo, 'pairs': PairInfo, 'parameters': Parameter, 'parts': PartInfo, 'springs': SpringInfo, 'units': Units}
-Mode._read = {'sample': ThreeCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
-Requested._read = {'at': ThreeCoordinates}
+Mode._read = {'more': Reach, 'sample': PartCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
+Requested._read = {'at': PartCoordinates}
 ModesAnswer._read = {'modes': Mode, 'pairs': Pair, 'parts': Part, 'requested': Requested, 'units': Units}
 Bottleneck._read = {'at': configuration}
 Contact._read = {'at': configuration}
