@@ -5,6 +5,7 @@
 //! read, so that no name is taken for one. `docs/model.md` in the project's repository describes the format, [`schema()`] is its
 //! schema.
 
+mod bodies;
 mod drawings;
 mod dynamics;
 mod entry;
