@@ -2,7 +2,6 @@
 
 mod order;
 mod ranges;
-mod still;
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -249,10 +248,7 @@ impl Question {
                 tell_starts(model, host);
                 rows(model, Over::Drawn, &assembly.drawn(&limits))
             }
-            None => {
-                still::tell(model, host);
-                ranges::rows(subject, model, &assembly, &limits, host)?
-            }
+            None => ranges::rows(subject, model, &assembly, &limits, host)?,
         };
         let different_heights = different_heights(model, limits.pair);
         let found = Clearances {

@@ -44,6 +44,7 @@ mod tolerance;
 mod toml_dynamics;
 mod toml_values;
 mod union;
+mod unmoved;
 mod value;
 
 pub use error::ModelError;

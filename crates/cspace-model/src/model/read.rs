@@ -16,6 +16,7 @@ use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
 use super::scope::{Entry, Result};
 use super::table::Table;
+use super::unmoved::unmoved;
 use super::value::Value;
 use crate::file::Host;
 use crate::mechanism::Mechanism;
@@ -135,5 +136,7 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
         mechanism.pairs = mechanism.every_two();
     }
     mechanism.dynamics = read_dynamics(root, &mechanism, &bodies, surfaces)?;
-    Ok((mechanism, setting.notes))
+    let mut notes = setting.notes;
+    notes.extend(unmoved(root, &mechanism, &bodies)?);
+    Ok((mechanism, notes))
 }
