@@ -235,7 +235,9 @@ fn loops_of_a_body_stay_those_of_its_members() {
     model.pairs = model.every_two();
     let corners = |part: &Part| -> Vec<Value> {
         let vertices = part.loops()[0].vertices().iter();
-        vertices.map(|v| json!({ "x": v.x, "y": v.y, "bulge": v.bulge })).collect()
+        vertices
+            .map(|v| json!({ "x": v.x, "y": v.y, "bulge": v.bulge }))
+            .collect()
     };
     let moved = square(3.5, "right");
     let edit = |loops: Value| {
@@ -247,5 +249,8 @@ fn loops_of_a_body_stay_those_of_its_members() {
     let edited = edit(json!([left, corners(&moved)])).unwrap();
     assert_eq!(edited.parts[0].drawn(), [members[0].part.clone(), moved]);
     let refused = edit(json!([left])).unwrap_err().to_string();
-    assert!(refused.contains("left + right") && refused.contains("2 loops"), "{refused}");
+    assert!(
+        refused.contains("left + right") && refused.contains("2 loops"),
+        "{refused}"
+    );
 }

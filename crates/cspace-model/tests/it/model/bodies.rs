@@ -268,3 +268,48 @@ fn contradictions_are_refused_where_they_are() {
         &["part 0 \"a\""],
     );
 }
+
+/// A part without a motion beside one on an axis is named, unless something says that it moves.
+#[test]
+fn parts_that_lack_a_motion_are_noted() {
+    let notes = |text: String| {
+        let notes = std::cell::RefCell::new(Vec::new());
+        let note = |text: &str| notes.borrow_mut().push(text.to_owned());
+        let host = Host {
+            note: &note,
+            ..Host::default()
+        };
+        let template = Template::from_text(text, "m.toml").unwrap();
+        template.model(&host).unwrap();
+        notes.into_inner()
+    };
+    let beside = |of_b: &str, more: &str| {
+        let all = [part("a", 0.0, TURNS), part("b", 9.0, of_b), more.to_owned()];
+        notes(all.concat())
+    };
+    let found = beside("", "");
+    assert_eq!(found.len(), 1);
+    for words in [
+        "m.toml:5:1: part 1 \"b\"",
+        "axis of \"a\"",
+        "motion = { type = \"fixed\" }",
+    ] {
+        assert!(found[0].contains(words), "{found:?}");
+    }
+    let hinge = "[[joint]]\ntype = \"revolute\"\nparts = [\"a\", \"b\"]\nat = [0, 0]\n";
+    let load = "[[load]]\npart = \"b\"\ntorque = 1\n";
+    for (of_b, more) in [
+        ("motion = { type = \"fixed\" }", ""),
+        ("motion = { type = \"planar\" }", ""),
+        ("mass = 1", ""),
+        ("", hinge),
+        ("", load),
+        ("", &*weld("a", "b")),
+    ] {
+        assert!(beside(of_b, more).is_empty(), "{of_b} {more}");
+    }
+    // Without an axis, and in no pair with one, there is nothing to lose.
+    assert!(notes(part("a", 0.0, "") + &part("b", 9.0, "")).is_empty());
+    let apart = part("c", 20.0, "") + "[[pair]]\nfixed = \"b\"\nmoving = \"c\"\n";
+    assert!(beside("", &apart).is_empty());
+}

@@ -481,7 +481,8 @@ fn a_welded_pendulum_moves_as_one_of_one_part() {
     );
     let (m, n) = (40e-5, 32e-5 * std::f64::consts::PI);
     let center = -(10.0 * m + 22.0 * n) / (m + n);
-    let inertia = m * (404.0 / 12.0 + (center + 10.0).powi(2)) + n * (8.0 + (center + 22.0).powi(2));
+    let inertia =
+        m * (404.0 / 12.0 + (center + 10.0).powi(2)) + n * (8.0 + (center + 22.0).powi(2));
     let single = format!(
         "{head}[[part]]\nname = \"pendulum\"\nlayers = [{{ {rod} }}, {{ {bob} }}]\nmass = {}\ninertia = {inertia}\ncenter_of_mass = [0, {center}]\n{turns}\n",
         m + n
