@@ -109,7 +109,7 @@ impl PartDynamics {
     }
 }
 
-/// What one of the members says of the body, or several alike.
+/// Value that one of the members gives of the body, or several alike.
 fn said_once<M, T: PartialEq>(
     key: &'static str,
     members: &[M],

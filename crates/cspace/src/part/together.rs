@@ -66,7 +66,7 @@ impl PartFeature {
         loop_index
     }
 
-    /// The same edge or vertex where its loop has another number.
+    /// Edge or vertex of the loop that has another number.
     fn in_loop(self, number: impl Fn(u32) -> u32) -> Self {
         let loop_index = number(self.loop_index());
         match self {

@@ -25,7 +25,7 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// Those of several parts that move as one; `None` of none.
+    /// Sum of the properties of several parts that move as one; `None` of none.
     pub fn sum(parts: &[Self]) -> Option<Self> {
         if let [one] = parts {
             return Some(*one);

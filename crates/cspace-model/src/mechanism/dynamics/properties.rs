@@ -44,7 +44,7 @@ impl PartDynamics {
         })
     }
 
-    /// The same data with what follows from the outline said in numbers, for a part of another outline.
+    /// Copy of the data with what follows from the outline said in numbers, for a part of another outline.
     #[must_use]
     pub fn of_outline(&self, part: &Part) -> Self {
         match self.mass_properties(part) {
