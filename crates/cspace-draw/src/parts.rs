@@ -365,7 +365,6 @@ fn joint_sign(items: &mut Vec<Item>, joint: &Joint, plot: &Plot) {
     match *joint {
         Joint::Revolute { at } => pivot(items, place(plot, at), em),
         Joint::Prismatic { direction, at } => slide(items, place(plot, at), direction, em),
-        Joint::Rigid => {}
     }
 }
 

@@ -4,7 +4,6 @@
 mod cycle;
 mod order;
 mod ranges;
-mod still;
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -291,10 +290,7 @@ impl Question {
                 tell_starts(model, host);
                 rows(model, Over::Drawn, &assembly.drawn(&limits))
             }
-            None => {
-                still::tell(model, host);
-                ranges::rows(subject, model, &assembly, &limits, host)?
-            }
+            None => ranges::rows(subject, model, &assembly, &limits, host)?,
         };
         let different_heights = different_heights(model, limits.pair);
         let found = Clearances {

@@ -353,7 +353,6 @@ fn axes(space: &PairSpace) -> [Option<Axis>; 2] {
             let axis = match pair.joint() {
                 Joint::Revolute { at } => Axis::revolute(at),
                 Joint::Prismatic { direction, .. } => Axis::prismatic(direction),
-                Joint::Rigid => return [None; 2],
             };
             match pair.limits() {
                 Some((lo, hi)) => [Some(Axis::FIXED), Some(axis.within(lo, hi))],

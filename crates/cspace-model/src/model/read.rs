@@ -2,6 +2,7 @@
 
 use cspace_drawing::Unit;
 
+use super::bodies::Bodies;
 use super::drawings::{Files, Setting};
 use super::dynamics::read_dynamics;
 use super::error::ModelError;
@@ -15,6 +16,7 @@ use super::relations::{read_joints, read_pairs};
 use super::requirements::{Requirement, read_requirements};
 use super::scope::{Entry, Result};
 use super::table::Table;
+use super::unmoved::unmoved;
 use super::value::Value;
 use crate::file::Host;
 use crate::mechanism::Mechanism;
@@ -77,8 +79,11 @@ pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<Mo
     let requirements = read_requirements(&root, &mechanism)?;
     let words = |entry: &Entry| match (entry.key.as_str(), entry.item) {
         ("part", Some(i)) => {
-            let name = mechanism.parts.get(i).map_or("", |p| p.part.name());
-            format!("part {}", shown::quoted(name))
+            let name = match file.get("part") {
+                Some(Node::List(parts)) => parts.get(i).and_then(|p| p.get("name")?.text()),
+                _ => None,
+            };
+            format!("part {}", shown::quoted(name.unwrap_or_default()))
         }
         ("requirement", Some(i)) if i < requirements.len() => {
             format!("requirement {}", shown::quoted(&requirements[i].name))
@@ -115,13 +120,14 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
         unit: root.text("unit")?,
         notes: Vec::new(),
     };
-    let (parts, masses) = read_parts(root, &mut setting)?;
-    let joints = read_joints(root, &parts)?;
-    let (pairs, surfaces) = read_pairs(root, &parts)?;
+    let drawn = read_parts(root, &mut setting)?;
+    let bodies = Bodies::read(root, drawn)?;
+    let joints = read_joints(root, &bodies.parts)?;
+    let (pairs, surfaces) = read_pairs(root, &bodies.parts)?;
     let mut mechanism = Mechanism {
         name: root.text("name")?.unwrap_or_default().to_owned(),
         unit: setting.unit.map(str::to_owned),
-        parts,
+        parts: bodies.parts.clone(),
         joints,
         pairs,
         ..Mechanism::default()
@@ -129,6 +135,8 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
     if mechanism.pairs.is_empty() {
         mechanism.pairs = mechanism.every_two();
     }
-    mechanism.dynamics = read_dynamics(root, &mechanism, masses, surfaces)?;
-    Ok((mechanism, setting.notes))
+    mechanism.dynamics = read_dynamics(root, &mechanism, &bodies, surfaces)?;
+    let mut notes = setting.notes;
+    notes.extend(unmoved(root, &mechanism, &bodies)?);
+    Ok((mechanism, notes))
 }

@@ -808,13 +808,13 @@ class DriveInfo(Record):
 class JointInfo(Record):
     """A permanent connection of two parts."""
 
-    at: list[float] | None
+    at: list[float]
     """The point that both parts turn about, or a point of the line of sliding."""
     direction: list[float] | None
     """The direction of a slide."""
     parts: list[str]
     """The names of the parts."""
-    type: Literal['revolute', 'prismatic', 'rigid']
+    type: Literal['revolute', 'prismatic']
     """The kind."""
 
 
@@ -889,6 +889,15 @@ class LayerInfo(Record):
     """The lowest and the highest place, in the model's unit of length; none at every height."""
 
 
+class MemberInfo(Record):
+    """A part of the file that is joined rigidly to others."""
+
+    loops: list[int]
+    """The numbers of its first and its last loop."""
+    name: str
+    """Its name, which stands for all of them."""
+
+
 class PartInfo(Record):
     """A part."""
 
@@ -914,6 +923,8 @@ class PartInfo(Record):
     """Closed loops of the outline."""
     mass: float | None
     """Its mass in kg, where the model gives it a mass or a density."""
+    members: list[MemberInfo] | None
+    """The parts of the file that it is made of, if they are joined rigidly."""
     motion: dict[str, Any]
     """How it moves relative to the ground."""
     name: str
@@ -1647,7 +1658,7 @@ Overlap._read = {'nearest': configuration}
 Pass._read = {'at': configuration}
 EscapeOfPair._read = {'blocked': Overlap, 'enclosed': EnergyEnclosed, 'passes': Pass, 'path': configuration}
 EnergyAnswer._read = {'pairs': EscapeOfPair, 'units': Units}
-PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo}
+PartInfo._read = {'features': InfoFeatureCount, 'layers': LayerInfo, 'members': MemberInfo}
 InfoAnswer._read = {'drives': DriveInfo, 'joints': JointInfo, 'loads': LoadInfo, 'pairs': PairInfo, 'parameters': Parameter, 'parts': PartInfo, 'springs': SpringInfo, 'units': Units}
 Mode._read = {'more': Reach, 'sample': PartCoordinates, 'u': Reach, 'v': Reach, 'w': Reach}
 Requested._read = {'at': PartCoordinates}

@@ -245,7 +245,7 @@ export class PartsView {
       }
     });
     for (const joint of scene.joints) {
-      if (joint.at) pivot(apply(state.placements[joint.parts[0]] ?? IDENTITY, joint.at), "pivot joint", `${joint.type} joint`);
+      pivot(apply(state.placements[joint.parts[0]] ?? IDENTITY, joint.at), "pivot joint", `${joint.type} joint`);
     }
     return marks;
   }

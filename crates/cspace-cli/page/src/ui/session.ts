@@ -361,7 +361,7 @@ export class Session {
   lowerText(pair: ScenePair): string {
     const lower = lowerPair(pair);
     if (!lower) return "There is no configuration space of this pair to show.";
-    const text = { revolute: "turn about a pivot", prismatic: "slide along a line", rigid: "are joined rigidly" }[lower.type];
+    const text = { revolute: "turn about a pivot", prismatic: "slide along a line" }[lower.type];
     return `The two parts ${text}: a lower pair, whose joint is its whole configuration space.`;
   }
 
