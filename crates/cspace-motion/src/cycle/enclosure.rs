@@ -137,11 +137,11 @@ impl Equations<'_> {
             let (jacobian, values) = self.jacobian(&x, time);
             let local = self.local(&jacobian)?;
             let mut far = 0.0_f64;
-            for k in 0..self.n() {
+            for (k, of) in x.iter_mut().enumerate() {
                 let step: f64 = (local.rows.iter().enumerate())
                     .map(|(c, &r)| local.inverse[(k, c)] * values[r])
                     .sum();
-                x[k] -= step;
+                *of -= step;
                 far = far.max((step * self.length(k)).abs());
             }
             if !far.is_finite() {

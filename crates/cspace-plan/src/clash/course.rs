@@ -89,7 +89,7 @@ impl Over<'_, '_, '_> {
                         best = Some((time, gap));
                     }
                 }
-                met if i == 0 => return self.from_the_start(met, at),
+                met if i == 0 => return self.met_at_the_start(met, at),
                 _ => return self.first_touch(time),
             }
         }
@@ -103,7 +103,7 @@ impl Over<'_, '_, '_> {
     }
 
     /// Parts that overlap or touch at the start.
-    fn from_the_start(&mut self, met: Clash, at: [Coords; 2]) -> Option<Passage> {
+    fn met_at_the_start(&mut self, met: Clash, at: [Coords; 2]) -> Option<Passage> {
         let first = *self.times.first()?;
         let met = Clash {
             time: Some(first),

@@ -149,9 +149,9 @@ fn flooded(modes: &TreeModes, n: usize) -> (usize, usize) {
     }
     for number in 0..all {
         let Some(own) = mode[number] else { continue };
-        for k in 0..d {
+        for (k, extent) in along.iter().enumerate() {
             let (i, unit) = (index(number, k), n.pow(k as u32));
-            if i + 1 == n && !along[k].2 {
+            if i + 1 == n && !extent.2 {
                 continue;
             }
             let next = number - i * unit + (i + 1) % n * unit;
@@ -258,7 +258,7 @@ fn cam(followers: usize, least: f64) -> Mechanism {
             corner(12.0, 0.5),
             corner(6.0, 0.5),
         ];
-        let part = Part::polygon(&format!("follower {k}"), &points).unwrap();
+        let part = Part::polygon(format!("follower {k}"), &points).unwrap();
         let axis = Axis::prismatic(Vector::new(cos, sin)).within(-3.0, least);
         mechanism.parts.push(PartEntry::on(part, axis));
         mechanism.pairs.push(pair(0, k + 1));

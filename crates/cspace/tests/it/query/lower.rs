@@ -109,7 +109,7 @@ fn permanent_contacts_vanish_on_the_joint_and_not_off_it() {
 
 #[test]
 fn configurations_beyond_the_limits_are_blocked() {
-    let [revolute, prismatic, _] = joints();
+    let [revolute, prismatic] = joints();
     let class = |p: &LowerPair, t: f64| p.classify(p.configuration(t)).unwrap();
     let turning = pair(revolute, Some((-0.5, 2.0)));
     // Orientations repeat: a turn more or less is the same configuration.
