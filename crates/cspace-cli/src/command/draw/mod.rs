@@ -29,7 +29,6 @@ Examples:
   cspace draw models/ratchet_mechanism.toml -o mechanism.svg
   cspace draw models/ratchet_pawl.toml --labels all -o pawl.pdf
   cspace draw models/gears_on_shafts.toml --at 5deg,-7deg -o gears.png
-  cspace draw models/layers/compound_train.toml --height 4 -o lower.svg
 
 All parts are drawn as they are in the file; with --pair or --at, the two parts
 of the pair at the configuration, and the features that touch there are marked
