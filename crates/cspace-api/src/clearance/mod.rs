@@ -290,7 +290,10 @@ impl Question {
                 tell_starts(model, host);
                 rows(model, Over::Drawn, &assembly.drawn(&limits))
             }
-            None => ranges::rows(subject, model, &assembly, &limits, host)?,
+            None => {
+                subject.note_on_pairs(host);
+                ranges::rows(subject, model, &assembly, &limits, host)?
+            }
         };
         let different_heights = different_heights(model, limits.pair);
         let found = Clearances {

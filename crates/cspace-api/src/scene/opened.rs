@@ -210,6 +210,7 @@ impl Opened {
                 mechanism: self.model.clone(),
                 parameters: Vec::new(),
                 requirements: Vec::new(),
+                on_pairs: Vec::new(),
             },
         };
         let known = self.model.parts.iter().map(|p| p.part.name());

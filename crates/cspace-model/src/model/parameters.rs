@@ -726,11 +726,6 @@ symmetry = "n"
             ..Host::default()
         };
         let text = MODEL.replacen("n = 4", "n = 4\nspare = \"gap\"", 1);
-        let text = text.replacen(
-            "name = \"plate\"",
-            "name = \"plate\"\nmotion = { type = \"planar\" }",
-            1,
-        );
         read_from_hosted(text.as_bytes(), "m.toml", &host).unwrap();
         assert_eq!(
             *notes.borrow(),

@@ -56,6 +56,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Requirements of the design, in the order of the file.
     pub requirements: Vec<Requirement>,
+    /// Notes for who asks about its pairs: axes that have no effect, since the other part says no motion.
+    pub on_pairs: Vec<String>,
 }
 
 /// The parameters of a file.
@@ -71,8 +73,17 @@ pub(super) fn parameters_of(
     Parameters::read(given.as_deref(), &place, host.set, variation, unit)
 }
 
-/// The model, and what whoever reads it should know.
-pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<ModelError>)> {
+/// Notes on a model.
+#[derive(Default)]
+pub(super) struct Notes {
+    /// For who reads it.
+    pub(super) on_all: Vec<ModelError>,
+    /// For who asks about its pairs.
+    pub(super) on_pairs: Vec<ModelError>,
+}
+
+/// The model, without the notes on its pairs, and all notes.
+pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Notes)> {
     let parameters = parameters_of(file, files.host, None)?;
     let root = Table::new(Value::root(file, &parameters.scope), &FILE)?;
     let (mechanism, mut notes) = mechanism(&root, files)?;
@@ -93,17 +104,18 @@ pub(super) fn from_tree(file: &Node, files: &Files<'_>) -> Result<(Model, Vec<Mo
     };
     let place = root.place.key("parameter");
     let (parameters, unused) = parameters.used(&place, words)?;
-    notes.extend(unused);
+    notes.on_all.extend(unused);
     let model = Model {
         mechanism,
         parameters,
         requirements,
+        on_pairs: Vec::new(),
     };
     Ok((model, notes))
 }
 
 /// The mechanism of a file.
-fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<ModelError>)> {
+fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Notes)> {
     let parts = root.nodes("part", "write each part as [[part]], in two brackets")?;
     let count = parts.map_or(0, <[Node]>::len);
     if count == 0 {
@@ -136,7 +148,9 @@ fn mechanism(root: &Table<'_>, files: &Files<'_>) -> Result<(Mechanism, Vec<Mode
         mechanism.pairs = mechanism.every_two();
     }
     mechanism.dynamics = read_dynamics(root, &mechanism, &bodies, surfaces)?;
-    let mut notes = setting.notes;
-    notes.extend(unmoved(root, &mechanism, &bodies)?);
+    let notes = Notes {
+        on_all: setting.notes,
+        on_pairs: unmoved(root, &mechanism, &bodies)?,
+    };
     Ok((mechanism, notes))
 }

@@ -14,7 +14,7 @@
 //! ```
 //! use cspace::Part;
 //! use cspace_model::{Mechanism, PartEntry};
-//! use cspace_plan::modes::{ModePlace, Modes, moving_parts};
+//! use cspace_plan::modes::{ModePlace, Modes};
 //! // Two bolts and a slide across them, which has a slot that takes the end of one bolt at a time.
 //! let mut lock = Mechanism::new("lock");
 //! let mut add = |part, direction: (f64, f64), range: (f64, f64)| {
@@ -27,7 +27,7 @@
 //! add(Part::polygon("slide", &slot)?, (1.0, 0.0), (-4.0, 4.0));
 //! add(Part::rectangle("right bolt", (4.0, 7.0), 2.0, 4.0)?, (0.0, 1.0), (-3.0, 1.0));
 //! lock.pairs = lock.every_two();
-//! let modes = Modes::compute(&lock, moving_parts(&lock)?)?;
+//! let modes = Modes::compute(&lock, [0, 1, 2])?;
 //! // With the slide to the left the left bolt enters the slot, with the slide to the right the right one: one mode.
 //! assert_eq!(modes.list().len(), 1);
 //! assert_eq!(modes.locate([-3.0, -4.0, 0.0])?, ModePlace::Mode(0));

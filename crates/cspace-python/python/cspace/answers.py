@@ -304,6 +304,25 @@ class Backlash(Record):
     """The largest (rad)."""
 
 
+class Cycle(Record):
+    """One cycle of the drives that move two parts."""
+
+    drives: dict[str, float]
+    """Where the driven parts are at the time that is told: angles (rad), or lengths in the model's unit."""
+    halt: Literal['dead-point'] | dict[str, Any] | None
+    """Reason why they go no farther."""
+    halted: dict[str, float] | None
+    """Where the drives are when the parts are halted."""
+    poses: list[list[float]]
+    """Configurations (x, y, θ) of the two parts at that time."""
+    reached: float
+    """The time up to which the parts go (s): the last, unless something halts them."""
+    times: list[float]
+    """Its first and last time (s)."""
+    turns: dict[str, int] | None
+    """Driven parts that turn round, with the number of their turns."""
+
+
 class Stopped(Record):
     """End of a range, or of a turn, to which a part does not come."""
 
@@ -326,6 +345,8 @@ class ClearanceOfPair(Record):
     """When or where that is."""
     backlash: Backlash | None
     """Play of the second part while the first is held, over a turn of the first, where they turn only together; none where something within that play is passed on two sides."""
+    cycle: Cycle | None
+    """Over a cycle, what that is and how far the parts go through it."""
     depth: float | None
     """The length of the shortest translation of the second part that separates parts that overlap; none of others, and of parts with too many edges."""
     fixed: str
@@ -333,14 +354,14 @@ class ClearanceOfPair(Record):
     gap: float | None
     """The least distance, in the model's unit; 0 of boundaries that meet, none of parts that overlap or are joined."""
     least: float | None
-    """Over their ranges, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap, or 10⁻¹⁰ of the parts' size if that is more; 0 where it could not be proved."""
+    """Over their ranges and over a cycle, of parts that are clear: no configuration has a smaller distance than this, which is a billionth less than the gap, or 10⁻¹⁰ of the parts' size if that is more; less where no more was proved, 0 where nothing was."""
     moving: str
     """Name of the moving part."""
     offset: float | None
     """The smallest distance by which the second of two parts that overlap has to be made smaller all around so that they do not; none of others, over a motion, and where its edges are too small for it."""
     outcome: Literal['done', 'overlaps', 'stopped', 'undecided', 'meets', 'touches', 'meshes', 'clear', 'joined']
     """How it came out."""
-    over: Literal['ranges', 'drawn', 'record']
+    over: Literal['ranges', 'drawn', 'record', 'cycle']
     """The motions over which it is."""
     points: list[list[float]] | None
     """A point of each part in the assembly's frame: the nearest; of parts that overlap those that touch after the translation, the second where it is before."""
@@ -1643,7 +1664,7 @@ Requirement._read = {'at': configuration}
 CheckAnswer._read = {'requirements': Requirement, 'units': Units}
 Backlash._read = {'at': configuration}
 Stopped._read = {'at': configuration}
-ClearanceOfPair._read = {'at': number_or_configuration, 'backlash': Backlash, 'stopped': Stopped}
+ClearanceOfPair._read = {'at': number_or_configuration, 'backlash': Backlash, 'cycle': Cycle, 'stopped': Stopped}
 ClearanceAnswer._read = {'pairs': ClearanceOfPair, 'units': Units}
 FreeRegion._read = {'sample': configuration}
 Counts._read = {'decisions': Decisions}

@@ -39,7 +39,7 @@ nothing between two poses is missed. Parts that joints carry and drives move are
 looked at over one cycle of the drives: bounds of their motion decide, between
 any two times. Others are looked at as drawn.
 
-  overlaps  as drawn, or over a cycle, with the time of the first touch. As drawn
+  overlaps  over a cycle, with the time of the first touch; as drawn,
             with the depth: the length of the shortest translation of
             the second part that separates the two, neither of them turned; and
             by how much smaller it would be clear, where that is less

@@ -27,8 +27,9 @@ the spaces of their pairs; a pair that the model does not list constrains
 nothing. An operating mode is a connected component of the free configurations:
 a motion of the three parts leads from one to another if and only if both are
 in one mode. More than three parts are taken too where their contacts make a
-tree, as of a cam and its followers; their coordinates are u, v, w, q4, q5 ... Modes are found from the contact curves, not by sampling; openings
-of less than 1e-11 of the size are closed, as in the spaces of the pairs.
+tree, as of a cam and its followers; their coordinates are u, v, w, q4, q5 ...
+Modes are found from the contact curves, not by sampling; openings of less than
+1e-11 of the size are closed, as in the spaces of the pairs.
 
 For each mode: the range of each coordinate, a configuration within it, and the
 coordinates that turn for ever in it. Where parts turn for ever together the

@@ -273,15 +273,8 @@ fn contradictions_are_refused_where_they_are() {
 #[test]
 fn parts_that_lack_a_motion_are_noted() {
     let notes = |text: String| {
-        let notes = std::cell::RefCell::new(Vec::new());
-        let note = |text: &str| notes.borrow_mut().push(text.to_owned());
-        let host = Host {
-            note: &note,
-            ..Host::default()
-        };
         let template = Template::from_text(text, "m.toml").unwrap();
-        template.model(&host).unwrap();
-        notes.into_inner()
+        template.model(&Host::default()).unwrap().on_pairs
     };
     let beside = |of_b: &str, more: &str| {
         let all = [part("a", 0.0, TURNS), part("b", 9.0, of_b), more.to_owned()];
